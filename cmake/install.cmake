@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# find_package(edgewise) and the target edgewise::edgewise.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+foreach(room geometry table algorithms)
+    install(DIRECTORY src/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp"
+            PATTERN mesh_file.hpp EXCLUDE)
+endforeach()
+install(DIRECTORY layouts DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp")
+
+install(TARGETS edgewise_library EXPORT edgewise_targets)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/edgewise)
+install(EXPORT edgewise_targets NAMESPACE edgewise:: DESTINATION ${package_folder})
+configure_package_config_file(cmake/edgewise-config.cmake.in edgewise-config.cmake INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(edgewise-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/edgewise-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/edgewise-config-version.cmake
+        DESTINATION ${package_folder})

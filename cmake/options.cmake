@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# What can be chosen, and the flags that every file of Edgewise is compiled with.
+
+option(EDGEWISE_TOOL "Build the profiling tool (else only the library)" ON)
+option(EDGEWISE_TESTS "Build the tests" ON)
+option(EDGEWISE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+set(EDGEWISE_TUNE "" CACHE STRING "Value for -march in the tool (native, x86-64-v3 ...); empty: the compiler's default")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+# Private to this build: warnings and sanitizers.
+add_library(edgewise_flags INTERFACE)
+target_compile_features(edgewise_flags INTERFACE cxx_std_20)
+target_compile_options(edgewise_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+    # A false alarm of g++ 12 inside std::string (GCC bug 105651).
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+if(EDGEWISE_SANITIZE)
+    target_compile_options(edgewise_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(edgewise_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# Machine tuning is for the tool alone: nothing that is installed or exported is compiled with it.
+add_library(edgewise_tuned_flags INTERFACE)
+target_link_libraries(edgewise_tuned_flags INTERFACE edgewise_flags)
+if(EDGEWISE_TUNE)
+    target_compile_options(edgewise_tuned_flags INTERFACE -march=${EDGEWISE_TUNE})
+endif()

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+# The tool: everything that measures, as one library for the program and the tests, then the program.
+edgewise_write_registry()
+get_property(registry_units GLOBAL PROPERTY EDGEWISE_REGISTRY_UNITS)
+
+set(build_info ${PROJECT_BINARY_DIR}/registry/build_info.cpp)
+string(TOUPPER ${CMAKE_BUILD_TYPE} type)
+add_custom_target(edgewise_build_info BYPRODUCTS ${build_info}
+    COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TEMPLATE=${PROJECT_SOURCE_DIR}/cmake/build_info.cpp.in
+            -D OUTPUT=${build_info} -D "COMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
+            -D "FLAGS=${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} -march=${EDGEWISE_TUNE} -ffp-contract=off"
+            -D BUILD_TYPE=${CMAKE_BUILD_TYPE} -D CHARTS=${EDGEWISE_CHARTS_DIR}
+            -P ${PROJECT_SOURCE_DIR}/cmake/write_build_info.cmake)
+
+set(mesh_sources src/geometry/mesh_file_unavailable.cpp)
+if(assimp_FOUND)
+    set(mesh_sources src/geometry/mesh_file.cpp src/geometry/mesh_parts.cpp src/geometry/mesh_volume.cpp)
+endif()
+
+add_library(edgewise_tool STATIC
+    ${registry_units}
+    ${build_info}
+    ${mesh_sources}
+    src/cli/progress.cpp
+    src/measure/caches.cpp
+    src/measure/counters.cpp
+    src/measure/cpu.cpp
+    src/measure/fact.cpp
+    src/measure/machine.cpp
+    src/measure/machine_json.cpp
+    src/measure/perf_event.cpp
+    src/measure/statistics.cpp
+    src/scene/case_file.cpp
+    src/scene/motion.cpp
+    src/scene/scene_cold.cpp
+    src/scene/scene_setup.cpp
+    src/scene/scene_static.cpp
+    src/scene/scene_tumble.cpp
+    src/scene/scenes.cpp
+    src/scene/shapes.cpp
+    src/scene/sphere_points.cpp
+    src/sweep/cell.cpp
+    src/sweep/contender.cpp
+    src/sweep/group.cpp
+    src/sweep/plan.cpp
+    src/sweep/registry.cpp
+    src/sweep/run.cpp
+    src/sweep/shapes_of.cpp
+    src/sweep/sqlite.cpp
+    src/sweep/store.cpp
+    src/sweep/table_bytes.cpp
+    src/sweep/verify.cpp
+    src/truth/accuracy_band.cpp
+    src/truth/brute_force.cpp
+    src/truth/common_interior.cpp
+    src/truth/dyadic.cpp
+    src/truth/exact_body.cpp
+    src/truth/exact_distance.cpp
+    src/truth/optimality.cpp
+    src/truth/seed_simplex.cpp
+    src/truth/support_filter.cpp)
+add_dependencies(edgewise_tool edgewise_build_info)
+target_link_libraries(edgewise_tool
+    PUBLIC edgewise_library nlohmann_json::nlohmann_json fmt::fmt ${GMPXX_LIBRARY} ${GMP_LIBRARY}
+    PRIVATE SQLite::SQLite3 edgewise_tuned_flags)
+if(assimp_FOUND)
+    target_link_libraries(edgewise_tool PRIVATE assimp::assimp)
+endif()
+
+add_executable(edgewise_program
+    src/cli/command_bytes.cpp
+    src/cli/command_list.cpp
+    src/cli/command_machine.cpp
+    src/cli/command_query.cpp
+    src/cli/command_report.cpp
+    src/cli/command_sweep.cpp
+    src/cli/main.cpp)
+set_target_properties(edgewise_program PROPERTIES OUTPUT_NAME edgewise RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+target_link_libraries(edgewise_program PRIVATE edgewise_tool edgewise_reports CLI11::CLI11 edgewise_tuned_flags)

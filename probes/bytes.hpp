@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// Bytes per edge: every byte of the table by component, over the shape's edges; and the two slopes, per additional
+// edge, fitted over a family of triangulated bodies: of the paper's subtotal (Voronoi planes, direction and length,
+// vertex coordinates: 168 bytes in double precision, 84 in single) and of the whole table.
+#pragma once
+
+#include "edgewise/measure/probe.hpp"
+#include "edgewise/measure/statistics.hpp"
+
+namespace edgewise::probes {
+
+class bytes final : public Probe {
+  public:
+    [[nodiscard]] std::string_view name() const override { return "bytes"; }
+    [[nodiscard]] std::string_view summary() const override {
+        return "bytes per edge by component, total, and slopes per additional edge";
+    }
+
+    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
+        const TableBytes& table = subject.table;
+        const double edges = static_cast<double>(table.edges);
+        std::vector<Figure> result;
+        for (const ComponentBytes& component : table.components) {
+            result.push_back({component.name, component.bytes / edges, "B/edge"});
+        }
+        result.push_back(paper_slope(subject));
+        result.push_back({"total_bytes_per_edge", table.total / edges, "B/edge"});
+        result.push_back(slope("slope_bytes_per_edge", subject, &TableBytes::total));
+        result.push_back({"table_bytes", table.total, "B"});
+        return result;
+    }
+
+  private:
+    static Figure paper_slope(const Subject& subject) {
+        if (subject.table.paper_subtotal > 0) {
+            return slope("paper_bytes_per_edge", subject, &TableBytes::paper_subtotal);
+        }
+        return {"paper_bytes_per_edge", std::nullopt, "B/edge", "this table stores no Voronoi planes",
+                "choose a layout and an algorithm that store them, such as aos with vclip"};
+    }
+
+    static Figure slope(const char* name, const Subject& subject, double TableBytes::*quantity) {
+        std::vector<double> edges, sizes;
+        for (const TableBytes& table : subject.sizes) {
+            edges.push_back(static_cast<double>(table.edges));
+            sizes.push_back(table.*quantity);
+        }
+        const auto line = least_squares(edges, sizes);
+        if (line) return {name, line->slope, "B/edge"};
+        return {name, std::nullopt, "B/edge", "no family of bodies to fit a slope over", ""};
+    }
+};
+
+}  // namespace edgewise::probes

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// Error: the answers beside the exact ones. Two errors, kept apart: against the exact answer of the bodies that the
+// table holds (the algorithm's own error) and of the bodies as given (with the rounding of storage on top). Verdicts
+// are wrong only outside the band where rounding decides; cases inside it are counted and shown apart.
+#pragma once
+
+#include <algorithm>
+
+#include "edgewise/measure/probe.hpp"
+#include "edgewise/measure/statistics.hpp"
+
+namespace edgewise::probes {
+
+class error final : public Probe {
+  public:
+    [[nodiscard]] std::string_view name() const override { return "error"; }
+    [[nodiscard]] std::string_view summary() const override {
+        return "worst error and wrong verdicts against exact arithmetic; steps, cycles and fallbacks";
+    }
+
+    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
+        const auto count = [&](auto is) {
+            return static_cast<double>(std::count_if(subject.checked.begin(), subject.checked.end(), is));
+        };
+        using Answer = const CheckedAnswer&;
+        const double separated = count([](Answer a) { return a.separated; });
+        const double touching = count([](Answer a) { return a.touching; });
+        const double checked = static_cast<double>(subject.checked.size());
+        const AnswerCounts& counts = subject.counts;
+        return {
+            {"checked", checked, "queries"},
+            worst("worst_error_stored", subject, &CheckedAnswer::error_stored),
+            worst("worst_error_given", subject, &CheckedAnswer::error_given),
+            at_quantile("p99_error_stored", subject, &CheckedAnswer::error_stored, 0.99),
+            worst("witness_error", subject, &CheckedAnswer::witness_error),
+            {"wrong_verdicts", count([](Answer a) { return a.verdict_wrong; }), "queries"},
+            {"verdicts_in_band", count([](Answer a) { return a.in_band; }), "queries"},
+            {"separated", separated, "queries"},
+            {"touching", touching, "queries"},
+            {"overlapping", checked - separated - touching, "queries"},
+            {"fallbacks", static_cast<double>(counts.fallbacks), "queries"},
+            {"cycles", static_cast<double>(counts.cycles), "queries"},
+            mean_steps(counts),
+            {"max_steps", static_cast<double>(counts.max_steps), "steps"},
+        };
+    }
+
+  private:
+    static std::vector<double> column(const Subject& subject, double CheckedAnswer::*error) {
+        std::vector<double> result;
+        for (const CheckedAnswer& answer : subject.checked) result.push_back(answer.*error);
+        return result;
+    }
+
+    static Figure worst(const char* name, const Subject& subject, double CheckedAnswer::*error) {
+        return at_quantile(name, subject, error, 1.0);
+    }
+
+    static Figure at_quantile(const char* name, const Subject& subject, double CheckedAnswer::*error, double p) {
+        const auto value = quantile(column(subject, error), p);
+        if (value) return {name, value, "scale"};
+        return {name, std::nullopt, "scale", "no query was checked", "check more queries"};
+    }
+
+    static Figure mean_steps(const AnswerCounts& counts) {
+        if (counts.queries == 0) return {"mean_steps", std::nullopt, "steps", "no query was asked", ""};
+        return {"mean_steps", static_cast<double>(counts.steps) / static_cast<double>(counts.queries), "steps"};
+    }
+};
+
+}  // namespace edgewise::probes

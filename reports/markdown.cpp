@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// See markdown.hpp. Pictures are linked, where there are any.
+#include "edgewise/reports/markdown.hpp"
+
+#include <fmt/core.h>
+
+#include "edgewise/reports/page.hpp"
+#include "edgewise/reports/tables.hpp"
+#include "edgewise/reports/text.hpp"
+
+namespace edgewise {
+
+namespace {
+
+std::string section(const std::string& title, const std::string& words = {}) {
+    return fmt::format("## {}\n\n{}", title, words.empty() ? "" : words + "\n\n");
+}
+
+std::string charts_markdown(const std::vector<Chart>& charts, const StaticFigures& figures) {
+    std::string out = section("Charts");
+    if (!figures.note.empty()) out += figures.note + "\n\n";
+    for (const Chart& chart : charts) {
+        out += fmt::format("### {}\n\n{}\n\n", chart.title, chart.how_to_read);
+        if (figures.svg.count(chart.name))
+            out += fmt::format("![{}](figures/{}.svg)\n\n", chart.title, chart.name);
+        for (const std::string& note : chart.notes) out += "- " + markdown_text(note) + "\n";
+        if (!chart.notes.empty()) out += "\n";
+    }
+    return out;
+}
+
+std::string times_markdown(const ReportData& data) {
+    std::string out = section("Times", time_explanation());
+    for (const std::string& scene : scene_labels(data))
+        for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
+            const Grid grid = time_grid(data, scene, kind, "");
+            if (!grid.rows.empty()) out += grid_markdown(grid);
+        }
+    return out;
+}
+
+}  // namespace
+
+std::string report_markdown(const ReportData& data, const std::vector<Chart>& charts,
+                            const StaticFigures& figures) {
+    std::string out =
+        fmt::format("# Edgewise report\n\n{}\n\n**{}**\n\n", report_purpose(), verdict_line(data));
+    const Grid problems = problems_grid(data);
+    if (!problems.rows.empty()) out += section("Failed and unavailable cells") + grid_markdown(problems);
+    out += section("Machine and build") + grid_markdown(facts_grid(data)) + grid_markdown(scenes_grid(data));
+    out += charts_markdown(charts, figures);
+    out += section("Bytes per edge", bytes_explanation()) + grid_markdown(bytes_grid(data, ""));
+    out += times_markdown(data);
+    out += section("Errors", error_explanation()) + grid_markdown(error_summary_grid(data));
+    out += grid_markdown(error_grid(data));
+    return out + section("All cells") + grid_markdown(cells_grid(data));
+}
+
+}  // namespace edgewise

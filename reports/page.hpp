@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// The report as one self-contained HTML file: readable without scripts, alive with them, no network either
+// way.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/charts.hpp"
+#include "edgewise/reports/figures.hpp"
+#include "edgewise/reports/reader.hpp"
+
+namespace edgewise {
+
+/// "246 cells verified, 3 failed, 1 unavailable."
+[[nodiscard]] std::string verdict_line(const ReportData& data);
+/// The two sentences at the top of every page.
+[[nodiscard]] std::string report_purpose();
+/// What the bytes table's columns mean.
+[[nodiscard]] std::string bytes_explanation();
+[[nodiscard]] std::string time_explanation();
+[[nodiscard]] std::string error_explanation();
+
+/// `scripts`: the bundles as script elements, or empty when they were not available.
+[[nodiscard]] std::string page_html(const ReportData& data, const std::vector<Chart>& charts,
+                                    const StaticFigures& figures, const std::string& scripts);
+
+}  // namespace edgewise

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// The interval of a median ratio from the stored rounds, by order statistics: it needs no distribution and no
+// random numbers, so the same store gives the same report. With fewer than six rounds even the whole range
+// holds the median with less than 95 %; the interval then is that range and says so.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace edgewise {
+
+struct RatioInterval {
+    double low = 0, high = 0;
+    bool whole_range = false;  ///< too few rounds for 95 %
+};
+
+/// Null when there are fewer than two ratios.
+[[nodiscard]] std::optional<RatioInterval> median_interval(std::vector<double> ratios);
+
+}  // namespace edgewise

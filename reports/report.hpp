@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// The report generator's one entry: a store in, a directory of readable files out.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace edgewise {
+
+struct ReportSummary {
+    std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
+    std::string build;         ///< id of the build that is shown
+    std::string page;          ///< path of index.html
+    bool charts = false;       ///< the page carries the chart bundles
+    std::size_t pictures = 0;  ///< static SVG pictures rendered
+    std::string note;          ///< what is missing and what to do; empty when nothing is
+};
+
+/// Reads `store` and writes index.html, report.md, results.csv and figures/ into `out_directory`.
+/// `bundle_directory` holds the chart bundles and render_svg.mjs; it may be missing. The same store gives the
+/// same bytes. Throws std::runtime_error with one line: what, where, what to do.
+ReportSummary write_report(const std::string& store, const std::string& out_directory,
+                           const std::string& bundle_directory);
+
+}  // namespace edgewise

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// Names scenes for people: the scene alone where it occurs with one set of parameters, else with the
+// parameters that differ, e.g. "tumble (rotation_step 0.01)".
+#pragma once
+
+#include <vector>
+
+#include "edgewise/reports/reader.hpp"
+
+namespace edgewise {
+
+void label_scenes(std::vector<ReportCell>& cells);
+
+}  // namespace edgewise

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// The tables of the report, as grids. What each shows and in which order is decided here, once, for every
+// page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/grid.hpp"
+#include "edgewise/reports/reader.hpp"
+
+namespace edgewise {
+
+enum class PairKind { Separated, Overlapping };
+[[nodiscard]] std::string pair_name(
+    PairKind kind);  ///< "separated" | "overlapping": also the figures' prefix
+
+/// What ran, on what, built how: key and value.
+[[nodiscard]] Grid facts_grid(const ReportData& data);
+/// Name and full parameters of every scene.
+[[nodiscard]] Grid scenes_grid(const ReportData& data);
+/// Cells that failed, then cells that were unavailable, with their reasons.
+[[nodiscard]] Grid problems_grid(const ReportData& data);
+/// Every cell: what it is and its status.
+[[nodiscard]] Grid cells_grid(const ReportData& data);
+
+/// The shape that the short tables and the first view of the charts show: sphere386 if swept, else the
+/// largest.
+[[nodiscard]] std::string reference_shape(const ReportData& data);
+/// Names of the bytes probe's components, the paper's three first.
+[[nodiscard]] std::vector<std::string> byte_components(const ReportData& data);
+/// Bytes an edge by component; an empty `shape` means all of them.
+[[nodiscard]] Grid bytes_grid(const ReportData& data, const std::string& shape);
+
+/// Cells of one scene, by shape and then fastest first; an empty `shape` means all of them.
+[[nodiscard]] Grid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
+                             const std::string& shape);
+
+/// Worst errors and sums by algorithm and table type, over all cells.
+[[nodiscard]] Grid error_summary_grid(const ReportData& data);
+/// The error figures of every cell.
+[[nodiscard]] Grid error_grid(const ReportData& data);
+
+/// Scene labels in order.
+[[nodiscard]] std::vector<std::string> scene_labels(const ReportData& data);
+
+}  // namespace edgewise

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// Numbers and text for people: how a figure is written, and how text is made safe for HTML and Markdown.
+#pragma once
+
+#include <string>
+
+#include "edgewise/reports/reader.hpp"
+
+namespace edgewise {
+
+/// At most three or four significant digits, by unit: "168", "12.4", "3.1e-16", "0" only for exactly 0.
+[[nodiscard]] std::string number_text(double value, const std::string& unit = {});
+[[nodiscard]] std::string html_text(const std::string& text);                  ///< escapes & < > " '
+[[nodiscard]] std::string markdown_text(const std::string& text);              ///< one line; escapes | and <
+[[nodiscard]] std::string plural(std::size_t count, const std::string& noun);  ///< "1 cell", "2 cells"
+
+}  // namespace edgewise

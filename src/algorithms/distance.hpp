@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// What every algorithm returns. Points are in the frame of body A, where queries run; `to_world` takes them
+// out.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "edgewise/geometry/pose.hpp"
+
+namespace edgewise {
+
+enum class Status : std::uint8_t {
+    separated,    ///< distance > 0
+    touching,     ///< distance 0 and no common interior seen
+    overlapping,  ///< distance 0 and a common interior point
+    failed,       ///< no answer; the caller says why
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Status status) {
+    constexpr std::string_view names[] = {"separated", "touching", "overlapping", "failed"};
+    return names[static_cast<int>(status)];
+}
+
+struct Distance {
+    Status status = Status::failed;
+    double distance = 0;            ///< 0 unless separated
+    Vec3d point_a = Vec3d::Zero();  ///< witness on A, in A's frame; when overlapping, no claim is made
+    Vec3d point_b = Vec3d::Zero();  ///< witness on B, in A's frame
+    int steps = 0;                  ///< V-Clip states visited, or GJK iterations
+    int cycles = 0;                 ///< runs that came back to a state already seen
+    int fallbacks = 0;              ///< answers taken from the complete fallback instead
+};
+
+/// The witness points in world coordinates.
+[[nodiscard]] inline Distance to_world(Distance answer, const Pose& pose_a) {
+    answer.point_a = pose_a.apply(answer.point_a);
+    answer.point_b = pose_a.apply(answer.point_b);
+    return answer;
+}
+
+/// Fills in what follows from two witness points known to be closest.
+template <class Scalar>
+[[nodiscard]] Distance between(const Vec3<Scalar>& on_a, const Vec3<Scalar>& on_b) {
+    Distance answer;
+    answer.distance = norm(Vec3<Scalar>(on_a - on_b));
+    answer.status = answer.distance > 0 ? Status::separated : Status::touching;
+    answer.point_a = on_a.template cast<double>();
+    answer.point_b = on_b.template cast<double>();
+    return answer;
+}
+
+}  // namespace edgewise

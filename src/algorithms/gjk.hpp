@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+//
+// Enhanced GJK: the distance between two convex bodies as the distance of their Minkowski difference A - B
+// from the origin, approached by simplices of at most four support points.
+//
+// Gilbert, Johnson, Keerthi 1988; Cameron 1997 for hill-climbing support and for keeping the whole simplex as
+// the start of the next query. Departures: everything runs in A's frame with a relative pose; termination is
+// relative (the duality gap against the rounding noise of the support products) where Cameron's is an
+// absolute 1e-8 on the squared distance; a repeated support point ends the run, as does a step that gains
+// nothing (Nagle's problem).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/johnson.hpp"
+#include "edgewise/algorithms/support.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/table/contract.hpp"
+
+namespace edgewise {
+
+/// Up to four pairs of vertices, and the points they stand for in the Minkowski difference (A's frame).
+template <SupportTable TableA, SupportTable TableB>
+struct Simplex {
+    using Scalar = ComputeOf<TableA>;
+
+    int count = 0;
+    std::array<typename TableA::Vertex, 4> vertex_a;
+    std::array<typename TableB::Vertex, 4> vertex_b;
+    std::array<Vec3<Scalar>, 4> on_a, on_b;  ///< both in A's frame
+    std::array<Vec3<Scalar>, 4> difference;
+
+    void push(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& point_a,
+              const Vec3<Scalar>& point_b) {
+        vertex_a[count] = a;
+        vertex_b[count] = b;
+        on_a[count] = point_a;
+        on_b[count] = point_b;
+        difference[count] = point_a - point_b;
+        ++count;
+    }
+
+    [[nodiscard]] bool holds(typename TableA::Vertex a, typename TableB::Vertex b) const {
+        for (int i = 0; i < count; ++i) {
+            if (vertex_a[i] == a && vertex_b[i] == b) return true;
+        }
+        return false;
+    }
+
+    /// Drops what the closest point does not rest on; weights move along.
+    void keep(typename Johnson<Scalar>::Closest& closest) {
+        int kept = 0;
+        for (int i = 0; i < count; ++i) {
+            if (!(closest.members >> i & 1)) continue;
+            vertex_a[kept] = vertex_a[i];
+            vertex_b[kept] = vertex_b[i];
+            on_a[kept] = on_a[i];
+            on_b[kept] = on_b[i];
+            difference[kept] = difference[i];
+            closest.weight[kept] = closest.weight[i];
+            ++kept;
+        }
+        count = kept;
+    }
+
+    /// Longest coordinate among the points: what rounding noise is relative to.
+    [[nodiscard]] Scalar size() const {
+        Scalar result = 0;
+        for (int i = 0; i < count; ++i) result = std::max({result, max_abs(on_a[i]), max_abs(on_b[i])});
+        return result;
+    }
+};
+
+/// What a pair keeps from one query to the next: the vertices of its last simplex.
+template <SupportTable TableA, SupportTable TableB>
+struct SimplexPair {
+    std::uint32_t count = 0;  ///< 0: cold
+    std::array<typename TableA::Vertex, 4> vertex_a{};
+    std::array<typename TableB::Vertex, 4> vertex_b{};
+
+    SimplexPair() = default;
+    SimplexPair(const TableA&, const TableB&) {}
+};
+
+template <SupportTable TableA, SupportTable TableB>
+class GjkRun {
+  public:
+    using Scalar = ComputeOf<TableA>;
+    using Pair = SimplexPair<TableA, TableB>;
+
+    GjkRun(const TableA& a, const TableB& b, const Transform<Scalar>& a_from_b)
+        : a_(a), b_(b), a_from_b_(a_from_b) {}
+
+    [[nodiscard]] Distance run(Pair& pair) {
+        start(pair);
+        for (;;) {
+            ++steps_;
+            if (simplex_.count == 4) return finish(pair, Status::overlapping);
+            const Scalar squared = squared_norm(closest_.point);
+            if (squared == 0) return finish(pair, Status::touching);
+            if (!advance(squared)) break;
+        }
+        return finish(pair, separated_or_contact());
+    }
+
+  private:
+    void start(const Pair& pair) {
+        if (pair.count == 0) {
+            add(a_.first_vertex(), b_.first_vertex());
+        }
+        for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
+        solve();
+    }
+
+    void add(typename TableA::Vertex a, typename TableB::Vertex b) {
+        simplex_.push(a, b, a_.vertex(a), a_from_b_.point(b_.vertex(b)));
+    }
+
+    void solve() {
+        closest_ = Johnson<Scalar>(simplex_.difference, simplex_.count).closest();
+        simplex_.keep(closest_);
+    }
+
+    /// One support point further; false when nothing is left to gain.
+    [[nodiscard]] bool advance(Scalar squared) {
+        const Vec3<Scalar>& v = closest_.point;
+        const auto a = support(a_, Vec3<Scalar>(-v), simplex_.vertex_a[simplex_.count - 1]);
+        const auto b = support(b_, a_from_b_.direction_back(v), simplex_.vertex_b[simplex_.count - 1]);
+        const Vec3<Scalar> on_b = a_from_b_.point(b.point);
+        const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex_.size();
+        reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
+        separates_ = reach_ > noise;
+        if (simplex_.holds(a.vertex, b.vertex) || squared - reach_ <= noise) return false;
+
+        const Simplex<TableA, TableB> before = simplex_;
+        const auto closest_before = closest_;
+        simplex_.push(a.vertex, b.vertex, a.point, on_b);
+        solve();
+        if (simplex_.count == 4 || squared_norm(closest_.point) < squared) return true;
+        simplex_ = before;
+        closest_ = closest_before;
+        return false;
+    }
+
+    /// At the origin with a direction that separates nothing: contact as far as this precision can tell.
+    [[nodiscard]] Status separated_or_contact() const {
+        const bool at_origin = max_abs(closest_.point) <= Tolerance<Scalar>::contact_noise * simplex_.size();
+        return at_origin && !separates_ ? Status::touching : Status::separated;
+    }
+
+    [[nodiscard]] Distance finish(Pair& pair, Status status) const {
+        Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
+        pair.count = static_cast<std::uint32_t>(simplex_.count);
+        for (int i = 0; i < simplex_.count; ++i) {
+            pair.vertex_a[i] = simplex_.vertex_a[i];
+            pair.vertex_b[i] = simplex_.vertex_b[i];
+            on_a += closest_.weight[i] * simplex_.on_a[i];
+            on_b += closest_.weight[i] * simplex_.on_b[i];
+        }
+        Distance answer;
+        answer.status = status;
+        answer.distance = status == Status::separated ? norm(closest_.point) : 0;
+        answer.point_a = on_a.template cast<double>();
+        answer.point_b = on_b.template cast<double>();
+        answer.steps = steps_;
+        return answer;
+    }
+
+    const TableA& a_;
+    const TableB& b_;
+    const Transform<Scalar>& a_from_b_;
+    Simplex<TableA, TableB> simplex_;
+    typename Johnson<Scalar>::Closest closest_;
+    Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
+    int steps_ = 0;
+    bool separates_ = false;  ///< beyond rounding
+};
+
+/// The algorithm as the sweep and users see it.
+struct Gjk {
+    static constexpr std::string_view name = "gjk";
+    static constexpr Parts parts = Parts::support;
+
+    template <class TableA, class TableB>
+    using Pair = SimplexPair<TableA, TableB>;
+
+    /// Distance of two bodies; `a_from_b` takes B's points into A's frame. `pair` is the start of this query
+    /// and receives the start of the next.
+    template <SupportTable TableA, SupportTable TableB>
+    [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
+                                        SimplexPair<TableA, TableB>& pair) {
+        const auto transform = cast<ComputeOf<TableA>>(a_from_b);
+        return GjkRun<TableA, TableB>(a, b, transform).run(pair);
+    }
+};
+
+}  // namespace edgewise

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+//
+// Johnson's sub-distance algorithm: the point of a simplex (at most four points) closest to the origin.
+//
+// Gilbert, Johnson, Keerthi 1988; the paper's equations 7 and 8. Sub-simplices are tried in ascending size,
+// so that most queries end early, and cofactors are shared between them: the cofactor of point k in X + {k}
+// is
+//     D_k(X + {k}) = sum over i in X of D_i(X) * <w_i, w_m - w_k>,   m any point of X.
+// A subset X holds the closest point v when every D_i(X) > 0 and no other point k lies on the origin's side,
+// <v, w_m - w_k> <= 0, which has the sign of D_k(X + {k}). Differences are taken before products:
+// cancellation in <w_i,w_m> - <w_i,w_k> is where the textbook form loses its digits.
+//
+// Departures. A tetrahedron holds the origin only if the signed volumes of its four corners say so beyond
+// their rounding: on a flat one the cofactors are noise and may all be positive. And when rounding leaves no
+// subset that passes, the backup procedure weighs every subset whose cofactors are positive by its own
+// distance and takes the nearest; positive weights always give a point of the simplex, so that answer is
+// never a lie.
+//
+// Johnson, not signed volumes throughout, is the default because it is what the reproduced paper ran, and
+// because the backup already covers flat simplices.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/geometry/vec.hpp"
+
+namespace edgewise {
+
+template <class Scalar>
+class Johnson {
+  public:
+    using Mask = std::uint8_t;  ///< bit i: point i belongs to the subset
+
+    struct Closest {
+        Mask members = 0;
+        std::array<Scalar, 4> weight{};  ///< of members; they sum to one
+        Vec3<Scalar> point;
+        bool backup = false;  ///< the ascending pass found nothing
+    };
+
+    /// Points are w[0 .. count-1], 1 <= count <= 4.
+    Johnson(const std::array<Vec3<Scalar>, 4>& w, int count) : w_(w), count_(count) {}
+
+    [[nodiscard]] Closest closest() {
+        for (const Mask mask : ascending) {
+            if (mask >> count_) continue;
+            if (!cofactors(mask)) continue;
+            const Closest candidate = weigh(mask);
+            if (excludes_others(mask, candidate.point)) return candidate;
+        }
+        if (count_ == 4 && volumes_hold_origin()) return weigh(whole);
+        return nearest_of_all();
+    }
+
+  private:
+    static constexpr std::array<Mask, 14> ascending = {1, 2, 4, 8, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14};
+
+    static constexpr Mask whole = 15;
+
+    /// Signed volumes of the origin with each face of the tetrahedron; they are the cofactors of the whole.
+    bool volumes_hold_origin() {
+        bool positive = true, negative = true;
+        for (int k = 0; k < 4; ++k) {
+            const auto &a = w_[(k + 1) & 3], &b = w_[(k + 2) & 3], &c = w_[(k + 3) & 3];
+            const Scalar volume = dot(a, cross(b, c)) * (k & 1 ? -1 : 1);
+            const Scalar noise = Tolerance<Scalar>::volume_noise * permanent(a, b, c);
+            positive = positive && volume > noise;
+            negative = negative && volume < -noise;
+            cofactor_[whole][k] = volume;
+        }
+        return positive || negative;
+    }
+
+    /// The triple product with every sign turned positive: what its rounding is relative to.
+    static Scalar permanent(const Vec3<Scalar>& a, const Vec3<Scalar>& b, const Vec3<Scalar>& c) {
+        const auto size = [](Scalar s) { return std::abs(s); };
+        return size(a.x()) * (size(b.y() * c.z()) + size(b.z() * c.y())) +
+               size(a.y()) * (size(b.z() * c.x()) + size(b.x() * c.z())) +
+               size(a.z()) * (size(b.x() * c.y()) + size(b.y() * c.x()));
+    }
+
+    static constexpr int lowest(Mask mask) { return std::countr_zero(mask); }
+
+    /// <w_i, w_m - w_k>
+    [[nodiscard]] Scalar slope(int i, int m, int k) const { return dot(w_[i], w_[m] - w_[k]); }
+
+    /// D_k(X + {k}) for a subset whose own cofactors are known.
+    [[nodiscard]] Scalar cofactor_of(Mask subset, int k) const {
+        const int m = lowest(subset);
+        Scalar sum = 0;
+        for (int i = m; i < count_; ++i) {
+            if (subset >> i & 1) sum += cofactor_[subset][i] * slope(i, m, k);
+        }
+        return sum;
+    }
+
+    /// Cofactors of every member, from the subsets one smaller; true when all are positive.
+    bool cofactors(Mask mask) {
+        if ((mask & (mask - 1)) == 0) {
+            cofactor_[mask][lowest(mask)] = 1;
+            return true;
+        }
+        bool positive = true;
+        for (int k = 0; k < count_; ++k) {
+            if (!(mask >> k & 1)) continue;
+            const Scalar value = cofactor_of(static_cast<Mask>(mask & ~(1 << k)), k);
+            cofactor_[mask][k] = value;
+            positive = positive && value > 0;
+        }
+        return positive;
+    }
+
+    /// No other point lies nearer along the direction of this subset's closest point.
+    [[nodiscard]] bool excludes_others(Mask mask, const Vec3<Scalar>& point) const {
+        const int m = lowest(mask);
+        for (int k = 0; k < count_; ++k) {
+            if (!(mask >> k & 1) && dot(point, w_[m] - w_[k]) > 0) return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] Closest weigh(Mask mask) const {
+        Closest result;
+        result.members = mask;
+        Scalar sum = 0;
+        for (int i = 0; i < count_; ++i) {
+            if (mask >> i & 1) sum += cofactor_[mask][i];
+        }
+        result.point = Vec3<Scalar>::Zero();
+        for (int i = 0; i < count_; ++i) {
+            if (!(mask >> i & 1)) continue;
+            result.weight[i] = cofactor_[mask][i] / sum;
+            result.point += result.weight[i] * w_[i];
+        }
+        if (std::popcount(mask) == 3) result.point = foot_on_triangle(mask, result.point);
+        return result;
+    }
+
+    /// The closest point of a triangle as a multiple of its normal. Close to contact the weighted sum cancels
+    /// and its direction, which the next support point is sought along, is noise; the normal comes from the
+    /// edges, which do not shrink. Kept only if the triangle is not a sliver whose normal is noise itself.
+    [[nodiscard]] Vec3<Scalar> foot_on_triangle(Mask mask, const Vec3<Scalar>& weighted) const {
+        const int i = lowest(mask);
+        const int j = lowest(static_cast<Mask>(mask & (mask - 1)));
+        const int k = std::bit_width(mask) - 1;
+        const Vec3<Scalar> p = w_[j] - w_[i], q = w_[k] - w_[i];
+        const Vec3<Scalar> normal = cross(p, q);
+        const Scalar squared = squared_norm(normal);
+        const Scalar noise = Tolerance<Scalar>::sliver * max_abs(p) * max_abs(q);
+        if (squared <= noise * noise) return weighted;
+        return (dot(normal, w_[i]) / squared) * normal;
+    }
+
+    /// The backup procedure. All cofactors are known by now.
+    [[nodiscard]] Closest nearest_of_all() {
+        Closest best;
+        Scalar least = -1;
+        for (const Mask mask : ascending) {
+            if (mask >> count_) continue;
+            if (!cofactors(mask)) continue;
+            const Closest candidate = weigh(mask);
+            const Scalar squared = squared_norm(candidate.point);
+            if (least < 0 || squared < least) {
+                least = squared;
+                best = candidate;
+            }
+        }
+        best.backup = true;
+        return best;
+    }
+
+    const std::array<Vec3<Scalar>, 4>& w_;
+    int count_;
+    std::array<std::array<Scalar, 4>, 16> cofactor_;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// One of the two bodies as a V-Clip state sees it, and what a state can say.
+#pragma once
+
+#include <cstdint>
+
+#include "edgewise/geometry/pose.hpp"
+#include "edgewise/table/feature_handle.hpp"
+#include "edgewise/table/ring_questions.hpp"
+
+namespace edgewise::vclip {
+
+enum class Step : std::uint8_t {
+    moved,        ///< to a neighbouring feature
+    separated,    ///< both features hold the closest points
+    touching,     ///< they meet, no common interior seen
+    overlapping,  ///< an edge pierces a face, or a vertex lies inside
+};
+
+template <FeatureTable Table>
+struct Body {
+    const Table& table;
+    const Transform<ComputeOf<Table>>& from_other;  ///< the other body's points into this body's frame
+    Feature<Table> feature;
+
+    using Scalar = ComputeOf<Table>;
+
+    void move_to_vertex(typename Table::Vertex v) { feature = Feature<Table>::of_vertex(v); }
+    void move_to_edge(typename Table::Edge e) { feature = Feature<Table>::of_edge(e); }
+    void move_to_face(typename Table::Face f) { feature = Feature<Table>::of_face(f); }
+};
+
+/// A straight piece from tail to head.
+template <class Scalar>
+struct Segment {
+    Vec3<Scalar> tail, head;
+
+    [[nodiscard]] Vec3<Scalar> at(Scalar lambda) const { return tail + lambda * (head - tail); }
+};
+
+template <class Table>
+[[nodiscard]] Segment<ComputeOf<Table>> segment_of(const Table& table, typename Table::Edge e) {
+    return {table.vertex(table.tail(e)), table.vertex(table.head(e))};
+}
+
+/// The edge in the frame of the body that looks at it.
+template <class Viewer, class Table>
+[[nodiscard]] Segment<ComputeOf<Table>> segment_seen_by(const Viewer& viewer, const Table& table,
+                                                        typename Table::Edge e) {
+    const auto own = segment_of(table, e);
+    return {viewer.from_other.point(own.tail), viewer.from_other.point(own.head)};
+}
+
+}  // namespace edgewise::vclip

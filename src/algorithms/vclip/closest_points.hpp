@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// Closest points of two features, once a run has ended (and of two segments, on the way).
+//
+// Edge-edge parameters come from cross products: their error is eps over the angle between the edges, where
+// the textbook 1 - k^2 has eps over its square and is useless below 1e-8 rad.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "edgewise/algorithms/vclip/body.hpp"
+#include "edgewise/algorithms/vclip/clip.hpp"
+
+namespace edgewise::vclip {
+
+/// Closest first on the first, second on the second.
+template <class Scalar>
+using PointPair = std::pair<Vec3<Scalar>, Vec3<Scalar>>;
+
+template <class Scalar>
+[[nodiscard]] Vec3<Scalar> closest_on_segment(const Segment<Scalar>& segment, const Vec3<Scalar>& point) {
+    const Vec3<Scalar> along = segment.head - segment.tail;
+    return segment.at(std::clamp(projection(segment.tail, along, point), Scalar(0), Scalar(1)));
+}
+
+template <class Scalar>
+[[nodiscard]] PointPair<Scalar> closest_on_segments(const Segment<Scalar>& a, const Segment<Scalar>& b) {
+    const Vec3<Scalar> along_a = a.head - a.tail;
+    const Vec3<Scalar> along_b = b.head - b.tail;
+    const Vec3<Scalar> common = cross(along_a, along_b);
+    const Scalar squared = squared_norm(common);
+    Scalar lambda = 0;  // parallel: any place will do to start from
+    if (squared > 0) {
+        const Vec3<Scalar> between = b.tail - a.tail;
+        lambda = std::clamp(dot(cross(between, along_b), common) / squared, Scalar(0), Scalar(1));
+    }
+    const Vec3<Scalar> on_b = closest_on_segment(b, a.at(lambda));
+    return {closest_on_segment(a, on_b), on_b};
+}
+
+/// Foot of a point on a face's plane. Where planes are stored rounder than the arithmetic, the plane is
+/// derived anew from the face's vertices (Newell's normal), so that the answer is as good as the vertices
+/// are.
+template <class Table>
+[[nodiscard]] Vec3<ComputeOf<Table>> foot_on_face(const Table& table, typename Table::Face face,
+                                                  const Vec3<ComputeOf<Table>>& point) {
+    using Scalar = ComputeOf<Table>;
+    if constexpr (std::is_same_v<Scalar, typename Table::PrecisionType::Stored>) {
+        const auto plane = table.face_plane(face);
+        return point - plane.distance(point) * plane.normal;
+    } else {
+        const auto ring = table.ring_of_face(face);
+        const auto first = *ring.begin();
+        const Vec3<Scalar> base =
+            table.vertex(first.flipped ? table.head(first.edge) : table.tail(first.edge));
+        Vec3<Scalar> normal = Vec3<Scalar>::Zero();
+        for (const auto [edge, flipped] : ring) {
+            const auto side = segment_of(table, edge);
+            const Vec3<Scalar> area = cross(Vec3<Scalar>(side.tail - base), Vec3<Scalar>(side.head - base));
+            normal += flipped ? Vec3<Scalar>(-area) : area;
+        }
+        return point - (dot(Vec3<Scalar>(point - base), normal) / squared_norm(normal)) * normal;
+    }
+}
+
+/// Closest points of two features of a run that ended separated; both in the frame of `a`. Never face and
+/// face.
+template <class TableA, class TableB>
+[[nodiscard]] PointPair<ComputeOf<TableA>> closest_points(const Body<TableA>& a, const Body<TableB>& b) {
+    using Scalar = ComputeOf<TableA>;
+    if (b.feature.kind() == FeatureKind::vertex) {
+        const Vec3<Scalar> point = a.from_other.point(b.table.vertex(b.feature.vertex()));
+        switch (a.feature.kind()) {
+            case FeatureKind::vertex:
+                return {a.table.vertex(a.feature.vertex()), point};
+            case FeatureKind::edge:
+                return {closest_on_segment(segment_of(a.table, a.feature.edge()), point), point};
+            case FeatureKind::face:
+                return {foot_on_face(a.table, a.feature.face(), point), point};
+        }
+    }
+    if (a.feature.kind() == FeatureKind::edge) {
+        return closest_on_segments(segment_of(a.table, a.feature.edge()),
+                                   segment_seen_by(a, b.table, b.feature.edge()));
+    }
+    const Vec3<Scalar> vertex = a.table.vertex(a.feature.vertex());
+    if (b.feature.kind() == FeatureKind::edge) {
+        return {vertex, closest_on_segment(segment_seen_by(a, b.table, b.feature.edge()), vertex)};
+    }
+    const Vec3<Scalar> foot = foot_on_face(b.table, b.feature.face(), b.from_other.point(vertex));
+    return {vertex, a.from_other.point(foot)};
+}
+
+}  // namespace edgewise::vclip

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+//
+// State E-E (TR-97-05, Algorithm 7). Each edge is clipped to the other's region: first by the two vertex-edge
+// planes, with a derivative test against the vertices; then, from the range that is left, by the two
+// edge-face planes, with a derivative test against the faces.
+#pragma once
+
+#include "edgewise/algorithms/vclip/body.hpp"
+#include "edgewise/algorithms/vclip/clip.hpp"
+#include "edgewise/algorithms/vclip/slope.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+
+namespace edgewise::vclip {
+
+template <class Mine, class Theirs>
+class EdgeClipping {
+  public:
+    using Scalar = ComputeOf<Mine>;
+
+    EdgeClipping(Body<Mine>& mine, const Body<Theirs>& theirs)
+        : mine_(mine),
+          theirs_(theirs),
+          edge_(mine.feature.edge()),
+          segment_(segment_seen_by(mine, theirs.table, theirs.feature.edge())) {}
+
+    /// Moves `mine` off its edge; false if the other edge comes closest within this edge's region.
+    [[nodiscard]] bool leave() { return leave_to_vertex() || leave_to_face(); }
+
+  private:
+    using Neighbour = Feature<Mine>;
+
+    [[nodiscard]] bool leave_to_vertex() {
+        if (clip_by_end(End::tail) || clip_by_end(End::head)) return true;
+        if (clip_.at_low && past_low_vertex()) return move_to(*clip_.at_low);
+        if (clip_.at_high && past_high_vertex()) return move_to(*clip_.at_high);
+        return false;
+    }
+
+    [[nodiscard]] bool clip_by_end(End end) {
+        const Mine& table = mine_.table;
+        const auto vertex = Neighbour::of_vertex(end == End::tail ? table.tail(edge_) : table.head(edge_));
+        const auto plane = table.vertex_edge_plane(edge_, end);
+        const auto clipped =
+            clip_.against(-plane.distance(segment_.tail), -plane.distance(segment_.head), vertex);
+        return clipped == Clipped::simply_excluded && move_to(vertex);
+    }
+
+    [[nodiscard]] bool leave_to_face() {
+        for (const Side side : {Side::left, Side::right}) {
+            const Mine& table = mine_.table;
+            const auto face = Neighbour::of_face(side == Side::left ? table.left(edge_) : table.right(edge_));
+            const auto plane = table.edge_face_plane(edge_, side);
+            const auto clipped =
+                clip_.against(-plane.distance(segment_.tail), -plane.distance(segment_.head), face);
+            if (clipped == Clipped::simply_excluded) return move_to(face);
+            if (clipped == Clipped::compoundly_excluded) return settle_compound();
+        }
+        if (is_face(clip_.at_low) && rises_at(*clip_.at_low, clip_.low)) return move_to(*clip_.at_low);
+        if (is_face(clip_.at_high) && falls_at(*clip_.at_high, clip_.high)) return move_to(*clip_.at_high);
+        return false;
+    }
+
+    /// Nothing of the other edge is left between two planes. Two faces: it passes under this edge, and one of
+    /// them is nearer. A vertex and a face: the vertex if its derivative says so.
+    [[nodiscard]] bool settle_compound() {
+        const bool low_is_nearer =
+            is_face(clip_.at_low)
+                ? (is_face(clip_.at_high) ? rises_at(*clip_.at_low, clip_.low) : !past_high_vertex())
+                : past_low_vertex();
+        return move_to(low_is_nearer ? *clip_.at_low : *clip_.at_high);
+    }
+
+    [[nodiscard]] static bool is_face(const std::optional<Neighbour>& n) {
+        return n && n->kind() == FeatureKind::face;
+    }
+
+    /// Derivative tests (TR-97-05, Algorithm 2) against a vertex: the distance falls until the projection.
+    [[nodiscard]] bool past_low_vertex() const {
+        return clip_.low - projection_of(*clip_.at_low) > Tolerance<Scalar>::vertex_derivative;
+    }
+    [[nodiscard]] bool past_high_vertex() const {
+        return projection_of(*clip_.at_high) - clip_.high > Tolerance<Scalar>::vertex_derivative;
+    }
+    [[nodiscard]] Scalar projection_of(const Neighbour& vertex) const {
+        const Vec3<Scalar> along = segment_.head - segment_.tail;
+        return projection(segment_.tail, along, mine_.table.vertex(vertex.vertex()));
+    }
+
+    /// Derivative tests against a face: the sign of the height times the slope of the edge over the plane.
+    [[nodiscard]] bool rises_at(const Neighbour& face, Scalar lambda) const {
+        return derivative(face, lambda) > 0;
+    }
+    [[nodiscard]] bool falls_at(const Neighbour& face, Scalar lambda) const {
+        return derivative(face, lambda) < 0;
+    }
+    [[nodiscard]] Scalar derivative(const Neighbour& face, Scalar lambda) const {
+        const auto plane = mine_.table.face_plane(face.face());
+        const Scalar height = height_at(plane, segment_, lambda);
+        const Scalar slope = slope_over(theirs_, plane.normal);
+        return height > 0 ? slope : height < 0 ? -slope : Scalar(0);
+    }
+
+    bool move_to(const Neighbour& neighbour) {
+        mine_.feature = neighbour;
+        return true;
+    }
+
+    Body<Mine>& mine_;
+    const Body<Theirs>& theirs_;
+    typename Mine::Edge edge_;
+    Segment<Scalar> segment_;  // the other edge, in this body's frame
+    Clip<Scalar, Neighbour> clip_;
+};
+
+template <class TableA, class TableB>
+[[nodiscard]] Step edge_edge(Body<TableA>& a, Body<TableB>& b) {
+    if (EdgeClipping<TableA, TableB>(a, b).leave()) return Step::moved;
+    if (EdgeClipping<TableB, TableA>(b, a).leave()) return Step::moved;
+    return Step::separated;
+}
+
+}  // namespace edgewise::vclip

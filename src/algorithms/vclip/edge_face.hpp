@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// State E-F (TR-97-05, Algorithm 8); it never ends but in penetration. The edge is clipped to the face's
+// prism. If nothing is left, the face's nearest edge takes over; if the face's plane is crossed inside, the
+// bodies overlap; else the end that comes nearer decides.
+//
+// Departure: the report walks the face's perimeter from a plane chosen by a heuristic, which after a compound
+// exclusion can end at an edge that hands the pair straight back (a two-cycle on 3 to 10 of 10 000 random
+// poses). Here the nearest edge is found by measuring all of them: faces have few, and the step cannot be
+// wrong.
+#pragma once
+
+#include "edgewise/algorithms/vclip/body.hpp"
+#include "edgewise/algorithms/vclip/clip.hpp"
+#include "edgewise/algorithms/vclip/closest_points.hpp"
+#include "edgewise/algorithms/vclip/slope.hpp"
+
+namespace edgewise::vclip {
+
+template <class Table>
+void move_to_nearest_edge(Body<Table>& body, const Segment<ComputeOf<Table>>& segment) {
+    using Scalar = ComputeOf<Table>;
+    Scalar least = -1;
+    auto nearest = body.feature;
+    for (const auto [edge, flipped] : body.table.ring_of_face(body.feature.face())) {
+        const auto points = closest_on_segments(segment_of(body.table, edge), segment);
+        const Scalar squared = squared_norm(Vec3<Scalar>(points.first - points.second));
+        if (least < 0 || squared < least) {
+            least = squared;
+            nearest = Feature<Table>::of_edge(edge);
+        }
+    }
+    body.feature = nearest;
+}
+
+template <class Mine, class Theirs>
+[[nodiscard]] Step edge_face(Body<Mine>& mine, Body<Theirs>& theirs) {
+    using Scalar = ComputeOf<Mine>;
+    const auto edge = mine.feature.edge();
+    const auto face = theirs.feature.face();
+    const auto segment = segment_seen_by(theirs, mine.table, edge);
+    Clip<Scalar, typename Theirs::Edge> clip;
+    for (const auto [side, flipped] : theirs.table.ring_of_face(face)) {
+        const auto plane = theirs.table.edge_face_plane(side, flipped ? Side::right : Side::left);
+        if (clip.against(plane.distance(segment.tail), plane.distance(segment.head), side) !=
+            Clipped::inside) {
+            move_to_nearest_edge(theirs, segment);
+            return Step::moved;
+        }
+    }
+
+    const auto plane = theirs.table.face_plane(face);
+    const Scalar low = height_at(plane, segment, clip.low);
+    const Scalar high = height_at(plane, segment, clip.high);
+    if ((low < 0 && high > 0) || (low > 0 && high < 0)) return Step::overlapping;
+    if (low == 0 || high == 0) return low < 0 || high < 0 ? Step::overlapping : Step::touching;
+
+    const Scalar slope = slope_over(mine, plane.normal);
+    const bool nearer_at_low = low > 0 ? slope >= 0 : slope <= 0;
+    const auto& beyond = nearer_at_low ? clip.at_low : clip.at_high;
+    if (beyond) {
+        theirs.move_to_edge(*beyond);
+    } else {
+        mine.move_to_vertex(nearer_at_low ? mine.table.tail(edge) : mine.table.head(edge));
+    }
+    return Step::moved;
+}
+
+}  // namespace edgewise::vclip

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// What answers when a run comes back to a pair it has seen: GJK from a cold start on the same tables, which
+// needs no Voronoi planes. Its simplex is turned back into features, so that the next query starts near.
+#pragma once
+
+#include <span>
+
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/vclip/body.hpp"
+
+namespace edgewise::vclip {
+
+template <class Table>
+[[nodiscard]] bool face_holds(const Table& table, typename Table::Face face, typename Table::Vertex v) {
+    for (const auto [edge, flipped] : table.ring_of_face(face)) {
+        if (table.tail(edge) == v || table.head(edge) == v) return true;
+    }
+    return false;
+}
+
+/// The smallest feature that holds all the vertices; their first vertex when no edge or face does.
+template <class Table>
+[[nodiscard]] Feature<Table> feature_spanning(const Table& table,
+                                              std::span<const typename Table::Vertex> vertices) {
+    const auto first = vertices[0];
+    const auto is_first = [&](auto v) { return v == first; };
+    if (std::all_of(vertices.begin(), vertices.end(), is_first)) return Feature<Table>::of_vertex(first);
+    for (const auto [edge, flipped] : table.ring_of_vertex(first)) {
+        const auto other = flipped ? table.tail(edge) : table.head(edge);
+        const auto is_end = [&](auto v) { return v == first || v == other; };
+        if (std::all_of(vertices.begin(), vertices.end(), is_end)) return Feature<Table>::of_edge(edge);
+    }
+    for (const auto [edge, flipped] : table.ring_of_vertex(first)) {
+        for (const auto face : {table.left(edge), table.right(edge)}) {
+            const auto is_on = [&](auto v) { return face_holds(table, face, v); };
+            if (std::all_of(vertices.begin(), vertices.end(), is_on)) return Feature<Table>::of_face(face);
+        }
+    }
+    return Feature<Table>::of_vertex(first);
+}
+
+template <class TableA, class TableB>
+[[nodiscard]] Distance fall_back(Body<TableA>& a, Body<TableB>& b) {
+    SimplexPair<TableA, TableB> simplex;
+    Distance answer = GjkRun<TableA, TableB>(a.table, b.table, a.from_other).run(simplex);
+    a.feature = feature_spanning(a.table, std::span(simplex.vertex_a).first(simplex.count));
+    b.feature = feature_spanning(b.table, std::span(simplex.vertex_b).first(simplex.count));
+    // Two faces are no state; one of them gives way to a vertex of the simplex.
+    if (a.feature.kind() == FeatureKind::face && b.feature.kind() == FeatureKind::face) {
+        b.move_to_vertex(simplex.vertex_b[0]);
+    }
+    answer.fallbacks = 1;
+    return answer;
+}
+
+}  // namespace edgewise::vclip

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// State V-E (TR-97-05, Algorithm 5). First the vertex against the edge's four planes, vertex-edge planes
+// before edge-face planes; then the edge clipped to the vertex's region, and the derivative test at what is
+// left of it.
+#pragma once
+
+#include "edgewise/algorithms/vclip/body.hpp"
+#include "edgewise/algorithms/vclip/clip.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+
+namespace edgewise::vclip {
+
+/// Moves `body` from its edge to the neighbour on whose side the point lies; false if in the edge's region.
+template <class Table>
+[[nodiscard]] bool leave_edge_region(Body<Table>& body, const Vec3<ComputeOf<Table>>& point) {
+    const Table& table = body.table;
+    const auto e = body.feature.edge();
+    if (table.vertex_edge_plane(e, End::tail).distance(point) > 0) {
+        body.move_to_vertex(table.tail(e));
+        return true;
+    }
+    if (table.vertex_edge_plane(e, End::head).distance(point) > 0) {
+        body.move_to_vertex(table.head(e));
+        return true;
+    }
+    const auto left = table.edge_face_plane(e, Side::left).distance(point);
+    const auto right = table.edge_face_plane(e, Side::right).distance(point);
+    if (!(left > 0) && !(right > 0)) return false;
+    body.move_to_face(left >= right ? table.left(e) : table.right(e));
+    return true;
+}
+
+/// Moves `mine` from its vertex when the other body's edge, which holds the vertex in its region, leaves the
+/// vertex's own region before it comes closest.
+template <class Mine, class Theirs>
+[[nodiscard]] bool leave_vertex_by_clipping(Body<Mine>& mine, const Body<Theirs>& theirs) {
+    using Scalar = ComputeOf<Mine>;
+    const auto vertex = mine.feature.vertex();
+    const auto segment = segment_seen_by(mine, theirs.table, theirs.feature.edge());
+    Clip<Scalar, typename Mine::Edge> clip;
+    for (const auto [edge, flipped] : mine.table.ring_of_vertex(vertex)) {
+        const auto plane = mine.table.vertex_edge_plane(edge, flipped ? End::head : End::tail);
+        const auto clipped = clip.against(plane.distance(segment.tail), plane.distance(segment.head), edge);
+        if (clipped == Clipped::simply_excluded) {
+            mine.move_to_edge(edge);
+            return true;
+        }
+        if (clipped == Clipped::compoundly_excluded) break;
+    }
+    if (!clip.at_low && !clip.at_high) return false;
+
+    const Vec3<Scalar> along = segment.head - segment.tail;
+    const Scalar closest = projection(segment.tail, along, mine.table.vertex(vertex));
+    if (clip.at_low && clip.low - closest > Tolerance<Scalar>::vertex_derivative) {
+        mine.move_to_edge(*clip.at_low);
+        return true;
+    }
+    if (clip.at_high && closest - clip.high > Tolerance<Scalar>::vertex_derivative) {
+        mine.move_to_edge(*clip.at_high);
+        return true;
+    }
+    return false;
+}
+
+template <class Mine, class Theirs>
+[[nodiscard]] Step vertex_edge(Body<Mine>& mine, Body<Theirs>& theirs) {
+    const auto point = theirs.from_other.point(mine.table.vertex(mine.feature.vertex()));
+    if (leave_edge_region(theirs, point)) return Step::moved;
+    if (leave_vertex_by_clipping(mine, theirs)) return Step::moved;
+    return Step::separated;
+}
+
+}  // namespace edgewise::vclip

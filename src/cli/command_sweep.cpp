@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise sweep`: runs a plan into a store and writes the report. Ctrl-C stops after the round in hand; the next
+// run goes on from there.
+#include <fmt/format.h>
+
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/store_path.hpp"
+#include "edgewise/reports/report.hpp"
+#include "edgewise/sweep/build_info.hpp"
+#include "edgewise/sweep/run.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct Options {
+    std::string plan = "quick";
+    std::string store = default_store;
+    std::string out;
+    std::vector<std::string> layouts, algorithms, scenes, shapes, meshes;
+    std::optional<std::size_t> queries, checked;
+    std::optional<int> rounds;
+    std::optional<std::uint64_t> seed;
+};
+
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+/// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.
+Plan chosen_plan(const Options& options) {
+    Plan plan = make_plan(options.plan);
+    const auto replace = [](auto& to, const auto& from) {
+        if (!from.empty()) to = from;
+    };
+    replace(plan.layouts, options.layouts);
+    replace(plan.algorithms, options.algorithms);
+    if (!options.shapes.empty() || !options.meshes.empty()) {
+        plan.shapes = options.shapes;
+        plan.meshes = options.meshes;
+    }
+    if (!options.scenes.empty()) {
+        std::vector<SceneChoice> kept;
+        for (const std::string& name : options.scenes) {
+            const std::size_t before = kept.size();
+            for (const SceneChoice& scene : plan.scenes) {
+                if (scene.name == name) kept.push_back(scene);
+            }
+            if (kept.size() == before) kept.push_back({name, {}});
+        }
+        plan.scenes = kept;
+    }
+    plan.queries = options.queries.value_or(plan.queries);
+    plan.checked = options.checked.value_or(plan.checked);
+    plan.rounds = options.rounds.value_or(plan.rounds);
+    plan.seed = options.seed.value_or(plan.seed);
+    return plan;
+}
+
+SweepSummary run_with_progress(const Plan& plan, Store& store) {
+    std::unique_ptr<Progress> progress;
+    SweepListener listener;
+    listener.on_start = [&](std::size_t cells) { progress = std::make_unique<Progress>("sweep", cells); };
+    listener.on_done = [&](std::size_t cells, const std::string& what) { progress->advance(cells, what); };
+    listener.on_warning = [&](const std::string& line) {
+        if (progress) progress->clear();
+        fmt::print(stderr, "edgewise: {}\n", line);
+    };
+    std::signal(SIGINT, [](int) { stop_requested = true; });
+    std::signal(SIGTERM, [](int) { stop_requested = true; });
+    return run_sweep(plan, store, listener, stop_requested);
+}
+
+void print_summary(const SweepSummary& summary, const std::string& store, const std::string& page, bool json) {
+    if (json) {
+        const nlohmann::json line = {{"cells", summary.cells},
+                                     {"verified", summary.verified},
+                                     {"failed", summary.failed},
+                                     {"unavailable", summary.unavailable},
+                                     {"store", store},
+                                     {"report", page}};
+        fmt::print("{}\n", line.dump());
+        return;
+    }
+    fmt::print("{} cells: {} verified, {} failed, {} unavailable\n", summary.cells, summary.verified,
+               summary.failed, summary.unavailable);
+    fmt::print("store: {}\nreport: {}\n", store, page);
+}
+
+int run(const Options& options, bool json) {
+    const Plan plan = chosen_plan(options);
+    const auto folder = std::filesystem::path(options.store).parent_path();
+    if (!folder.empty()) std::filesystem::create_directories(folder);
+    SweepSummary summary;
+    {
+        Store store(options.store);
+        summary = run_with_progress(plan, store);
+    }
+    if (summary.stopped) {
+        fmt::print(stderr, "edgewise: stopped; what was measured is in {}, and the same command goes on from there\n",
+                   options.store);
+        return exit_check_failed;
+    }
+    const std::string out = !options.out.empty() ? options.out : folder.empty() ? "." : folder.string();
+    const ReportSummary report = write_report(options.store, out, charts_folder());
+    if (!report.note.empty()) fmt::print(stderr, "edgewise: {}\n", report.note);
+    print_summary(summary, options.store, report.page, json);
+    return summary.failed > 0 ? exit_check_failed : exit_done;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = add_command(app, context, "sweep", "Verifies and measures every cell of a plan, then reports");
+    command->add_option("--plan", options->plan, "quick, paper, full, or a JSON file")->capture_default_str();
+    command->add_option("--store", options->store, "SQLite file to fill or to go on with")->capture_default_str();
+    command->add_option("--out", options->out, "folder for the report; beside the store if not given");
+    const auto list = [&](const char* name, std::vector<std::string>& to, const char* what) {
+        command->add_option(name, to, what)->delimiter(',');
+    };
+    list("--layouts", options->layouts, "only these layouts or table types");
+    list("--algorithms", options->algorithms, "only these algorithms");
+    list("--scenes", options->scenes, "only these scenes");
+    list("--shapes", options->shapes, "these built-in shapes instead of the plan's bodies");
+    command->add_option("--mesh", options->meshes, "these mesh files instead of the plan's bodies");
+    command->add_option("--queries", options->queries, "queries a cell and round")->check(CLI::PositiveNumber);
+    command->add_option("--checked", options->checked, "queries checked exactly a cell")->check(CLI::PositiveNumber);
+    command->add_option("--rounds", options->rounds, "timed rounds a cell")->check(CLI::PositiveNumber);
+    command->add_option("--seed", options->seed, "seed of scenes and orders");
+    command->callback([options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+}
+
+}  // namespace edgewise::cli

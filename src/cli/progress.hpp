@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// A progress bar with an estimate, for people: one line on stderr, rewritten in place, and nothing at all
+// unless stderr is a terminal.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "edgewise/measure/stopwatch.hpp"
+
+namespace edgewise {
+
+struct ProgressState {
+    std::size_t done = 0, total = 0;
+    std::size_t resumed = 0;  ///< of `done`, what an earlier run did; the estimate leaves it out
+    double seconds = 0;       ///< since the start of this run
+};
+
+/// One line of at most `columns` characters, without a line break; "" when there is no room for anything.
+///     sweep [#########------------]  43 %  31/72  1m20s left  tumble sphere386
+/// Parts that do not fit are left out: first the note, then the bar.
+[[nodiscard]] std::string progress_line(const std::string& title, const ProgressState& state,
+                                        const std::string& note, std::size_t columns);
+
+/// "42s", "3m05s", "2h07m".
+[[nodiscard]] std::string format_duration(double seconds);
+
+class Progress {
+  public:
+    Progress(std::string title, std::size_t total, std::size_t resumed = 0);
+    /// Wipes the line, so that what is printed next starts on a clean one.
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// Counts `steps` more as done; `note` says what comes next.
+    void advance(std::size_t steps = 1, const std::string& note = {});
+    /// Wipes the line; to be called before other output to the terminal.
+    void clear();
+
+  private:
+    void draw();
+
+    std::string title_, note_;
+    ProgressState state_;
+    Stopwatch watch_;
+    double next_draw_ = 0;  ///< seconds; a terminal is slow, and drawing must not disturb what is measured
+    bool visible_ = false;
+};
+
+}  // namespace edgewise

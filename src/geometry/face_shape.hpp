@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// Whether the ring of a face is a convex polygon, and which corner to blame if not.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "edgewise/geometry/polyhedron.hpp"
+
+namespace edgewise {
+
+/// How far a vertex of this body may be off a plane or a line it should be on: face_planarity x extent, plus
+/// the rounding of a plane's offset.
+[[nodiscard]] double shape_tolerance(const Polyhedron& body);
+
+/// "face 0-1-3-2": by the input's vertices, since a canonical face number tells the user nothing.
+[[nodiscard]] std::string face_name(const Polyhedron& body, Index f);
+
+/// A corner of face f that lies outside the line of one of the ring's edges by more than the tolerance; a
+/// corner whose edge has no length counts too.
+[[nodiscard]] std::optional<Index> corner_outside(const Polyhedron& body, Index f, double tolerance);
+
+/// The corner of face f where the ring turns most to the wrong side.
+[[nodiscard]] Index most_reflex_corner(const Polyhedron& body, Index f);
+
+}  // namespace edgewise

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// From any point set, or from faces given by the user, to the canonical Polyhedron. Hulls by Qhull, with
+// merged coplanar facets kept as one face; coordinates are recentred and scaled by exact steps before Qhull
+// sees them. A body's vertices are always the very doubles of the input.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/geometry/result.hpp"
+
+namespace edgewise {
+
+/// Convex hull of a point set. Points that stick out by no more than rounding (face_planarity x extent) may
+/// be left out. Fails, with a reason, on too few points, flat or collinear sets (thinner than flat_thickness
+/// x extent), duplicates only, NaN or infinity, and coordinates out of range.
+[[nodiscard]] Result<Polyhedron> convex_hull(std::span<const Vec3d> points);
+
+/// A body whose faces are taken as given: each a counter-clockwise ring (seen from outside) of vertex
+/// indices. Coplanar neighbours stay apart; a body wound inward throughout is turned round; vertices in no
+/// face are left out, with a warning. Fails, with a reason, if the faces do not bound a closed convex solid,
+/// are not planar to face_planarity x extent, have no area, or have vertices in the middle of edges.
+[[nodiscard]] Result<Polyhedron> polyhedron_from_faces(std::span<const Vec3d> points,
+                                                       std::span<const std::vector<Index>> faces);
+
+/// The body that a table with single-precision storage really holds: the hull of the rounded vertices, with
+/// its own topology. `input_index` still names the vertices of the original input. Returns the body unchanged
+/// when every coordinate is exactly representable; a warning says how many vertices vanish.
+[[nodiscard]] Result<Polyhedron> round_to_single(const Polyhedron& body);
+
+}  // namespace edgewise

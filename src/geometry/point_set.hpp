@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// A point set on its way to a hull: are the coordinates usable, which points are distinct, the same set near
+// the origin at unit size, and is it a solid at all. Recentring and scaling are exact, so no decision depends
+// on where a body lies or how large it is.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/geometry/polyhedron.hpp"
+
+namespace edgewise {
+
+/// Empty, or one line naming the first vertex that is not finite or out of range.
+[[nodiscard]] std::string coordinate_error(std::span<const Vec3d> points);
+
+/// For each point the lowest index that has the same coordinates.
+[[nodiscard]] std::vector<Index> first_of_equals(std::span<const Vec3d> points);
+
+/// One index for each distinct point, in the order of their coordinates (so that a hull does not depend on
+/// the order of the input).
+[[nodiscard]] std::vector<Index> distinct_points(std::span<const Vec3d> points);
+
+struct CoordinateRange {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+};
+
+[[nodiscard]] CoordinateRange range_of_axis(std::span<const Vec3d> points, int axis);
+
+/// The power of two that takes a positive size to [1/2, 1); 1 for size 0.
+[[nodiscard]] double scale_to_unit(double size);
+
+/// The power of two that takes the largest extent of the points to [1/2, 1); 1 when all are equal.
+[[nodiscard]] double unit_scale(std::span<const Vec3d> points);
+
+/// The chosen points, moved near the origin where that is exact and each axis scaled by its own power of two
+/// to an extent of about 1. Such a map changes neither the hull's vertices nor its faces.
+[[nodiscard]] std::vector<Vec3d> normalised(std::span<const Vec3d> points, std::span<const Index> chosen);
+
+/// Empty, or what keeps these points from having a solid hull: too few, all equal, on a line, in a plane.
+[[nodiscard]] std::string flatness_error(std::span<const Vec3d> points, std::span<const Index> distinct);
+
+}  // namespace edgewise

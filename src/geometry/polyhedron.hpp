@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// The canonical body, in double: the one source of every layout.
+//
+// Half-edge form without pointers. Edge e has two half-edges: 2e runs tail -> head with the left face on its
+// left, 2e+1 runs head -> tail with the right face on its left ("left" as seen from outside, so every face
+// ring runs counter-clockwise). Rings are stored back to back with offsets (compressed rows).
+//
+// Canonical order, so that the same body is the same bits wherever it was built: vertices in input order,
+// edges by (tail, head) with tail < head, each ring starting at its smallest half-edge, faces by their first
+// half-edge.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "edgewise/geometry/plane.hpp"
+#include "edgewise/geometry/vec.hpp"
+
+namespace edgewise {
+
+using Index = std::uint32_t;
+using HalfEdge = std::uint32_t;
+
+struct PolyhedronEdge {
+    Index tail, head;   ///< vertices
+    Index left, right;  ///< faces
+};
+
+struct Polyhedron {
+    std::vector<Vec3d> vertices;
+    std::vector<Index> input_index;  ///< vertex -> index in the vertex list the user gave
+    std::vector<PolyhedronEdge> edges;
+    std::vector<Plane<double>> face_planes;  ///< outward, unit normal
+    std::vector<Index> face_offset;          ///< faces + 1 entries into face_ring
+    std::vector<HalfEdge> face_ring;         ///< half-edges of a face, counter-clockwise from outside
+    std::vector<Index> vertex_offset;        ///< vertices + 1 entries into vertex_ring
+    std::vector<HalfEdge> vertex_ring;       ///< half-edges leaving a vertex, counter-clockwise from outside
+
+    [[nodiscard]] std::size_t vertex_count() const { return vertices.size(); }
+    [[nodiscard]] std::size_t edge_count() const { return edges.size(); }
+    [[nodiscard]] std::size_t face_count() const { return face_planes.size(); }
+
+    [[nodiscard]] Index tail(HalfEdge h) const { return h & 1 ? edges[h >> 1].head : edges[h >> 1].tail; }
+    [[nodiscard]] Index head(HalfEdge h) const { return h & 1 ? edges[h >> 1].tail : edges[h >> 1].head; }
+    [[nodiscard]] Index face(HalfEdge h) const { return h & 1 ? edges[h >> 1].right : edges[h >> 1].left; }
+
+    [[nodiscard]] std::span<const HalfEdge> ring_of_face(Index f) const {
+        return std::span(face_ring).subspan(face_offset[f], face_offset[f + 1] - face_offset[f]);
+    }
+    [[nodiscard]] std::span<const HalfEdge> ring_of_vertex(Index v) const {
+        return std::span(vertex_ring).subspan(vertex_offset[v], vertex_offset[v + 1] - vertex_offset[v]);
+    }
+};
+
+/// Length of the diagonal of the axis-aligned box around the points.
+[[nodiscard]] double extent(std::span<const Vec3d> points);
+
+/// Volume enclosed; positive for outward faces.
+[[nodiscard]] double volume(const Polyhedron& body);
+
+}  // namespace edgewise

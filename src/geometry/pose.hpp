@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// Where a body is: x_world = R x + t with R and t exactly as given. R is meant to be a rotation but is never
+// re-normalised: what is given is what is answered (its distance from orthogonal is a figure, `ortho_error`).
+//
+// Queries run in the frame of body A, so that a far-off origin costs no digits: the two origins are
+// subtracted first, in double, and only then rotated.
+#pragma once
+
+#include "edgewise/geometry/vec.hpp"
+
+namespace edgewise {
+
+struct Pose {
+    Mat3d rotation = Mat3d::Identity();
+    Vec3d translation = Vec3d::Zero();
+
+    [[nodiscard]] Vec3d apply(const Vec3d& point) const { return multiply(rotation, point) + translation; }
+};
+
+/// A rigid map between the frames of two bodies, in the precision that computes.
+template <class Scalar>
+struct Transform {
+    Mat3<Scalar> rotation;
+    Vec3<Scalar> translation;
+
+    [[nodiscard]] Vec3<Scalar> point(const Vec3<Scalar>& p) const {
+        return multiply(rotation, p) + translation;
+    }
+    [[nodiscard]] Vec3<Scalar> direction(const Vec3<Scalar>& d) const { return multiply(rotation, d); }
+    [[nodiscard]] Vec3<Scalar> direction_back(const Vec3<Scalar>& d) const {
+        return multiply_transposed(rotation, d);
+    }
+
+    /// Transpose: the inverse as far as the rotation is orthogonal.
+    [[nodiscard]] Transform inverse() const {
+        return {rotation.transpose(), -multiply_transposed(rotation, translation)};
+    }
+};
+
+/// The map that takes B's points into A's frame; computed in double whatever the tables hold.
+[[nodiscard]] inline Transform<double> relative_pose(const Pose& a, const Pose& b) {
+    Transform<double> result;
+    for (int column = 0; column < 3; ++column) {
+        const Vec3d axis = b.rotation.col(column);
+        result.rotation.col(column) = multiply_transposed(a.rotation, axis);
+    }
+    result.translation = multiply_transposed(a.rotation, Vec3d(b.translation - a.translation));
+    return result;
+}
+
+template <class Scalar>
+[[nodiscard]] Transform<Scalar> cast(const Transform<double>& t) {
+    return {t.rotation.template cast<Scalar>(), t.translation.template cast<Scalar>()};
+}
+
+/// How far R is from orthogonal: the largest entry of |R^T R - I|.
+[[nodiscard]] inline double ortho_error(const Mat3d& r) {
+    double worst = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            const double product = dot(r.col(i), r.col(j));
+            worst = std::max(worst, std::abs(product - (i == j ? 1.0 : 0.0)));
+        }
+    }
+    return worst;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+//
+// Every epsilon of Edgewise, each with its unit and its reason. No other file holds a literal tolerance.
+#pragma once
+
+#include <limits>
+
+namespace edgewise {
+
+/// Per scalar type that computes; all are multiples of its rounding step, so all scale with the body.
+template <class Scalar>
+struct Tolerance {
+    /// Rounding step: 2^-52 or 2^-23.
+    static constexpr Scalar eps = std::numeric_limits<Scalar>::epsilon();
+
+    /// V-Clip, relative slope (pure number): an edge counts as "towards the plane" only when its slope
+    /// exceeds this. Without the band, rounding noise on an edge parallel to the face looks like an escape
+    /// and the local-minimum test is skipped: a loop at identical orientations.
+    static constexpr Scalar towards_plane = 64 * eps;
+
+    /// V-Clip, relative to |u|^2: the derivative of the distance from an edge to a vertex counts as zero
+    /// inside this band, else parallel edges bounce between edge-edge and vertex-edge. Much larger values
+    /// hurt single.
+    static constexpr Scalar vertex_derivative = 64 * eps;
+
+    /// GJK, relative to |v| max|w|: the rounding noise of the support products; a duality gap below it cannot
+    /// be improved.
+    static constexpr Scalar support_noise = 4 * eps;
+
+    /// Exact oracle, absolute, in units where a body and a direction are about 1: proven bound of the error
+    /// of a vertex height computed in floating point (derived in truth/support_filter.cpp).
+    static constexpr Scalar support_filter = 256 * eps;
+
+    /// Johnson, relative to the permanent (the triple product with all signs positive): rounding of a triple product
+    /// of differences. A tetrahedron with a corner volume not beyond it is flat.
+    static constexpr Scalar volume_noise = 8 * eps;
+
+    /// Johnson, relative to the product of two edges: a triangle whose doubled area is below it has no normal.
+    static constexpr Scalar sliver = 64 * eps;
+
+    /// GJK, relative to max|w|: a closest point nearer to the origin than this, that cannot be improved and
+    /// whose direction separates nothing, is contact.
+    static constexpr Scalar contact_noise = 16 * eps;
+};
+
+/// Relative to the extent: how far a vertex may lie off the plane of its face, or above the plane of another,
+/// in a body that counts as sound. Qhull merges what it cannot tell apart, which leaves a few dozen rounding
+/// steps; beyond 4096 (1e-12) a face is bent, not rounded.
+inline constexpr double face_planarity = 4096 * std::numeric_limits<double>::epsilon();
+
+/// Relative to the extent: a body thinner than this is flat. The same as face_planarity, since below it no
+/// check can tell the two sides of the body apart.
+inline constexpr double flat_thickness = face_planarity;
+
+/// Relative to the largest coordinate: the rounding of a plane's offset far from the origin.
+inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsilon();
+
+/// Pure number: how far the length of a unit normal may be from 1.
+inline constexpr double unit_length = 8 * std::numeric_limits<double>::epsilon();
+
+/// Coordinates beyond largest_coordinate, and bodies narrower than smallest_extent (in the body's own unit),
+/// are refused: products of three coordinates must neither overflow nor vanish.
+inline constexpr double largest_coordinate = 1e100;
+inline constexpr double smallest_extent = 1e-100;
+
+/// Pure number: a mesh is called concave when its volume is below this share of its hull's. Mesh files hold
+/// about seven digits, so a convex mesh of thousands of faces is off by some 1e-6.
+inline constexpr double convex_volume_share = 1 - 1e-4;
+
+/// Relative to the body's size: how near to the wanted distance a scene places a pair. Scenes need a spread
+/// of distances, not exact ones; every finer digit costs distance evaluations.
+inline constexpr double placement_tolerance = 1e-4;
+
+/// Verdict band (truth/accuracy_band.hpp), in rounding steps of the scale of a pair: a gap or a depth inside
+/// it is below what the precision can tell. About the steps of a pose, a rotated vertex and a plane together.
+inline constexpr double verdict_band_steps = 16;
+
+/// Verdict band, times the distance of R from orthogonal and the extent: what R_A^T R_B in place of R as
+/// given may move a vertex, over three rows and both bodies.
+inline constexpr double verdict_band_ortho = 4;
+
+/// Verification, relative to the scale of a pair: the error of a distance, and of how far its witness points
+/// lie apart, beyond which a cell fails. Some thousand rounding steps in double and some eighty in single;
+/// the worst measured are a few of either.
+inline constexpr double verified_error_double = 1e-12;
+inline constexpr double verified_error_single = 1e-5;
+
+}  // namespace edgewise

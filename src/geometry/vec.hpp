@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// Vectors and 3x3 matrices: Eigen's types, with the products spelled out here.
+//
+// Eigen may sum a product in packets or with fused multiply-add, depending on the machine it is compiled for.
+// Edgewise promises the same bits on every machine, so everything that sums goes through the functions below,
+// whose order is the order of the text. Element-wise +, -, * are Eigen's own.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace edgewise {
+
+template <class Scalar>
+using Vec3 = Eigen::Matrix<Scalar, 3, 1>;
+
+/// Row-major, as case files and poses are written.
+template <class Scalar>
+using Mat3 = Eigen::Matrix<Scalar, 3, 3, Eigen::RowMajor>;
+
+using Vec3d = Vec3<double>;
+using Mat3d = Mat3<double>;
+
+template <class A, class B>
+[[nodiscard]] auto dot(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) -> typename A::Scalar {
+    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
+template <class A>
+[[nodiscard]] auto squared_norm(const Eigen::MatrixBase<A>& a) -> typename A::Scalar {
+    return a.x() * a.x() + a.y() * a.y() + a.z() * a.z();
+}
+
+template <class A>
+[[nodiscard]] auto norm(const Eigen::MatrixBase<A>& a) -> typename A::Scalar {
+    return std::sqrt(squared_norm(a));
+}
+
+template <class Scalar>
+[[nodiscard]] Vec3<Scalar> cross(const Vec3<Scalar>& a, const Vec3<Scalar>& b) {
+    return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
+}
+
+/// m * v, row by row.
+template <class Scalar>
+[[nodiscard]] Vec3<Scalar> multiply(const Mat3<Scalar>& m, const Vec3<Scalar>& v) {
+    return {m(0, 0) * v.x() + m(0, 1) * v.y() + m(0, 2) * v.z(),
+            m(1, 0) * v.x() + m(1, 1) * v.y() + m(1, 2) * v.z(),
+            m(2, 0) * v.x() + m(2, 1) * v.y() + m(2, 2) * v.z()};
+}
+
+/// transpose(m) * v: for a rotation, its inverse.
+template <class Scalar>
+[[nodiscard]] Vec3<Scalar> multiply_transposed(const Mat3<Scalar>& m, const Vec3<Scalar>& v) {
+    return {m(0, 0) * v.x() + m(1, 0) * v.y() + m(2, 0) * v.z(),
+            m(0, 1) * v.x() + m(1, 1) * v.y() + m(2, 1) * v.z(),
+            m(0, 2) * v.x() + m(1, 2) * v.y() + m(2, 2) * v.z()};
+}
+
+/// Largest absolute component.
+template <class Scalar>
+[[nodiscard]] Scalar max_abs(const Vec3<Scalar>& v) {
+    return std::max(std::max(std::abs(v.x()), std::abs(v.y())), std::abs(v.z()));
+}
+
+}  // namespace edgewise

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Coherent motion: a body drifts with constant velocity, turns about its own fixed axis by the same angle
+// every step, and is thrown back by the walls of a box. Bodies do not know of each other: they overlap and
+// pass through one another, since what is measured is detection, not response.
+//
+// Walls act on the centre (the mean of the vertices, a point inside every body), so a body may stick out.
+#pragma once
+
+#include "edgewise/geometry/pose.hpp"
+#include "edgewise/scene/quaternion.hpp"
+
+namespace edgewise {
+
+struct MovingBody {
+    Vec3d centre;    ///< of the body, in the world
+    Vec3d velocity;  ///< metres a step
+    Quaternion orientation;
+    Quaternion turn;  ///< rotation of one step
+};
+
+/// The rotation by `angle` radians about a unit axis; any angle up to 2^20 turns (angle.hpp).
+[[nodiscard]] Quaternion rotation_about(const Vec3d& axis, double angle);
+
+/// One step on: moved, turned, and reflected at the walls of [-half, half]^3.
+void advance(MovingBody& body, double half);
+
+/// A coordinate folded back between the walls -half and half; each reflection flips the velocity.
+void reflect(double& coordinate, double& velocity, double half);
+
+/// Pose that turns a body about `centre` (body frame) and then puts that point at `place` (world).
+[[nodiscard]] Pose pose_at(const Mat3d& rotation, const Vec3d& centre, const Vec3d& place);
+
+}  // namespace edgewise

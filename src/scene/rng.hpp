@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// The seeded random numbers of every scene: xoshiro256** (Blackman and Vigna, "Scrambled linear pseudorandom
+// number generators", 2018), its state filled by SplitMix64 as its authors advise.
+//
+// Own code instead of <random>: the standard fixes its engines but not its distributions, so the same seed
+// gives other poses with another standard library. Here everything is integer arithmetic and + - * / sqrt:
+// the same bits everywhere. Numbers are drawn one statement each, because C++ does not order function
+// arguments.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+
+#include "edgewise/geometry/vec.hpp"
+#include "edgewise/scene/quaternion.hpp"
+
+namespace edgewise {
+
+class Rng {
+  public:
+    explicit Rng(std::uint64_t seed) {
+        for (std::uint64_t& word : state_) word = split_mix(seed);
+    }
+
+    /// 64 random bits.
+    [[nodiscard]] std::uint64_t next() {
+        const std::uint64_t result = rotate_left(state_[1] * 5, 7) * 9;
+        const std::uint64_t shifted = state_[1] << 17;
+        state_[2] ^= state_[0];
+        state_[3] ^= state_[1];
+        state_[1] ^= state_[2];
+        state_[0] ^= state_[3];
+        state_[2] ^= shifted;
+        state_[3] = rotate_left(state_[3], 45);
+        return result;
+    }
+
+    /// In [0, 1): the top 53 bits, so every value is a multiple of 2^-53 and none is rounded.
+    [[nodiscard]] double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+    /// In [low, high); rounding may reach high itself.
+    [[nodiscard]] double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+    /// A whole number below n, each equally likely: draws from the incomplete last block are thrown away.
+    [[nodiscard]] std::uint64_t below(std::uint64_t n) {
+        assert(n > 0);
+        const std::uint64_t surplus = (0 - n) % n;  // 2^64 mod n
+        for (;;) {
+            const std::uint64_t bits = next();
+            if (bits >= surplus) return bits % n;
+        }
+    }
+
+    /// Uniform in the cube [-half, half]^3.
+    [[nodiscard]] Vec3d in_cube(double half) {
+        const double x = uniform(-half, half);
+        const double y = uniform(-half, half);
+        const double z = uniform(-half, half);
+        return {x, y, z};
+    }
+
+    /// Uniform in the unit ball, by rejection (about two draws of three coordinates).
+    [[nodiscard]] Vec3d in_ball() {
+        for (;;) {
+            const Vec3d point = in_cube(1);
+            if (squared_norm(point) <= 1) return point;
+        }
+    }
+
+    /// Uniform on the unit sphere. Points of the inner quarter are drawn again: scaling them up
+    /// would magnify their rounding.
+    [[nodiscard]] Vec3d on_sphere() {
+        for (;;) {
+            const Vec3d point = in_ball();
+            const double length = norm(point);
+            if (length > 0.25) return point / length;
+        }
+    }
+
+    /// Uniform among the rotations: a point of the 4-D ball, scaled to a unit quaternion.
+    [[nodiscard]] Quaternion orientation() {
+        for (;;) {
+            Quaternion q;
+            q.w = uniform(-1, 1);
+            q.x = uniform(-1, 1);
+            q.y = uniform(-1, 1);
+            q.z = uniform(-1, 1);
+            const double square = squared_norm(q);
+            if (square <= 1 && square > 0.0625) return normalised(q);
+        }
+    }
+
+    [[nodiscard]] Mat3d rotation() { return rotation_matrix(orientation()); }
+
+  private:
+    static std::uint64_t rotate_left(std::uint64_t x, int by) { return (x << by) | (x >> (64 - by)); }
+
+    static std::uint64_t split_mix(std::uint64_t& counter) {
+        counter += 0x9e3779b97f4a7c15;
+        std::uint64_t z = counter;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+        return z ^ (z >> 31);
+    }
+
+    std::array<std::uint64_t, 4> state_;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// What the scenes are made from and share: the checked request, a body's middle and reach, its box in the
+// world, and the box of a given occupancy. One `describe_` and one `make_` function a scene; scenes.cpp lists
+// them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "edgewise/algorithms/sweep_and_prune.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/scene/workload.hpp"
+
+namespace edgewise {
+
+/// A request whose parameters are complete and within bounds.
+struct SceneSetup {
+    const Polyhedron& shape;
+    const SceneParameters& parameters;
+    std::uint64_t seed;
+    std::size_t query_count;
+    const DistanceFunction& distance;
+
+    [[nodiscard]] double operator[](const char* name) const { return parameters.at(name); }
+    [[nodiscard]] std::size_t count(const char* name) const {
+        return static_cast<std::size_t>(parameters.at(name));
+    }
+};
+
+/// Mean of the vertices: inside the body, whatever its shape.
+[[nodiscard]] Vec3d vertex_mean(std::span<const Vec3d> vertices);
+
+/// Largest distance of a vertex from a point.
+[[nodiscard]] double reach(std::span<const Vec3d> vertices, const Vec3d& from);
+
+/// Box of a posed body in world axes, by a full scan of the vertices.
+[[nodiscard]] Aabb world_box(const Polyhedron& body, const Pose& pose);
+
+/// The number cut to 24 leading bits. Lengths that come from sums over a body (its volume) or from a distance
+/// algorithm go through this, so that their last bits cannot move a pose.
+[[nodiscard]] double coarse(double x);
+
+/// Half the side of the cube in which bodies of this total volume have this occupancy.
+[[nodiscard]] double box_half(double total_volume, double occupancy);
+
+[[nodiscard]] SceneInfo describe_static();
+[[nodiscard]] Result<Workload> make_static(const SceneSetup& setup);
+[[nodiscard]] SceneInfo describe_cold();
+[[nodiscard]] Result<Workload> make_cold(const SceneSetup& setup);
+[[nodiscard]] SceneInfo describe_tumble();
+[[nodiscard]] Result<Workload> make_tumble(const SceneSetup& setup);
+
+}  // namespace edgewise

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+//
+// Names to bodies. Everything goes through convex_hull, the same road a user's point set takes.
+#include "edgewise/scene/shapes.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/scene/sphere_points.hpp"
+
+namespace edgewise {
+namespace {
+
+constexpr double corner = 0.5625;  // 9/16: exact in every precision, radius 0.97 m
+constexpr std::string_view sphere_prefix = "sphere";
+
+std::vector<Vec3d> cube_points() {
+    std::vector<Vec3d> points;
+    for (int i = 0; i < 8; ++i) {
+        points.emplace_back(i & 4 ? corner : -corner, i & 2 ? corner : -corner, i & 1 ? corner : -corner);
+    }
+    return points;
+}
+
+std::vector<Vec3d> tetra_points() {
+    return {{corner, corner, corner},
+            {corner, -corner, -corner},
+            {-corner, corner, -corner},
+            {-corner, -corner, corner}};
+}
+
+/// The N of "sphereN", if that is what the name looks like.
+std::optional<std::size_t> sphere_count(std::string_view name) {
+    if (name.substr(0, sphere_prefix.size()) != sphere_prefix) return std::nullopt;
+    const std::string_view digits = name.substr(sphere_prefix.size());
+    std::size_t count = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+    if (digits.empty() || digits.front() == '0' || end != digits.data() + digits.size()) return std::nullopt;
+    return error == std::errc::result_out_of_range ? largest_sphere + 1 : count;
+}
+
+Result<Polyhedron> make_sphere(std::string_view name, std::size_t count) {
+    const std::vector<SphereSize> sizes = sphere_sizes();
+    const auto above = std::find_if(sizes.begin(), sizes.end(),
+                                    [count](const SphereSize& size) { return size.vertices() >= count; });
+    if (above != sizes.end() && above->vertices() == count) return convex_hull(sphere_points(*above));
+    std::string near;
+    if (above != sizes.begin()) near += fmt::format("sphere{}", (above - 1)->vertices());
+    if (above != sizes.begin() && above != sizes.end()) near += " and ";
+    if (above != sizes.end()) near += fmt::format("sphere{}", above->vertices());
+    return Result<Polyhedron>::failure(
+        fmt::format("shape '{}': a sphere has 4 k^2 + 2 or 6 k^2 + 2 vertices, at most {}; the nearest: {}",
+                    name, sizes.back().vertices(), near));
+}
+
+}  // namespace
+
+std::vector<ShapeInfo> list_shapes() {
+    std::vector<ShapeInfo> shapes = {{"tetra4", 4, 6, 4}, {"cube8", 8, 12, 6}};
+    for (const SphereSize& size : sphere_sizes()) {
+        const std::size_t n = size.vertices();
+        shapes.push_back({fmt::format("sphere{}", n), n, 3 * n - 6, 2 * n - 4});
+    }
+    return shapes;
+}
+
+Result<Polyhedron> make_shape(std::string_view name) {
+    if (name == "tetra4") return convex_hull(tetra_points());
+    if (name == "cube8") return convex_hull(cube_points());
+    if (const auto count = sphere_count(name)) return make_sphere(name, *count);
+    return Result<Polyhedron>::failure(
+        fmt::format("unknown shape '{}': known are tetra4, cube8 and sphereN with N = 4 k^2 + 2 or 6 k^2 + 2 "
+                    "(sphere6, sphere8, sphere18, sphere26, sphere38 ... sphere386 ...)",
+                    name));
+}
+
+Polyhedron scaled(const Polyhedron& body, double factor) {
+    Polyhedron result = body;
+    for (Vec3d& vertex : result.vertices) vertex *= factor;
+    for (Plane<double>& plane : result.face_planes) plane.offset *= factor;
+    return result;
+}
+
+}  // namespace edgewise

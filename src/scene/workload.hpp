@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// What a scene hands to the runners: bodies, and the queries to ask in order. Algorithm and layout know
+// nothing of scenes; a scene knows nothing of layouts.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/geometry/pose.hpp"
+
+namespace edgewise {
+
+struct Query {
+    std::uint32_t body_a, body_b;  ///< indices into Workload::bodies
+    std::uint32_t pair;            ///< pair-cache slot; queries of one slot follow each other in time
+    Pose pose_a, pose_b;
+};
+
+struct Workload {
+    std::vector<Polyhedron> bodies;
+    std::vector<Query> queries;  ///< pair by pair, each pair in time order
+    std::uint32_t pair_count = 0;
+    bool warm = false;  ///< keep a pair's cache from query to query; else every query starts cold
+};
+
+/// Distance of two posed bodies (0 when they overlap); how a scene places pairs at a wanted distance.
+using DistanceFunction =
+    std::function<double(const Polyhedron&, const Pose&, const Polyhedron&, const Pose&)>;
+
+/// Named numeric parameters of a scene, e.g. {"rotation_step", 0.01}; part of the cell's identity.
+using SceneParameters = std::map<std::string, double>;
+
+}  // namespace edgewise

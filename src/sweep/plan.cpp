@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/sweep/plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace edgewise {
+
+namespace {
+
+/// Hulls of real objects from Debian's dart-doc, relative to the mesh folder: a humanoid's foot, thigh and
+/// hand, and an arm's wrist.
+constexpr const char* real_objects[] = {"atlas_foot.stl", "hubo_foot.stl", "atlas_hand.stl", "wam_wrist.stl"};
+
+/// Shared by all named plans: every layout and algorithm; tumble from nearly still to incoherent.
+Plan base(std::string name) {
+    Plan plan;
+    plan.name = std::move(name);
+    plan.scenes = {{"static", {}},
+                   {"cold", {}},
+                   {"tumble", {{"rotation_step", 0.01}}},
+                   {"tumble", {{"rotation_step", 0.1}}},
+                   {"tumble", {{"rotation_step", 1}}}};
+    plan.shapes = {"tetra4", "cube8", "sphere38", "sphere386"};
+    plan.meshes = default_meshes();
+    plan.layouts = {"all"};
+    plan.algorithms = {"all"};
+    return plan;
+}
+
+/// Some minutes on two cores: enough to choose a layout by.
+Plan quick() {
+    Plan plan = base("quick");
+    plan.queries = 4000;
+    plan.checked = 200;
+    plan.rounds = 17;
+    return plan;
+}
+
+/// The paper's sample size (30 000 queries a sample point) and exact checks to match.
+Plan paper() {
+    Plan plan = base("paper");
+    plan.queries = 30000;
+    plan.checked = 2000;
+    plan.rounds = 25;
+    return plan;
+}
+
+/// As paper, over more sizes and speeds.
+Plan full() {
+    Plan plan = paper();
+    plan.name = "full";
+    plan.shapes = {"tetra4", "cube8", "sphere38", "sphere102", "sphere386", "sphere1538", "sphere6146"};
+    for (const double rotation : {0.001, 0.03, 0.3}) plan.scenes.push_back({"tumble", {{"rotation_step", rotation}}});
+    return plan;
+}
+
+template <class Value>
+void take(const nlohmann::json& from, const char* key, Value& to) {
+    if (from.contains(key)) to = from.at(key).get<Value>();
+}
+
+Plan read_plan(const std::string& file) {
+    std::ifstream stream(file);
+    if (!stream) {
+        throw std::invalid_argument(fmt::format("unknown plan '{}'; known: {}, or a readable JSON file", file,
+                                                fmt::join(plan_names(), ", ")));
+    }
+    Plan plan = quick();
+    plan.name = std::filesystem::path(file).stem().string();
+    try {
+        const auto json = nlohmann::json::parse(stream);
+        if (json.contains("scenes")) {
+            plan.scenes.clear();
+            for (const auto& scene : json.at("scenes")) {
+                plan.scenes.push_back({scene.at("name"), scene.value("parameters", SceneParameters{})});
+            }
+        }
+        take(json, "shapes", plan.shapes);
+        take(json, "meshes", plan.meshes);
+        take(json, "layouts", plan.layouts);
+        take(json, "algorithms", plan.algorithms);
+        take(json, "seed", plan.seed);
+        take(json, "queries", plan.queries);
+        take(json, "checked", plan.checked);
+        take(json, "rounds", plan.rounds);
+    } catch (const nlohmann::json::exception& problem) {
+        throw std::invalid_argument(fmt::format("plan {}: {}", file, problem.what()));
+    }
+    return plan;
+}
+
+}  // namespace
+
+std::vector<std::string> plan_names() { return {"quick", "paper", "full"}; }
+
+std::vector<std::string> default_meshes() {
+    // The set-up unpacks them beside the build folders: build/meshes for build/release/edgewise.
+    const auto program = std::filesystem::read_symlink("/proc/self/exe");
+    const auto folder = program.parent_path().parent_path() / "meshes";
+    std::vector<std::string> result;
+    for (const char* name : real_objects) result.push_back((folder / name).string());
+    return result;
+}
+
+Plan make_plan(const std::string& name) {
+    if (name == "quick") return quick();
+    if (name == "paper") return paper();
+    if (name == "full") return full();
+    return read_plan(name);
+}
+
+}  // namespace edgewise

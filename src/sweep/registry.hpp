@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Every table type and every algorithm of this program, by name. The entries come from generated units, one a table
+// type; the manifest is layouts/CMakeLists.txt.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edgewise/sweep/runner.hpp"
+#include "edgewise/table/needs.hpp"
+
+namespace edgewise {
+
+struct TableType {
+    std::string name;  ///< layout and precision: "aos_f64"
+    std::string layout, precision;
+    std::string stores, derives;          ///< one line each
+    std::vector<std::string> algorithms;  ///< those whose contract the layout meets
+    bool single_storage = false;          ///< holds bodies rounded to single
+    double eps = 0;                       ///< rounding step of what computes: 2^-52 or 2^-23
+    std::function<std::unique_ptr<Runner>(std::string_view algorithm)> make_runner;
+    std::function<Ledger(const Polyhedron&, Parts)> ledger;  ///< of a table built from a body it can store
+};
+
+struct AlgorithmInfo {
+    std::string name, summary;
+    Parts parts;
+};
+
+/// In the manifest's order.
+[[nodiscard]] std::span<const TableType> table_types();
+[[nodiscard]] std::span<const AlgorithmInfo> algorithms();
+
+/// Names as a user writes them: "aos" (all its precisions), "aos_f64", "all". Throws std::invalid_argument that
+/// lists the known names.
+[[nodiscard]] std::vector<const TableType*> select_table_types(std::span<const std::string> names);
+[[nodiscard]] std::vector<std::string> select_algorithms(std::span<const std::string> names);
+
+}  // namespace edgewise

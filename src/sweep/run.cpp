@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/sweep/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/sweep/build_info.hpp"
+#include "edgewise/sweep/cell.hpp"
+#include "edgewise/sweep/contender.hpp"
+#include "edgewise/sweep/shapes_of.hpp"
+
+namespace edgewise {
+
+namespace {
+
+/// What every ratio is against: the paper's algorithm on the paper's layout.
+constexpr std::string_view baseline_algorithm = "vclip", baseline_table = "aos_f64";
+
+class Sweep {
+  public:
+    Sweep(const Plan& plan, Store& store, const SweepListener& listener, const std::atomic<bool>& stop)
+        : plan_(plan), store_(store), listener_(listener), stop_(stop),
+          types_(select_table_types(plan.layouts)), algorithms_(select_algorithms(plan.algorithms)) {
+        const BuildRow build = this_build();
+        build_ = build.id;
+        store_.put_build(build);
+        store_.set_meta("build", build_);
+        store_.set_meta("plan", plan.name);
+        store_.set_meta("seed", std::to_string(plan.seed));
+        store_.set_meta("baseline", fmt::format("{} x {}", baseline_algorithm, baseline_table));
+    }
+
+    SweepSummary run() {
+        for (const SceneChoice& scene : plan_.scenes) {
+            const auto known = complete_parameters(scene.name, scene.parameters);
+            if (!known) throw std::invalid_argument(known.error);
+        }
+        const auto shapes = shapes_of(plan_, listener_.on_warning);
+        const std::size_t each = cells_of_group();
+        if (each == 0 || shapes.empty() || plan_.scenes.empty()) {
+            throw std::invalid_argument("this plan has no cells: no layout serves the algorithms chosen, or no shape or scene is left");
+        }
+        listener_.on_start(each * shapes.size() * plan_.scenes.size());
+        for (const SceneChoice& scene : plan_.scenes) {
+            for (const NamedShape& shape : shapes) {
+                if (stop_) break;
+                run_group(scene, shape);
+            }
+        }
+        summary_.stopped = stop_;
+        return summary_;
+    }
+
+  private:
+    [[nodiscard]] bool chosen(const TableType& type, const std::string& algorithm) const {
+        return std::find(type.algorithms.begin(), type.algorithms.end(), algorithm) != type.algorithms.end();
+    }
+
+    [[nodiscard]] std::size_t cells_of_group() const {
+        std::size_t count = 0;
+        for (const TableType* type : types_) {
+            for (const std::string& algorithm : algorithms_) count += chosen(*type, algorithm);
+        }
+        return count;
+    }
+
+    [[nodiscard]] CellRow row_for(const SceneChoice& scene, const NamedShape& shape) const {
+        CellRow row;
+        row.scene = scene.name;
+        row.scene_parameters = parameters_json(*complete_parameters(scene.name, scene.parameters));
+        row.shape = shape.name;
+        row.shape_source = shape.source;
+        row.vertices = shape.body.vertex_count();
+        row.edges = shape.body.edge_count();
+        row.faces = shape.body.face_count();
+        row.seed = plan_.seed;
+        row.queries = plan_.queries;
+        return row;
+    }
+
+    void run_group(const SceneChoice& scene, const NamedShape& shape) {
+        std::vector<Contender> contenders = contenders_for(scene, shape);
+        const std::string what = scene.name + " " + shape.name;
+        if (!shape.error.empty()) {
+            for (Contender& contender : contenders) give_up(contender, shape.error);
+            listener_.on_done(contenders.size(), what);
+            return;
+        }
+        if (all_stored(contenders)) {
+            listener_.on_done(contenders.size(), what);
+            return;
+        }
+        Group group(plan_, scene, shape);
+        for (Contender& contender : contenders) contender.verify(group);
+        Contender baseline(baseline_type(), std::string(baseline_algorithm), row_for(scene, shape));
+        baseline.verify(group);
+        time_rounds(group, contenders, baseline);
+        if (stop_) return;
+        for (const Contender& contender : contenders) keep(contender);
+        listener_.on_done(contenders.size(), what);
+    }
+
+    [[nodiscard]] std::vector<Contender> contenders_for(const SceneChoice& scene, const NamedShape& shape) const {
+        std::vector<Contender> result;
+        for (const TableType* type : types_) {
+            for (const std::string& algorithm : algorithms_) {
+                if (!chosen(*type, algorithm)) continue;
+                result.emplace_back(*type, algorithm, row_for(scene, shape));
+                result.back().name(shape.body);
+            }
+        }
+        return result;
+    }
+
+    /// The baseline need not be among the chosen cells; a program without its layout compares with its first.
+    [[nodiscard]] static const TableType& baseline_type() {
+        const auto types = table_types();
+        const auto is_baseline = [](const TableType& type) { return type.name == baseline_table; };
+        const auto found = std::find_if(types.begin(), types.end(), is_baseline);
+        return found != types.end() ? *found : types.front();
+    }
+
+    /// Rounds and figures of all of them are there; counts them.
+    [[nodiscard]] bool all_stored(const std::vector<Contender>& contenders) {
+        std::vector<std::string> states;
+        for (const Contender& contender : contenders) {
+            const auto row = store_.find_cell(build_, contender.row().hash);
+            if (!row) return false;
+            if (row->status == "verified" && rounds_missing(contender).size() > 0) return false;
+            states.push_back(row->status);
+        }
+        for (const std::string& status : states) count(status);
+        return true;
+    }
+
+    [[nodiscard]] std::vector<int> rounds_missing(const Contender& contender) const {
+        const auto done = store_.rounds_done(build_, contender.row().hash);
+        std::vector<int> missing;
+        for (int round = 0; round < plan_.rounds; ++round) {
+            if (!done.contains(round)) missing.push_back(round);
+        }
+        return missing;
+    }
+
+    void time_rounds(const Group& group, const std::vector<Contender>& contenders, const Contender& baseline) {
+        if (!baseline.verified()) {
+            listener_.on_warning("the baseline failed its check in this group: nothing to compare times with");
+        }
+        const double clock_cost_ns = calibrate();
+        std::vector<std::vector<int>> missing;
+        for (const Contender& contender : contenders) missing.push_back(rounds_missing(contender));
+        for (int round = 0; round < plan_.rounds && !stop_; ++round) {
+            std::vector<const Contender*> turn;
+            for (std::size_t i = 0; i < contenders.size(); ++i) {
+                const auto& of_this = missing[i];
+                const bool lacks = std::find(of_this.begin(), of_this.end(), round) != of_this.end();
+                if (contenders[i].verified() && lacks) turn.push_back(&contenders[i]);
+            }
+            if (!turn.empty()) store_.put_round(build_, time_round(group, round, turn, baseline, clock_cost_ns));
+        }
+    }
+
+    /// Every cell once, in an order of its own each round, the baseline somewhere among them.
+    [[nodiscard]] std::vector<std::pair<std::string, Round>> time_round(const Group& group, int number,
+                                                                        std::vector<const Contender*> turn,
+                                                                        const Contender& baseline,
+                                                                        double clock_cost_ns) const {
+        turn.push_back(&baseline);
+        Rng rng(plan_.seed + static_cast<std::uint64_t>(number));
+        for (std::size_t i = turn.size(); i > 1; --i) std::swap(turn[i - 1], turn[rng.below(i)]);
+        std::vector<std::pair<std::string, Round>> rounds;
+        Timing baseline_timing;
+        for (const Contender* contender : turn) {
+            const Timing timing = contender->time(group, clock_cost_ns);
+            if (contender == &baseline) {
+                baseline_timing = timing;
+            } else {
+                rounds.emplace_back(contender->row().hash, Round{number, timing, {}});
+            }
+        }
+        for (auto& [hash, round] : rounds) round.baseline = baseline_timing;
+        return rounds;
+    }
+
+    void keep(const Contender& contender) {
+        const auto rounds = store_.rounds(build_, contender.row().hash);
+        store_.put_cell(build_, contender.row(), contender.figures(sizes_, rounds));
+        count(contender.row().status);
+        if (contender.row().status == "failed") {
+            listener_.on_warning(fmt::format("failed: {} {} {} {}: {}", contender.row().scene, contender.row().shape,
+                                             contender.row().algorithm, contender.row().table,
+                                             contender.row().reason));
+        }
+    }
+
+    void give_up(Contender& contender, const std::string& reason) {
+        contender.make_unavailable(reason);
+        keep(contender);
+    }
+
+    void count(const std::string& status) {
+        ++summary_.cells;
+        ++(status == "verified" ? summary_.verified : status == "failed" ? summary_.failed : summary_.unavailable);
+    }
+
+    const Plan& plan_;
+    Store& store_;
+    const SweepListener& listener_;
+    const std::atomic<bool>& stop_;
+    std::vector<const TableType*> types_;
+    std::vector<std::string> algorithms_;
+    std::string build_;
+    SizeFamily sizes_;
+    SweepSummary summary_;
+};
+
+}  // namespace
+
+SweepSummary run_sweep(const Plan& plan, Store& store, const SweepListener& listener,
+                       const std::atomic<bool>& stop) {
+    return Sweep(plan, store, listener, stop).run();
+}
+
+}  // namespace edgewise

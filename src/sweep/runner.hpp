@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// An algorithm on a table type, with both types erased: what the sweep, `edgewise query` and the tests drive. Answers
+// and times come from the same query code; only a whole pass is behind the virtual call.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/algorithms/distance.hpp"
+#include "edgewise/geometry/feature.hpp"
+#include "edgewise/geometry/result.hpp"
+#include "edgewise/measure/round.hpp"
+#include "edgewise/scene/workload.hpp"
+#include "edgewise/table/ledger.hpp"
+
+namespace edgewise {
+
+/// An answer with everything a user may ask for, in world coordinates.
+struct NamedAnswer {
+    Distance distance;
+    NamedFeature feature_a, feature_b;
+};
+
+class Runner {
+  public:
+    Runner() = default;
+    Runner(const Runner&) = delete;
+    Runner& operator=(const Runner&) = delete;
+    virtual ~Runner() = default;
+
+    /// Builds one table for each body (rounded to what the table stores). An error line when a body cannot be stored.
+    [[nodiscard]] virtual std::string load(std::span<const Polyhedron> bodies) = 0;
+
+    /// The bodies that the tables really hold.
+    [[nodiscard]] virtual std::span<const Polyhedron> stored_bodies() const = 0;
+
+    /// Every query of the workload in order, from cold pairs; points in A's frame.
+    [[nodiscard]] virtual std::vector<Distance> answer(const Workload& workload) const = 0;
+
+    /// One query from a cold start, with features.
+    [[nodiscard]] virtual NamedAnswer answer(const Query& query) const = 0;
+
+    /// Times the whole workload; `in_contact[i]` != 0 books query i under overlapping, else under separated. The clock
+    /// is read where the class changes, and its cost is subtracted.
+    [[nodiscard]] virtual Timing time(const Workload& workload, std::span<const std::uint8_t> in_contact,
+                                      double clock_cost_ns) const = 0;
+
+    /// Bytes of the table of body i.
+    [[nodiscard]] virtual Ledger ledger(std::size_t body) const = 0;
+};
+
+}  // namespace edgewise

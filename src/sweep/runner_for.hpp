@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+//
+// The runner of one algorithm on one table type. Included by the generated registry units only, so that each table
+// type compiles apart and in parallel.
+#pragma once
+
+#include <cassert>
+#include <type_traits>
+
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/vclip.hpp"
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/sweep/name_feature.hpp"
+#include "edgewise/sweep/runner.hpp"
+
+namespace edgewise {
+
+template <class Algorithm, class Table>
+class RunnerFor final : public Runner {
+  public:
+    using Pair = typename Algorithm::template Pair<Table, Table>;
+
+    [[nodiscard]] std::string load(std::span<const Polyhedron> bodies) override {
+        bodies_.clear();
+        tables_.clear();
+        for (const Polyhedron& body : bodies) {
+            auto stored = as_stored(body);
+            if (!stored) return stored.error;
+            bodies_.push_back(std::move(*stored));
+            tables_.emplace_back(bodies_.back(), Algorithm::parts);
+        }
+        return {};
+    }
+
+    [[nodiscard]] std::span<const Polyhedron> stored_bodies() const override { return bodies_; }
+
+    [[nodiscard]] std::vector<Distance> answer(const Workload& workload) const override {
+        std::vector<Distance> answers(workload.queries.size());
+        run(workload, 0, answers.size(), cold_pairs(workload),
+            [&](std::size_t i, const Distance& d) { answers[i] = d; });
+        return answers;
+    }
+
+    [[nodiscard]] NamedAnswer answer(const Query& query) const override {
+        const Table& a = tables_[query.body_a];
+        const Table& b = tables_[query.body_b];
+        Pair pair(a, b);
+        NamedAnswer result;
+        result.distance = to_world(ask(query, pair), query.pose_a);
+        std::tie(result.feature_a, result.feature_b) =
+            name_features(pair, a, bodies_[query.body_a], b, bodies_[query.body_b]);
+        return result;
+    }
+
+    [[nodiscard]] Timing time(const Workload& workload, std::span<const std::uint8_t> in_contact,
+                              double clock_cost_ns) const override {
+        assert(in_contact.size() == workload.queries.size());
+        Timing timing;
+        std::vector<Pair> pairs = cold_pairs(workload);
+        double sum = 0;  // of all distances: an answer nobody reads might not be computed
+        for (std::size_t first = 0; first < in_contact.size();) {
+            std::size_t last = first;
+            while (last < in_contact.size() && in_contact[last] == in_contact[first]) ++last;
+            const Stopwatch watch;
+            run(workload, first, last, pairs, [&](std::size_t, const Distance& d) { sum += d.distance; });
+            const double ns = std::max(0.0, watch.elapsed_ns() - clock_cost_ns);
+            (in_contact[first] ? timing.overlapping_ns : timing.separated_ns) += ns;
+            (in_contact[first] ? timing.overlapping_queries : timing.separated_queries) += last - first;
+            first = last;
+        }
+        volatile double sink = sum;
+        static_cast<void>(sink);
+        return timing;
+    }
+
+    [[nodiscard]] Ledger ledger(std::size_t body) const override { return tables_[body].ledger(); }
+
+  private:
+    static Result<Polyhedron> as_stored(const Polyhedron& body) {
+        if constexpr (std::is_same_v<typename Table::PrecisionType::Stored, float>) {
+            return round_to_single(body);
+        } else {
+            return Result<Polyhedron>::success(body);
+        }
+    }
+
+    [[nodiscard]] Distance ask(const Query& query, Pair& pair) const {
+        return Algorithm::query(tables_[query.body_a], tables_[query.body_b],
+                                relative_pose(query.pose_a, query.pose_b), pair);
+    }
+
+    /// One cache for each pair of a warm scene, each on its own bodies' tables.
+    [[nodiscard]] std::vector<Pair> cold_pairs(const Workload& workload) const {
+        if (!workload.warm) return {};
+        std::vector<Pair> pairs(workload.pair_count, Pair(tables_[0], tables_[0]));
+        for (const Query& query : workload.queries) {
+            pairs[query.pair] = Pair(tables_[query.body_a], tables_[query.body_b]);
+        }
+        return pairs;
+    }
+
+    template <class Pairs, class Use>
+    void run(const Workload& workload, std::size_t first, std::size_t last, Pairs&& pairs, Use use) const {
+        for (std::size_t i = first; i < last; ++i) {
+            const Query& query = workload.queries[i];
+            if (workload.warm) {
+                use(i, ask(query, pairs[query.pair]));
+            } else {
+                Pair pair(tables_[query.body_a], tables_[query.body_b]);
+                use(i, ask(query, pair));
+            }
+        }
+    }
+
+    std::vector<Polyhedron> bodies_;
+    std::vector<Table> tables_;
+};
+
+}  // namespace edgewise

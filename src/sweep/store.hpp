@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// One SQLite file that holds everything a sweep measured. Rows are keyed by cell and build, so a rebuilt
+// program never mixes its figures with those of the old one; every round is one transaction, so a kill loses
+// at most the round in hand. What a call wrote is on the disk when it returns. One thread at a time; several
+// programs may share a store and wait for each other.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edgewise/measure/figure.hpp"
+#include "edgewise/measure/round.hpp"
+
+namespace edgewise {
+
+/// What built and what ran: the provenance of every figure. `id` hashes the rest, seed and time aside.
+struct BuildRow {
+    std::string id;
+    std::string git_revision, compiler, flags, build_type;
+    std::string machine_json;  ///< what `edgewise machine --json` prints
+};
+
+/// One cell: scene x shape x algorithm x layout x precision x further axes.
+struct CellRow {
+    std::string hash;  ///< of everything below that names the cell, and of the bodies and the seed
+    std::string scene, scene_parameters;  ///< name, and its numbers as canonical JSON
+    std::string shape, shape_source;      ///< name, and "built-in" or the mesh file's name
+    std::string algorithm, layout, precision, table;
+    std::uint64_t vertices = 0, edges = 0, faces = 0;
+    std::uint64_t seed = 0, queries = 0;
+    std::string status;  ///< verified | failed | unavailable
+    std::string reason;  ///< why failed or unavailable
+};
+
+struct FigureRow {
+    std::string probe;
+    Figure figure;
+};
+
+class Store {
+  public:
+    /// Opens or creates; throws std::runtime_error naming the file when it cannot or when the schema is
+    /// foreign or newer. A file that is not ours is left as it was. Every other call throws likewise when it
+    /// fails.
+    explicit Store(const std::string& path);
+    ~Store();
+    Store(const Store&) = delete;
+    Store& operator=(const Store&) = delete;
+
+    /// Before the cells of that build; replaces an earlier row of the same id.
+    void put_build(const BuildRow& build);
+    /// Cell and its figures, in one transaction; replaces an earlier row of the same cell and build, with all
+    /// its figures; its rounds stay. A value that is not finite is stored as null with that as the reason; a
+    /// null figure without a reason is refused.
+    void put_cell(const std::string& build, const CellRow& cell, std::span<const FigureRow> figures);
+    /// One round of several cells (by their hash), in one transaction; replaces rounds of the same number.
+    void put_round(const std::string& build, std::span<const std::pair<std::string, Round>> rounds);
+
+    [[nodiscard]] std::optional<CellRow> find_cell(const std::string& build, const std::string& hash) const;
+    /// By probe, then by name.
+    [[nodiscard]] std::vector<FigureRow> figures(const std::string& build, const std::string& hash) const;
+    [[nodiscard]] std::optional<BuildRow> find_build(const std::string& id) const;
+    [[nodiscard]] std::set<int> rounds_done(const std::string& build, const std::string& hash) const;
+    /// By number.
+    [[nodiscard]] std::vector<Round> rounds(const std::string& build, const std::string& hash) const;
+
+    /// Plan name, start time, command line ...
+    void set_meta(const std::string& key, const std::string& value);
+    [[nodiscard]] std::optional<std::string> find_meta(const std::string& key) const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace edgewise

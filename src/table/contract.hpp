@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// The contract between layouts and algorithms: all that one may know of the other.
+//
+// A SupportTable gives vertices and their neighbours; GJK asks for no more. A FeatureTable refines it with
+// edges, faces, rings and the Voronoi planes that V-Clip tests. Handles are the layout's own: compared,
+// copied, handed back, never computed with. A plane may be stored or derived; the algorithm cannot tell, and
+// asks only for signs and ratios of distances wherever that is enough.
+//
+// Orientation of planes: a vertex-edge plane is positive beyond the edge's end, on the side of that end's
+// vertex; an edge-face plane is positive on the side of that face. So a point is in the Voronoi region of a
+// vertex or of a face when every plane of its ring is >= 0, and in the region of an edge when its four planes
+// are <= 0. Both neighbours ask the same plane and read the same number, which is what keeps V-Clip from
+// arguing with itself.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+
+#include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/table/ledger.hpp"
+#include "edgewise/table/needs.hpp"
+#include "edgewise/table/precision.hpp"
+#include "edgewise/table/ring.hpp"
+
+namespace edgewise {
+
+enum class End : bool { tail, head };
+enum class Side : bool { left, right };
+
+template <class T>
+concept SupportTable = requires(const T& table, typename T::Vertex v) {
+    requires Precision<typename T::PrecisionType>;
+    { T::name } -> std::convertible_to<std::string_view>;
+    { table.vertex_count() } -> std::convertible_to<std::size_t>;
+    { table.first_vertex() } -> std::same_as<typename T::Vertex>;
+    { table.vertex(v) } -> std::convertible_to<Vec3<typename T::PrecisionType::Compute>>;
+    { *table.neighbours(v).begin() } -> std::convertible_to<typename T::Vertex>;
+    /// position of the vertex in the canonical Polyhedron
+    { table.index_of(v) } -> std::convertible_to<Index>;
+    { table.ledger() } -> std::convertible_to<Ledger>;
+    /// how a linear scan visits all vertices
+    { *table.all_vertices().begin() } -> std::convertible_to<typename T::Vertex>;
+};
+
+template <class T>
+concept FeatureTable = SupportTable<T> &&
+    requires(const T& table, typename T::Vertex v, typename T::Edge e, typename T::Face f) {
+    { table.tail(e) } -> std::same_as<typename T::Vertex>;
+    { table.head(e) } -> std::same_as<typename T::Vertex>;
+    { table.left(e) } -> std::same_as<typename T::Face>;
+    { table.right(e) } -> std::same_as<typename T::Face>;
+    /// tail to head; unit length where stored
+    { table.direction(e) } -> std::convertible_to<Vec3<typename T::PrecisionType::Compute>>;
+    { *table.ring_of_vertex(v).begin() } -> std::convertible_to<RingEdge<typename T::Edge>>;
+    { *table.ring_of_face(f).begin() } -> std::convertible_to<RingEdge<typename T::Edge>>;
+    { *table.all_faces().begin() } -> std::convertible_to<typename T::Face>;
+    table.vertex_edge_plane(e, End::tail).distance(table.vertex(v));
+    table.edge_face_plane(e, Side::left).distance(table.vertex(v));
+    table.face_plane(f).distance(table.vertex(v));
+};
+
+template <class T>
+using ComputeOf = typename T::PrecisionType::Compute;
+
+}  // namespace edgewise

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// Every read of a table goes through its loader. `Direct` costs nothing; `Traced` reports address, size and
+// field to a sink and returns the same value. No algorithm and no layout holds a counter.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace edgewise {
+
+enum class Field : std::uint8_t {
+    vertex,          ///< coordinates
+    voronoi_plane,   ///< vertex-edge and edge-face planes
+    edge_direction,  ///< direction and length
+    edge_ends,       ///< tail, head, left, right
+    face_plane,
+    vertex_ring,  ///< edges around a vertex, and where they start
+    face_ring,    ///< edges around a face, and where they start
+    neighbour,    ///< vertices around a vertex
+};
+
+struct Direct {
+    template <class Value>
+    static const Value& load(const Value& location, Field) {
+        return location;
+    }
+};
+
+/// Sink: void read(const void* address, std::size_t bytes, Field field).
+template <class Sink>
+struct Traced {
+    Sink* sink = nullptr;
+
+    template <class Value>
+    const Value& load(const Value& location, Field field) const {
+        sink->read(&location, sizeof(Value), field);
+        return location;
+    }
+};
+
+}  // namespace edgewise

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Doubles as what they are: an integer of at most 53 bits times a power of two. And back: exact quotients and
+// roots of quotients rounded once, to the nearest double (ties to even, gradual underflow, overflow to
+// infinity).
+#pragma once
+
+#include <gmpxx.h>
+
+namespace edgewise {
+
+/// value = mantissa * 2^exponent, mantissa odd or zero.
+struct Dyadic {
+    long mantissa;
+    long exponent;
+};
+
+/// Exponent reported for zero: above that of any double, so that it never lowers a minimum.
+inline constexpr long exponent_of_zero = 1L << 20;
+
+[[nodiscard]] Dyadic dyadic(double value);
+
+/// out = value / 2^unit; unit must be at most the exponent of the value.
+void set_scaled(mpz_class& out, double value, long unit);
+
+/// The double nearest to (numerator / denominator) * 2^exponent; denominator positive.
+[[nodiscard]] double rounded_quotient(const mpz_class& numerator, const mpz_class& denominator,
+                                      long exponent);
+
+/// The double nearest to sqrt(numerator / denominator) * 2^exponent; numerator not negative, denominator
+/// positive.
+[[nodiscard]] double rounded_root(const mpz_class& numerator, const mpz_class& denominator, long exponent);
+
+}  // namespace edgewise

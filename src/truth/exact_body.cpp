@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// Integer world coordinates on demand, and exact support by a filtered scan: only what the filter cannot tell
+// apart is compared exactly.
+#include "edgewise/truth/exact_body.hpp"
+
+#include <algorithm>
+
+#include "edgewise/truth/dyadic.hpp"
+
+namespace edgewise {
+
+namespace {
+
+long least_exponent(std::span<const Vec3d> points) {
+    long least = exponent_of_zero;
+    for (const Vec3d& p : points) {
+        for (int i = 0; i < 3; ++i) least = std::min(least, dyadic(p[i]).exponent);
+    }
+    return least;
+}
+
+long least_exponent(const Mat3d& matrix) {
+    long least = exponent_of_zero;
+    for (const double entry : matrix.reshaped()) least = std::min(least, dyadic(entry).exponent);
+    return least;
+}
+
+}  // namespace
+
+long ExactBody::unit_exponent(std::span<const Vec3d> vertices, const Pose& pose) {
+    const long product = least_exponent(pose.rotation) + least_exponent(vertices);
+    return std::min(product, least_exponent(std::span(&pose.translation, 1)));
+}
+
+ExactBody::ExactBody(std::span<const Vec3d> vertices, const Pose& pose, long unit)
+    : vertices_(vertices), filter_(vertices, pose.rotation), slot_(vertices.size(), not_yet) {
+    // All-zero vertices or an all-zero matrix have no exponent of their own; any that fits will do.
+    const long rotation_unit = least_exponent(pose.rotation);
+    vertex_unit_ = least_exponent(vertices);
+    if (vertex_unit_ == exponent_of_zero) vertex_unit_ = unit - std::min(rotation_unit, 0L);
+    for (int i = 0; i < 3; ++i) {
+        set_scaled(row_[i].x, pose.rotation(i, 0), unit - vertex_unit_);
+        set_scaled(row_[i].y, pose.rotation(i, 1), unit - vertex_unit_);
+        set_scaled(row_[i].z, pose.rotation(i, 2), unit - vertex_unit_);
+    }
+    set_scaled(translation_.x, pose.translation.x(), unit);
+    set_scaled(translation_.y, pose.translation.y(), unit);
+    set_scaled(translation_.z, pose.translation.z(), unit);
+}
+
+const IntegerVec& ExactBody::world(std::uint32_t i) {
+    if (slot_[i] != not_yet) return world_[slot_[i]];
+    slot_[i] = static_cast<std::uint32_t>(world_.size());
+    IntegerVec vertex;
+    set_scaled(vertex.x, vertices_[i].x(), vertex_unit_);
+    set_scaled(vertex.y, vertices_[i].y(), vertex_unit_);
+    set_scaled(vertex.z, vertices_[i].z(), vertex_unit_);
+    IntegerVec result{dot(row_[0], vertex), dot(row_[1], vertex), dot(row_[2], vertex)};
+    result += translation_;
+    world_.push_back(std::move(result));
+    return world_.back();
+}
+
+std::uint32_t ExactBody::lowest(const IntegerVec& direction) {
+    const std::span<const std::uint32_t> candidates = filter_.candidates(rounded_direction(direction));
+    if (candidates.size() == 1) return candidates.front();
+    std::uint32_t best = candidates.front();
+    mpz_class best_height = dot(direction, world(best));
+    for (const std::uint32_t i : candidates.subspan(1)) {
+        mpz_class height = dot(direction, world(i));
+        if (height >= best_height) continue;
+        best_height = std::move(height);
+        best = i;
+    }
+    return best;
+}
+
+ExactPair::ExactPair(std::span<const Vec3d> vertices_a, const Pose& pose_a, std::span<const Vec3d> vertices_b,
+                     const Pose& pose_b)
+    : unit(std::min(
+          {ExactBody::unit_exponent(vertices_a, pose_a), ExactBody::unit_exponent(vertices_b, pose_b), 0L})),
+      a(vertices_a, pose_a, unit),
+      b(vertices_b, pose_b, unit) {}
+
+IntegerVec ExactPair::difference(VertexPair pair) { return a.world(pair.a) - b.world(pair.b); }
+
+LowestPoint ExactPair::lowest(const IntegerVec& direction) {
+    LowestPoint result;
+    result.pair = {a.lowest(direction), b.lowest(-direction)};
+    result.point = difference(result.pair);
+    result.height = dot(direction, result.point);
+    return result;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// The proof of an exact answer, checked anew for every answer and apart from the search that found it:
+// non-negative weights that sum to one put the nearest point into A - B, and no vertex pair lies below the
+// plane through it. Together these two say that no other point is nearer (Kuhn-Tucker).
+#pragma once
+
+#include "edgewise/truth/exact_body.hpp"
+
+namespace edgewise {
+
+/// Throws std::logic_error if the simplex does not carry the point of A - B nearest to the origin.
+void require_optimal(ExactPair& bodies, const MinimumSimplex<IntegerVec>& simplex);
+
+}  // namespace edgewise

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+//
+// Case lines: what is read, and one clear line for everything that is wrong.
+#include "edgewise/scene/case_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "edgewise/geometry/check_polyhedron.hpp"
+
+namespace edgewise {
+namespace {
+
+const char* const tetra = R"({"vertices":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]})";
+
+std::string line_with(const std::string& a, const std::string& rest = "") {
+    return R"({"id":"x","a":)" + a + R"(,"b":)" + tetra + rest + "}";
+}
+
+Result<Case> parse(const std::string& line) {
+    std::string id;
+    return parse_case(line, "cases.jsonl:12", id);
+}
+
+TEST(CaseFile, ReadsBodiesFacesAndPoses) {
+    const Result<Case> c = parse(line_with(
+        R"({"vertices":[[0,0,0],[1,0,0],[0,1,0],[0,0,1e-3]],"faces":[[0,2,1],[0,1,3],[1,2,3],[0,3,2]]})",
+        R"(,"pose_b":{"R":[0,-1,0,1,0,0,0,0,1],"t":[0.1,-2,3e2]},"expect":{"distance":1},"note":null)"));
+    ASSERT_TRUE(c) << c.error;
+    EXPECT_EQ(c->id, "x");
+    ASSERT_EQ(c->a.vertices.size(), 4U);
+    EXPECT_EQ(c->a.vertices[3], Vec3d(0, 0, 1e-3));
+    ASSERT_TRUE(c->a.faces);
+    EXPECT_EQ(c->a.faces->at(2), (std::vector<Index>{1, 2, 3}));
+    EXPECT_FALSE(c->b.faces);
+    EXPECT_EQ(c->pose_a.rotation, Mat3d(Mat3d::Identity()));
+    EXPECT_EQ(c->pose_b.rotation(0, 1), -1);
+    EXPECT_EQ(c->pose_b.rotation(1, 0), 1);
+    EXPECT_EQ(c->pose_b.translation, Vec3d(0.1, -2, 300));
+}
+
+TEST(CaseFile, BuildsTheHullOrTheGivenFaces) {
+    const char* const box =
+        R"({"vertices":[[0,0,0],[1,0,0],[0,1,0],[1,1,0],[0,0,1],[1,0,1],[0,1,1],[1,1,1],[0.5,0.5,0.5]]})";
+    const Result<Case> c = parse(line_with(box));
+    ASSERT_TRUE(c) << c.error;
+    const Result<Polyhedron> hull = body_from_case(c->a);
+    ASSERT_TRUE(hull) << hull.error;
+    EXPECT_EQ(hull->vertex_count(), 8U);
+    EXPECT_EQ(hull->edge_count(), 12U);
+
+    // Each side as two coplanar triangles: 18 edges, because faces are taken as given.
+    const Result<Case> split = parse(line_with(
+        R"({"vertices":[[0,0,0],[1,0,0],[0,1,0],[1,1,0],[0,0,1],[1,0,1],[0,1,1],[1,1,1]],
+            "faces":[[0,2,3],[0,3,1],[4,5,7],[4,7,6],[0,1,5],[0,5,4],[2,6,7],[2,7,3],[0,4,6],[0,6,2],[1,3,7],[1,7,5]]})"));
+    ASSERT_TRUE(split) << split.error;
+    const Result<Polyhedron> given = body_from_case(split->a);
+    ASSERT_TRUE(given) << given.error;
+    EXPECT_EQ(given->edge_count(), 18U);
+    EXPECT_EQ(given->face_count(), 12U);
+}
+
+TEST(CaseFile, ABodyThatCannotBeBuiltSaysWhereItStands) {
+    const Result<Case> c = parse(line_with(R"({"vertices":[[0,0,0],[1,0,0],[0,1,0],[1,1,0]]})"));
+    ASSERT_TRUE(c) << c.error;
+    const Result<Polyhedron> flat = body_from_case(c->a);
+    ASSERT_FALSE(flat);
+    EXPECT_EQ(flat.error.rfind("cases.jsonl:12: a: ", 0), 0U) << flat.error;
+}
+
+struct BadLine {
+    std::string line, error;
+};
+
+TEST(CaseFile, EveryFaultNamesItsLineAndField) {
+    const BadLine bad[] = {
+        {line_with(tetra, R"(,"pose_a":{"R":[1,0,0,0,1,0,0,0],"t":[0,0,0]})"),
+         "pose_a.R has 8 numbers, wants 9"},
+        {line_with(tetra, R"(,"pose_b":{"R":[1,0,0,0,1,0,0,0,1],"t":[0,0,0,0]})"),
+         "pose_b.t has 4 numbers, wants 3"},
+        {line_with(tetra, R"(,"pose_b":{"R":[1,0,0,0,1,0,0,0,null],"t":[0,0,0]})"),
+         "pose_b.R[8] is not a finite number"},
+        {line_with(tetra, R"(,"pose_b":{"R":[1,0,0,0,1,0,0,0,1]})"), "pose_b.t is missing"},
+        {line_with(tetra, R"(,"pose_b":[])"), "pose_b is not an object"},
+        {line_with("7"), "a is not an object"},
+        {line_with("{}"), "a.vertices is missing"},
+        {line_with(R"({"vertices":[]})"), "a.vertices is empty"},
+        {line_with(R"({"vertices":"no"})"), "a.vertices is not an array"},
+        {line_with(R"({"vertices":[[0,0,0],[0,0]]})"), "a.vertices[1] has 2 numbers, wants 3"},
+        {line_with(R"({"vertices":[5]})"), "a.vertices[0] is not an array of 3 numbers"},
+        {line_with(R"({"vertices":[[0,0,"NaN"]]})"), "a.vertices[0][2] is not a finite number"},
+        {line_with(R"({"vertices":[[0,true,0]]})"), "a.vertices[0][1] is not a finite number"},
+        {line_with(R"({"vertices":[[0,0,1e999]]})"), "a number is too large for double precision"},
+        {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,0,1]]})"),
+         "a.faces[0][2] is 1, but there are 1 vertices, counted from 0"},
+        {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,-1,0]]})"),
+         "a.faces[0][1] is not a vertex number (0, 1, 2 ...)"},
+        {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,0.5,0]]})"),
+         "a.faces[0][1] is not a vertex number (0, 1, 2 ...)"},
+        {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,0]]})"),
+         "a.faces[0] is not an array of three or more vertices"},
+        {line_with(R"({"vertices":[[0,0,0]],"faces":[]})"),
+         "a.faces is empty; leave it out for the hull of the vertices"},
+        {R"({"id":"x","a":)" + std::string(tetra) + "}", "b is missing"},
+        {R"({"a":1})", "id is missing"},
+        {R"({"id":[1]})", "id is neither a string nor a whole number"},
+        {"[1]", "the line is not a JSON object"},
+    };
+    for (const BadLine& one : bad) {
+        const Result<Case> c = parse(one.line);
+        ASSERT_FALSE(c) << one.line;
+        EXPECT_EQ(c.error, "cases.jsonl:12: " + one.error);
+    }
+}
+
+TEST(CaseFile, WhatIsNotJsonNamesItsColumn) {
+    for (const char* number : {"NaN", "Infinity", "-Infinity", "nan", "1.", "0x1"}) {
+        const Result<Case> c = parse(line_with(std::string(R"({"vertices":[[0,0,)") + number + "]]}"));
+        ASSERT_FALSE(c) << number;
+        EXPECT_EQ(c.error.rfind("cases.jsonl:12: not JSON at column 3", 0), 0U) << c.error;
+    }
+    for (const char* text : {"{", "", "}", "{\"id\":\"\xff\"}", "{} {}"}) EXPECT_FALSE(parse(text)) << text;
+    EXPECT_FALSE(parse(std::string(100000, '[')));
+}
+
+TEST(CaseFile, ABadLineDoesNotLoseTheRest) {
+    std::istringstream stream(line_with(tetra) + "\r\n\n  \nbroken\n" +
+                              R"({"id":17,"a":{}})"
+                              "\n" +
+                              line_with(tetra));
+    CaseReader reader(stream, "dir/cases.jsonl");
+    std::vector<std::string> seen;
+    while (const std::optional<Result<Case>> c = reader.next()) {
+        seen.push_back(std::to_string(reader.line()) + " '" + reader.id() + "' " + (*c ? "read" : c->error));
+    }
+    const std::vector<std::string> want = {
+        "1 'x' read",
+        "4 '' dir/cases.jsonl:4: not JSON at column 1 (one object a line; NaN and Infinity are not numbers)",
+        "5 '17' dir/cases.jsonl:5: a.vertices is missing", "6 'x' read"};
+    EXPECT_EQ(seen, want);
+}
+
+}  // namespace
+}  // namespace edgewise

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+//
+// The three verdicts of the exact oracle on tiny integer bodies, where contact of every kind is common,
+// against plain enumeration in machine integers: the normals n with n.w >= 0 for all points w of A - B form a
+// cone, and if the points span space its extreme rays are among the cross products of pairs.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <vector>
+
+#include "edgewise/truth/exact_distance.hpp"
+#include "exact_bodies.hpp"
+
+namespace edgewise {
+namespace {
+
+using Whole = Vec3<long>;
+
+Points grid_points(RandomBodies& random, std::size_t count) {
+    Points points;
+    const auto digit = [&] { return static_cast<double>(random.bits()() % 5) - 2; };
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = digit(), y = digit(), z = digit();
+        points.emplace_back(x, y, z);
+    }
+    return points;
+}
+
+std::vector<Whole> difference(const Points& a, const Points& b) {
+    std::vector<Whole> result;
+    for (const Vec3d& p : a) {
+        for (const Vec3d& q : b) result.push_back(Vec3d(p - q).cast<long>());
+    }
+    return result;
+}
+
+/// Signs of n.w over all points: the least of them, -1, 0 or 1.
+int lowest_side(const Whole& n, const std::vector<Whole>& points) {
+    int least = 1;
+    for (const Whole& w : points) {
+        const long height = dot(n, w);
+        least = std::min(least, (height > 0) - (height < 0));
+    }
+    return least;
+}
+
+struct Enumeration {
+    bool spans_space = false;
+    ExactVerdict verdict = ExactVerdict::overlapping;
+};
+
+/// Separated if the middle of the cone is positive on every point, overlapping if there is no cone.
+Enumeration enumerate(const std::vector<Whole>& points) {
+    Enumeration result;
+    Whole middle = Whole::Zero();
+    for (const Whole& v : points) {
+        for (const Whole& w : points) {
+            const Whole n = cross(v, w);
+            if (n.isZero()) continue;
+            for (const Whole& x : points) result.spans_space |= dot(n, x) != 0;
+            if (lowest_side(n, points) >= 0) middle += n;
+        }
+    }
+    if (middle.isZero()) return result;
+    result.verdict = lowest_side(middle, points) > 0 ? ExactVerdict::separated : ExactVerdict::touching;
+    return result;
+}
+
+TEST(ExactVerdict, agrees_with_enumeration_on_a_grid) {
+    RandomBodies random(8);
+    int seen[3] = {};
+    int touching_by_size[5] = {}, overlapping_by_size[5] = {};
+    for (int i = 0; i < 6000; ++i) {
+        const Points a = grid_points(random, 2 + random.bits()() % 5);
+        const Points b = grid_points(random, 2 + random.bits()() % 5);
+        const Enumeration expected = enumerate(difference(a, b));
+        if (!expected.spans_space) continue;
+        const ExactDistance exact = *exact_distance(a, {}, b, {});
+        ASSERT_EQ(exact.verdict, expected.verdict) << "pair " << i;
+        ++seen[static_cast<int>(exact.verdict)];
+        touching_by_size[exact.simplex.size] += exact.verdict == ExactVerdict::touching;
+        overlapping_by_size[exact.simplex.size] += exact.verdict == ExactVerdict::overlapping;
+    }
+    std::printf(
+        "separated %d, touching %d (simplex of 1, 2, 3: %d %d %d), overlapping %d (1 to 4: %d %d %d %d)\n",
+        seen[0], seen[1], touching_by_size[1], touching_by_size[2], touching_by_size[3], seen[2],
+        overlapping_by_size[1], overlapping_by_size[2], overlapping_by_size[3], overlapping_by_size[4]);
+    EXPECT_GT(seen[0], 300);
+    for (int size = 1; size <= 3; ++size) EXPECT_GT(touching_by_size[size], 20) << size;
+    for (int size = 1; size <= 4; ++size) EXPECT_GT(overlapping_by_size[size], 20) << size;
+}
+
+}  // namespace
+}  // namespace edgewise
