@@ -93,7 +93,7 @@ class GjkRun {
     GjkRun(const TableA& a, const TableB& b, const Transform<Scalar>& a_from_b)
         : a_(a), b_(b), a_from_b_(a_from_b) {}
 
-    [[nodiscard]] Distance run(Pair& pair) {
+    [[nodiscard]] [[gnu::flatten]] Distance run(Pair& pair) {
         start(pair);
         for (;;) {
             ++steps_;

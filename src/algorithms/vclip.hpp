@@ -13,6 +13,8 @@
 // in the states' files.
 #pragma once
 
+#include <cassert>
+
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/vclip/closest_points.hpp"
 #include "edgewise/algorithms/vclip/cycle_guard.hpp"
@@ -44,17 +46,32 @@ struct NoObserver {
 
 namespace vclip {
 
+constexpr int pair_of(FeatureKind a, FeatureKind b) { return 3 * static_cast<int>(a) + static_cast<int>(b); }
+
 /// One state: the pair's two features decide which.
 template <class TableA, class TableB>
 [[nodiscard]] Step step(Body<TableA>& a, Body<TableB>& b) {
-    constexpr auto vertex = FeatureKind::vertex, edge = FeatureKind::edge, face = FeatureKind::face;
-    const FeatureKind x = a.feature.kind();
-    const FeatureKind y = b.feature.kind();
-    if (x == vertex)
-        return y == vertex ? vertex_vertex(a, b) : y == edge ? vertex_edge(a, b) : vertex_face(a, b);
-    if (y == vertex) return x == edge ? vertex_edge(b, a) : vertex_face(b, a);
-    if (x == face) return edge_face(b, a);
-    return y == face ? edge_face(a, b) : edge_edge(a, b);
+    using enum FeatureKind;
+    switch (pair_of(a.feature.kind(), b.feature.kind())) {
+        case pair_of(vertex, vertex):
+            return vertex_vertex(a, b);
+        case pair_of(vertex, edge):
+            return vertex_edge(a, b);
+        case pair_of(edge, vertex):
+            return vertex_edge(b, a);
+        case pair_of(vertex, face):
+            return vertex_face(a, b);
+        case pair_of(face, vertex):
+            return vertex_face(b, a);
+        case pair_of(edge, edge):
+            return edge_edge(a, b);
+        case pair_of(edge, face):
+            return edge_face(a, b);
+        case pair_of(face, edge):
+            return edge_face(b, a);
+    }
+    assert(false && "two faces are no state");
+    return Step::separated;
 }
 
 template <class TableA, class TableB>
@@ -80,7 +97,7 @@ template <class Scalar>
 }
 
 template <class TableA, class TableB, class Observer>
-[[nodiscard]] Distance run(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
+[[nodiscard]] [[gnu::flatten]] Distance run(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
     CycleGuard guard(a.feature, b.feature);
     for (int steps = 1;; ++steps) {
         observer.visit(a.feature.kind(), b.feature.kind());

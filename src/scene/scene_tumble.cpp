@@ -87,7 +87,7 @@ SceneInfo describe_tumble() {
         "bodies drift and turn in a box, near pairs are followed through time with their caches",
         true,
         {{"rotation_step", "rad", "turn of every body a step", 0.01, 0, 100, false},
-         {"translation_step", "body sizes", "way of every body a step", 0.005, 0, 10, false},
+         {"translation_step", "body sizes", "way of every body a step", 0.001, 0, 10, false},
          {"bodies", "1", "bodies in one population", 12, 2, 10000, true},
          {"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
          {"margin", "body sizes", "by which a body's box is enlarged on all sides", 0.2, 0, 10, false},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An algorithm on a table type, with both types erased: what the sweep, `edgewise query` and the tests drive. Answers
-// and times come from the same query code; only a whole pass is behind the virtual call.
+// An algorithm on a table type, with both types erased: what the sweep, `edgewise query` and the tests drive.
+// Answers and times come from the same query code; only a whole pass is behind the virtual call.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,8 @@ class Runner {
     Runner& operator=(const Runner&) = delete;
     virtual ~Runner() = default;
 
-    /// Builds one table for each body (rounded to what the table stores). An error line when a body cannot be stored.
+    /// Builds one table for each body (rounded to what the table stores). An error line when a body cannot be
+    /// stored.
     [[nodiscard]] virtual std::string load(std::span<const Polyhedron> bodies) = 0;
 
     /// The bodies that the tables really hold.
@@ -44,8 +45,9 @@ class Runner {
     /// One query from a cold start, with features.
     [[nodiscard]] virtual NamedAnswer answer(const Query& query) const = 0;
 
-    /// Times the whole workload; `in_contact[i]` != 0 books query i under overlapping, else under separated. The clock
-    /// is read where the class changes, and its cost is subtracted.
+    /// Times the whole workload; `in_contact[i]` != 0 books query i under overlapping, else under separated.
+    /// The clock is read where the class changes, and its cost is subtracted. In a warm scene a pair's first
+    /// query, cold by nature, is answered outside the clock: the scene `cold` is for those.
     [[nodiscard]] virtual Timing time(const Workload& workload, std::span<const std::uint8_t> in_contact,
                                       double clock_cost_ns) const = 0;
 

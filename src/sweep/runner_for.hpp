@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The runner of one algorithm on one table type. Included by the generated registry units only, so that each table
-// type compiles apart and in parallel.
+// The runner of one algorithm on one table type. Included by the generated registry units only, so that each
+// table type compiles apart and in parallel.
 #pragma once
 
 #include <cassert>
@@ -59,11 +59,16 @@ class RunnerFor final : public Runner {
         Timing timing;
         std::vector<Pair> pairs = cold_pairs(workload);
         double sum = 0;  // of all distances: an answer nobody reads might not be computed
+        const auto add = [&](std::size_t, const Distance& d) { sum += d.distance; };
         for (std::size_t first = 0; first < in_contact.size();) {
-            std::size_t last = first;
-            while (last < in_contact.size() && in_contact[last] == in_contact[first]) ++last;
+            if (starts_cold(workload, first)) {
+                run(workload, first, first + 1, pairs, add);
+                ++first;
+                continue;
+            }
+            const std::size_t last = end_of_stretch(workload, in_contact, first);
             const Stopwatch watch;
-            run(workload, first, last, pairs, [&](std::size_t, const Distance& d) { sum += d.distance; });
+            run(workload, first, last, pairs, add);
             const double ns = std::max(0.0, watch.elapsed_ns() - clock_cost_ns);
             (in_contact[first] ? timing.overlapping_ns : timing.separated_ns) += ns;
             (in_contact[first] ? timing.overlapping_queries : timing.separated_queries) += last - first;
@@ -98,6 +103,21 @@ class RunnerFor final : public Runner {
             pairs[query.pair] = Pair(tables_[query.body_a], tables_[query.body_b]);
         }
         return pairs;
+    }
+
+    /// The first query of a pair in a warm scene.
+    [[nodiscard]] static bool starts_cold(const Workload& workload, std::size_t i) {
+        return workload.warm && (i == 0 || workload.queries[i].pair != workload.queries[i - 1].pair);
+    }
+
+    /// Queries first .. end - 1 are of one class, with no cold start after the first.
+    [[nodiscard]] static std::size_t end_of_stretch(const Workload& workload,
+                                                    std::span<const std::uint8_t> in_contact,
+                                                    std::size_t first) {
+        std::size_t end = first + 1;
+        while (end < in_contact.size() && in_contact[end] == in_contact[first] && !starts_cold(workload, end))
+            ++end;
+        return end;
     }
 
     template <class Pairs, class Use>

@@ -11,6 +11,7 @@
 
 #include "edgewise/algorithms/vclip/body.hpp"
 #include "edgewise/algorithms/vclip/clip.hpp"
+#include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise::vclip {
 
@@ -24,18 +25,27 @@ template <class Scalar>
     return segment.at(std::clamp(projection(segment.tail, along, point), Scalar(0), Scalar(1)));
 }
 
+/// Edges that cross at a fair angle, with both feet inside, need one division; near-parallel or clamped ones
+/// are projected back and forth, which keeps the distance right where a parameter is only good to eps over
+/// the angle.
 template <class Scalar>
 [[nodiscard]] PointPair<Scalar> closest_on_segments(const Segment<Scalar>& a, const Segment<Scalar>& b) {
     const Vec3<Scalar> along_a = a.head - a.tail;
     const Vec3<Scalar> along_b = b.head - b.tail;
+    const Vec3<Scalar> between = b.tail - a.tail;
     const Vec3<Scalar> common = cross(along_a, along_b);
     const Scalar squared = squared_norm(common);
-    Scalar lambda = 0;  // parallel: any place will do to start from
-    if (squared > 0) {
-        const Vec3<Scalar> between = b.tail - a.tail;
-        lambda = std::clamp(dot(cross(between, along_b), common) / squared, Scalar(0), Scalar(1));
+    if (!(squared > 0)) {  // parallel: any place will do to start from
+        const Vec3<Scalar> on_b = closest_on_segment(b, a.tail);
+        return {closest_on_segment(a, on_b), on_b};
     }
-    const Vec3<Scalar> on_b = closest_on_segment(b, a.at(lambda));
+    const Scalar inverse = 1 / squared;
+    const Scalar lambda = dot(cross(between, along_b), common) * inverse;
+    const Scalar mu = dot(cross(between, along_a), common) * inverse;
+    const bool inside = lambda >= 0 && lambda <= 1 && mu >= 0 && mu <= 1;
+    const Scalar fair = Tolerance<Scalar>::fair_crossing * squared_norm(along_a) * squared_norm(along_b);
+    if (inside && squared >= fair) return {a.at(lambda), b.at(mu)};
+    const Vec3<Scalar> on_b = closest_on_segment(b, a.at(std::clamp(lambda, Scalar(0), Scalar(1))));
     return {closest_on_segment(a, on_b), on_b};
 }
 

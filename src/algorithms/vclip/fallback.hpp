@@ -41,7 +41,7 @@ template <class Table>
 }
 
 template <class TableA, class TableB>
-[[nodiscard]] Distance fall_back(Body<TableA>& a, Body<TableB>& b) {
+[[nodiscard]] [[gnu::noinline]] Distance fall_back(Body<TableA>& a, Body<TableB>& b) {
     SimplexPair<TableA, TableB> simplex;
     Distance answer = GjkRun<TableA, TableB>(a.table, b.table, a.from_other).run(simplex);
     a.feature = feature_spanning(a.table, std::span(simplex.vertex_a).first(simplex.count));

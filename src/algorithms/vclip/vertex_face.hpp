@@ -31,7 +31,8 @@ template <class Mine, class Theirs>
 /// The face whose plane the point is highest above (TR-97-05, Algorithm 3): either a better face to go on
 /// with, or proof that the point lies inside.
 template <class Table>
-[[nodiscard]] Step escape_local_minimum(Body<Table>& body, const Vec3<ComputeOf<Table>>& point) {
+[[nodiscard]] [[gnu::noinline]] Step escape_local_minimum(Body<Table>& body,
+                                                          const Vec3<ComputeOf<Table>>& point) {
     auto best = body.feature.face();
     auto highest = body.table.face_plane(best).distance(point);
     for (const auto f : body.table.all_faces()) {

@@ -1,0 +1,91 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# Gets what a build needs: set_up.sh sweep|tests
+# On Debian and Ubuntu it asks dpkg what is missing, says it, and installs exactly that with apt-get; when nothing is
+# missing it does nothing. Elsewhere it names the packages and goes on if the tools are there. `sweep` also gets what
+# the report's charts and real bodies come from; without those a sweep still runs. Everything it says goes to stderr.
+set -eu
+
+needed='g++ cmake ninja-build git ca-certificates libeigen3-dev libqhull-dev libassimp-dev libgmp-dev libsqlite3-dev
+nlohmann-json3-dev libcli11-dev libfmt-dev libgtest-dev libgmock-dev'
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+
+say() { printf 'set-up: %s\n' "$*" >&2; }
+give_up() {
+    say "$*"
+    exit 2
+}
+
+# For the charts. npm brings hundreds of packages, so it is asked for only while the chart bundles are not there.
+names_for_charts() {
+    command -v node >/dev/null 2>&1 || echo nodejs
+    [ -f "$root/build/release/charts/vega-embed.min.js" ] || command -v npm >/dev/null 2>&1 || echo npm
+}
+
+is_installed() {
+    # shellcheck disable=SC2016  # dpkg-query expands it
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+missing_of() {
+    for package in "$@"; do
+        is_installed "$package" || printf '%s ' "$package"
+    done
+}
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    else
+        sudo "$@"
+    fi
+}
+
+# Says why it failed, and what to do.
+install() { # PACKAGE...
+    by_hand="apt-get update && apt-get install --no-install-recommends $*"
+    if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null 2>&1; then
+        say "neither root nor sudo; as root: $by_hand"
+        return 1
+    fi
+    say "installing with apt-get: $*"
+    # Lists that are stale or partly unreachable may still do.
+    as_root apt-get update -qq >&2 || say "apt-get update failed; going on with the package lists that are there"
+    if ! as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >&2; then
+        say "apt-get could not install that (is there a network?); as root: $by_hand"
+        return 1
+    fi
+}
+
+install_missing() { # PACKAGE...
+    missing=$(missing_of "$@")
+    # shellcheck disable=SC2086  # a list of words
+    [ -z "$missing" ] || install $missing
+}
+
+check_tools() {
+    # shellcheck disable=SC2086  # a list of words
+    say "no apt-get here; what is needed, by its Debian names:" $needed
+    for tool in cmake ninja git "${CXX:-c++}"; do
+        command -v "$tool" >/dev/null 2>&1 || give_up "$tool is missing; install it and try again"
+    done
+}
+
+case ${1:-} in
+sweep | tests) ;;
+*) give_up "usage: set_up.sh sweep|tests" ;;
+esac
+if command -v apt-get >/dev/null 2>&1 && command -v dpkg-query >/dev/null 2>&1; then
+    # shellcheck disable=SC2086  # a list of words
+    install_missing $needed || exit 2
+    if [ "$1" = sweep ]; then
+        # shellcheck disable=SC2046  # a list of words
+        install_missing $(names_for_charts) || say "going on; the report will show tables in place of charts"
+    fi
+else
+    check_tools
+fi
+if [ "$1" = sweep ]; then
+    sh "$root/cmake/fetch_meshes.sh" "$root/build/meshes" || true # it said why
+fi
