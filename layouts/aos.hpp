@@ -26,7 +26,7 @@ struct AosRecord {
     AosRecord(const EdgeGeometry& g, const PolyhedronEdge& e)
         : vertex_edge{cast<Stored>(g.tail_plane), cast<Stored>(g.head_plane)},
           edge_face{cast<Stored>(g.left_plane), cast<Stored>(g.right_plane)},
-          direction(g.direction.template cast<Stored>()),
+          direction(cast<Stored>(g.direction)),
           length(static_cast<Stored>(g.length)),
           ends(e) {}
 };
@@ -61,7 +61,7 @@ class aos {
 
         block_ = Block(plan);
         counts_ = {vertices.count, faces.count};
-        vertices_ = block_.fill(vertices, [&](Index v) { return body.vertices[v].template cast<Stored>(); });
+        vertices_ = block_.fill(vertices, [&](Index v) { return cast<Stored>(body.vertices[v]); });
         edges_ = block_.fill(edges, [&](Index e) { return Record(edge_geometry(body, e), body.edges[e]); });
         faces_ = block_.fill(faces, [&](Index f) { return cast<Stored>(body.face_planes[f]); });
         rings_ = Rings(block_, rings, body);
@@ -85,7 +85,9 @@ class aos {
     [[nodiscard]] auto all_faces() const { return index_range(static_cast<Index>(counts_.faces)); }
     [[nodiscard]] const Ledger& ledger() const { return block_.ledger(); }
 
-    [[nodiscard]] Vec3<Compute> vertex(Vertex v) const { return widen(load(vertices_[v], Field::vertex)); }
+    [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        return cast<Compute>(load(vertices_[v], Field::vertex));
+    }
     [[nodiscard]] auto neighbours(Vertex v) const { return rings_.neighbours(loader_, v); }
     [[nodiscard]] auto ring_of_vertex(Vertex v) const { return rings_.ring_of_vertex(loader_, v); }
     [[nodiscard]] auto ring_of_face(Face f) const { return rings_.ring_of_face(loader_, f); }
@@ -95,17 +97,17 @@ class aos {
     [[nodiscard]] Face left(Edge e) const { return load(edges_[e].ends.left, Field::edge_ends); }
     [[nodiscard]] Face right(Edge e) const { return load(edges_[e].ends.right, Field::edge_ends); }
     [[nodiscard]] Vec3<Compute> direction(Edge e) const {
-        return widen(load(edges_[e].direction, Field::edge_direction));
+        return cast<Compute>(load(edges_[e].direction, Field::edge_direction));
     }
 
     [[nodiscard]] Plane<Compute> vertex_edge_plane(Edge e, End end) const {
-        return widen(load(edges_[e].vertex_edge[static_cast<int>(end)], Field::voronoi_plane));
+        return cast<Compute>(load(edges_[e].vertex_edge[static_cast<int>(end)], Field::voronoi_plane));
     }
     [[nodiscard]] Plane<Compute> edge_face_plane(Edge e, Side side) const {
-        return widen(load(edges_[e].edge_face[static_cast<int>(side)], Field::voronoi_plane));
+        return cast<Compute>(load(edges_[e].edge_face[static_cast<int>(side)], Field::voronoi_plane));
     }
     [[nodiscard]] Plane<Compute> face_plane(Face f) const {
-        return widen(load(faces_[f], Field::face_plane));
+        return cast<Compute>(load(faces_[f], Field::face_plane));
     }
 
   private:
@@ -117,8 +119,6 @@ class aos {
         std::size_t vertices, faces;
     };
 
-    static Vec3<Compute> widen(const Vec3<Stored>& v) { return v.template cast<Compute>(); }
-    static Plane<Compute> widen(const Plane<Stored>& p) { return cast<Compute>(p); }
     template <class Value>
     const Value& load(const Value& location, Field field) const {
         return loader_.load(location, field);

@@ -34,7 +34,7 @@ th { font-weight: 600; background: #f6f8fa; border-bottom: 1px solid #cfd6dd; ve
 th.number, td.number { text-align: right; }
 td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
 td { max-width: 36rem; }
-td:not(:last-child) { white-space: nowrap; }
+td:not(:last-child) { white-space: nowrap; max-width: none; }
 td.missing { color: #8a5a00; font-style: italic; white-space: nowrap; }
 tbody tr:hover { background: #f6f8fa; }
 .facts td:first-child { white-space: nowrap; color: #5a626c; }

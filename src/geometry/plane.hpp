@@ -18,7 +18,7 @@ struct Plane {
 
 template <class To, class From>
 [[nodiscard]] Plane<To> cast(const Plane<From>& p) {
-    return {p.normal.template cast<To>(), static_cast<To>(p.offset)};
+    return {cast<To>(p.normal), static_cast<To>(p.offset)};
 }
 
 }  // namespace edgewise
