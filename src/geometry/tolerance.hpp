@@ -15,16 +15,18 @@ struct Tolerance {
 
     /// V-Clip, relative slope (pure number): an edge counts as "towards the plane" only when its slope
     /// exceeds this. Without the band, rounding noise on an edge parallel to the face looks like an escape
-    /// and the local-minimum test is skipped: a loop at identical orientations.
-    static constexpr Scalar towards_plane = 64 * eps;
+    /// and the local-minimum test is skipped: a loop at identical orientations. A true slope below it costs
+    /// the distance as much, so it must stay near the noise of one product: 64 eps was 4e-5 of scale in
+    /// single on nearly parallel cubes, 8 is 8e-6.
+    static constexpr Scalar towards_plane = 8 * eps;
 
-    /// V-Clip, relative to |u|^2: the derivative of the distance from an edge to a vertex counts as zero
-    /// inside this band, else parallel edges bounce between edge-edge and vertex-edge. Much larger values
-    /// hurt single.
-    static constexpr Scalar vertex_derivative = 64 * eps;
+    /// V-Clip, in lengths of the edge: the derivative of the distance from an edge to a vertex counts as zero
+    /// inside this band, else parallel edges bounce between edge-edge and vertex-edge.
+    static constexpr Scalar vertex_derivative = 8 * eps;
 
-    /// Edge-edge closest points, squared sine of the angle: edges that cross at more than 1/16 rad lose at most four
-    /// binary digits of a parameter, which the distance does not feel; flatter ones take the careful way.
+    /// Edge-edge closest points, squared sine of the angle: edges that cross at more than 1/16 rad lose at
+    /// most four binary digits of a parameter, which the distance does not feel; flatter ones take the
+    /// careful way.
     static constexpr Scalar fair_crossing = Scalar(1) / 256;
 
     /// GJK, relative to |v| max|w|: the rounding noise of the support products; a duality gap below it cannot
@@ -35,11 +37,12 @@ struct Tolerance {
     /// of a vertex height computed in floating point (derived in truth/support_filter.cpp).
     static constexpr Scalar support_filter = 256 * eps;
 
-    /// Johnson, relative to the permanent (the triple product with all signs positive): rounding of a triple product
-    /// of differences. A tetrahedron with a corner volume not beyond it is flat.
+    /// Johnson, relative to the permanent (the triple product with all signs positive): rounding of a triple
+    /// product of differences. A tetrahedron with a corner volume not beyond it is flat.
     static constexpr Scalar volume_noise = 8 * eps;
 
-    /// Johnson, relative to the product of two edges: a triangle whose doubled area is below it has no normal.
+    /// Johnson, relative to the product of two edges: a triangle whose doubled area is below it has no
+    /// normal.
     static constexpr Scalar sliver = 64 * eps;
 
     /// GJK, relative to max|w|: a closest point nearer to the origin than this, that cannot be improved and

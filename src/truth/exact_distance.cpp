@@ -42,7 +42,8 @@ bool adopt(ExactPair& bodies, const SimplexSeed& seed, MinimumSimplex<IntegerVec
 
 /// True if the point is now part of what the simplex stands for; false if it does not lie below it.
 bool descend(MinimumSimplex<IntegerVec>& simplex, IntegerVec point, VertexPair pair) {
-    if (simplex.size == 4) return false;
+    // Once the origin is held nothing is nearer, and the normal of a triangle around it points to no side.
+    if (simplex.size > 0 && simplex.holds_origin()) return false;
     if (simplex.size > 0 && dot(simplex.direction, point) >= simplex.height) return false;
     if (!add_point(simplex, std::move(point), pair)) {
         throw std::logic_error("exact distance: no part of a simplex holds its nearest point");

@@ -53,8 +53,8 @@ class EdgeClipping {
             const auto clipped =
                 clip_.against(-plane.distance(segment_.tail), -plane.distance(segment_.head), face);
             if (clipped == Clipped::simply_excluded) return move_to(face);
-            if (clipped == Clipped::compoundly_excluded) return settle_compound();
         }
+        if (clip_.low > clip_.high) return settle_compound();
         if (is_face(clip_.at_low) && rises_at(*clip_.at_low, clip_.low)) return move_to(*clip_.at_low);
         if (is_face(clip_.at_high) && falls_at(*clip_.at_high, clip_.high)) return move_to(*clip_.at_high);
         return false;

@@ -46,17 +46,21 @@ template <class Mine, class Theirs>
             mine.move_to_edge(edge);
             return true;
         }
-        if (clipped == Clipped::compoundly_excluded) break;
     }
     if (!clip.at_low && !clip.at_high) return false;
 
     const Vec3<Scalar> along = segment.head - segment.tail;
     const Scalar closest = projection(segment.tail, along, mine.table.vertex(vertex));
-    if (clip.at_low && clip.low - closest > Tolerance<Scalar>::vertex_derivative) {
+    const Scalar short_of_low = clip.low - closest, past_high = closest - clip.high;
+    if (clip.low > clip.high) {  // nothing is left: it must go, to the worse side
+        mine.move_to_edge(short_of_low >= past_high ? *clip.at_low : *clip.at_high);
+        return true;
+    }
+    if (clip.at_low && short_of_low > Tolerance<Scalar>::vertex_derivative) {
         mine.move_to_edge(*clip.at_low);
         return true;
     }
-    if (clip.at_high && closest - clip.high > Tolerance<Scalar>::vertex_derivative) {
+    if (clip.at_high && past_high > Tolerance<Scalar>::vertex_derivative) {
         mine.move_to_edge(*clip.at_high);
         return true;
     }
