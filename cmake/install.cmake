@@ -5,9 +5,11 @@ include(CMakePackageConfigHelpers)
 
 foreach(room geometry table algorithms)
     install(DIRECTORY src/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp"
-            PATTERN mesh_file.hpp EXCLUDE)
+            PATTERN mesh_*.hpp EXCLUDE) # mesh files are read by the tool alone
 endforeach()
 install(DIRECTORY layouts DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp")
+
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(TARGETS edgewise_library EXPORT edgewise_targets)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/edgewise)

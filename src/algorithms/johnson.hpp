@@ -139,9 +139,10 @@ class Johnson {
         return result;
     }
 
-    /// The closest point of a triangle as a multiple of its normal. Close to contact the weighted sum cancels
-    /// and its direction, which the next support point is sought along, is noise; the normal comes from the
-    /// edges, which do not shrink. Kept only if the triangle is not a sliver whose normal is noise itself.
+    /// The closest point of a triangle: the weighted sum, or the foot on its plane as a multiple of the
+    /// normal. Close to contact the sum cancels, and its direction, along which the next support point is
+    /// sought, is noise. Both suffer from the rounding of the points: the sum's direction by that over its
+    /// own length, the normal's by that over the triangle's height. The longer one wins.
     [[nodiscard]] Vec3<Scalar> foot_on_triangle(Mask mask, const Vec3<Scalar>& weighted) const {
         const int i = lowest(mask);
         const int j = lowest(static_cast<Mask>(mask & (mask - 1)));
@@ -149,8 +150,8 @@ class Johnson {
         const Vec3<Scalar> p = w_[j] - w_[i], q = w_[k] - w_[i];
         const Vec3<Scalar> normal = cross(p, q);
         const Scalar squared = squared_norm(normal);
-        const Scalar noise = Tolerance<Scalar>::sliver * max_abs(p) * max_abs(q);
-        if (squared <= noise * noise) return weighted;
+        const Scalar longest = std::max(squared_norm(p), squared_norm(q));
+        if (squared <= squared_norm(weighted) * longest) return weighted;
         return (dot(normal, w_[i]) / squared) * normal;
     }
 

@@ -41,10 +41,6 @@ struct Tolerance {
     /// product of differences. A tetrahedron with a corner volume not beyond it is flat.
     static constexpr Scalar volume_noise = 8 * eps;
 
-    /// Johnson, relative to the product of two edges: a triangle whose doubled area is below it has no
-    /// normal.
-    static constexpr Scalar sliver = 64 * eps;
-
     /// GJK, relative to max|w|: a closest point nearer to the origin than this, that cannot be improved and
     /// whose direction separates nothing, is contact.
     static constexpr Scalar contact_noise = 16 * eps;

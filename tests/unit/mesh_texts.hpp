@@ -20,7 +20,7 @@ inline std::string obj_object(const std::string& name, const Points& points, con
     for (const Vec3d& p : points) text += "v " + coordinates(p) + "\n";
     for (const std::vector<Index>& face : faces) {
         text += "f";
-        for (const Index v : face) text += " " + std::to_string(v + first);
+        for (const Index v : face) text.append(" ").append(std::to_string(v + first));
         text += "\n";
     }
     return text;
@@ -36,7 +36,7 @@ inline std::string off_text(const Points& points, const Faces& faces) {
     for (const Vec3d& p : points) text += coordinates(p) + "\n";
     for (const std::vector<Index>& face : faces) {
         text += std::to_string(face.size());
-        for (const Index v : face) text += " " + std::to_string(v);
+        for (const Index v : face) text.append(" ").append(std::to_string(v));
         text += "\n";
     }
     return text;
