@@ -89,11 +89,13 @@ template <class TableA, class TableB>
 /// Where features meet to within rounding, every test of the last state hung on noise: edges that cross in
 /// the middle of deeply overlapping boxes look like closest features at distance 1e-16. Such an answer is not
 /// believed.
-template <class Scalar>
-[[nodiscard]] bool lost_in_noise(const Distance& result, const Transform<Scalar>& a_from_b) {
-    if (result.status != Status::separated && result.status != Status::touching) return false;
-    const double size = std::max(max_abs(result.point_a), static_cast<double>(max_abs(a_from_b.translation)));
-    return result.distance <= Tolerance<Scalar>::contact_noise * size;
+template <class TableA, class TableB>
+[[nodiscard]] bool in_doubt(const Distance& result, const Body<TableA>& a, const Body<TableB>&) {
+    if (result.status == Status::touching) return true;
+    if (result.status != Status::separated) return false;
+    const double noise = std::max<double>(plane_noise<TableA>, plane_noise<TableB>);
+    const double size = std::max<double>(max_abs(result.point_a), max_abs(a.from_other.translation));
+    return result.distance <= noise * size;
 }
 
 template <class TableA, class TableB, class Observer>
@@ -105,7 +107,7 @@ template <class TableA, class TableB, class Observer>
         const bool cycle = last == Step::moved && guard.returns_to(a.feature, b.feature);
         if (last == Step::moved && !cycle) continue;
         Distance result = answer(a, b, last);
-        if (cycle || lost_in_noise(result, a.from_other)) result = fall_back(a, b);
+        if (cycle || in_doubt(result, a, b)) result = fall_back(a, b);
         result.steps = steps;
         result.cycles = cycle ? 1 : 0;
         return result;

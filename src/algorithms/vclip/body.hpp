@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "edgewise/geometry/pose.hpp"
+#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/feature_handle.hpp"
 #include "edgewise/table/ring_questions.hpp"
 
@@ -14,7 +15,7 @@ namespace edgewise::vclip {
 enum class Step : std::uint8_t {
     moved,        ///< to a neighbouring feature
     separated,    ///< both features hold the closest points
-    touching,     ///< they meet, no common interior seen
+    touching,     ///< they meet to within rounding: in doubt
     overlapping,  ///< an edge pierces a face, or a vertex lies inside
 };
 
@@ -30,6 +31,12 @@ struct Body {
     void move_to_edge(typename Table::Edge e) { feature = Feature<Table>::of_edge(e); }
     void move_to_face(typename Table::Face f) { feature = Feature<Table>::of_face(f); }
 };
+
+/// Relative to the coordinates: a height over a plane, or a distance, that rounding may have turned round.
+/// Planes are only as good as they are stored.
+template <class Table>
+inline constexpr ComputeOf<Table> plane_noise =
+    static_cast<ComputeOf<Table>>(Tolerance<typename Table::PrecisionType::Stored>::contact_noise);
 
 /// A straight piece from tail to head.
 template <class Scalar>

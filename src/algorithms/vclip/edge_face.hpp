@@ -52,8 +52,11 @@ template <class Mine, class Theirs>
     const auto plane = theirs.table.face_plane(face);
     const Scalar low = height_at(plane, segment, clip.low);
     const Scalar high = height_at(plane, segment, clip.high);
-    if ((low < 0 && high > 0) || (low > 0 && high < 0)) return Step::overlapping;
-    if (low == 0 || high == 0) return low < 0 || high < 0 ? Step::overlapping : Step::touching;
+    if (low == 0 || high == 0 || (low < 0) != (high < 0)) {
+        const Scalar size = std::max(max_abs(segment.tail), max_abs(segment.head));
+        const Scalar depth = std::min(std::abs(low), std::abs(high));
+        return depth > plane_noise<Theirs> * size ? Step::overlapping : Step::touching;
+    }
 
     const Scalar slope = slope_over(mine, plane.normal);
     const bool nearer_at_low = low > 0 ? slope >= 0 : slope <= 0;

@@ -42,8 +42,8 @@ template <class Table>
             best = f;
         }
     }
-    if (highest < 0) return Step::overlapping;
-    if (highest == 0) return Step::touching;
+    if (highest < -plane_noise<Table> * max_abs(point)) return Step::overlapping;
+    if (highest <= 0) return Step::touching;
     body.move_to_face(best);
     return Step::moved;
 }
