@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What every command file gives: a function that adds its subcommand and, when it is the one called, leaves its
-// action. Exit codes: 0 done, 1 a check failed, 2 usage or bad input.
+// What every command file gives: a function that adds its subcommand and, when it is the one called, leaves
+// its action. Exit codes: 0 done, 1 a check failed, 2 usage or bad input.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -18,7 +18,8 @@ struct Context {
 };
 
 /// Adds a subcommand with the option that all have, --json.
-inline CLI::App* add_command(CLI::App& app, Context& context, const std::string& name, const std::string& does) {
+inline CLI::App* add_command(CLI::App& app, Context& context, const std::string& name,
+                             const std::string& does) {
     CLI::App* command = app.add_subcommand(name, does);
     command->add_flag("--json", context.json, "machine-readable output on stdout");
     return command;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise bytes`: the bytes-per-edge ledger of tables that are really built. Tables hold all their parts here.
+// `edgewise bytes`: the bytes-per-edge ledger of tables that are really built. Tables hold all their parts
+// here.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,17 +57,18 @@ Polyhedron as_stored(const TableType& type, const Polyhedron& body) {
 
 nlohmann::json row_of(const TableType& type, const NamedBody& shape, SizeFamily& sizes) {
     const Polyhedron body = as_stored(type, shape.body);
-    const bool walks = std::find(type.algorithms.begin(), type.algorithms.end(), "vclip") != type.algorithms.end();
+    const bool walks =
+        std::find(type.algorithms.begin(), type.algorithms.end(), "vclip") != type.algorithms.end();
     const Parts parts = walks ? Parts::features : Parts::support;
     Subject subject;
     subject.table = table_bytes(type.ledger(body, parts), body);
     subject.sizes = sizes.of(type, parts);
-    nlohmann::json row = {{"layout", type.layout},       {"precision", type.precision},
-                          {"table", type.name},          {"shape", shape.name},
-                          {"vertices", body.vertex_count()}, {"edges", body.edge_count()}};
+    nlohmann::json row = {
+        {"layout", type.layout}, {"precision", type.precision},     {"table", type.name},
+        {"shape", shape.name},   {"vertices", body.vertex_count()}, {"edges", body.edge_count()}};
     for (const Figure& figure : bytes_probe().figures(subject)) {
-        const bool component = std::find(component_names.begin(), component_names.end(), figure.name) !=
-                               component_names.end();
+        const bool component =
+            std::find(component_names.begin(), component_names.end(), figure.name) != component_names.end();
         (component ? row["components"] : row)[figure.name] =
             figure.value ? nlohmann::json(*figure.value) : nlohmann::json();
     }
@@ -98,11 +100,13 @@ int run(const Options& options, bool json) {
     const NamedBody shape = chosen_body(options);
     SizeFamily sizes;
     nlohmann::json rows = nlohmann::json::array();
-    for (const TableType* type : select_table_types(options.layouts)) rows.push_back(row_of(*type, shape, sizes));
+    for (const TableType* type : select_table_types(options.layouts))
+        rows.push_back(row_of(*type, shape, sizes));
     if (json) {
         fmt::print("{}\n", nlohmann::json{{"rows", rows}}.dump());
     } else {
-        fmt::print("{}: {} vertices, {} edges\n", shape.name, shape.body.vertex_count(), shape.body.edge_count());
+        fmt::print("{}: {} vertices, {} edges\n", shape.name, shape.body.vertex_count(),
+                   shape.body.edge_count());
         print_table(rows);
     }
     return exit_done;
@@ -115,8 +119,10 @@ void add_bytes(CLI::App& app, Context& context) {
     CLI::App* command = add_command(app, context, "bytes", "The bytes-per-edge ledger");
     auto* shape = command->add_option("--shape", options->shape, "built-in shape")->capture_default_str();
     command->add_option("--mesh", options->mesh, "mesh file instead of a built-in shape")->excludes(shape);
-    command->add_option("--layouts", options->layouts, "layouts or table types, e.g. aos soa_f32")->delimiter(',');
-    command->callback([options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+    command->add_option("--layouts", options->layouts, "layouts or table types, e.g. aos soa_f32")
+        ->delimiter(',');
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
 }
 
 }  // namespace edgewise::cli

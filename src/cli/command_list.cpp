@@ -37,16 +37,18 @@ json list_layouts() {
 
 json list_probes() {
     json result = json::array();
-    for (const auto& probe : registered_probes()) result.push_back({{"name", probe->name()}, {"summary", probe->summary()}});
+    for (const auto& probe : registered_probes())
+        result.push_back({{"name", probe->name()}, {"summary", probe->summary()}});
     return result;
 }
 
 json list_algorithms() {
     json result = json::array();
     for (const AlgorithmInfo& info : algorithms()) {
-        result.push_back({{"name", info.name},
-                          {"summary", info.summary},
-                          {"needs", info.parts == Parts::support ? "vertices and neighbours" : "all features"}});
+        result.push_back(
+            {{"name", info.name},
+             {"summary", info.summary},
+             {"needs", info.parts == Parts::support ? "vertices and neighbours" : "all features"}});
     }
     return result;
 }
@@ -56,7 +58,8 @@ json list_of_scenes() {
     for (const SceneInfo& scene : list_scenes()) {
         json parameters = json::array();
         for (const ParameterInfo& p : scene.parameters) {
-            parameters.push_back({{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"default", p.standard}});
+            parameters.push_back(
+                {{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"default", p.standard}});
         }
         result.push_back({{"name", scene.name}, {"meaning", scene.meaning}, {"parameters", parameters}});
     }
@@ -89,7 +92,7 @@ json list_plans() {
 
 const std::map<std::string, json (*)()>& lists() {
     static const std::map<std::string, json (*)()> known = {
-        {"layouts", list_layouts},   {"probes", list_probes},  {"algorithms", list_algorithms},
+        {"layouts", list_layouts},  {"probes", list_probes},    {"algorithms", list_algorithms},
         {"scenes", list_of_scenes}, {"shapes", list_of_shapes}, {"plans", list_plans}};
     return known;
 }
@@ -103,7 +106,8 @@ int run(const std::string& what, bool as_json) {
     for (const json& entry : entries) {
         fmt::print("{}\n", entry["name"].get<std::string>());
         for (const auto& [key, value] : entry.items()) {
-            if (key != "name") fmt::print("    {}: {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+            if (key != "name")
+                fmt::print("    {}: {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
         }
     }
     return exit_done;
@@ -117,7 +121,8 @@ void add_list(CLI::App& app, Context& context) {
     std::vector<std::string> names;
     for (const auto& [name, list] : lists()) names.push_back(name);
     command->add_option("what", *what, "what to list")->required()->check(CLI::IsMember(names));
-    command->callback([what, &context] { context.action = [=, &context] { return run(*what, context.json); }; });
+    command->callback(
+        [what, &context] { context.action = [=, &context] { return run(*what, context.json); }; });
 }
 
 }  // namespace edgewise::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise query`: answers for pairs given in a case file, one JSON line each. A line that cannot be read or answered
-// gets a line with status "failed" and the reason, so that no line is lost.
+// `edgewise query`: answers for pairs given in a case file, one JSON line each. A line that cannot be read or
+// answered gets a line with status "failed" and the reason, so that no line is lost.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -36,8 +36,8 @@ json feature_json(const NamedFeature& feature) {
 /// All keys of an answer, with nothing in them yet.
 json empty_answer(const std::string& id) {
     json line = {{"id", id}, {"status", "failed"}};
-    for (const char* key : {"distance", "point_a", "point_b", "feature_a", "feature_b", "depth", "normal", "steps",
-                            "fallbacks", "certificate", "error"}) {
+    for (const char* key : {"distance", "point_a", "point_b", "feature_a", "feature_b", "depth", "normal",
+                            "steps", "fallbacks", "certificate", "error"}) {
         line[key] = nullptr;
     }
     return line;
@@ -87,9 +87,8 @@ json answer_case(const Case& given, Runner& runner, Needs needs) {
 std::unique_ptr<Runner> chosen_runner(const Options& options) {
     const auto types = select_table_types(std::vector{options.layout});
     if (types.size() != 1) {
-        throw std::invalid_argument(
-            fmt::format("--layout wants one table type, such as {}; '{}' names {}", types.front()->name,
-                        options.layout, types.size()));
+        throw std::invalid_argument(fmt::format("--layout wants one table type, such as {}; '{}' names {}",
+                                                types.front()->name, options.layout, types.size()));
     }
     static_cast<void>(select_algorithms(std::vector{options.algorithm}));
     auto runner = types.front()->make_runner(options.algorithm);
@@ -131,7 +130,8 @@ int run(const Options& options) {
 void add_query(CLI::App& app, Context& context) {
     auto options = std::make_shared<Options>();
     CLI::App* command = add_command(app, context, "query", "Answers for given pairs, one JSON line each");
-    command->add_option("cases", options->cases, "case file, one JSON object a line; - reads stdin")->required();
+    command->add_option("cases", options->cases, "case file, one JSON object a line; - reads stdin")
+        ->required();
     command->add_option("--algorithm", options->algorithm, "vclip or gjk")->capture_default_str();
     command->add_option("--layout", options->layout, "table type, such as aos_f64")->capture_default_str();
     const std::map<std::string, Needs> needs = {{"verdict", Needs::verdict},

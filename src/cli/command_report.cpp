@@ -26,12 +26,9 @@ int run(const Options& options, bool json) {
     const ReportSummary summary = write_report(options.store, out, charts_folder());
     if (!summary.note.empty()) fmt::print(stderr, "edgewise: {}\n", summary.note);
     if (json) {
-        const nlohmann::json line = {{"cells", summary.cells},
-                                     {"verified", summary.verified},
-                                     {"failed", summary.failed},
-                                     {"unavailable", summary.unavailable},
-                                     {"store", options.store},
-                                     {"report", summary.page}};
+        const nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
+                                     {"failed", summary.failed}, {"unavailable", summary.unavailable},
+                                     {"store", options.store},   {"report", summary.page}};
         fmt::print("{}\n", line.dump());
     } else {
         fmt::print("report: {}\n", summary.page);
@@ -46,7 +43,8 @@ void add_report(CLI::App& app, Context& context) {
     CLI::App* command = add_command(app, context, "report", "Writes the report of a store");
     command->add_option("store", options->store, "store of a sweep")->capture_default_str();
     command->add_option("--out", options->out, "folder for the report; beside the store if not given");
-    command->callback([options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
 }
 
 }  // namespace edgewise::cli

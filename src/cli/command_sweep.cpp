@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise sweep`: runs a plan into a store and writes the report. Ctrl-C stops after the round in hand; the next
-// run goes on from there.
+// `edgewise sweep`: runs a plan into a store and writes the report. Ctrl-C stops after the round in hand; the
+// next run goes on from there.
 #include <fmt/format.h>
 
 #include <atomic>
@@ -29,6 +29,7 @@ struct Options {
     std::vector<std::string> layouts, algorithms, scenes, shapes, meshes;
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
+    bool each_mesh = false;
     std::optional<std::uint64_t> seed;
 };
 
@@ -46,6 +47,8 @@ Plan chosen_plan(const Options& options) {
     if (!options.shapes.empty() || !options.meshes.empty()) {
         plan.shapes = options.shapes;
         plan.meshes = options.meshes;
+        plan.meshes_required = true;
+        plan.each_mesh = options.each_mesh;
     }
     if (!options.scenes.empty()) {
         std::vector<SceneChoice> kept;
@@ -79,14 +82,12 @@ SweepSummary run_with_progress(const Plan& plan, Store& store) {
     return run_sweep(plan, store, listener, stop_requested);
 }
 
-void print_summary(const SweepSummary& summary, const std::string& store, const std::string& page, bool json) {
+void print_summary(const SweepSummary& summary, const std::string& store, const std::string& page,
+                   bool json) {
     if (json) {
-        const nlohmann::json line = {{"cells", summary.cells},
-                                     {"verified", summary.verified},
-                                     {"failed", summary.failed},
-                                     {"unavailable", summary.unavailable},
-                                     {"store", store},
-                                     {"report", page}};
+        const nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
+                                     {"failed", summary.failed}, {"unavailable", summary.unavailable},
+                                     {"store", store},           {"report", page}};
         fmt::print("{}\n", line.dump());
         return;
     }
@@ -105,7 +106,8 @@ int run(const Options& options, bool json) {
         summary = run_with_progress(plan, store);
     }
     if (summary.stopped) {
-        fmt::print(stderr, "edgewise: stopped; what was measured is in {}, and the same command goes on from there\n",
+        fmt::print(stderr,
+                   "edgewise: stopped; what was measured is in {}, and the same command goes on from there\n",
                    options.store);
         return exit_check_failed;
     }
@@ -120,9 +122,11 @@ int run(const Options& options, bool json) {
 
 void add_sweep(CLI::App& app, Context& context) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = add_command(app, context, "sweep", "Verifies and measures every cell of a plan, then reports");
+    CLI::App* command =
+        add_command(app, context, "sweep", "Verifies and measures every cell of a plan, then reports");
     command->add_option("--plan", options->plan, "quick, paper, full, or a JSON file")->capture_default_str();
-    command->add_option("--store", options->store, "SQLite file to fill or to go on with")->capture_default_str();
+    command->add_option("--store", options->store, "SQLite file to fill or to go on with")
+        ->capture_default_str();
     command->add_option("--out", options->out, "folder for the report; beside the store if not given");
     const auto list = [&](const char* name, std::vector<std::string>& to, const char* what) {
         command->add_option(name, to, what)->delimiter(',');
@@ -132,11 +136,16 @@ void add_sweep(CLI::App& app, Context& context) {
     list("--scenes", options->scenes, "only these scenes");
     list("--shapes", options->shapes, "these built-in shapes instead of the plan's bodies");
     command->add_option("--mesh", options->meshes, "these mesh files instead of the plan's bodies");
-    command->add_option("--queries", options->queries, "queries a cell and round")->check(CLI::PositiveNumber);
-    command->add_option("--checked", options->checked, "queries checked exactly a cell")->check(CLI::PositiveNumber);
+    command->add_flag("--each-mesh", options->each_mesh,
+                      "one body for each mesh of a file, not one for the file");
+    command->add_option("--queries", options->queries, "queries a cell and round")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--checked", options->checked, "queries checked exactly a cell")
+        ->check(CLI::PositiveNumber);
     command->add_option("--rounds", options->rounds, "timed rounds a cell")->check(CLI::PositiveNumber);
     command->add_option("--seed", options->seed, "seed of scenes and orders");
-    command->callback([options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
 }
 
 }  // namespace edgewise::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a sweep leaves its store and its report when nobody says otherwise: reports/out below the current folder.
+// Where a sweep leaves its store and its report when nobody says otherwise: reports/out below the current
+// folder.
 #pragma once
 
 namespace edgewise::cli {

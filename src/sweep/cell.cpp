@@ -28,9 +28,7 @@ Fingerprint& Fingerprint::add(const Polyhedron& body) {
 
 std::string Fingerprint::hex() const { return fmt::format("{:016x}", state_); }
 
-std::string parameters_json(const SceneParameters& parameters) {
-    return nlohmann::json(parameters).dump();
-}
+std::string parameters_json(const SceneParameters& parameters) { return nlohmann::json(parameters).dump(); }
 
 void name_cell(CellRow& cell, const Polyhedron& body) {
     Fingerprint print;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One scene on one shape: the queries that every cell of a comparison answers, and their exact answers. Exact answers
-// depend on the bodies alone, so cells that store the same bodies share them.
+// One scene on one shape: the queries that every cell of a comparison answers, and their exact answers. Exact
+// answers depend on the bodies alone, so cells that store the same bodies share them.
 #pragma once
 
 #include <map>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// From an algorithm's own record of where it ended to names that survive outside: kind and input vertex indices.
+// From an algorithm's own record of where it ended to names that survive outside: kind and input vertex
+// indices.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,9 @@ template <class Table>
     result.kind = feature.kind();
     const auto name = [&](auto v) { result.vertices.push_back(body.input_index[table.index_of(v)]); };
     switch (feature.kind()) {
-        case FeatureKind::vertex: name(feature.vertex()); break;
+        case FeatureKind::vertex:
+            name(feature.vertex());
+            break;
         case FeatureKind::edge:
             name(table.tail(feature.edge()));
             name(table.head(feature.edge()));

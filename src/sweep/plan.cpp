@@ -56,7 +56,8 @@ Plan full() {
     Plan plan = paper();
     plan.name = "full";
     plan.shapes = {"tetra4", "cube8", "sphere38", "sphere102", "sphere386", "sphere1538", "sphere6146"};
-    for (const double rotation : {0.001, 0.03, 0.3}) plan.scenes.push_back({"tumble", {{"rotation_step", rotation}}});
+    for (const double rotation : {0.001, 0.03, 0.3})
+        plan.scenes.push_back({"tumble", {{"rotation_step", rotation}}});
     return plan;
 }
 
@@ -83,6 +84,8 @@ Plan read_plan(const std::string& file) {
         }
         take(json, "shapes", plan.shapes);
         take(json, "meshes", plan.meshes);
+        plan.meshes_required = json.contains("meshes");
+        take(json, "each_mesh", plan.each_mesh);
         take(json, "layouts", plan.layouts);
         take(json, "algorithms", plan.algorithms);
         take(json, "seed", plan.seed);

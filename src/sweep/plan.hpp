@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a sweep is to do: scenes x shapes x algorithms x table types, and how thoroughly. Named plans are written
-// here in code; a plan file is the same as JSON.
+// What a sweep is to do: scenes x shapes x algorithms x table types, and how thoroughly. Named plans are
+// written here in code; a plan file is the same as JSON.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +22,8 @@ struct Plan {
     std::vector<SceneChoice> scenes;
     std::vector<std::string> shapes;      ///< built-in names
     std::vector<std::string> meshes;      ///< mesh files
+    bool each_mesh = false;               ///< one body for each mesh of a file, instead of one for the file
+    bool meshes_required = false;         ///< an unreadable mesh file ends the sweep before it starts
     std::vector<std::string> layouts;     ///< as for select_table_types
     std::vector<std::string> algorithms;  ///< as for select_algorithms
     std::uint64_t seed = 1;

@@ -45,7 +45,9 @@ std::span<const AlgorithmInfo> algorithms() {
 std::vector<const TableType*> select_table_types(std::span<const std::string> names) {
     return select<TableType>(
         table_types(), names, "layout",
-        [](const TableType& type, const std::string& name) { return type.name == name || type.layout == name; },
+        [](const TableType& type, const std::string& name) {
+            return type.name == name || type.layout == name;
+        },
         [](const TableType& type) { return type.name; });
 }
 
@@ -53,8 +55,8 @@ std::vector<std::string> select_algorithms(std::span<const std::string> names) {
     std::vector<std::string> result;
     for (const AlgorithmInfo* algorithm : select<AlgorithmInfo>(
              algorithms(), names, "algorithm",
-             [](const AlgorithmInfo& info, const std::string& name) { return info.name == name; },
-             [](const AlgorithmInfo& info) { return info.name; })) {
+             [](const AlgorithmInfo&info, const std::string&name) { return info.name == name; },
+             [](const AlgorithmInfo&info) { return info.name; })) {
         result.push_back(algorithm->name);
     }
     return result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every table type and every algorithm of this program, by name. The entries come from generated units, one a table
-// type; the manifest is layouts/CMakeLists.txt.
+// Every table type and every algorithm of this program, by name. The entries come from generated units, one a
+// table type; the manifest is layouts/CMakeLists.txt.
 #pragma once
 
 #include <functional>
@@ -36,8 +36,8 @@ struct AlgorithmInfo {
 [[nodiscard]] std::span<const TableType> table_types();
 [[nodiscard]] std::span<const AlgorithmInfo> algorithms();
 
-/// Names as a user writes them: "aos" (all its precisions), "aos_f64", "all". Throws std::invalid_argument that
-/// lists the known names.
+/// Names as a user writes them: "aos" (all its precisions), "aos_f64", "all". Throws std::invalid_argument
+/// that lists the known names.
 [[nodiscard]] std::vector<const TableType*> select_table_types(std::span<const std::string> names);
 [[nodiscard]] std::vector<std::string> select_algorithms(std::span<const std::string> names);
 

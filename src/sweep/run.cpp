@@ -25,8 +25,12 @@ constexpr std::string_view baseline_algorithm = "vclip", baseline_table = "aos_f
 class Sweep {
   public:
     Sweep(const Plan& plan, Store& store, const SweepListener& listener, const std::atomic<bool>& stop)
-        : plan_(plan), store_(store), listener_(listener), stop_(stop),
-          types_(select_table_types(plan.layouts)), algorithms_(select_algorithms(plan.algorithms)) {
+        : plan_(plan),
+          store_(store),
+          listener_(listener),
+          stop_(stop),
+          types_(select_table_types(plan.layouts)),
+          algorithms_(select_algorithms(plan.algorithms)) {
         const BuildRow build = this_build();
         build_ = build.id;
         store_.put_build(build);
@@ -44,7 +48,9 @@ class Sweep {
         const auto shapes = shapes_of(plan_, listener_.on_warning);
         const std::size_t each = cells_of_group();
         if (each == 0 || shapes.empty() || plan_.scenes.empty()) {
-            throw std::invalid_argument("this plan has no cells: no layout serves the algorithms chosen, or no shape or scene is left");
+            throw std::invalid_argument(
+                "this plan has no cells: no layout serves the algorithms chosen, or no shape or scene is "
+                "left");
         }
         listener_.on_start(each * shapes.size() * plan_.scenes.size());
         for (const SceneChoice& scene : plan_.scenes) {
@@ -106,7 +112,8 @@ class Sweep {
         listener_.on_done(contenders.size(), what);
     }
 
-    [[nodiscard]] std::vector<Contender> contenders_for(const SceneChoice& scene, const NamedShape& shape) const {
+    [[nodiscard]] std::vector<Contender> contenders_for(const SceneChoice& scene,
+                                                        const NamedShape& shape) const {
         std::vector<Contender> result;
         for (const TableType* type : types_) {
             for (const std::string& algorithm : algorithms_) {
@@ -148,9 +155,11 @@ class Sweep {
         return missing;
     }
 
-    void time_rounds(const Group& group, const std::vector<Contender>& contenders, const Contender& baseline) {
+    void time_rounds(const Group& group, const std::vector<Contender>& contenders,
+                     const Contender& baseline) {
         if (!baseline.verified()) {
-            listener_.on_warning("the baseline failed its check in this group: nothing to compare times with");
+            listener_.on_warning(
+                "the baseline failed its check in this group: nothing to compare times with");
         }
         const double clock_cost_ns = calibrate();
         std::vector<std::vector<int>> missing;
@@ -162,7 +171,8 @@ class Sweep {
                 const bool lacks = std::find(of_this.begin(), of_this.end(), round) != of_this.end();
                 if (contenders[i].verified() && lacks) turn.push_back(&contenders[i]);
             }
-            if (!turn.empty()) store_.put_round(build_, time_round(group, round, turn, baseline, clock_cost_ns));
+            if (!turn.empty())
+                store_.put_round(build_, time_round(group, round, turn, baseline, clock_cost_ns));
         }
     }
 
@@ -193,9 +203,9 @@ class Sweep {
         store_.put_cell(build_, contender.row(), contender.figures(sizes_, rounds));
         count(contender.row().status);
         if (contender.row().status == "failed") {
-            listener_.on_warning(fmt::format("failed: {} {} {} {}: {}", contender.row().scene, contender.row().shape,
-                                             contender.row().algorithm, contender.row().table,
-                                             contender.row().reason));
+            listener_.on_warning(fmt::format("failed: {} {} {} {}: {}", contender.row().scene,
+                                             contender.row().shape, contender.row().algorithm,
+                                             contender.row().table, contender.row().reason));
         }
     }
 
@@ -206,7 +216,9 @@ class Sweep {
 
     void count(const std::string& status) {
         ++summary_.cells;
-        ++(status == "verified" ? summary_.verified : status == "failed" ? summary_.failed : summary_.unavailable);
+        ++(status == "verified" ? summary_.verified
+           : status == "failed" ? summary_.failed
+                                : summary_.unavailable);
     }
 
     const Plan& plan_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs a plan into a store: every cell verified, then measured in interleaved rounds. Rounds already stored for this
-// build are kept; missing ones are run with the baseline timed again beside them.
+// Runs a plan into a store: every cell verified, then measured in interleaved rounds. Rounds already stored
+// for this build are kept; missing ones are run with the baseline timed again beside them.
 #pragma once
 
 #include <atomic>

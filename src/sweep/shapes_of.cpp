@@ -12,16 +12,18 @@ namespace edgewise {
 
 namespace {
 
-/// A single-precision mesh file holds only coordinates that every precision stores exactly, so that the rounding of
-/// storage would never show. This map, stated in the report, gives the coordinates all their digits back.
+/// A single-precision mesh file holds only coordinates that every precision stores exactly, so that the
+/// rounding of storage would never show. This map, stated in the report, gives the coordinates all their
+/// digits back.
 constexpr double mesh_scale = 1.0 + 1.0 / 3.0;
 
-void add_mesh(const std::string& file, std::vector<NamedShape>& to,
+void add_mesh(const Plan& plan, const std::string& file, std::vector<NamedShape>& to,
               const std::function<void(const std::string&)>& warn) {
     const std::string name = std::filesystem::path(file).filename().string();
-    auto bodies = read_mesh_file(file, MeshGrouping::one_hull);
+    auto bodies = read_mesh_file(file, plan.each_mesh ? MeshGrouping::each_mesh : MeshGrouping::one_hull);
     if (!bodies.warning.empty()) warn(bodies.warning);
     if (!bodies) {
+        if (plan.meshes_required) throw std::invalid_argument(bodies.error);
         warn(bodies.error);
         NamedShape missing;
         missing.name = std::filesystem::path(file).stem().string();
@@ -47,7 +49,7 @@ std::vector<NamedShape> shapes_of(const Plan& plan, const std::function<void(con
         if (!body) throw std::invalid_argument(body.error);
         result.push_back({name, "built-in", std::move(*body), {}});
     }
-    for (const std::string& file : plan.meshes) add_mesh(file, result, warn);
+    for (const std::string& file : plan.meshes) add_mesh(plan, file, result, warn);
     return result;
 }
 

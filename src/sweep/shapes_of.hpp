@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The bodies of a plan: built-in shapes and hulls of mesh files. A body that cannot be had becomes a shape with an
-// error, so that its cells appear in the report as unavailable, with the reason.
+// The bodies of a plan: built-in shapes and hulls of mesh files. A body that cannot be had becomes a shape
+// with an error, so that its cells appear in the report as unavailable, with the reason.
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The bytes of tables as plain numbers for the `bytes` probe: of one body, and over a family of growing triangulated
-// spheres, from which slopes per additional edge are measured.
+// The bytes of tables as plain numbers for the `bytes` probe: of one body, and over a family of growing
+// triangulated spheres, from which slopes per additional edge are measured.
 #pragma once
 
 #include <map>

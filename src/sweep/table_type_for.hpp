@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Builds the registry entry of one table type: which algorithms it can serve is asked of the contract's concepts.
+// Builds the registry entry of one table type: which algorithms it can serve is asked of the contract's
+// concepts.
 #pragma once
 
 #include <limits>
@@ -14,7 +15,7 @@ namespace edgewise {
 using Algorithms = std::tuple<VClip, Gjk>;
 
 template <class Algorithm, class Table>
-concept Serves = SupportTable<Table> && (Algorithm::parts == Parts::support || FeatureTable<Table>);
+concept Serves = SupportTable<Table> &&(Algorithm::parts == Parts::support || FeatureTable<Table>);
 
 template <class Table>
 [[nodiscard]] TableType table_type_for() {

@@ -59,7 +59,8 @@ std::string what_is_wrong(const Group& group, std::span<const CheckedAnswer> che
     const auto first = std::find_if(checked.begin(), checked.end(), bad);
     if (first == checked.end()) return {};
     return fmt::format(
-        "{} of {} checked answers are wrong; first: query {} ({}), error {:.3g} of scale, witness error {:.3g}, "
+        "{} of {} checked answers are wrong; first: query {} ({}), error {:.3g} of scale, witness error "
+        "{:.3g}, "
         "allowed {:.0e}",
         std::count_if(checked.begin(), checked.end(), bad), checked.size(),
         group.checked()[static_cast<std::size_t>(first - checked.begin())],

@@ -13,12 +13,14 @@
 
 namespace edgewise {
 
-/// The checked answers of one cell. `stored` are the bodies its tables hold; eps the rounding step that computes.
+/// The checked answers of one cell. `stored` are the bodies its tables hold; eps the rounding step that
+/// computes.
 [[nodiscard]] std::vector<CheckedAnswer> check_answers(Group& group, std::span<const Polyhedron> stored,
                                                        std::span<const Distance> answers, double eps);
 
 /// Empty when every checked answer is right; else what is wrong, with the first case as example.
-[[nodiscard]] std::string what_is_wrong(const Group& group, std::span<const CheckedAnswer> checked, double eps);
+[[nodiscard]] std::string what_is_wrong(const Group& group, std::span<const CheckedAnswer> checked,
+                                        double eps);
 
 [[nodiscard]] AnswerCounts count_answers(std::span<const Distance> answers);
 
