@@ -10,6 +10,21 @@
 
 namespace edgewise {
 
+/// The edge of the ring with the most negative distance, the first of equals; nothing if none is negative.
+template <class Table, class Ring, class DistanceOf>
+[[nodiscard]] std::optional<typename Table::Edge> most_violated(const Ring& ring, DistanceOf distance_of) {
+    std::optional<typename Table::Edge> worst;
+    ComputeOf<Table> least = 0;
+    for (const auto [edge, flipped] : ring) {
+        const ComputeOf<Table> d = distance_of(edge, flipped);
+        if (d < least) {
+            least = d;
+            worst = edge;
+        }
+    }
+    return worst;
+}
+
 /// The edge whose vertex-edge plane the point violates most (the steepest way out of the vertex's region), or
 /// nothing when the point is inside the region.
 template <FeatureTable Table>
@@ -18,16 +33,9 @@ template <FeatureTable Table>
     if constexpr (requires { table.most_violated_vertex_plane(v, point); }) {
         return table.most_violated_vertex_plane(v, point);
     } else {
-        std::optional<typename Table::Edge> worst;
-        ComputeOf<Table> least = 0;
-        for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
-            const auto d = table.vertex_edge_plane(edge, flipped ? End::head : End::tail).distance(point);
-            if (d < least) {
-                least = d;
-                worst = edge;
-            }
-        }
-        return worst;
+        return most_violated<Table>(table.ring_of_vertex(v), [&](auto edge, bool flipped) {
+            return table.vertex_edge_plane(edge, flipped ? End::head : End::tail).distance(point);
+        });
     }
 }
 
@@ -39,16 +47,9 @@ template <FeatureTable Table>
     if constexpr (requires { table.most_violated_face_side(f, point); }) {
         return table.most_violated_face_side(f, point);
     } else {
-        std::optional<typename Table::Edge> worst;
-        ComputeOf<Table> least = 0;
-        for (const auto [edge, flipped] : table.ring_of_face(f)) {
-            const auto d = table.edge_face_plane(edge, flipped ? Side::right : Side::left).distance(point);
-            if (d < least) {
-                least = d;
-                worst = edge;
-            }
-        }
-        return worst;
+        return most_violated<Table>(table.ring_of_face(f), [&](auto edge, bool flipped) {
+            return table.edge_face_plane(edge, flipped ? Side::right : Side::left).distance(point);
+        });
     }
 }
 
