@@ -13,6 +13,7 @@ add_library(edgewise_library STATIC
     src/geometry/hull.cpp
     src/geometry/point_set.cpp
     src/geometry/polyhedron.cpp
+    src/geometry/strictly_convex.cpp
     src/geometry/polyhedron_builder.cpp
     src/geometry/qhull_facets.cpp)
 add_library(edgewise::edgewise ALIAS edgewise_library)

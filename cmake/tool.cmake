@@ -40,6 +40,7 @@ add_library(edgewise_tool STATIC
     src/scene/shapes.cpp
     src/scene/sphere_points.cpp
     src/sweep/cell.cpp
+    src/sweep/certificates.cpp
     src/sweep/contender.cpp
     src/sweep/group.cpp
     src/sweep/plan.cpp
@@ -50,13 +51,19 @@ add_library(edgewise_tool STATIC
     src/sweep/store.cpp
     src/sweep/table_bytes.cpp
     src/sweep/verify.cpp
+    src/sweep/work.cpp
     src/truth/accuracy_band.cpp
     src/truth/brute_force.cpp
+    src/truth/certificate.cpp
     src/truth/common_interior.cpp
+    src/truth/depth_proof.cpp
     src/truth/dyadic.cpp
     src/truth/exact_body.cpp
+    src/truth/exact_depth.cpp
     src/truth/exact_distance.cpp
+    src/truth/expanding_polytope.cpp
     src/truth/optimality.cpp
+    src/truth/pair_error.cpp
     src/truth/seed_simplex.cpp
     src/truth/support_filter.cpp)
 add_dependencies(edgewise_tool edgewise_build_info)

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 
+#include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/rings.hpp"
 #include "edgewise/table/voronoi.hpp"
@@ -60,7 +61,7 @@ class aos {
         const RingSlots rings(plan, body, parts);
 
         block_ = Block(plan);
-        counts_ = {vertices.count, faces.count};
+        facts_ = BodyFacts(body, parts);
         vertices_ = block_.fill(vertices, [&](Index v) { return cast<Stored>(body.vertices[v]); });
         edges_ = block_.fill(edges, [&](Index e) { return Record(edge_geometry(body, e), body.edges[e]); });
         faces_ = block_.fill(faces, [&](Index f) { return cast<Stored>(body.face_planes[f]); });
@@ -72,17 +73,18 @@ class aos {
     aos(const aos<P, OtherLoader>& other, Loader loader)
         : loader_(loader),
           block_(other.block_),
-          counts_(other.counts_),
+          facts_(other.facts_),
           vertices_(other.vertices_),
           edges_(other.edges_),
           faces_(other.faces_),
           rings_(other.rings_) {}
 
-    [[nodiscard]] std::size_t vertex_count() const { return counts_.vertices; }
+    [[nodiscard]] std::size_t vertex_count() const { return facts_.vertex_count; }
     [[nodiscard]] Vertex first_vertex() const { return 0; }
     [[nodiscard]] Index index_of(Vertex v) const { return v; }
-    [[nodiscard]] auto all_vertices() const { return index_range(static_cast<Index>(counts_.vertices)); }
-    [[nodiscard]] auto all_faces() const { return index_range(static_cast<Index>(counts_.faces)); }
+    [[nodiscard]] auto all_vertices() const { return index_range(facts_.vertex_count); }
+    [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
+    [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
     [[nodiscard]] const Ledger& ledger() const { return block_.ledger(); }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
@@ -115,9 +117,6 @@ class aos {
     friend class aos;
 
     using Record = AosRecord<Stored>;
-    struct Counts {
-        std::size_t vertices, faces;
-    };
 
     template <class Value>
     const Value& load(const Value& location, Field field) const {
@@ -125,7 +124,7 @@ class aos {
     }
     [[no_unique_address]] Loader loader_;
     Block block_;
-    Counts counts_{};
+    BodyFacts facts_;
     const Vec3<Stored>* vertices_ = nullptr;
     const Record* edges_ = nullptr;
     const Plane<Stored>* faces_ = nullptr;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 
+#include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/rings.hpp"
 #include "edgewise/table/voronoi.hpp"
@@ -40,8 +41,7 @@ class soa {
         const RingSlots ring_slots(plan, body, parts);
 
         block_ = Block(plan);
-        vertex_count_ = body.vertex_count();
-        face_count_ = faces;
+        facts_ = BodyFacts(body, parts);
         vertices_ = fill(vertex_slots, [&](Index v) {
             return std::array{body.vertices[v].x(), body.vertices[v].y(), body.vertices[v].z()};
         });
@@ -63,8 +63,7 @@ class soa {
     soa(const soa<P, OtherLoader>& other, Loader loader)
         : loader_(loader),
           block_(other.block_),
-          vertex_count_(other.vertex_count_),
-          face_count_(other.face_count_),
+          facts_(other.facts_),
           vertices_(other.vertices_),
           voronoi_(other.voronoi_),
           geometry_(other.geometry_),
@@ -72,11 +71,12 @@ class soa {
           ends_(other.ends_),
           rings_(other.rings_) {}
 
-    [[nodiscard]] std::size_t vertex_count() const { return vertex_count_; }
+    [[nodiscard]] std::size_t vertex_count() const { return facts_.vertex_count; }
     [[nodiscard]] Vertex first_vertex() const { return 0; }
     [[nodiscard]] Index index_of(Vertex v) const { return v; }
-    [[nodiscard]] auto all_vertices() const { return index_range(static_cast<Index>(vertex_count_)); }
-    [[nodiscard]] auto all_faces() const { return index_range(static_cast<Index>(face_count_)); }
+    [[nodiscard]] auto all_vertices() const { return index_range(facts_.vertex_count); }
+    [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
+    [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
     [[nodiscard]] const Ledger& ledger() const { return block_.ledger(); }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const { return vector(&vertices_[0], v, Field::vertex); }
@@ -143,7 +143,7 @@ class soa {
 
     [[no_unique_address]] Loader loader_;
     Block block_;
-    std::size_t vertex_count_ = 0, face_count_ = 0;
+    BodyFacts facts_;
     std::array<const Stored*, 3> vertices_{};
     std::array<const Stored*, 16> voronoi_{};  // tail, head, left, right plane: normal and offset each
     std::array<const Stored*, 4> geometry_{};  // direction, length

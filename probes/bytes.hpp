@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes per edge: every byte of the table by component, over the shape's edges; and the two slopes, per additional
-// edge, fitted over a family of triangulated bodies: of the paper's subtotal (Voronoi planes, direction and length,
-// vertex coordinates: 168 bytes in double precision, 84 in single) and of the whole table.
+// Bytes per edge: every byte of the table by component, over the shape's edges; and the two slopes, per
+// additional edge, fitted over a family of triangulated bodies: of the paper's subtotal (Voronoi planes,
+// direction and length, vertex coordinates: 168 bytes in double precision, 84 in single) and of the whole
+// table.
 #pragma once
 
 #include "edgewise/measure/probe.hpp"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Error: the answers beside the exact ones. Two errors, kept apart: against the exact answer of the bodies that the
-// table holds (the algorithm's own error) and of the bodies as given (with the rounding of storage on top). Verdicts
-// are wrong only outside the band where rounding decides; cases inside it are counted and shown apart.
+// Error: the answers beside the exact ones. Two errors, kept apart: against the exact answer of the bodies
+// that the table holds (the algorithm's own error) and of the bodies as given (with the rounding of storage
+// on top). Verdicts are wrong only outside the band where rounding decides; cases inside it are counted and
+// shown apart.
 #pragma once
 
 #include <algorithm>
@@ -57,7 +58,8 @@ class error final : public Probe {
         return at_quantile(name, subject, error, 1.0);
     }
 
-    static Figure at_quantile(const char* name, const Subject& subject, double CheckedAnswer::*error, double p) {
+    static Figure at_quantile(const char* name, const Subject& subject, double CheckedAnswer::*error,
+                              double p) {
         const auto value = quantile(column(subject, error), p);
         if (value) return {name, value, "scale"};
         return {name, std::nullopt, "scale", "no query was checked", "check more queries"};
@@ -65,7 +67,8 @@ class error final : public Probe {
 
     static Figure mean_steps(const AnswerCounts& counts) {
         if (counts.queries == 0) return {"mean_steps", std::nullopt, "steps", "no query was asked", ""};
-        return {"mean_steps", static_cast<double>(counts.steps) / static_cast<double>(counts.queries), "steps"};
+        return {"mean_steps", static_cast<double>(counts.steps) / static_cast<double>(counts.queries),
+                "steps"};
     }
 };
 

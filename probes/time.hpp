@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Time: nanoseconds a query, separated and contact pairs apart; medians over the interleaved rounds with a bootstrap
-// interval; and the headline, the median ratio to the baseline cell timed in the same round.
+// Time: nanoseconds a query, separated and contact pairs apart; medians over the interleaved rounds with a
+// bootstrap interval; and the headline, the median ratio to the baseline cell timed in the same round.
 #pragma once
 
 #include "edgewise/measure/probe.hpp"

@@ -13,7 +13,7 @@ namespace edgewise {
 
 enum class Status : std::uint8_t {
     separated,    ///< distance > 0
-    touching,     ///< distance 0 and no common interior seen
+    touching,     ///< distance 0 and no common interior seen: `penetration` tells whether there is one
     overlapping,  ///< distance 0 and a common interior point
     failed,       ///< no answer; the caller says why
 };

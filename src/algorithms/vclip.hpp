@@ -21,6 +21,7 @@
 #include "edgewise/algorithms/vclip/edge_edge.hpp"
 #include "edgewise/algorithms/vclip/edge_face.hpp"
 #include "edgewise/algorithms/vclip/fallback.hpp"
+#include "edgewise/algorithms/vclip/proof.hpp"
 #include "edgewise/algorithms/vclip/vertex_edge.hpp"
 #include "edgewise/algorithms/vclip/vertex_face.hpp"
 #include "edgewise/algorithms/vclip/vertex_vertex.hpp"
@@ -88,14 +89,15 @@ template <class TableA, class TableB>
 
 /// Where features meet to within rounding, every test of the last state hung on noise: edges that cross in
 /// the middle of deeply overlapping boxes look like closest features at distance 1e-16. Such an answer is not
-/// believed.
+/// believed; nor is one on a body that is not strictly convex, until it is proven.
 template <class TableA, class TableB>
-[[nodiscard]] bool in_doubt(const Distance& result, const Body<TableA>& a, const Body<TableB>&) {
+[[nodiscard]] bool in_doubt(const Distance& result, const Body<TableA>& a, const Body<TableB>& b) {
     if (result.status == Status::touching) return true;
     if (result.status != Status::separated) return false;
     const double noise = std::max<double>(plane_noise<TableA>, plane_noise<TableB>);
     const double size = std::max<double>(max_abs(result.point_a), max_abs(a.from_other.translation));
-    return result.distance <= noise * size;
+    if (result.distance <= noise * size) return true;
+    return !(a.table.strictly_convex() && b.table.strictly_convex()) && !is_proven(result, a, b);
 }
 
 template <class TableA, class TableB, class Observer>

@@ -3,15 +3,17 @@
 // `edgewise query`: answers for pairs given in a case file, one JSON line each. A line that cannot be read or
 // answered gets a line with status "failed" and the reason, so that no line is lost.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/scene/case_file.hpp"
+#include "edgewise/sweep/certificates.hpp"
 #include "edgewise/sweep/registry.hpp"
 
 namespace edgewise::cli {
@@ -24,8 +26,16 @@ struct Options {
     std::string cases;
     std::string algorithm = "vclip";
     std::string layout = "aos_f64";
-    Needs needs = Needs::features;
+    std::string needs = std::string(to_string(Needs::features));
+    double contact_tolerance = 0;
 };
+
+Needs chosen_needs(const Options& options) {
+    const auto needs = needs_from(options.needs);
+    if (needs) return *needs;
+    throw std::invalid_argument(
+        fmt::format("unknown need '{}'; known: {}", options.needs, fmt::join(needs_names, ", ")));
+}
 
 json point_json(const Vec3d& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -49,6 +59,10 @@ json failed_answer(const std::string& id, const std::string& error) {
     return line;
 }
 
+json certificate_json(const Certificate& certificate) {
+    return {{"lower", certificate.lower}, {"upper", certificate.upper}};
+}
+
 json answer_json(const std::string& id, const NamedAnswer& answer, Needs needs) {
     json line = empty_answer(id);
     const Distance& d = answer.distance;
@@ -57,7 +71,7 @@ json answer_json(const std::string& id, const NamedAnswer& answer, Needs needs) 
     line["fallbacks"] = d.fallbacks;
     if (needs >= Needs::distance) line["distance"] = d.distance;
     const bool separated = d.status == Status::separated;
-    if (needs >= Needs::witnesses && separated) {
+    if (needs >= (separated ? Needs::witnesses : Needs::depth)) {
         line["point_a"] = point_json(d.point_a);
         line["point_b"] = point_json(d.point_b);
     }
@@ -65,11 +79,15 @@ json answer_json(const std::string& id, const NamedAnswer& answer, Needs needs) 
         line["feature_a"] = feature_json(answer.feature_a);
         line["feature_b"] = feature_json(answer.feature_b);
     }
+    if (needs >= Needs::depth && d.status == Status::overlapping) {
+        line["depth"] = answer.depth;
+        line["normal"] = point_json(answer.normal);
+    }
     return line;
 }
 
 /// Both bodies' tables are built anew for each case: cases rarely share bodies.
-json answer_case(const Case& given, Runner& runner, Needs needs) {
+json answer_case(const Case& given, Runner& runner, const Options& options) {
     const auto a = body_from_case(given.a);
     if (!a) return failed_answer(given.id, a.error);
     const auto b = body_from_case(given.b);
@@ -77,11 +95,20 @@ json answer_case(const Case& given, Runner& runner, Needs needs) {
     const std::vector<Polyhedron> bodies = {*a, *b};
     if (const std::string error = runner.load(bodies); !error.empty()) return failed_answer(given.id, error);
     const Query query{0, 1, 0, given.pose_a, given.pose_b};
-    const NamedAnswer answer = runner.answer(query);
+    NamedAnswer answer = runner.answer(query);
     if (!std::isfinite(answer.distance.distance)) {
         return failed_answer(given.id, "the answer is not finite: coordinates too large for this precision");
     }
-    return answer_json(given.id, answer, needs);
+    if (answer.distance.status == Status::separated && answer.distance.distance <= options.contact_tolerance)
+        answer.distance.status = Status::touching;
+    const Needs needs = chosen_needs(options);
+    json line = answer_json(given.id, answer, needs);
+    if (needs < Needs::certificate) return line;
+    const auto certificates = certificates_of(answer, query, bodies, runner.stored_bodies());
+    if (!certificates) return failed_answer(given.id, certificates.error);
+    line["certificate"] = certificate_json(certificates->given);
+    line["stored_certificate"] = certificate_json(certificates->stored);
+    return line;
 }
 
 std::unique_ptr<Runner> chosen_runner(const Options& options) {
@@ -100,18 +127,21 @@ std::unique_ptr<Runner> chosen_runner(const Options& options) {
 }
 
 int run(const Options& options) {
+    static_cast<void>(chosen_needs(options));
     const auto runner = chosen_runner(options);
     std::ifstream file;
     if (options.cases != "-") {
-        file.open(options.cases);
-        if (!file) throw std::invalid_argument(fmt::format("cannot read {}: check the path", options.cases));
+        if (!std::filesystem::is_directory(options.cases)) file.open(options.cases);
+        if (!file.is_open())
+            throw std::invalid_argument(
+                fmt::format("cannot read {}: no such file, or a directory", options.cases));
     }
     CaseReader reader(options.cases == "-" ? std::cin : file, options.cases);
     std::size_t unreadable = 0, failed = 0;
     while (const auto line = reader.next()) {
         json answer;
         if (*line) {
-            answer = answer_case(**line, *runner, options.needs);
+            answer = answer_case(**line, *runner, options);
             failed += answer["status"] == "failed";
         } else {
             answer = failed_answer(reader.id(), line->error);
@@ -134,12 +164,13 @@ void add_query(CLI::App& app, Context& context) {
         ->required();
     command->add_option("--algorithm", options->algorithm, "vclip or gjk")->capture_default_str();
     command->add_option("--layout", options->layout, "table type, such as aos_f64")->capture_default_str();
-    const std::map<std::string, Needs> needs = {{"verdict", Needs::verdict},
-                                                {"distance", Needs::distance},
-                                                {"witnesses", Needs::witnesses},
-                                                {"features", Needs::features}};
-    command->add_option("--needs", options->needs, "what to answer: verdict, distance, witnesses or features")
-        ->transform(CLI::CheckedTransformer(needs));
+    command->add_option("--needs", options->needs, fmt::format("{}", fmt::join(needs_names, ", ")))
+        ->capture_default_str();
+    command
+        ->add_option("--contact-tolerance", options->contact_tolerance,
+                     "bodies as near as this or nearer are touching, in the bodies' own unit")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     command->callback([options, &context] { context.action = [options] { return run(*options); }; });
 }
 

@@ -68,7 +68,7 @@ Plan chosen_plan(const Options& options) {
     return plan;
 }
 
-SweepSummary run_with_progress(const Plan& plan, Store& store) {
+SweepSummary run_with_progress(const SweepWork& work, Store& store) {
     std::unique_ptr<Progress> progress;
     SweepListener listener;
     listener.on_start = [&](std::size_t cells) { progress = std::make_unique<Progress>("sweep", cells); };
@@ -79,7 +79,7 @@ SweepSummary run_with_progress(const Plan& plan, Store& store) {
     };
     std::signal(SIGINT, [](int) { stop_requested = true; });
     std::signal(SIGTERM, [](int) { stop_requested = true; });
-    return run_sweep(plan, store, listener, stop_requested);
+    return run_sweep(work, store, listener, stop_requested);
 }
 
 void print_summary(const SweepSummary& summary, const std::string& store, const std::string& page,
@@ -97,13 +97,14 @@ void print_summary(const SweepSummary& summary, const std::string& store, const 
 }
 
 int run(const Options& options, bool json) {
-    const Plan plan = chosen_plan(options);
+    const SweepWork work = prepare_sweep(
+        chosen_plan(options), [](const std::string& line) { fmt::print(stderr, "edgewise: {}\n", line); });
     const auto folder = std::filesystem::path(options.store).parent_path();
     if (!folder.empty()) std::filesystem::create_directories(folder);
     SweepSummary summary;
     {
         Store store(options.store);
-        summary = run_with_progress(plan, store);
+        summary = run_with_progress(work, store);
     }
     if (summary.stopped) {
         fmt::print(stderr,
@@ -122,6 +123,7 @@ int run(const Options& options, bool json) {
 
 void add_sweep(CLI::App& app, Context& context) {
     auto options = std::make_shared<Options>();
+    const CLI::Range at_least_one(1, 1'000'000'000);
     CLI::App* command =
         add_command(app, context, "sweep", "Verifies and measures every cell of a plan, then reports");
     command->add_option("--plan", options->plan, "quick, paper, full, or a JSON file")->capture_default_str();
@@ -138,11 +140,9 @@ void add_sweep(CLI::App& app, Context& context) {
     command->add_option("--mesh", options->meshes, "these mesh files instead of the plan's bodies");
     command->add_flag("--each-mesh", options->each_mesh,
                       "one body for each mesh of a file, not one for the file");
-    command->add_option("--queries", options->queries, "queries a cell and round")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--checked", options->checked, "queries checked exactly a cell")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--rounds", options->rounds, "timed rounds a cell")->check(CLI::PositiveNumber);
+    command->add_option("--queries", options->queries, "queries a cell and round")->check(at_least_one);
+    command->add_option("--checked", options->checked, "queries checked exactly a cell")->check(at_least_one);
+    command->add_option("--rounds", options->rounds, "timed rounds a cell")->check(at_least_one);
     command->add_option("--seed", options->seed, "seed of scenes and orders");
     command->callback(
         [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });

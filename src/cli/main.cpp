@@ -1,16 +1,35 @@
 // SPDX-License-Identifier: MIT
 //
 // The command line: one file a command. Whatever a command throws ends as one line on stderr and exit code 2.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
 #include "edgewise/cli/command.hpp"
+
+namespace {
+
+/// What is wrong and what to do, in one line; the commands by name when the command is what is wrong.
+std::string one_line(const CLI::App* app, const CLI::Error& problem) {
+    std::string what = problem.what();
+    if (app->get_subcommands().empty()) {
+        const auto strays = app->remaining();
+        what = strays.empty() ? "no command" : "unknown command '" + strays.front() + "'";
+        what += "; known:";
+        for (const CLI::App* command : app->get_subcommands({})) what += ' ' + command->get_name();
+    }
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    return "edgewise: " + what + "; --help says more\n";
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     using namespace edgewise::cli;
     CLI::App app{"Edgewise: memory- and cache-focused profiling of convex collision detection"};
     app.require_subcommand(1);
     app.set_help_all_flag("--help-all", "Help of all commands");
+    app.failure_message(one_line);
     Context context;
     add_sweep(app, context);
     add_report(app, context);

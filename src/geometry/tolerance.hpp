@@ -44,6 +44,10 @@ struct Tolerance {
     /// GJK, relative to max|w|: a closest point nearer to the origin than this, that cannot be improved and
     /// whose direction separates nothing, is contact.
     static constexpr Scalar contact_noise = 16 * eps;
+
+    /// Normal of a triangle, squared sine of the angle at its first corner: above it the plain cross product
+    /// loses at most four binary digits; thinner triangles take the exact one.
+    static constexpr Scalar fair_corner = Scalar(1) / 256;
 };
 
 /// Relative to the extent: how far a vertex may lie off the plane of its face, or above the plane of another,
@@ -55,6 +59,10 @@ inline constexpr double face_planarity = 4096 * std::numeric_limits<double>::eps
 /// check can tell the two sides of the body apart.
 inline constexpr double flat_thickness = face_planarity;
 
+/// Radians: faces or sides that turn by less than this count as flat. Planes in single are off by some 1e-6,
+/// and what rounding does to a region grows with one over the turn.
+inline constexpr double strict_turn = 1e-4;
+
 /// Relative to the largest coordinate: the rounding of a plane's offset far from the origin.
 inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsilon();
 
@@ -65,6 +73,10 @@ inline constexpr double unit_length = 8 * std::numeric_limits<double>::epsilon()
 /// are refused: products of three coordinates must neither overflow nor vanish.
 inline constexpr double largest_coordinate = 1e100;
 inline constexpr double smallest_extent = 1e-100;
+
+/// EPA, where bodies are about 1: a coordinate below this counts as zero, so that every digit of a product of
+/// three differences stays in the range of double (3 x (200 + 53) < 1074 binary places).
+inline constexpr double smallest_coordinate = 0x1p-200;
 
 /// Pure number: a mesh is called concave when its volume is below this share of its hull's. Mesh files hold
 /// about seven digits, so a convex mesh of thousands of faces is off by some 1e-6.

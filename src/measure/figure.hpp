@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One measured number. A figure that could not be measured has no value but a reason and a remedy; it is never 0
-// and never left out.
+// One measured number. A figure that could not be measured has no value but a reason and a remedy; it is
+// never 0 and never left out.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The interface of a probe: what a sweep lays before it, and the figures it makes of it. Probes know no algorithm
-// and no layout; what they need of them comes as plain numbers.
+// The interface of a probe: what a sweep lays before it, and the figures it makes of it. Probes know no
+// algorithm and no layout; what they need of them comes as plain numbers.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct TableBytes {
 
 /// One answer beside the exact one.
 struct CheckedAnswer {
-    bool separated = false, touching = false;      ///< exactly; else overlapping
+    bool separated = false, touching = false;  ///< exactly; else overlapping
     bool verdict_wrong = false, in_band = false;
     double error_stored = 0;   ///< |d - d*| / scale, d* of the bodies that the table holds
     double error_given = 0;    ///< the same, d* of the bodies as given
@@ -47,7 +47,7 @@ struct AnswerCounts {
 
 /// A cell as probes see it.
 struct Subject {
-    TableBytes table;                  ///< the scene's first body
+    TableBytes table;                   ///< the scene's first body
     std::span<const TableBytes> sizes;  ///< the same table type over a family of triangulated bodies, growing
     std::span<const CheckedAnswer> checked;
     AnswerCounts counts;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -66,6 +68,18 @@ void take(const nlohmann::json& from, const char* key, Value& to) {
     if (from.contains(key)) to = from.at(key).get<Value>();
 }
 
+constexpr std::array members = {"scenes",     "shapes", "meshes",  "each_mesh", "layouts",
+                                "algorithms", "seed",   "queries", "checked",   "rounds"};
+
+/// A misspelt member would be ignored in silence.
+void refuse_unknown_members(const nlohmann::json& json) {
+    for (const auto& [key, value] : json.items()) {
+        if (std::find(members.begin(), members.end(), key) != members.end()) continue;
+        throw std::invalid_argument(
+            fmt::format("unknown member '{}'; known: {}", key, fmt::join(members, ", ")));
+    }
+}
+
 Plan read_plan(const std::string& file) {
     std::ifstream stream(file);
     if (!stream) {
@@ -76,6 +90,7 @@ Plan read_plan(const std::string& file) {
     plan.name = std::filesystem::path(file).stem().string();
     try {
         const auto json = nlohmann::json::parse(stream);
+        refuse_unknown_members(json);
         if (json.contains("scenes")) {
             plan.scenes.clear();
             for (const auto& scene : json.at("scenes")) {
@@ -92,7 +107,7 @@ Plan read_plan(const std::string& file) {
         take(json, "queries", plan.queries);
         take(json, "checked", plan.checked);
         take(json, "rounds", plan.rounds);
-    } catch (const nlohmann::json::exception& problem) {
+    } catch (const std::exception& problem) {
         throw std::invalid_argument(fmt::format("plan {}: {}", file, problem.what()));
     }
     return plan;

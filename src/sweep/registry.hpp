@@ -4,6 +4,7 @@
 // table type; the manifest is layouts/CMakeLists.txt.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <span>
@@ -25,6 +26,10 @@ struct TableType {
     double eps = 0;                       ///< rounding step of what computes: 2^-52 or 2^-23
     std::function<std::unique_ptr<Runner>(std::string_view algorithm)> make_runner;
     std::function<Ledger(const Polyhedron&, Parts)> ledger;  ///< of a table built from a body it can store
+
+    [[nodiscard]] bool serves(std::string_view algorithm) const {
+        return std::find(algorithms.begin(), algorithms.end(), algorithm) != algorithms.end();
+    }
 };
 
 struct AlgorithmInfo {

@@ -4,57 +4,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/scene/scenes.hpp"
 #include "edgewise/sweep/build_info.hpp"
 #include "edgewise/sweep/cell.hpp"
 #include "edgewise/sweep/contender.hpp"
-#include "edgewise/sweep/shapes_of.hpp"
 
 namespace edgewise {
 
 namespace {
 
 /// What every ratio is against: the paper's algorithm on the paper's layout.
-constexpr std::string_view baseline_algorithm = "vclip", baseline_table = "aos_f64";
+const std::string baseline_algorithm = "vclip", baseline_table = "aos_f64";
 
 class Sweep {
   public:
-    Sweep(const Plan& plan, Store& store, const SweepListener& listener, const std::atomic<bool>& stop)
-        : plan_(plan),
+    Sweep(const SweepWork& work, Store& store, const SweepListener& listener, const std::atomic<bool>& stop)
+        : work_(work),
+          plan_(work.plan),
           store_(store),
           listener_(listener),
           stop_(stop),
-          types_(select_table_types(plan.layouts)),
-          algorithms_(select_algorithms(plan.algorithms)) {
+          baseline_(baseline_type()),
+          baseline_algorithm_(baseline_.serves(baseline_algorithm) ? baseline_algorithm
+                                                                   : baseline_.algorithms.front()) {
         const BuildRow build = this_build();
         build_ = build.id;
         store_.put_build(build);
         store_.set_meta("build", build_);
-        store_.set_meta("plan", plan.name);
-        store_.set_meta("seed", std::to_string(plan.seed));
-        store_.set_meta("baseline", fmt::format("{} x {}", baseline_algorithm, baseline_table));
+        store_.set_meta("plan", plan_.name);
+        store_.set_meta("seed", std::to_string(plan_.seed));
+        store_.set_meta("baseline", fmt::format("{} x {}", baseline_algorithm_, baseline_.name));
     }
 
     SweepSummary run() {
+        listener_.on_start(work_.cells());
         for (const SceneChoice& scene : plan_.scenes) {
-            const auto known = complete_parameters(scene.name, scene.parameters);
-            if (!known) throw std::invalid_argument(known.error);
-        }
-        const auto shapes = shapes_of(plan_, listener_.on_warning);
-        const std::size_t each = cells_of_group();
-        if (each == 0 || shapes.empty() || plan_.scenes.empty()) {
-            throw std::invalid_argument(
-                "this plan has no cells: no layout serves the algorithms chosen, or no shape or scene is "
-                "left");
-        }
-        listener_.on_start(each * shapes.size() * plan_.scenes.size());
-        for (const SceneChoice& scene : plan_.scenes) {
-            for (const NamedShape& shape : shapes) {
+            for (const NamedShape& shape : work_.shapes) {
                 if (stop_) break;
                 run_group(scene, shape);
             }
@@ -64,22 +52,10 @@ class Sweep {
     }
 
   private:
-    [[nodiscard]] bool chosen(const TableType& type, const std::string& algorithm) const {
-        return std::find(type.algorithms.begin(), type.algorithms.end(), algorithm) != type.algorithms.end();
-    }
-
-    [[nodiscard]] std::size_t cells_of_group() const {
-        std::size_t count = 0;
-        for (const TableType* type : types_) {
-            for (const std::string& algorithm : algorithms_) count += chosen(*type, algorithm);
-        }
-        return count;
-    }
-
     [[nodiscard]] CellRow row_for(const SceneChoice& scene, const NamedShape& shape) const {
         CellRow row;
         row.scene = scene.name;
-        row.scene_parameters = parameters_json(*complete_parameters(scene.name, scene.parameters));
+        row.scene_parameters = parameters_json(scene.parameters);
         row.shape = shape.name;
         row.shape_source = shape.source;
         row.vertices = shape.body.vertex_count();
@@ -104,7 +80,7 @@ class Sweep {
         }
         Group group(plan_, scene, shape);
         for (Contender& contender : contenders) contender.verify(group);
-        Contender baseline(baseline_type(), std::string(baseline_algorithm), row_for(scene, shape));
+        Contender baseline(baseline_, baseline_algorithm_, row_for(scene, shape));
         baseline.verify(group);
         time_rounds(group, contenders, baseline);
         if (stop_) return;
@@ -115,9 +91,9 @@ class Sweep {
     [[nodiscard]] std::vector<Contender> contenders_for(const SceneChoice& scene,
                                                         const NamedShape& shape) const {
         std::vector<Contender> result;
-        for (const TableType* type : types_) {
-            for (const std::string& algorithm : algorithms_) {
-                if (!chosen(*type, algorithm)) continue;
+        for (const TableType* type : work_.types) {
+            for (const std::string& algorithm : work_.algorithms) {
+                if (!type->serves(algorithm)) continue;
                 result.emplace_back(*type, algorithm, row_for(scene, shape));
                 result.back().name(shape.body);
             }
@@ -125,7 +101,8 @@ class Sweep {
         return result;
     }
 
-    /// The baseline need not be among the chosen cells; a program without its layout compares with its first.
+    /// The baseline need not be among the chosen cells; a program without its layout compares with the first
+    /// it has.
     [[nodiscard]] static const TableType& baseline_type() {
         const auto types = table_types();
         const auto is_baseline = [](const TableType& type) { return type.name == baseline_table; };
@@ -221,12 +198,13 @@ class Sweep {
                                 : summary_.unavailable);
     }
 
+    const SweepWork& work_;
     const Plan& plan_;
     Store& store_;
     const SweepListener& listener_;
     const std::atomic<bool>& stop_;
-    std::vector<const TableType*> types_;
-    std::vector<std::string> algorithms_;
+    const TableType& baseline_;
+    std::string baseline_algorithm_;
     std::string build_;
     SizeFamily sizes_;
     SweepSummary summary_;
@@ -234,9 +212,9 @@ class Sweep {
 
 }  // namespace
 
-SweepSummary run_sweep(const Plan& plan, Store& store, const SweepListener& listener,
+SweepSummary run_sweep(const SweepWork& work, Store& store, const SweepListener& listener,
                        const std::atomic<bool>& stop) {
-    return Sweep(plan, store, listener, stop).run();
+    return Sweep(work, store, listener, stop).run();
 }
 
 }  // namespace edgewise

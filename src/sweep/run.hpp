@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs a plan into a store: every cell verified, then measured in interleaved rounds. Rounds already stored
-// for this build are kept; missing ones are run with the baseline timed again beside them.
+// Runs a plan's work into a store: every cell verified, then measured in interleaved rounds. Rounds already
+// stored for this build are kept; missing ones are run with the baseline timed again beside them.
 #pragma once
 
 #include <atomic>
 #include <functional>
 #include <string>
 
-#include "edgewise/sweep/plan.hpp"
 #include "edgewise/sweep/store.hpp"
+#include "edgewise/sweep/work.hpp"
 
 namespace edgewise {
 
@@ -26,7 +26,7 @@ struct SweepListener {
 };
 
 /// `stop` is looked at between rounds.
-[[nodiscard]] SweepSummary run_sweep(const Plan& plan, Store& store, const SweepListener& listener,
+[[nodiscard]] SweepSummary run_sweep(const SweepWork& work, Store& store, const SweepListener& listener,
                                      const std::atomic<bool>& stop);
 
 }  // namespace edgewise

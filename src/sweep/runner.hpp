@@ -19,10 +19,13 @@
 
 namespace edgewise {
 
-/// An answer with everything a user may ask for, in world coordinates.
+/// An answer with everything a user may ask for, in world coordinates. In contact the witness points are
+/// those of the penetration: each body's point deepest in the other.
 struct NamedAnswer {
     Distance distance;
     NamedFeature feature_a, feature_b;
+    double depth = 0;              ///< 0 unless in contact
+    Vec3d normal = Vec3d::Zero();  ///< in contact: B moved by depth * normal only touches A
 };
 
 class Runner {
@@ -42,7 +45,8 @@ class Runner {
     /// Every query of the workload in order, from cold pairs; points in A's frame.
     [[nodiscard]] virtual std::vector<Distance> answer(const Workload& workload) const = 0;
 
-    /// One query from a cold start, with features.
+    /// One query from a cold start, with features and, in contact, the depth, which also tells touching from
+    /// overlapping.
     [[nodiscard]] virtual NamedAnswer answer(const Query& query) const = 0;
 
     /// Times the whole workload; `in_contact[i]` != 0 books query i under overlapping, else under separated.

@@ -8,6 +8,8 @@
 #include <type_traits>
 
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/penetration.hpp"
+#include "edgewise/algorithms/penetration/start.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/measure/stopwatch.hpp"
@@ -47,7 +49,12 @@ class RunnerFor final : public Runner {
         const Table& b = tables_[query.body_b];
         Pair pair(a, b);
         NamedAnswer result;
-        result.distance = to_world(ask(query, pair), query.pose_a);
+        const Distance distance = ask(query, pair);
+        if (distance.status == Status::separated) {
+            result.distance = to_world(distance, query.pose_a);
+        } else {
+            settle_contact(query, pair, distance, result);
+        }
         std::tie(result.feature_a, result.feature_b) =
             name_features(pair, a, bodies_[query.body_a], b, bodies_[query.body_b]);
         return result;
@@ -93,6 +100,26 @@ class RunnerFor final : public Runner {
     [[nodiscard]] Distance ask(const Query& query, Pair& pair) const {
         return Algorithm::query(tables_[query.body_a], tables_[query.body_b],
                                 relative_pose(query.pose_a, query.pose_b), pair);
+    }
+
+    /// How deep, and with that whether it is more than a touch, to the rounding of coordinates.
+    void settle_contact(const Query& query, const Pair& pair, const Distance& distance,
+                        NamedAnswer& answer) const {
+        const Table& a = tables_[query.body_a];
+        const Table& b = tables_[query.body_b];
+        const auto a_from_b = relative_pose(query.pose_a, query.pose_b);
+        PenetrationSpace<Table, Table> space;
+        const Penetration overlap = penetration(a, b, a_from_b, simplex_of(a, b, pair), space);
+        const double size =
+            std::max({max_abs(overlap.point_a), max_abs(overlap.point_b), max_abs(a_from_b.translation)});
+        const double noise = static_cast<double>(Tolerance<ComputeOf<Table>>::contact_noise) * size;
+        Distance settled = distance;
+        settled.status = overlap.depth > noise ? Status::overlapping : Status::touching;
+        settled.point_a = overlap.point_a;
+        settled.point_b = overlap.point_b;
+        answer.distance = to_world(settled, query.pose_a);
+        answer.depth = overlap.depth;
+        answer.normal = query.pose_a.rotation * overlap.normal;
     }
 
     /// One cache for each pair of a warm scene, each on its own bodies' tables.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The canonical body itself as a support table: no memory of its own. For tools that need a distance now and then
-// (placing pairs in a scene), and as the reference that contract tests compare every layout with.
+// The canonical body itself as a support table: no memory of its own. For tools that need a distance now and
+// then (placing pairs in a scene), and as the reference that contract tests compare every layout with.
 #pragma once
 
 #include "edgewise/table/contract.hpp"

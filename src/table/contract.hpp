@@ -47,6 +47,8 @@ concept SupportTable = requires(const T& table, typename T::Vertex v) {
 template <class T>
 concept FeatureTable = SupportTable<T> &&
     requires(const T& table, typename T::Vertex v, typename T::Edge e, typename T::Face f) {
+    /// geometry/strictly_convex.hpp: false costs a proof a query, and is never wrong
+    { table.strictly_convex() } -> std::same_as<bool>;
     { table.tail(e) } -> std::same_as<typename T::Vertex>;
     { table.head(e) } -> std::same_as<typename T::Vertex>;
     { table.left(e) } -> std::same_as<typename T::Face>;

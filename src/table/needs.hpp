@@ -3,17 +3,37 @@
 // What a scene asks of an answer; tables and queries materialise only that.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace edgewise {
 
 /// What an answer must hold, least first: each asks for everything before it.
 enum class Needs : std::uint8_t {
-    verdict,    ///< apart or not
-    distance,   ///< and how far
-    witnesses,  ///< and the two closest points
-    features,   ///< and which vertices, edges or faces they lie on
+    verdict,      ///< apart or not
+    distance,     ///< and how far
+    witnesses,    ///< and the two closest points
+    features,     ///< and which vertices, edges or faces they lie on
+    depth,        ///< and, of bodies in contact, how deep they overlap and where
+    certificate,  ///< and an interval that provably holds the distance
 };
+
+inline constexpr std::array<std::string_view, 6> needs_names = {"verdict",  "distance", "witnesses",
+                                                                "features", "depth",    "certificate"};
+
+[[nodiscard]] constexpr std::string_view to_string(Needs needs) {
+    return needs_names[static_cast<std::size_t>(needs)];
+}
+
+/// Nothing for an unknown name.
+[[nodiscard]] constexpr std::optional<Needs> needs_from(std::string_view name) {
+    for (std::size_t i = 0; i < needs_names.size(); ++i) {
+        if (needs_names[i] == name) return static_cast<Needs>(i);
+    }
+    return std::nullopt;
+}
 
 /// The parts of a body that a table must hold for an algorithm.
 enum class Parts : std::uint8_t {

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace edgewise {
 
@@ -51,6 +52,19 @@ double finish(const mpz_class& digits, bool exact, long exponent) {
     return round_to_double(with_sticky, exponent - 1);
 }
 
+/// The sign of x - sqrt(numerator / denominator) * 2^exponent, for x >= 0.
+int compare_to_root(double x, const mpz_class& numerator, const mpz_class& denominator, long exponent) {
+    if (std::isinf(x)) return 1;
+    const Dyadic d = dyadic(x);
+    if (d.mantissa == 0) return -sgn(numerator);
+    const mpz_class mantissa = d.mantissa;
+    const mpz_class square = mantissa * mantissa * denominator;
+    const long shift = 2 * (d.exponent - exponent);
+    const mpz_class left = square << static_cast<mp_bitcnt_t>(std::max(shift, 0L));
+    const mpz_class right = numerator << static_cast<mp_bitcnt_t>(std::max(-shift, 0L));
+    return cmp(left, right);
+}
+
 }  // namespace
 
 Dyadic dyadic(double value) {
@@ -88,6 +102,18 @@ double rounded_root(const mpz_class& numerator, const mpz_class& denominator, lo
     mpz_class digits, remainder;
     mpz_sqrtrem(digits.get_mpz_t(), remainder.get_mpz_t(), square.get_mpz_t());
     return finish(digits, exact && sgn(remainder) == 0, exponent - half_shift);
+}
+
+double root_rounded_down(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
+    const double nearest = rounded_root(numerator, denominator, exponent);
+    if (compare_to_root(nearest, numerator, denominator, exponent) <= 0) return nearest;
+    return std::nextafter(nearest, 0.0);
+}
+
+double root_rounded_up(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
+    const double nearest = rounded_root(numerator, denominator, exponent);
+    if (compare_to_root(nearest, numerator, denominator, exponent) >= 0) return nearest;
+    return std::nextafter(nearest, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace edgewise

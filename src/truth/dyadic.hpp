@@ -31,4 +31,9 @@ void set_scaled(mpz_class& out, double value, long unit);
 /// positive.
 [[nodiscard]] double rounded_root(const mpz_class& numerator, const mpz_class& denominator, long exponent);
 
+/// The same root, rounded down to the largest double not above it or up to the smallest not below it.
+[[nodiscard]] double root_rounded_down(const mpz_class& numerator, const mpz_class& denominator,
+                                       long exponent);
+[[nodiscard]] double root_rounded_up(const mpz_class& numerator, const mpz_class& denominator, long exponent);
+
 }  // namespace edgewise

@@ -10,23 +10,11 @@
 #include "edgewise/truth/common_interior.hpp"
 #include "edgewise/truth/dyadic.hpp"
 #include "edgewise/truth/optimality.hpp"
+#include "edgewise/truth/pair_error.hpp"
 
 namespace edgewise {
 
 namespace {
-
-/// One line that says what is wrong with a body; empty if nothing is.
-std::string input_error(std::span<const Vec3d> vertices, const Pose& pose, const char* body) {
-    const std::string where = std::string("body ") + body + ": ";
-    if (vertices.empty()) return where + "no vertices; give at least one point";
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        if (vertices[i].allFinite()) continue;
-        return where + "vertex " + std::to_string(i) + " is not finite; give finite coordinates";
-    }
-    if (!pose.rotation.allFinite()) return where + "rotation is not finite; give nine finite numbers";
-    if (!pose.translation.allFinite()) return where + "translation is not finite; give three finite numbers";
-    return {};
-}
 
 /// Takes the guess as it is if its weights are all positive.
 bool adopt(ExactPair& bodies, const SimplexSeed& seed, MinimumSimplex<IntegerVec>& simplex) {
@@ -83,8 +71,7 @@ ExactDistance separated_answer(const MinimumSimplex<IntegerVec>& simplex, long u
 
 Result<ExactDistance> exact_distance(std::span<const Vec3d> a, const Pose& pose_a, std::span<const Vec3d> b,
                                      const Pose& pose_b, const SimplexSeed& seed) {
-    std::string error = input_error(a, pose_a, "A");
-    if (error.empty()) error = input_error(b, pose_b, "B");
+    std::string error = pair_error(a, pose_a, b, pose_b);
     if (!error.empty()) return Result<ExactDistance>::failure(std::move(error));
     ExactPair bodies(a, pose_a, b, pose_b);
     const MinimumSimplex<IntegerVec> simplex = minimise(bodies, seed);

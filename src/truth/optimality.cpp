@@ -9,8 +9,26 @@ namespace edgewise {
 
 namespace {
 
-/// Weights up to a common positive factor; written out per size, not shared with the search.
-std::array<mpz_class, 4> weights_of(const MinimumSimplex<IntegerVec>& s) {
+/// total * (nearest point) is what the weights give, where nearest point = (h / u.u) u.
+bool is_weighted_mean(const MinimumSimplex<IntegerVec>& s) {
+    const std::array<mpz_class, 4> weights = simplex_weights(s);
+    mpz_class total;
+    IntegerVec sum;
+    for (int i = 0; i < s.size; ++i) {
+        if (sgn(weights[i]) < 0) return false;
+        total += weights[i];
+        sum += weights[i] * s.point[i];
+    }
+    if (sgn(total) <= 0) return false;
+    if (s.holds_origin()) return sum.is_zero();
+    const mpz_class along = total * s.height;
+    return dot(s.direction, s.direction) * sum == along * s.direction;
+}
+
+}  // namespace
+
+/// Written out per size, not shared with the search.
+std::array<mpz_class, 4> simplex_weights(const MinimumSimplex<IntegerVec>& s) {
     const std::array<IntegerVec, 4>& p = s.point;
     if (s.size == 1) return {mpz_class(1), 0, 0, 0};
     if (s.size == 2) {
@@ -29,24 +47,6 @@ std::array<mpz_class, 4> weights_of(const MinimumSimplex<IntegerVec>& s) {
     }
     return w;
 }
-
-/// total * (nearest point) is what the weights give, where nearest point = (h / u.u) u.
-bool is_weighted_mean(const MinimumSimplex<IntegerVec>& s) {
-    const std::array<mpz_class, 4> weights = weights_of(s);
-    mpz_class total;
-    IntegerVec sum;
-    for (int i = 0; i < s.size; ++i) {
-        if (sgn(weights[i]) < 0) return false;
-        total += weights[i];
-        sum += weights[i] * s.point[i];
-    }
-    if (sgn(total) <= 0) return false;
-    if (s.holds_origin()) return sum.is_zero();
-    const mpz_class along = total * s.height;
-    return dot(s.direction, s.direction) * sum == along * s.direction;
-}
-
-}  // namespace
 
 void require_optimal(ExactPair& bodies, const MinimumSimplex<IntegerVec>& simplex) {
     for (int i = 0; i < simplex.size; ++i) {

@@ -5,9 +5,14 @@
 // plane through it. Together these two say that no other point is nearer (Kuhn-Tucker).
 #pragma once
 
+#include <array>
+
 #include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise {
+
+/// The weights of the nearest point, up to a common positive factor.
+[[nodiscard]] std::array<mpz_class, 4> simplex_weights(const MinimumSimplex<IntegerVec>& s);
 
 /// Throws std::logic_error if the simplex does not carry the point of A - B nearest to the origin.
 void require_optimal(ExactPair& bodies, const MinimumSimplex<IntegerVec>& simplex);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// Whether an answer holds, by what needs no Voronoi planes: the planes through the two witness points, across
+// the line between them, must have one body on either side. Asked only of bodies with flat edges or vertices
+// in the middle of a side (geometry/strictly_convex.hpp): the Voronoi region of such a feature goes on under
+// the surface, and a point deep inside the body, or behind it, looks as if it were closest to that feature.
+#pragma once
+
+#include <algorithm>
+
+#include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/support.hpp"
+#include "edgewise/algorithms/vclip/body.hpp"
+
+namespace edgewise::vclip {
+
+/// Some vertex of the feature: where to look for one that lies farther.
+template <class Table>
+[[nodiscard]] typename Table::Vertex vertex_on(const Body<Table>& body) {
+    switch (body.feature.kind()) {
+        case FeatureKind::vertex:
+            return body.feature.vertex();
+        case FeatureKind::edge:
+            return body.table.tail(body.feature.edge());
+        case FeatureKind::face:
+            break;
+    }
+    return body.table.tail((*body.table.ring_of_face(body.feature.face()).begin()).edge);
+}
+
+/// No vertex lies farther along the direction (any length) than the point; both in the body's frame. The
+/// direction is a difference of rounded points, so the noise is that of a point times the size, however short
+/// the direction; a feature that holds from the wrong side fails by the direction's length times the size.
+template <class Table>
+[[nodiscard]] bool ends_at(const Body<Table>& body, const Vec3<ComputeOf<Table>>& point,
+                           const Vec3<ComputeOf<Table>>& direction) {
+    using Scalar = ComputeOf<Table>;
+    const auto farthest = climb_support(body.table, direction, vertex_on(body));
+    const Scalar size = std::max({max_abs(farthest.point), max_abs(point), max_abs(direction)});
+    return dot(Vec3<Scalar>(farthest.point - point), direction) <= plane_noise<Table> * size * size;
+}
+
+/// True when the bodies are as far apart as the answer says. Witness points are in A's frame.
+template <class TableA, class TableB>
+[[nodiscard]] bool is_proven(const Distance& result, const Body<TableA>& a, const Body<TableB>& b) {
+    using Scalar = ComputeOf<TableA>;
+    const Vec3<Scalar> on_a = result.point_a.template cast<Scalar>();
+    const Vec3<Scalar> on_b = result.point_b.template cast<Scalar>();
+    const Vec3<Scalar> between = on_b - on_a;
+    return ends_at(a, on_a, between) &&
+           ends_at(b, b.from_other.point(on_b), Vec3<Scalar>(-b.from_other.direction(between)));
+}
+
+}  // namespace edgewise::vclip

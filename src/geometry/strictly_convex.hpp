@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// Whether every vertex and every edge of a body is a real corner. On a hull with merged faces it is; a body
+// whose faces were given as triangles, or with vertices in the middle of a side, is convex but not strictly.
+// Voronoi regions of its flat edges are sheets of no thickness, which reach through the body to its far side.
+#pragma once
+
+#include "edgewise/geometry/polyhedron.hpp"
+
+namespace edgewise {
+
+/// False when two neighbouring faces, or two consecutive sides of a face, turn by less than strict_turn.
+[[nodiscard]] bool is_strictly_convex(const Polyhedron& body);
+
+}  // namespace edgewise

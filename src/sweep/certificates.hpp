@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// The certificates of one answer: for the bodies that the tables hold, and the same widened to hold for the
+// bodies as given.
+#pragma once
+
+#include <span>
+
+#include "edgewise/scene/workload.hpp"
+#include "edgewise/sweep/runner.hpp"
+#include "edgewise/truth/certificate.hpp"
+
+namespace edgewise {
+
+struct Certificates {
+    Certificate stored, given;
+};
+
+/// `given` and `stored` are the bodies of the query (a runner's stored_bodies). Fails as certify does.
+[[nodiscard]] Result<Certificates> certificates_of(const NamedAnswer& answer, const Query& query,
+                                                   std::span<const Polyhedron> given,
+                                                   std::span<const Polyhedron> stored);
+
+}  // namespace edgewise

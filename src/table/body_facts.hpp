@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// The few facts of a body that every table keeps beside its arrays.
+#pragma once
+
+#include "edgewise/geometry/strictly_convex.hpp"
+#include "edgewise/table/needs.hpp"
+
+namespace edgewise {
+
+struct BodyFacts {
+    Index vertex_count = 0;
+    Index face_count = 0;         ///< 0 in a table without features
+    bool strictly_convex = true;  ///< false: V-Clip proves its answers before it believes them
+
+    BodyFacts() = default;
+    BodyFacts(const Polyhedron& body, Parts parts)
+        : vertex_count(static_cast<Index>(body.vertex_count())),
+          face_count(parts == Parts::features ? static_cast<Index>(body.face_count()) : 0),
+          strictly_convex(is_strictly_convex(body)) {}
+};
+
+}  // namespace edgewise

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// Runs the program as a shell would: arguments, a working folder of its own, both outputs caught, signals on
+// demand.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace edgewise::cli_test {
+
+/// Removed with all it holds at the end of its scope.
+class Folder {
+  public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    /// Returns the file's name.
+    std::string write(const std::string& name, const std::string& text) const;
+
+  private:
+    std::filesystem::path path_;
+};
+
+using Arguments = std::vector<std::string>;
+
+struct Outcome {
+    int exit_code = -1;  ///< -1 when a signal ended it
+    int signal = 0;
+    std::string out, err;
+};
+
+class Process {
+  public:
+    /// `program` is started in `folder`, its standard input empty.
+    Process(const std::string& program, const Arguments& arguments, const Folder& folder);
+    /// A process that nobody waited for is killed.
+    ~Process();
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+
+    void send(int signal) const;
+    [[nodiscard]] bool has_ended();
+    [[nodiscard]] Outcome wait();
+
+  private:
+    pid_t id_ = 0;
+    bool waited_for_ = false;
+    int state_ = 0;
+    std::filesystem::path out_, err_;
+};
+
+/// The program under test, to its end.
+[[nodiscard]] Outcome run(const Arguments& arguments, const Folder& folder);
+
+[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
+[[nodiscard]] std::string text_of(const std::filesystem::path& file);
+
+}  // namespace edgewise::cli_test

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise query`: one answer a line whatever the line holds, every key in each, bad lines named by file and
+// number.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+const json tetrahedron = {{"vertices", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+const json triangle = {{"vertices", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
+
+json moved(double x, double y, double z) { return {{"R", {1, 0, 0, 0, 1, 0, 0, 0, 1}}, {"t", {x, y, z}}}; }
+
+std::string pair_line(const std::string& id, const json& a, double x, double y = 0, double z = 0) {
+    return json{{"id", id}, {"a", a}, {"b", tetrahedron}, {"pose_b", moved(x, y, z)}}.dump() + "\n";
+}
+
+std::vector<json> answers_of(const Outcome& outcome) {
+    std::vector<json> answers;
+    for (const std::string& line : lines_of(outcome.out)) answers.push_back(json::parse(line));
+    return answers;
+}
+
+class Query : public testing::TestWithParam<const char*> {
+  protected:
+    Outcome ask(const std::string& cases, const Arguments& more = {}) {
+        Arguments arguments = {"query", folder_.write("cases.jsonl", cases), "--algorithm", GetParam()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(arguments, folder_);
+    }
+
+  private:
+    Folder folder_;
+};
+
+TEST_P(Query, AnswersSeparatedAndOverlappingPairs) {
+    const Outcome outcome =
+        ask(pair_line("apart", tetrahedron, 3) + "\n" + pair_line("into", tetrahedron, 0.3, 0.2, 0.1));
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    const auto answers = answers_of(outcome);
+    ASSERT_EQ(answers.size(), 2u);  // empty lines are no cases
+    EXPECT_EQ(answers[0]["id"], "apart");
+    EXPECT_EQ(answers[0]["status"], "separated");
+    EXPECT_EQ(answers[0]["distance"], 2.0);
+    EXPECT_EQ(answers[0]["point_a"], (json{1.0, 0.0, 0.0}));
+    EXPECT_EQ(answers[0]["point_b"], (json{3.0, 0.0, 0.0}));
+    EXPECT_EQ(answers[0]["feature_a"], (json{{"kind", "vertex"}, {"vertices", {1}}}));
+    EXPECT_EQ(answers[1]["id"], "into");
+    EXPECT_EQ(answers[1]["status"], "overlapping");
+    EXPECT_EQ(answers[1]["distance"], 0.0);
+    EXPECT_TRUE(answers[1]["point_a"].is_null());
+}
+
+TEST_P(Query, HasEveryKeyInEveryAnswer) {
+    const Outcome outcome =
+        ask(pair_line("good", tetrahedron, 3) + pair_line("flat", triangle, 3) + "rubbish\n");
+    const auto answers = answers_of(outcome);
+    ASSERT_EQ(answers.size(), 3u);
+    for (const json& answer : answers) {
+        std::vector<std::string> keys;
+        for (const auto& [key, value] : answer.items()) keys.push_back(key);
+        EXPECT_THAT(keys, UnorderedElementsAre("id", "status", "distance", "point_a", "point_b", "feature_a",
+                                               "feature_b", "depth", "normal", "steps", "fallbacks",
+                                               "certificate", "error"));
+    }
+    for (const char* key : {"distance", "point_a", "feature_a", "steps", "certificate"}) {
+        EXPECT_TRUE(answers[1][key].is_null()) << key;
+    }
+    EXPECT_TRUE(answers[0]["error"].is_null());
+}
+
+TEST_P(Query, GivesNullForWhatWasNotAskedFor) {
+    const auto answers = answers_of(ask(pair_line("x", tetrahedron, 3), {"--needs", "verdict"}));
+    ASSERT_EQ(answers.size(), 1u);
+    EXPECT_EQ(answers[0]["status"], "separated");
+    for (const char* key : {"distance", "point_a", "point_b", "feature_a", "feature_b"}) {
+        EXPECT_TRUE(answers[0][key].is_null()) << key;
+    }
+}
+
+TEST_P(Query, NamesTheLineOfABadCaseAndGoesOn) {
+    const std::string no_vertices = R"({"id":"none","a":{"vertices":[]},"b":{"vertices":[]}})"
+                                    "\n";
+    const Outcome outcome = ask(pair_line("first", tetrahedron, 3) + "{\"id\": \"cut\n" + no_vertices +
+                                pair_line("last", tetrahedron, 4));
+    EXPECT_EQ(outcome.exit_code, 2);
+    const auto messages = lines_of(outcome.err);
+    ASSERT_EQ(messages.size(), 2u) << outcome.err;
+    EXPECT_THAT(messages[0], HasSubstr("cases.jsonl:2: "));
+    EXPECT_THAT(messages[1], HasSubstr("cases.jsonl:3: "));
+    const auto answers = answers_of(outcome);
+    ASSERT_EQ(answers.size(), 4u);
+    EXPECT_EQ(answers[1]["status"], "failed");
+    EXPECT_THAT(answers[1]["error"].get<std::string>(), HasSubstr("cases.jsonl:2: "));
+    EXPECT_EQ(answers[2]["status"], "failed");
+    EXPECT_EQ(answers[2]["id"], "none");
+    EXPECT_EQ(answers[3]["id"], "last");
+    EXPECT_EQ(answers[3]["distance"], 3.0);
+}
+
+TEST_P(Query, FailsOnAFlatBodyWithTheReason) {
+    const Outcome outcome = ask(pair_line("flat", triangle, 3) + pair_line("solid", tetrahedron, 3));
+    EXPECT_EQ(outcome.exit_code, 1);
+    const auto answers = answers_of(outcome);
+    ASSERT_EQ(answers.size(), 2u);
+    EXPECT_EQ(answers[0]["id"], "flat");
+    EXPECT_EQ(answers[0]["status"], "failed");
+    EXPECT_THAT(answers[0]["error"].get<std::string>(), HasSubstr("cases.jsonl:1: a: flat"));
+    EXPECT_EQ(answers[1]["status"], "separated");
+}
+
+/// Two bodies with much in common are overlapping even where their faces lie in one plane or their corners
+/// meet; touching is for bodies without common interior.
+TEST_P(Query, TellsOverlapFromTouchInSpecialPositions) {
+    const auto answers =
+        answers_of(ask(pair_line("same", tetrahedron, 0) + pair_line("along", tetrahedron, 0.25) +
+                       pair_line("corner", tetrahedron, 1)));
+    ASSERT_EQ(answers.size(), 3u);
+    EXPECT_EQ(answers[0]["status"], "overlapping");
+    EXPECT_EQ(answers[1]["status"], "overlapping");
+    EXPECT_EQ(answers[2]["status"], "touching");
+}
+
+TEST_P(Query, TakesFacesAsGiven) {
+    json cube;
+    for (const int x : {0, 1}) {
+        for (const int y : {0, 1}) {
+            for (const int z : {0, 1}) cube["vertices"].push_back({x, y, z});
+        }
+    }
+    cube["faces"] = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
+                     {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+    const auto answers = answers_of(ask(pair_line("cut", cube, 2)));
+    ASSERT_EQ(answers.size(), 1u);
+    EXPECT_EQ(answers[0]["distance"], 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Algorithm, Query, testing::Values("vclip", "gjk"),
+                         [](const auto& of) { return std::string(of.param); });
+
+}  // namespace
+}  // namespace edgewise::cli_test

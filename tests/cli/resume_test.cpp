@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+//
+// A sweep that was ended half-way: what it stored stays, to the last digit, and the same command completes
+// the rest.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "cli_paths.hpp"
+#include "program.hpp"
+#include "sweep_store.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+
+constexpr std::size_t rounds_of_a_cell = 120, cells = 2 * 2 * 2;
+
+/// Several groups, so that the end comes with some cells complete, one group half-way and others not begun.
+const Arguments sweep = {"sweep",
+                         "--scenes",
+                         "cold,static",
+                         "--shapes",
+                         "sphere38,sphere102",
+                         "--layouts",
+                         "aos_f64",
+                         "--queries",
+                         "100",
+                         "--checked",
+                         "20",
+                         "--rounds",
+                         std::to_string(rounds_of_a_cell),
+                         "--store",
+                         "s.db",
+                         "--json"};
+
+class Resume : public testing::Test {
+  protected:
+    /// Started, and ended by the signal when some rounds of the first two groups are stored.
+    Outcome interrupted_by(int signal) {
+        Process process(program_path, sweep, folder_);
+        while (rounds_in(folder_ / "s.db").size() < 2 * rounds_of_a_cell + 4 && !process.has_ended()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        process.send(signal);
+        return process.wait();
+    }
+
+    void expect_rest_is_completed(const std::vector<std::string>& kept) {
+        ASSERT_GE(kept.size(), 2 * rounds_of_a_cell);
+        ASSERT_LT(kept.size(), cells * rounds_of_a_cell) << "the sweep was over before it could be ended";
+        const Outcome outcome = run(sweep, folder_);
+        ASSERT_EQ(outcome.exit_code, 0) << "signal " << outcome.signal << ", " << outcome.err;
+        const json summary = json::parse(outcome.out);
+        EXPECT_EQ(summary["cells"], cells);
+        EXPECT_EQ(summary["verified"], cells);
+        const auto now = rounds_in(folder_ / "s.db");
+        EXPECT_EQ(now.size(), cells * rounds_of_a_cell);
+        EXPECT_THAT(now, IsSupersetOf(kept));
+        const auto complete = rows_of(
+            folder_ / "s.db", "select count(*) from round group by hash having count(distinct number) = " +
+                                  std::to_string(rounds_of_a_cell));
+        EXPECT_EQ(complete.size(), cells);
+        EXPECT_TRUE(std::filesystem::exists(folder_ / "index.html"));
+    }
+
+    Folder folder_;
+};
+
+TEST_F(Resume, AfterAKill) {
+    const Outcome outcome = interrupted_by(SIGKILL);
+    EXPECT_EQ(outcome.signal, SIGKILL);
+    expect_rest_is_completed(rounds_in(folder_ / "s.db"));
+}
+
+TEST_F(Resume, AfterCtrlC) {
+    const Outcome outcome = interrupted_by(SIGINT);
+    EXPECT_EQ(outcome.signal, 0);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, HasSubstr("stopped"));
+    EXPECT_THAT(outcome.err, HasSubstr("s.db"));
+    expect_rest_is_completed(rounds_in(folder_ / "s.db"));
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test

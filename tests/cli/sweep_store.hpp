@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// What stands in a store, read through SQLite and the schema alone, as the report does. Readable while a
+// sweep writes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace edgewise::cli_test {
+
+/// The rows of a query, each as one text of all its columns, every digit kept; none while there is no such
+/// store.
+[[nodiscard]] std::vector<std::string> rows_of(const std::filesystem::path& store, const std::string& sql);
+
+/// Every round with its figures.
+[[nodiscard]] std::vector<std::string> rounds_in(const std::filesystem::path& store);
+
+}  // namespace edgewise::cli_test

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise sweep` and `edgewise report` on plans of a second: what they print, leave behind and end with.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli_paths.hpp"
+#include "program.hpp"
+#include "sweep_store.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const Arguments tiny = {"sweep",     "--scenes", "tumble",    "--shapes", "cube8",    "--layouts", "aos",
+                        "--queries", "200",      "--checked", "20",       "--rounds", "3",         "--json"};
+
+Arguments with(Arguments arguments, const Arguments& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+TEST(Sweep, MeasuresEveryCellAndSaysSoInJson) {
+    const Folder folder;
+    const Outcome outcome = run(tiny, folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.out).size(), 1u);
+    const json summary = json::parse(outcome.out);
+    // quick has tumble three times; aos has three precisions; both algorithms walk it
+    EXPECT_EQ(summary["cells"], 3 * 3 * 2);
+    EXPECT_EQ(summary["verified"], summary["cells"]);
+    EXPECT_EQ(summary["failed"], 0);
+    EXPECT_EQ(summary["unavailable"], 0);
+    EXPECT_EQ(summary["store"], "reports/out/edgewise.db");
+    EXPECT_EQ(summary["report"], "reports/out/index.html");
+    EXPECT_EQ(rounds_in(folder / "reports/out/edgewise.db").size(), 18u * 3);
+    for (const char* page : {"reports/out/index.html", "reports/out/report.md", "reports/out/results.csv"}) {
+        EXPECT_GT(text_of(folder / page).size(), 500u) << page;
+    }
+}
+
+TEST(Sweep, MeasuresNothingTwice) {
+    const Folder folder;
+    const Outcome first = run(tiny, folder);
+    const auto rounds = rounds_in(folder / "reports/out/edgewise.db");
+    const Outcome second = run(tiny, folder);
+    EXPECT_EQ(second.exit_code, 0) << second.err;
+    EXPECT_EQ(first.out, second.out);
+    EXPECT_FALSE(rounds.empty());
+    EXPECT_EQ(rounds_in(folder / "reports/out/edgewise.db"), rounds);
+}
+
+TEST(Sweep, TakesAPlanFromAFile) {
+    const Folder folder;
+    const json plan = {
+        {"scenes", {{{"name", "tumble"}, {"parameters", {{"rotation_step", 0.5}}}}, {{"name", "cold"}}}},
+        {"shapes", {"tetra4"}},
+        {"meshes", json::array()},
+        {"layouts", {"aos_f64"}},
+        {"algorithms", {"gjk"}},
+        {"queries", 100},
+        {"checked", 10},
+        {"rounds", 2}};
+    folder.write("mine.json", plan.dump());
+    const Outcome outcome =
+        run({"sweep", "--plan", "mine.json", "--store", "a/b.db", "--out", "pages", "--json"}, folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json summary = json::parse(outcome.out);
+    EXPECT_EQ(summary["cells"], 2);
+    EXPECT_EQ(summary["verified"], 2);
+    EXPECT_EQ(summary["report"], "pages/index.html");
+    const auto scenes =
+        rows_of(folder / "a/b.db", "select scene, scene_parameters from cell order by scene desc");
+    ASSERT_EQ(scenes.size(), 2u);
+    EXPECT_THAT(scenes[0], HasSubstr("0.5"));
+}
+
+/// That program lies in a folder with no meshes near it, so the plan's real bodies are missing.
+TEST(Sweep, ShowsABodyThatCannotBeHadAsUnavailable) {
+    const Folder folder;
+    folder.write("plan.json", R"({"shapes": ["tetra4"], "scenes": [{"name": "cold"}],
+        "layouts": ["straight"], "queries": 100, "checked": 10, "rounds": 2})");
+    const Outcome outcome =
+        Process(crooked_program_path, {"sweep", "--plan", "plan.json", "--json"}, folder).wait();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("atlas_foot.stl"));
+    const json summary = json::parse(outcome.out);
+    EXPECT_EQ(summary["cells"], 5);
+    EXPECT_EQ(summary["verified"], 1);
+    EXPECT_EQ(summary["unavailable"], 4);
+    const auto reasons =
+        rows_of(folder / "reports/out/edgewise.db", "select reason from cell where reason <> ''");
+    EXPECT_EQ(reasons.size(), 4u);
+    EXPECT_THAT(reasons, testing::Each(HasSubstr(".stl")));
+}
+
+/// The program with a wrong layout linked in (crooked.hpp) beside a right one: the wrong one's cell fails
+/// with its reason, is not timed, and the sweep goes on.
+TEST(Sweep, RecordsAFailingCellAndGoesOn) {
+    const Folder folder;
+    const Arguments arguments = {"sweep", "--scenes",  "cold", "--shapes", "cube8", "--queries",
+                                 "300",   "--checked", "50",   "--rounds", "3",     "--json"};
+    const Outcome outcome = Process(crooked_program_path, arguments, folder).wait();
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("crooked_f64"));
+    const json summary = json::parse(outcome.out);
+    EXPECT_EQ(summary["cells"], 2);
+    EXPECT_EQ(summary["failed"], 1);
+    EXPECT_EQ(summary["verified"], 1);
+    const auto cells = rows_of(folder / "reports/out/edgewise.db",
+                               "select table_type, status, reason <> '', (select count(*) from round where "
+                               "round.hash = cell.hash) from cell order by table_type");
+    EXPECT_THAT(cells, testing::ElementsAre("crooked_f64|failed|1|0", "straight_f64|verified|0|3"));
+    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("crooked"));
+}
+
+TEST(Report, IsWrittenAnewFromAStore) {
+    const Folder folder;
+    const json of_sweep = json::parse(run(with(tiny, {"--store", "s.db"}), folder).out);
+    const Outcome outcome = run({"report", "s.db", "--out", "again", "--json"}, folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    json of_report = json::parse(outcome.out);
+    EXPECT_EQ(of_report["report"], "again/index.html");
+    EXPECT_GT(text_of(folder / "again/index.html").size(), 500u);
+    of_report["report"] = of_sweep["report"];
+    EXPECT_EQ(of_report, of_sweep);
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test

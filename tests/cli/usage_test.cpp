@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// What goes wrong before any work begins: exit code 2, one line on stderr that says what, where and what to
+// do, and nothing on stdout. An unknown name's line lists the known ones.
+#include <gmock/gmock.h>
+
+#include "program.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using testing::HasSubstr;
+
+struct Slip {
+    std::string name;  ///< of the test
+    Arguments arguments;
+    std::vector<std::string> mentioned;  ///< in the one line
+};
+
+void PrintTo(const Slip& slip, std::ostream* out) { *out << slip.name; }
+
+class Usage : public testing::TestWithParam<Slip> {};
+
+TEST_P(Usage, IsOneLineAndExitCodeTwo) {
+    const Folder folder;
+    folder.write("empty.stl", "");
+    folder.write("garbage.stl", std::string(3000, '\x81'));
+    folder.write("text.obj", "once upon a time\n");
+    folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.write("not_a_store.db", "something else\n");
+    folder.write("plan.json", R"({"rounds": "many"})");
+    folder.write("misspelt.json", R"({"shaps": ["cube8"]})");
+    folder.write("mesh.json", R"({"meshes": ["missing.stl"]})");
+    const Outcome outcome = run(GetParam().arguments, folder);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
+    EXPECT_LT(outcome.err.size(), 300u) << outcome.err;
+    for (const std::string& word : GetParam().mentioned) EXPECT_THAT(outcome.err, HasSubstr(word));
+    EXPECT_EQ(text_of(folder / "not_a_store.db"), "something else\n");
+}
+
+const std::vector<Slip> unknown_names = {
+    {"command", {"nope"}, {"nope", "bytes", "list", "machine", "query", "report", "sweep"}},
+    {"no_command", {}, {"bytes", "list", "machine", "query", "report", "sweep"}},
+    {"option", {"bytes", "--nope"}, {"--nope"}},
+    {"list", {"list", "nope"}, {"nope", "layouts", "probes", "algorithms", "scenes", "shapes", "plans"}},
+    {"layout_of_bytes", {"bytes", "--layouts", "nope"}, {"nope", "aos_f64", "soa_mixed"}},
+    {"layout_of_query", {"query", "x", "--layout", "nope"}, {"nope", "aos_f64"}},
+    {"layout_of_sweep", {"sweep", "--layouts", "aos,nope"}, {"nope", "aos_f64"}},
+    {"algorithm_of_query", {"query", "x", "--algorithm", "nope"}, {"nope", "vclip", "gjk"}},
+    {"algorithm_of_sweep", {"sweep", "--algorithms", "nope"}, {"nope", "vclip", "gjk"}},
+    {"needs", {"query", "x", "--needs", "nope"}, {"nope", "verdict", "distance", "witnesses", "features"}},
+    {"shape", {"bytes", "--shape", "nope"}, {"nope", "tetra4", "cube8", "sphere386"}},
+    {"shape_of_sweep", {"sweep", "--shapes", "nope"}, {"nope", "tetra4"}},
+    {"sphere", {"bytes", "--shape", "sphere7"}, {"sphere7", "sphere6", "sphere8"}},
+    {"scene", {"sweep", "--scenes", "nope"}, {"nope", "static", "cold", "tumble"}},
+    {"plan", {"sweep", "--plan", "nope"}, {"nope", "quick", "paper", "full"}},
+};
+
+const std::vector<Slip> bad_values = {
+    {"several_tables", {"query", "x", "--layout", "aos"}, {"aos_f64"}},
+    {"no_rounds", {"sweep", "--rounds", "0"}, {"--rounds"}},
+    {"words_for_numbers", {"sweep", "--queries", "many"}, {"--queries", "many"}},
+    {"shape_and_mesh", {"bytes", "--shape", "cube8", "--mesh", "flat.obj"}, {"--mesh", "--shape"}},
+    {"bad_plan_file", {"sweep", "--plan", "plan.json"}, {"plan.json"}},
+    {"misspelt_plan_member", {"sweep", "--plan", "misspelt.json"}, {"misspelt.json", "shaps", "shapes"}},
+    {"missing_mesh_of_plan", {"sweep", "--plan", "mesh.json"}, {"missing.stl"}},
+};
+
+const std::vector<Slip> bad_files = {
+    {"missing_mesh", {"bytes", "--mesh", "missing.stl"}, {"missing.stl"}},
+    {"missing_mesh_of_sweep", {"sweep", "--mesh", "missing.stl"}, {"missing.stl"}},
+    {"empty_mesh", {"bytes", "--mesh", "empty.stl"}, {"empty.stl", "empty"}},
+    {"garbage_mesh", {"bytes", "--mesh", "garbage.stl"}, {"garbage.stl"}},
+    {"text_mesh", {"bytes", "--mesh", "text.obj"}, {"text.obj"}},
+    {"flat_mesh", {"bytes", "--mesh", "flat.obj"}, {"flat.obj", "flat"}},
+    {"folder_for_mesh", {"bytes", "--mesh", "."}, {"directory"}},
+    {"missing_cases", {"query", "missing.jsonl"}, {"missing.jsonl"}},
+    {"folder_for_cases", {"query", "."}, {"directory"}},
+    {"no_store", {"report", "missing.db"}, {"missing.db", "sweep"}},
+    {"report_of_no_store", {"report", "not_a_store.db"}, {"not_a_store.db"}},
+    {"sweep_into_no_store", {"sweep", "--store", "not_a_store.db", "--shapes", "cube8"}, {"not_a_store.db"}},
+};
+
+std::string name_of(const testing::TestParamInfo<Slip>& slip) { return slip.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(UnknownName, Usage, testing::ValuesIn(unknown_names), name_of);
+INSTANTIATE_TEST_SUITE_P(BadValue, Usage, testing::ValuesIn(bad_values), name_of);
+INSTANTIATE_TEST_SUITE_P(BadFile, Usage, testing::ValuesIn(bad_files), name_of);
+
+TEST(Help, GoesToStdout) {
+    const Folder folder;
+    for (const Arguments& arguments : {Arguments{"--help"}, Arguments{"sweep", "--help"}}) {
+        const Outcome outcome = run(arguments, folder);
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_THAT(outcome.out, HasSubstr("sweep"));
+    }
+}
+
+/// A slip must not leave a store behind that the next command would take for a sweep's.
+TEST(Usage, LeavesNothingBehind) {
+    for (const Arguments& slip :
+         {Arguments{"sweep", "--scenes", "nope"}, Arguments{"sweep", "--shapes", "nope"},
+          Arguments{"sweep", "--layouts", "nope"}, Arguments{"sweep", "--plan", "nope"}}) {
+        const Folder folder;
+        EXPECT_EQ(run(slip, folder).exit_code, 2);
+        EXPECT_FALSE(std::filesystem::exists(folder / "reports")) << slip.back() << " after " << slip[1];
+    }
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Every heap allocation of this program by operator new, while somebody counts.
+#pragma once
+
+#include <cstddef>
+
+namespace edgewise {
+
+/// Counts from construction to destruction; one at a time.
+class CountedAllocations {
+  public:
+    CountedAllocations();
+    ~CountedAllocations();
+    CountedAllocations(const CountedAllocations&) = delete;
+    CountedAllocations& operator=(const CountedAllocations&) = delete;
+
+    /// Allocations so far, freed ones included.
+    [[nodiscard]] std::size_t count() const;
+
+    /// Bytes allocated since the start and not freed.
+    [[nodiscard]] std::size_t live_bytes() const;
+
+    /// Whether these bytes lie inside one allocation that is alive.
+    [[nodiscard]] bool hold(const void* address, std::size_t bytes) const;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+//
+// Every plane of a table beside one derived here, in double and by another way: distances of random points,
+// hence signs; and the side that contract.hpp says is positive. A plane may be stored or derived, but its
+// normal has length one as far as the stored precision goes.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "edgewise/geometry/single.hpp"
+#include "stored_bodies.hpp"
+
+namespace edgewise {
+namespace {
+
+template <class Type>
+class Planes : public ::testing::Test {};
+TYPED_TEST_SUITE(Planes, TableTypes);
+
+/// Errors in rounding steps of what is stored, relative to the largest coordinate at hand.
+constexpr double allowed_steps = 8;
+
+struct Worst {
+    double steps = 0;
+    int points = 0;
+};
+
+/// A plane to compare with; `conditioning` is how many steps one step of the coordinates may turn it.
+struct Expected {
+    Plane<double> plane;
+    double conditioning = 1;
+};
+
+template <class P>
+void compare(const P& plane, const Expected& expected, const Polyhedron& body, Rng& rng, Worst& worst) {
+    for (int i = 0; i < 4; ++i) {
+        const Vec3d p = to_single(Vec3d(body.vertices[rng.below(body.vertex_count())] + rng.in_cube(2)));
+        const double found = static_cast<double>(plane.distance(Vec3<Compute>(p.cast<Compute>())));
+        const double size = std::max(1.0, std::max(max_abs(p), std::abs(expected.plane.offset)));
+        const double error = std::abs(found - expected.plane.distance(p));
+        worst.steps = std::max(worst.steps, error / (stored_eps * size * expected.conditioning));
+        ++worst.points;
+    }
+}
+
+Vec3d mean_of_face(const Polyhedron& body, Index f) {
+    Vec3d sum = Vec3d::Zero();
+    for (const HalfEdge h : body.ring_of_face(f)) sum += body.vertices[body.tail(h)];
+    return sum / static_cast<double>(body.ring_of_face(f).size());
+}
+
+Plane<double> through(const Vec3d& normal, const Vec3d& point) {
+    const Vec3d unit = normal / norm(normal);
+    return {unit, -dot(unit, point)};
+}
+
+/// Half-edge h: the plane at its start, positive beyond it.
+Expected beyond_start(const Polyhedron& body, HalfEdge h) {
+    const Vec3d& start = body.vertices[body.tail(h)];
+    return {through(start - body.vertices[body.head(h)], start)};
+}
+
+/// The plane through half-edge h, square to its face, positive on the face's side: along the way from the
+/// edge to the face's middle. Rounding turns it as far as that middle is near the edge.
+Expected towards_face(const Polyhedron& body, HalfEdge h) {
+    const Vec3d& start = body.vertices[body.tail(h)];
+    const Vec3d along = body.vertices[body.head(h)] - start;
+    const Vec3d inward = mean_of_face(body, body.face(h)) - start;
+    const Vec3d square = inward - dot(inward, along) / squared_norm(along) * along;
+    return {through(square, start), std::max(1.0, max_abs(start) / norm(square))};
+}
+
+template <class T>
+void compare_edge_planes(const T& table, const Polyhedron& body, Rng& rng, Worst& worst) {
+    for (const auto v : table.all_vertices()) {
+        std::size_t at = 0;
+        for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
+            const HalfEdge h = body.ring_of_vertex(table.index_of(v))[at++];
+            const auto end = flipped ? End::head : End::tail;
+            compare(table.vertex_edge_plane(edge, end), beyond_start(body, h), body, rng, worst);
+            const auto side = flipped ? Side::right : Side::left;
+            compare(table.edge_face_plane(edge, side), towards_face(body, h), body, rng, worst);
+        }
+    }
+}
+
+TYPED_TEST(Planes, VoronoiPlanesAreTheDerivedOnes) {
+    if constexpr (has_features) {
+        using T = typename TypeParam::Table;
+        Rng rng(1);
+        for (const auto& [name, body] : test_bodies()) {
+            Worst worst;
+            compare_edge_planes(T(body, Parts::features), body, rng, worst);
+            std::printf("%s %s: Voronoi planes within %.2g steps over %d points\n", TypeParam::name,
+                        name.c_str(), worst.steps, worst.points);
+            EXPECT_LE(worst.steps, allowed_steps) << name;
+            EXPECT_EQ(worst.points, 16 * static_cast<int>(body.edge_count())) << name;
+        }
+    } else {
+        GTEST_SKIP() << "this layout has no features";
+    }
+}
+
+TYPED_TEST(Planes, FacePlanesAreOutwardAndHoldTheirVertices) {
+    if constexpr (has_features) {
+        using T = typename TypeParam::Table;
+        Rng rng(2);
+        for (const auto& [name, body] : test_bodies()) {
+            SCOPED_TRACE(name);
+            const T table(body, Parts::features);
+            Worst worst;
+            Index face = 0;
+            for (const auto f : table.all_faces()) {
+                const auto plane = table.face_plane(f);
+                const double tolerance =
+                    allowed_steps * stored_eps * (1 + std::abs(body.face_planes[face].offset));
+                compare(plane, {body.face_planes[face]}, body, rng, worst);
+                for (const auto v : table.all_vertices())
+                    EXPECT_LE(plane.distance(table.vertex(v)), tolerance);
+                for (const HalfEdge h : body.ring_of_face(face++)) {
+                    const Vec3<Compute> corner = body.vertices[body.tail(h)].template cast<Compute>();
+                    EXPECT_LE(std::abs(plane.distance(corner)), tolerance);
+                }
+            }
+            std::printf("%s %s: face planes within %.2g steps over %d points\n", TypeParam::name,
+                        name.c_str(), worst.steps, worst.points);
+            EXPECT_LE(worst.steps, allowed_steps);
+        }
+    } else {
+        GTEST_SKIP() << "this layout has no features";
+    }
+}
+
+TYPED_TEST(Planes, DirectionsRunFromTailToHead) {
+    if constexpr (has_features) {
+        using T = typename TypeParam::Table;
+        double worst = 0;
+        for (const auto& [name, body] : test_bodies()) {
+            const T table(body, Parts::features);
+            for (const auto v : table.all_vertices()) {
+                for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
+                    const Vec3d along = body.vertices[table.index_of(table.head(edge))] -
+                                        body.vertices[table.index_of(table.tail(edge))];
+                    const Vec3d found = table.direction(edge).template cast<double>();
+                    worst = std::max(worst, max_abs(Vec3d(found - along / norm(along))) / stored_eps);
+                }
+            }
+        }
+        std::printf("%s: directions within %.2g steps\n", TypeParam::name, worst);
+        EXPECT_LE(worst, allowed_steps);
+    } else {
+        GTEST_SKIP() << "this layout has no features";
+    }
+}
+
+/// Neighbours must read one and the same number, or V-Clip argues with itself.
+TYPED_TEST(Planes, AreTheSameNumbersEveryTime) {
+    if constexpr (has_features) {
+        using T = typename TypeParam::Table;
+        Rng rng(3);
+        for (const auto& [name, body] : test_bodies()) {
+            const T table(body, Parts::features), other(body, Parts::features);
+            for (const auto v : table.all_vertices()) {
+                const Vec3<Compute> p = rng.in_cube(2).cast<Compute>();
+                for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
+                    for (const End end : {End::tail, End::head}) {
+                        EXPECT_EQ(table.vertex_edge_plane(edge, end).distance(p),
+                                  other.vertex_edge_plane(edge, end).distance(p));
+                    }
+                    for (const Side side : {Side::left, Side::right}) {
+                        EXPECT_EQ(table.edge_face_plane(edge, side).distance(p),
+                                  other.edge_face_plane(edge, side).distance(p));
+                    }
+                }
+            }
+        }
+    } else {
+        GTEST_SKIP() << "this layout has no features";
+    }
+}
+
+}  // namespace
+}  // namespace edgewise

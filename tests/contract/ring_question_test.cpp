@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+//
+// Ring questions of a table beside a search over its own single planes: the same edge, also among equals,
+// where the first of the ring wins. A layout's vectorised answer must keep to this.
+#include "edgewise/table/ring_questions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "stored_bodies.hpp"
+
+namespace edgewise {
+namespace {
+
+template <class Type>
+class RingQuestions : public ::testing::Test {};
+TYPED_TEST_SUITE(RingQuestions, TableTypes);
+
+/// The lowest value below zero, of whom, and whether others are just as low.
+template <class Edge>
+struct Lowest {
+    std::optional<Edge> edge;
+    Compute value = 0, largest = 0;
+    bool tie = false;
+
+    void see(Edge e, Compute candidate) {
+        largest = std::max(largest, std::abs(candidate));
+        tie = candidate < value ? false : tie || (edge && candidate == value);
+        if (!(candidate < value)) return;
+        value = candidate;
+        edge = e;
+    }
+};
+
+struct Seen {
+    int answers = 0, none = 0, ties = 0;
+
+    template <class Edge>
+    void count(const Lowest<Edge>& lowest) {
+        ++answers;
+        none += !lowest.edge;
+        ties += lowest.tie;
+    }
+};
+
+template <class T>
+void ask_about_point(const T& table, typename T::Vertex v, typename T::Face f, const Vec3<Compute>& p,
+                     Seen& seen) {
+    Lowest<typename T::Edge> around, about;
+    for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
+        around.see(edge, table.vertex_edge_plane(edge, flipped ? End::head : End::tail).distance(p));
+    }
+    for (const auto [edge, flipped] : table.ring_of_face(f)) {
+        about.see(edge, table.edge_face_plane(edge, flipped ? Side::right : Side::left).distance(p));
+    }
+    EXPECT_EQ(most_violated_vertex_plane(table, v, p), around.edge);
+    EXPECT_EQ(most_violated_face_side(table, f, p), about.edge);
+    seen.count(around);
+    seen.count(about);
+}
+
+template <class T>
+void ask_about_slope(const T& table, typename T::Vertex v, const Vec3<Compute>& normal, Seen& seen) {
+    Lowest<typename T::Edge> falling;
+    for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
+        const Compute along = dot(Vec3<Compute>(table.direction(edge)), normal);
+        falling.see(edge, flipped ? -along : along);
+    }
+    const auto found = steepest_descent(table, v, normal);
+    EXPECT_EQ(found.edge, falling.edge);
+    EXPECT_EQ(found.slope, falling.value);
+    EXPECT_EQ(found.steepest, falling.largest);
+    seen.count(falling);
+}
+
+template <class Range>
+auto any_of(const Range& range, std::size_t count, Rng& rng) {
+    auto at = range.begin();
+    for (std::uint64_t n = rng.below(count); n > 0; --n) ++at;
+    return *at;
+}
+
+TYPED_TEST(RingQuestions, AgreeWithSinglePlanesAndBreakTiesAlike) {
+    if constexpr (has_features) {
+        using T = typename TypeParam::Table;
+        Rng rng(1);
+        for (const auto& [name, body] : test_bodies()) {
+            SCOPED_TRACE(name);
+            const T table(body, Parts::features);
+            Seen seen;
+            for (int i = 0; i < 3000; ++i) {
+                const auto v = any_of(table.all_vertices(), body.vertex_count(), rng);
+                const auto f = any_of(table.all_faces(), body.face_count(), rng);
+                const Vec3d lattice = rng.in_cube(2.5).array().round();
+                const Vec3d above = body.vertices[table.index_of(v)] * rng.uniform(0, 1.5);
+                const Vec3d p = i % 2 ? lattice : Vec3d(above + rng.uniform() * rng.in_cube(0.5));
+                ask_about_point(table, v, f, Vec3<Compute>(p.cast<Compute>()), seen);
+                const Vec3d normal = i % 2 ? lattice : rng.on_sphere();
+                ask_about_slope(table, v, Vec3<Compute>(normal.cast<Compute>()), seen);
+            }
+            std::printf("%s %s: %d answers, %d none, %d ties\n", TypeParam::name, name.c_str(), seen.answers,
+                        seen.none, seen.ties);
+            EXPECT_GT(seen.none, 100);
+            EXPECT_GT(seen.answers - seen.none, 1000);
+            if (name == "cube8") {
+                EXPECT_GT(seen.ties, 1000);
+            }
+        }
+    } else {
+        GTEST_SKIP() << "this layout has no features";
+    }
+}
+
+}  // namespace
+}  // namespace edgewise

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// The bodies that tables are tested on, as the table under test stores them: rounded to single, where it
+// does.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "table_under_test.hpp"
+
+namespace edgewise {
+
+using Table = TableUnderTest::Table;
+using Stored = Table::PrecisionType::Stored;
+using Compute = ComputeOf<Table>;
+using TableTypes = ::testing::Types<TableUnderTest>;
+
+inline constexpr bool has_features = FeatureTable<Table>;
+inline constexpr double stored_eps = std::numeric_limits<Stored>::epsilon();
+inline constexpr double compute_eps = std::numeric_limits<Compute>::epsilon();
+
+struct NamedBody {
+    std::string name;
+    Polyhedron body;
+};
+
+/// What a table holds when it is given this body.
+[[nodiscard]] inline Polyhedron as_stored(const Polyhedron& body) {
+    if constexpr (std::is_same_v<Stored, float>) {
+        auto rounded = round_to_single(body);
+        EXPECT_TRUE(rounded) << rounded.error;
+        return *rounded;
+    } else {
+        return body;
+    }
+}
+
+[[nodiscard]] inline Polyhedron shape(const std::string& name) {
+    const auto body = make_shape(name);
+    EXPECT_TRUE(body) << body.error;
+    return as_stored(*body);
+}
+
+/// A lopsided hull far off its own origin: no symmetry, faces of every size.
+[[nodiscard]] inline Polyhedron random_hull(std::uint64_t seed) {
+    Rng rng(seed);
+    std::vector<Vec3d> points;
+    for (int i = 0; i < 60; ++i)
+        points.push_back(rng.in_ball().cwiseProduct(Vec3d(1, 0.6, 0.3)) + Vec3d(2, -1, 0.5));
+    const auto hull = convex_hull(points);
+    EXPECT_TRUE(hull) << hull.error;
+    return as_stored(*hull);
+}
+
+[[nodiscard]] inline const std::vector<NamedBody>& test_bodies() {
+    static const std::vector<NamedBody> bodies = {{"tetra4", shape("tetra4")},
+                                                  {"cube8", shape("cube8")},
+                                                  {"sphere38", shape("sphere38")},
+                                                  {"sphere386", shape("sphere386")},
+                                                  {"random hull", random_hull(5)}};
+    return bodies;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+//
+// Vertices, neighbours, edges and rings of a table beside the canonical body. Handles are the table's own, so
+// edges are compared as half-edges: from where to where, with which face on the left. Order counts
+// everywhere: ties go to the first, so two layouts that list in different orders would give different
+// answers.
+#include <gtest/gtest.h>
+
+#include "stored_bodies.hpp"
+
+namespace edgewise {
+namespace {
+
+template <class Range>
+std::size_t length(const Range& range) {
+    std::size_t count = 0;
+    for (const auto item : range) {
+        static_cast<void>(item);
+        ++count;
+    }
+    return count;
+}
+
+/// Handle of the n-th item.
+template <class Range>
+auto item_at(const Range& range, std::size_t n) {
+    auto at = range.begin();
+    for (; n > 0; --n) ++at;
+    return *at;
+}
+
+template <class Type>
+class Topology : public ::testing::Test {};
+TYPED_TEST_SUITE(Topology, TableTypes);
+
+void expect_same_support(const Table& table, const Polyhedron& body) {
+    ASSERT_EQ(table.vertex_count(), body.vertex_count());
+    EXPECT_EQ(table.index_of(table.first_vertex()), 0U);
+    Index index = 0;
+    for (const auto v : table.all_vertices()) {
+        ASSERT_LT(index, body.vertex_count());
+        ASSERT_EQ(table.index_of(v), index);
+        EXPECT_EQ(Vec3d(table.vertex(v).template cast<double>()), body.vertices[index]) << "vertex " << index;
+        std::vector<Index> around, expected;
+        for (const auto neighbour : table.neighbours(v)) around.push_back(table.index_of(neighbour));
+        for (const HalfEdge h : body.ring_of_vertex(index)) expected.push_back(body.head(h));
+        EXPECT_EQ(around, expected) << "neighbours of vertex " << index;
+        ++index;
+    }
+    EXPECT_EQ(index, body.vertex_count());
+}
+
+TYPED_TEST(Topology, VerticesAreExactAndNeighboursInOrder) {
+    for (const auto& [name, body] : test_bodies()) {
+        SCOPED_TRACE(name);
+        expect_same_support(Table(body, Parts::support), body);
+        expect_same_support(Table(body, Parts::features), body);
+    }
+}
+
+/// The edge is half-edge h of the body, run backwards if `flipped`.
+template <class T>
+void expect_half_edge(const T& table, typename T::Edge e, bool flipped, const Polyhedron& body, HalfEdge h) {
+    EXPECT_EQ(table.index_of(flipped ? table.head(e) : table.tail(e)), body.tail(h));
+    EXPECT_EQ(table.index_of(flipped ? table.tail(e) : table.head(e)), body.head(h));
+    const auto left = flipped ? table.right(e) : table.left(e);
+    const auto right = flipped ? table.left(e) : table.right(e);
+    EXPECT_EQ(left, item_at(table.all_faces(), body.face(h)));
+    EXPECT_EQ(right, item_at(table.all_faces(), body.face(h ^ 1)));
+}
+
+template <class T>
+void expect_same_rings(const T& table, const Polyhedron& body) {
+    for (const auto v : table.all_vertices()) {
+        const auto expected = body.ring_of_vertex(table.index_of(v));
+        std::size_t at = 0;
+        for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
+            ASSERT_LT(at, expected.size());
+            expect_half_edge(table, edge, flipped, body, expected[at++]);
+        }
+        EXPECT_EQ(at, expected.size());
+    }
+    Index face = 0;
+    for (const auto f : table.all_faces()) {
+        ASSERT_LT(face, body.face_count());
+        const auto expected = body.ring_of_face(face++);
+        std::size_t at = 0;
+        for (const auto [edge, flipped] : table.ring_of_face(f)) {
+            ASSERT_LT(at, expected.size());
+            expect_half_edge(table, edge, flipped, body, expected[at++]);
+            EXPECT_EQ(flipped ? table.right(edge) : table.left(edge), f);
+        }
+        EXPECT_EQ(at, expected.size());
+    }
+    EXPECT_EQ(face, body.face_count());
+}
+
+TYPED_TEST(Topology, RingsRunAsInTheBody) {
+    if constexpr (has_features) {
+        using T = typename TypeParam::Table;
+        for (const auto& [name, body] : test_bodies()) {
+            SCOPED_TRACE(name);
+            expect_same_rings(T(body, Parts::features), body);
+        }
+    } else {
+        GTEST_SKIP() << "this layout has no features";
+    }
+}
+
+/// One edge, one handle: V-Clip tells features apart by their handles.
+TYPED_TEST(Topology, BothFacesAndBothEndsNameAnEdgeAlike) {
+    if constexpr (has_features) {
+        using T = typename TypeParam::Table;
+        for (const auto& [name, body] : test_bodies()) {
+            SCOPED_TRACE(name);
+            const T table(body, Parts::features);
+            for (const auto v : table.all_vertices()) {
+                for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
+                    const auto other = flipped ? table.tail(edge) : table.head(edge);
+                    std::size_t met = 0;
+                    for (const auto r : table.ring_of_vertex(other))
+                        met += r.edge == edge && r.flipped != flipped;
+                    for (const auto r : table.ring_of_face(table.left(edge)))
+                        met += r.edge == edge && !r.flipped;
+                    for (const auto r : table.ring_of_face(table.right(edge)))
+                        met += r.edge == edge && r.flipped;
+                    EXPECT_EQ(met, 3U);
+                }
+            }
+            EXPECT_EQ(length(table.all_faces()), body.face_count());
+        }
+    } else {
+        GTEST_SKIP() << "this layout has no features";
+    }
+}
+
+}  // namespace
+}  // namespace edgewise

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+//
+// Random pairs, every answer beside the exact one: cold, and warm from wherever the last query ended.
+//
+// What must hold. No verdict is wrong outside the band where rounding decides; distances and witness points
+// are right to tolerance.hpp's verified errors; witness points are in their bodies; every regime and every
+// state of V-Clip was visited; and V-Clip itself answers: on generic poses its fallback is never needed in
+// double, and where anything is stored in single at most once in a thousand of those clear of contact. On
+// parallel poses it may be needed; those are counted apart.
+//
+// One known weakness is allowed for: see parallel_reach.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bitset>
+#include <cstdio>
+#include <string>
+
+#include "judged.hpp"
+#include "query_poses.hpp"
+#include "stored_bodies.hpp"
+
+namespace edgewise {
+namespace {
+
+constexpr int pairs_a_shape = 4000;
+constexpr bool stored_in_double = stored_eps <= Tolerance<double>::eps;
+
+/// The states that V-Clip was in: three kinds by three; face-face never is.
+struct States {
+    std::bitset<9> visited;
+    void visit(FeatureKind a, FeatureKind b) {
+        visited.set(3 * static_cast<std::size_t>(a) + static_cast<std::size_t>(b));
+    }
+    [[nodiscard]] static std::bitset<9> all() { return std::bitset<9>(0b011111111); }
+};
+
+/// What may be expected of an answer.
+enum class Class {
+    plain,     ///< everything
+    parallel,  ///< the right distance to within a tilt that rounding hides
+};
+constexpr std::size_t classes = 2;
+
+template <class Algorithm>
+constexpr bool is_vclip = std::is_same_v<Algorithm, VClip>;
+
+/// Two edges (or an edge and a face) that are parallel but for a little tilt have a direction of shortest
+/// distance that is only known to eps x size / gap, times 64 for V-Clip's dead bands; either algorithm may
+/// then stop at the wrong end of an edge, and be off by that. Up to this gap (in sizes) it is more than the
+/// verified error.
+constexpr double parallel_reach =
+    64 * compute_eps / (compute_eps > Tolerance<double>::eps ? verified_error_single : verified_error_double);
+
+Class classify(const CheckedPair& checked) {
+    const bool close = !checked.separated() || checked.exact.distance < parallel_reach * checked.size;
+    return close && checked.pair.relation != Relation::generic ? Class::parallel : Class::plain;
+}
+
+/// Witness points come from a simplex's weights, which are worse than its distance where a triangle is seen
+/// nearly edge-on: in single precision by this much.
+constexpr double witness_allowed =
+    compute_eps > Tolerance<double>::eps ? 4 * verified_error_single : verified_error_double;
+
+constexpr double error_allowed(Class answer) {
+    const bool single = compute_eps > Tolerance<double>::eps;
+    if (answer == Class::parallel) return single ? 1e-3 : 2e-6;
+    return single ? verified_error_single : verified_error_double;
+}
+
+struct Tally {
+    std::array<double, classes> error{};  ///< of distance and place
+    std::array<int, classes> worst{};     ///< the pair that has it
+    std::array<int, classes> wrong{};     ///< verdicts
+    double witness = 0;
+    std::array<int, 4> asked{}, fallbacks{};
+    int clear = 0, clear_fallbacks = 0;
+    long steps = 0;
+
+    void add(int number, const Distance& answer, const CheckedPair& checked, const Judged& judged) {
+        const auto kind = static_cast<std::size_t>(classify(checked));
+        const double both = std::max(judged.distance_error, judged.outside);
+        if (both > error[kind] || judged.verdict_wrong) worst[kind] = number;
+        error[kind] = std::max(error[kind], both);
+        witness = std::max(witness, judged.witness_error);
+        wrong[kind] += judged.verdict_wrong;
+        steps += answer.steps;
+        const auto relation = static_cast<std::size_t>(checked.pair.relation);
+        ++asked[relation];
+        fallbacks[relation] += answer.fallbacks;
+        const bool is_clear = checked.pair.relation == Relation::generic && checked.clear_of_contact();
+        clear += is_clear;
+        clear_fallbacks += is_clear ? answer.fallbacks : 0;
+    }
+};
+
+struct Setting {
+    std::string name;
+    Polyhedron a, b;
+    std::vector<CheckedPair> pairs;
+};
+
+/// A shape beside the same shape at three quarters of its size.
+Setting make_setting(const std::string& name) {
+    const auto body = make_shape(name);
+    EXPECT_TRUE(body) << body.error;
+    Setting setting{name, as_stored(*body), as_stored(scaled(*body, 0.75)), {}};
+    PairMaker maker(setting.a, setting.b, 1);
+    for (int i = 0; i < pairs_a_shape; ++i) {
+        setting.pairs.push_back(check_pair(setting.a, setting.b, maker.next(), compute_eps));
+    }
+    return setting;
+}
+
+const std::vector<Setting>& settings() {
+    static const std::vector<Setting> all = {make_setting("tetra4"), make_setting("cube8"),
+                                             make_setting("sphere38"), make_setting("sphere386")};
+    return all;
+}
+
+template <class Algorithm>
+Distance ask(const Table& a, const Table& b, const Transform<double>& pose,
+             typename Algorithm::template Pair<Table, Table>& pair, States& states) {
+    if constexpr (is_vclip<Algorithm>) {
+        return Algorithm::query(a, b, pose, pair, states);
+    } else {
+        static_cast<void>(states);
+        return Algorithm::query(a, b, pose, pair);
+    }
+}
+
+void expect_right(const Tally& tally, const std::string& name) {
+    for (const Class kind : {Class::plain, Class::parallel}) {
+        const auto at = static_cast<std::size_t>(kind);
+        EXPECT_LE(tally.error[at], error_allowed(kind)) << name << ", pair " << tally.worst[at];
+    }
+    EXPECT_EQ(tally.wrong[0], 0) << name << ", last pair " << tally.worst[0];
+    EXPECT_LE(tally.witness, witness_allowed) << name;
+    EXPECT_LE(tally.clear_fallbacks, stored_in_double ? 0 : tally.clear / 1000) << name;
+    if (stored_in_double) {
+        EXPECT_EQ(tally.fallbacks[0], 0) << name;
+    }
+    EXPECT_GT(tally.clear, pairs_a_shape / 4) << name;
+}
+
+void print(const Tally& tally, const std::string& name) {
+    std::printf(
+        "%s: error %.2g, close and parallel %.2g, witness %.2g; wrong %d, %d; %.2f steps; fallbacks %d/%d "
+        "clear,",
+        name.c_str(), tally.error[0], tally.error[1], tally.witness, tally.wrong[0], tally.wrong[1],
+        static_cast<double>(tally.steps) / pairs_a_shape, tally.clear_fallbacks, tally.clear);
+    for (std::size_t i = 0; i < 4; ++i) {
+        std::printf(" %d/%d %s%s", tally.fallbacks[i], tally.asked[i], relation_names[i], i < 3 ? "," : "\n");
+    }
+}
+
+/// The answers to all pairs of a setting, each judged; `ask_one(pose)` is the query.
+template <class Ask>
+void expect_right_answers(const Setting& setting, const std::string& name, Ask ask_one) {
+    Tally tally;
+    int number = 0;
+    for (const CheckedPair& checked : setting.pairs) {
+        const Distance answer = ask_one(checked.a_from_b);
+        tally.add(number++, answer, checked, judge_answer(answer, checked, setting.a, setting.b));
+    }
+    print(tally, name);
+    expect_right(tally, name);
+}
+
+template <class Algorithm>
+void compare(const Setting& setting) {
+    const Table a(setting.a, Algorithm::parts), b(setting.b, Algorithm::parts);
+    using Pair = typename Algorithm::template Pair<Table, Table>;
+    const std::string name =
+        std::string(TableUnderTest::name) + " " + std::string(Algorithm::name) + " " + setting.name;
+    States states;
+    expect_right_answers(setting, name + " cold", [&](const Transform<double>& pose) {
+        Pair cold(a, b);
+        return ask<Algorithm>(a, b, pose, cold, states);
+    });
+    Pair warm(a, b);
+    expect_right_answers(setting, name + " warm", [&](const Transform<double>& pose) {
+        return ask<Algorithm>(a, b, pose, warm, states);
+    });
+    if (is_vclip<Algorithm>) {
+        EXPECT_EQ(states.visited, States::all()) << setting.name;
+    }
+}
+
+template <class Type>
+class RandomPairs : public ::testing::Test {};
+TYPED_TEST_SUITE(RandomPairs, TableTypes);
+
+TYPED_TEST(RandomPairs, EveryRegimeIsVisited) {
+    for (const Setting& setting : settings()) {
+        int far = 0, near = 0, touching = 0, overlapping = 0, generic_near = 0;
+        for (const CheckedPair& checked : setting.pairs) {
+            const bool close = checked.separated() && checked.exact.distance < 1e-3 * checked.size;
+            far += checked.separated() && !close;
+            near += close;
+            touching += checked.exact.verdict == ExactVerdict::touching;
+            overlapping += checked.exact.verdict == ExactVerdict::overlapping;
+            generic_near += close && checked.pair.relation == Relation::generic;
+        }
+        std::printf("%s: %d apart, %d near, %d touching, %d overlapping\n", setting.name.c_str(), far, near,
+                    touching, overlapping);
+        EXPECT_GT(far, pairs_a_shape / 10) << setting.name;
+        EXPECT_GT(near, pairs_a_shape / 4) << setting.name;
+        EXPECT_GT(overlapping, pairs_a_shape / 5) << setting.name;
+        EXPECT_GT(generic_near, pairs_a_shape / 8) << setting.name;
+        if (setting.name == "cube8") {
+            EXPECT_GT(touching, 20);
+        }
+    }
+}
+
+TYPED_TEST(RandomPairs, AnswersAreRightFromAnyStart) {
+    for (const Setting& setting : settings()) {
+        for_each_algorithm<Table>([&]<class Algorithm>(Algorithm) { compare<Algorithm>(setting); });
+    }
+}
+
+/// Asked again from where it ended, V-Clip sees at once that it is there, and says the same to the bit.
+TYPED_TEST(RandomPairs, VClipStaysWhereItEnded) {
+    if constexpr (has_features) {
+        int asked = 0;
+        for (const Setting& setting : settings()) {
+            using T = typename TypeParam::Table;
+            const T a(setting.a, Parts::features), b(setting.b, Parts::features);
+            for (const CheckedPair& checked : setting.pairs) {
+                FeaturePair<T, T> pair(a, b);
+                const Distance first = VClip::query(a, b, checked.a_from_b, pair);
+                if (first.status != Status::separated || first.fallbacks > 0) continue;
+                const Distance again = VClip::query(a, b, checked.a_from_b, pair);
+                ++asked;
+                EXPECT_EQ(again.steps, 1) << setting.name;
+                EXPECT_EQ(again.distance, first.distance) << setting.name;
+                EXPECT_EQ(again.point_a, first.point_a) << setting.name;
+                EXPECT_EQ(again.point_b, first.point_b) << setting.name;
+            }
+        }
+        EXPECT_GT(asked, pairs_a_shape);
+    } else {
+        GTEST_SKIP() << "V-Clip needs features";
+    }
+}
+
+}  // namespace
+}  // namespace edgewise

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+//
+// golden_answers FILE | --update FILE | --details
+//
+// One hash of all answers of each table type x algorithm to a fixed, seeded set of queries: every scene,
+// small and large bodies; status, distance, witness points, steps and fallbacks, bit by bit. And one hash of
+// the queries themselves for each scene. The same on every compiler and machine; a difference means that a
+// change moved some bits. If it was meant to, --update and commit the file with it.
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/sweep/cell.hpp"
+#include "edgewise/sweep/group.hpp"
+#include "edgewise/sweep/registry.hpp"
+
+namespace edgewise {
+namespace {
+
+constexpr const char* shapes[] = {"tetra4", "cube8", "sphere38", "sphere386"};
+
+/// What was hashed -> the hash, so far.
+using Prints = std::map<std::string, Fingerprint>;
+
+Plan golden_plan() {
+    Plan plan;
+    plan.seed = 20010168;
+    plan.queries = 2000;
+    return plan;
+}
+
+void add(Fingerprint& print, const Vec3d& v) { print.add(v.x()).add(v.y()).add(v.z()); }
+
+void add(Fingerprint& print, const Pose& pose) {
+    for (int row = 0; row < 3; ++row) add(print, Vec3d(pose.rotation.row(row)));
+    add(print, pose.translation);
+}
+
+void add(Fingerprint& print, const Workload& workload) {
+    for (const Polyhedron& body : workload.bodies) print.add(body);
+    for (const Query& query : workload.queries) {
+        print.add(std::uint64_t{query.body_a})
+            .add(std::uint64_t{query.body_b})
+            .add(std::uint64_t{query.pair});
+        add(print, query.pose_a);
+        add(print, query.pose_b);
+    }
+}
+
+void add(Fingerprint& print, const Distance& answer) {
+    print.add(static_cast<std::uint64_t>(answer.status)).add(answer.distance);
+    add(print, answer.point_a);
+    add(print, answer.point_b);
+    print.add(static_cast<std::uint64_t>(answer.steps));
+    print.add(static_cast<std::uint64_t>(answer.cycles)).add(static_cast<std::uint64_t>(answer.fallbacks));
+}
+
+/// Every table type and algorithm on one scene and shape.
+void add_answers(Prints& prints, const Workload& workload, const std::string& detail) {
+    for (const TableType& type : table_types()) {
+        for (const std::string& algorithm : type.algorithms) {
+            const auto runner = type.make_runner(algorithm);
+            const std::string error = runner->load(workload.bodies);
+            if (!error.empty()) throw std::runtime_error(type.name + ": " + error);
+            Fingerprint& print = prints[type.name + " " + algorithm + detail];
+            for (const Distance& answer : runner->answer(workload)) add(print, answer);
+        }
+    }
+}
+
+Prints all_prints(bool details) {
+    Prints prints;
+    for (const SceneInfo& scene : list_scenes()) {
+        for (const char* shape : shapes) {
+            auto body = make_shape(shape);
+            if (!body) throw std::runtime_error(body.error);
+            const Group group(golden_plan(), {scene.name, {}}, {shape, "built-in", std::move(*body), ""});
+            const std::string detail = details ? fmt::format(" {} {}", scene.name, shape) : "";
+            add(prints["queries " + scene.name + (details ? fmt::format(" {}", shape) : "")],
+                group.workload());
+            add_answers(prints, group.workload(), detail);
+        }
+    }
+    return prints;
+}
+
+using Lines = std::map<std::string, std::string>;  // what -> hash
+
+Lines lines_of(const Prints& prints) {
+    Lines lines;
+    for (const auto& [what, print] : prints) lines[what] = print.hex();
+    return lines;
+}
+
+Lines read_lines(const std::string& file) {
+    std::ifstream stream(file);
+    if (!stream) throw std::runtime_error(file + ": cannot be read");
+    Lines lines;
+    for (std::string line; std::getline(stream, line);) {
+        const std::size_t space = line.rfind(' ');
+        if (space != std::string::npos) lines[line.substr(0, space)] = line.substr(space + 1);
+    }
+    return lines;
+}
+
+void write(std::FILE* to, const Lines& lines) {
+    for (const auto& [what, hash] : lines) fmt::print(to, "{} {}\n", what, hash);
+}
+
+/// How many lines differ, are missing or are too many; each is named.
+int differences(const Lines& found, const Lines& expected) {
+    int count = 0;
+    for (const auto& [what, hash] : found) {
+        const auto place = expected.find(what);
+        if (place != expected.end() && place->second == hash) continue;
+        ++count;
+        fmt::print(stderr, "{}: {} here, {} in the file\n", what, hash,
+                   place == expected.end() ? "missing" : place->second);
+    }
+    for (const auto& [what, hash] : expected) {
+        if (found.count(what)) continue;
+        ++count;
+        fmt::print(stderr, "{}: in the file, but not in this program\n", what);
+    }
+    return count;
+}
+
+int run(const std::vector<std::string>& arguments) {
+    const bool update = arguments.size() == 2 && arguments[0] == "--update";
+    const bool details = arguments.size() == 1 && arguments[0] == "--details";
+    if (arguments.size() != 1 && !update) {
+        fmt::print(stderr, "usage: golden_answers FILE | --update FILE | --details\n");
+        return 2;
+    }
+    const Lines found = lines_of(all_prints(details));
+    if (details) {
+        write(stdout, found);
+        return 0;
+    }
+    if (update) {
+        std::FILE* const file = std::fopen(arguments[1].c_str(), "w");
+        if (!file) throw std::runtime_error(arguments[1] + ": cannot be written");
+        write(file, found);
+        return std::fclose(file);
+    }
+    const int count = differences(found, read_lines(arguments[0]));
+    fmt::print("{} of {} hashes differ\n", count, found.size());
+    if (count > 0) fmt::print(stderr, "if this was meant: golden_answers --update {}\n", arguments[0]);
+    return count > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace edgewise
+
+int main(int count, char** values) {
+    try {
+        return edgewise::run({values + 1, values + count});
+    } catch (const std::exception& problem) {
+        fmt::print(stderr, "golden_answers: {}\n", problem.what());
+        return 2;
+    }
+}

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+# check_format.cmake with TOOL and ROOT: every C++ file is as clang-format writes it.
+foreach(room src layouts probes reports tests)
+    file(GLOB_RECURSE found ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp)
+    list(APPEND files ${found})
+endforeach()
+list(LENGTH files count)
+if(count LESS 100)
+    message(FATAL_ERROR "only ${count} files found below ${ROOT}")
+endif()
+execute_process(COMMAND ${TOOL} --style=file --dry-run -Werror ${files} RESULT_VARIABLE result ERROR_VARIABLE errors)
+if(NOT result EQUAL 0)
+    string(REGEX MATCHALL "[^\n]*error: code should be clang-formatted[^\n]*" lines "${errors}")
+    list(JOIN lines "\n" lines)
+    message(FATAL_ERROR "run clang-format -i over these:\n${lines}")
+endif()
+message("${count} files are formatted")

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+//
+// The checks themselves: each catches what was planted for it, and lets pass what it should.
+#include <gtest/gtest.h>
+
+#include "dependency_rule.hpp"
+#include "file_rules.hpp"
+#include "function_spans.hpp"
+
+namespace edgewise::house {
+namespace {
+
+std::string including(const std::string& name) { return "// a\n#include \"" + name + "\"\n"; }
+
+std::string verdict_on(const std::string& path, const std::string& include) {
+    return to_text(forbidden_includes({source_file(path, including(include))}));
+}
+
+TEST(DependencyRule, CatchesPlantedViolations) {
+    EXPECT_EQ(verdict_on("src/geometry/vec.hpp", "edgewise/table/ring.hpp"),
+              "src/geometry/vec.hpp:2: geometry may not include table (edgewise/table/ring.hpp)\n");
+    EXPECT_NE(verdict_on("src/algorithms/vclip/x.hpp", "edgewise/truth/dyadic.hpp"), "");
+    EXPECT_NE(verdict_on("src/algorithms/gjk.hpp", "edgewise/layouts/aos.hpp"), "");
+    EXPECT_NE(verdict_on("src/cli/main.cpp", "edgewise/probes/time.hpp"), "");
+    EXPECT_NE(verdict_on("layouts/aos.hpp", "edgewise/algorithms/gjk.hpp"), "");
+    EXPECT_NE(verdict_on("probes/time.hpp", "edgewise/algorithms/gjk.hpp"), "");
+    EXPECT_NE(verdict_on("reports/page.cpp", "edgewise/sweep/store.hpp"), "");
+    EXPECT_NE(verdict_on("src/measure/cpu.hpp", "edgewise/geometry/vec.hpp"), "");
+    EXPECT_NE(verdict_on("src/table/ring.hpp", "ring_edge.hpp"), "");
+    EXPECT_NE(verdict_on("src/table/ring.hpp", "edgewise/kitchen/sink.hpp"), "");
+    EXPECT_NE(verdict_on("src/kitchen/sink.hpp", "edgewise/geometry/vec.hpp"), "");
+}
+
+TEST(DependencyRule, LetsPassWhatIsAllowed) {
+    EXPECT_EQ(verdict_on("src/sweep/run.cpp", "edgewise/geometry/vec.hpp"), "");
+    EXPECT_EQ(verdict_on("src/cli/main.cpp", "edgewise/measure/cpu.hpp"), "");
+    EXPECT_EQ(verdict_on("probes/error.hpp", "edgewise/geometry/vec.hpp"), "");
+    EXPECT_EQ(verdict_on("reports/reader.cpp", "edgewise/sweep/schema.hpp"), "");
+    EXPECT_EQ(verdict_on("src/algorithms/vclip/x.hpp", "edgewise/algorithms/vclip/y.hpp"), "");
+    EXPECT_EQ(verdict_on("tests/unit/x_test.cpp", "geometry_bodies.hpp"), "");
+}
+
+TEST(IncludeCycles, AreFoundThroughSeveralFiles) {
+    const std::vector<SourceFile> files = {
+        source_file("src/table/a.hpp", including("edgewise/table/b.hpp")),
+        source_file("src/table/b.hpp", including("edgewise/table/c.hpp")),
+        source_file("src/table/c.hpp", including("edgewise/table/a.hpp")),
+        source_file("src/table/d.hpp", including("edgewise/table/a.hpp")),
+    };
+    EXPECT_EQ(to_text(include_cycles(files)),
+              "src/table/c.hpp:2: includes itself through edgewise/table/a.hpp\n");
+}
+
+TEST(FunctionSpans, GoFromTheNameToTheBrace) {
+    const SourceFile file = source_file("x.cpp", R"code(
+namespace a {
+/// What it does {
+int one(int x) {
+    const auto inner = [](int y) {
+        return y;
+    };
+    return inner(x) + '}' + 1'000;
+}
+struct Two {
+  public:
+    Two(int a)
+        : a_{a}, b_(a) {
+        if (a) {
+            b_ = a;
+        }
+    }
+    int a_ = {}, b_;
+};
+const std::vector<int> three = {
+    f(1),
+};
+const char* four = R"(} {)";
+template <class T>
+concept Five = requires(T t) {
+    t.x();
+};
+}  // namespace a
+)code");
+    const auto spans = function_spans(file.lines);
+    ASSERT_EQ(spans.size(), 2u);
+    EXPECT_EQ(spans[0].first, 4u);
+    EXPECT_EQ(spans[0].last, 9u);
+    EXPECT_EQ(spans[1].first, 12u);
+    EXPECT_EQ(spans[1].last, 17u);
+}
+
+TEST(LongFunctions, AreCountedToTheLine) {
+    const auto function_of = [](std::size_t lines) {
+        std::string text = "int f() {\n";
+        for (std::size_t i = 2; i < lines; ++i) text += "    g();\n";
+        return source_file("src/x.cpp", text + "}\n");
+    };
+    EXPECT_TRUE(long_functions({function_of(longest_function)}).empty());
+    EXPECT_EQ(to_text(long_functions({function_of(longest_function + 1)})),
+              "src/x.cpp:1: a function of 41 lines\n");
+}
+
+TEST(FileRules, CatchPlantedViolations) {
+    EXPECT_EQ(missing_licences({source_file("src/x.hpp", "#pragma once\n")}).size(), 1u);
+    EXPECT_EQ(missing_licences({source_file("tests/go", "#!/bin/sh\n")}).size(), 1u);
+    EXPECT_EQ(missing_licences({source_file("README.md", "# x\n")}).size(), 0u);
+    EXPECT_EQ(long_files({source_file("src/x.hpp", std::string(longest_file + 1, '\n'))}).size(), 1u);
+    EXPECT_EQ(long_files({source_file("src/x.hpp", std::string(longest_file, '\n'))}).size(), 0u);
+    EXPECT_EQ(foreign_matter({source_file("a.sh",
+                                          "cd /ho"
+                                          "me/me\n")})
+                  .size(),
+              1u);
+    EXPECT_EQ(foreign_matter({source_file("a.sh",
+                                          "curl regis"
+                                          "try.npm\n")})
+                  .size(),
+              1u);
+    EXPECT_EQ(foreign_matter({source_file("vega.min.js", "")}).size(), 1u);
+    EXPECT_EQ(foreign_matter({source_file("src/x.hpp",
+                                          "// Copy"
+                                          "right (c) 1999 Somebody\n")})
+                  .size(),
+              1u);
+    EXPECT_EQ(foreign_matter({source_file("src/x.hpp", "// fine\n")}).size(), 0u);
+}
+
+}  // namespace
+}  // namespace edgewise::house

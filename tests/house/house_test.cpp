@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// The rules of the house, over the real files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include "dependency_rule.hpp"
+#include "file_rules.hpp"
+#include "function_spans.hpp"
+#include "house_paths.hpp"
+
+namespace edgewise::house {
+namespace {
+
+const std::vector<SourceFile>& tree() {
+    static const std::vector<SourceFile> files = read_tree(project_root);
+    return files;
+}
+
+/// A check over nothing passes: every other test leans on this one.
+TEST(Tree, IsTheProject) {
+    const auto has = [](const char* path) {
+        return std::any_of(tree().begin(), tree().end(), [&](const SourceFile& f) { return f.path == path; });
+    };
+    for (const char* path : {"CMakeLists.txt", "src/table/contract.hpp", "src/cli/main.cpp",
+                             "layouts/CMakeLists.txt", "tests/run", "layouts/sweep", ".ci/run"}) {
+        EXPECT_TRUE(has(path)) << path;
+    }
+    EXPECT_GT(std::count_if(tree().begin(), tree().end(), is_cpp), 100);
+    std::size_t functions = 0;
+    for (const SourceFile& file : tree()) functions += is_cpp(file) ? function_spans(file.lines).size() : 0;
+    EXPECT_GT(functions, 500);
+}
+
+TEST(Dependencies, FollowTheRule) { EXPECT_EQ(to_text(forbidden_includes(tree())), ""); }
+
+TEST(Dependencies, HaveNoCycles) { EXPECT_EQ(to_text(include_cycles(tree())), ""); }
+
+TEST(Files, BearTheLicence) { EXPECT_EQ(to_text(missing_licences(tree())), ""); }
+
+TEST(Files, AreShort) { EXPECT_EQ(to_text(long_files(tree())), ""); }
+
+TEST(Functions, AreShort) { EXPECT_EQ(to_text(long_functions(tree())), ""); }
+
+TEST(Files, HoldNothingForeign) { EXPECT_EQ(to_text(foreign_matter(tree())), ""); }
+
+/// The other half of the manifests' promise: a file and a line. A file without its line would be dead.
+TEST(Manifests, NameEveryFile) {
+    for (const char* room : {"layouts", "probes"}) {
+        std::set<std::string> named, there;
+        const std::regex entry(R"(^edgewise_(layout|probe)\((\w+).*)");
+        for (const SourceFile& file : tree()) {
+            const std::filesystem::path path = file.path;
+            if (path.parent_path() != room) continue;
+            if (path.extension() == ".hpp") there.insert(path.stem().string());
+            if (path.filename() != "CMakeLists.txt") continue;
+            std::smatch match;
+            for (const std::string& line : file.lines) {
+                if (std::regex_match(line, match, entry)) named.insert(match[2]);
+            }
+        }
+        EXPECT_FALSE(there.empty()) << room;
+        EXPECT_EQ(named, there) << room;
+    }
+}
+
+}  // namespace
+}  // namespace edgewise::house

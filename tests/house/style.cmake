@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+# clang-format and clang-tidy, both of version 14: another version formats otherwise and knows other checks.
+function(find_clang_tool TOOL RESULT)
+    find_program(${RESULT} NAMES ${TOOL}-14 ${TOOL})
+    if(${RESULT})
+        execute_process(COMMAND ${${RESULT}} --version OUTPUT_VARIABLE version ERROR_QUIET)
+        if(version MATCHES "version 14\\.")
+            return()
+        endif()
+    endif()
+    message(STATUS "house: ${TOOL} 14 not found, so no test runs it (Debian: ${TOOL}-14)")
+    set(${RESULT} "" PARENT_SCOPE)
+endfunction()
+
+find_clang_tool(clang-format HOUSE_CLANG_FORMAT)
+if(HOUSE_CLANG_FORMAT)
+    add_test(NAME house.format COMMAND ${CMAKE_COMMAND} -D TOOL=${HOUSE_CLANG_FORMAT} -D ROOT=${PROJECT_SOURCE_DIR}
+        -P ${CMAKE_CURRENT_SOURCE_DIR}/check_format.cmake)
+    set_tests_properties(house.format PROPERTIES TIMEOUT 120)
+endif()
+
+# A few units that between them include most of the project; the whole of it takes many minutes.
+find_clang_tool(clang-tidy HOUSE_CLANG_TIDY)
+if(HOUSE_CLANG_TIDY)
+    set(units ${PROJECT_SOURCE_DIR}/src/geometry/hull.cpp ${PROJECT_SOURCE_DIR}/src/truth/exact_distance.cpp
+        ${PROJECT_SOURCE_DIR}/src/sweep/run.cpp ${PROJECT_SOURCE_DIR}/reports/page.cpp)
+    get_property(table_types GLOBAL PROPERTY EDGEWISE_TABLE_TYPES)
+    list(GET table_types 0 first)
+    list(APPEND units ${PROJECT_BINARY_DIR}/registry/${first}.cpp)
+    get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+    add_test(NAME house.tidy COMMAND ${HOUSE_CLANG_TIDY} --quiet --config-file=${PROJECT_SOURCE_DIR}/.clang-tidy ${units}
+        -- -std=c++20 -I${EDGEWISE_INCLUDE} -isystem ${eigen})
+    set_tests_properties(house.tidy PROPERTIES TIMEOUT 600)
+endif()

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+//
+// A certificate must hold the exact distance whatever the answer claims: good, slightly wrong, or garbage; on
+// random and hard families, for the stored and for the given bodies.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+
+#include "certificate_claims.hpp"
+
+namespace edgewise {
+namespace {
+
+using namespace certificate_claims;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+const Points unit_box = box({0, 0, 0}, {1, 1, 1});
+
+// ---- families
+// ----------------------------------------------------------------------------------------------
+
+struct Family {
+    const char* name;
+    std::function<Pair(RandomBodies&)> make;
+    int overlapping = 0;  ///< at least so many of 400
+};
+
+/// Two boxes face to face, one tilted by as little as a rounding step.
+Pair nearly_parallel(RandomBodies& random) {
+    Pair pair{unit_box, unit_box, {random.rotation(), random.unit()}, {}};
+    const double tilt = log_uniform(random, -53, -4);
+    Mat3d turn;
+    turn << 1, -tilt, 0, tilt, 1, tilt, 0, -tilt, 1;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3d column = turn.col(i);
+        pair.pose_b.rotation.col(i) = multiply(pair.pose_a.rotation, column);
+    }
+    const double gap = log_uniform(random, -50, -1);
+    const Vec3d shift(1 + gap, 0.5 * random.number(), 0.5 * random.number());
+    pair.pose_b.translation = pair.pose_a.translation + multiply(pair.pose_a.rotation, shift);
+    return pair;
+}
+
+Pair on_a_lattice(RandomBodies& random) {
+    const auto step = [&] { return 0.5 * static_cast<double>(random.bits()() % 6) - 1; };
+    const double x = step(), y = step(), z = step();
+    return {unit_box, unit_box, {}, moved({x, y, z})};
+}
+
+Pair far_off(RandomBodies& random) {
+    Pair pair = grazing(random);
+    const Vec3d shift = log_uniform(random, 10, 40) * random.unit();
+    if (random.number() < 0) {
+        pair.pose_a.translation += shift;
+        pair.pose_b.translation += shift;
+        return pair;
+    }
+    for (Vec3d& v : pair.a) v += shift;
+    pair.pose_a.translation -= multiply(pair.pose_a.rotation, shift);
+    return pair;
+}
+
+Pair unequal(RandomBodies& random) {
+    Pair pair = round_pair(random, 1);
+    const double size = log_uniform(random, -27, 27);
+    for (Vec3d& v : pair.a) v *= size;
+    pair.pose_b.translation = pair.pose_a.translation + (1 + size) * 1.1 * random.unit();
+    return pair;
+}
+
+Pair skewed(RandomBodies& random) {
+    Pair pair = grazing(random);
+    for (Pose* pose : {&pair.pose_a, &pair.pose_b}) {
+        for (double& entry : pose->rotation.reshaped()) entry += 1e-7 * random.number();
+    }
+    return pair;
+}
+
+Pair needles(RandomBodies& random) {
+    Pair pair = round_pair(random, 1);
+    const double thin = log_uniform(random, -30, -3);
+    for (Points* points : {&pair.a, &pair.b}) {
+        for (Vec3d& v : *points) v = {v.x(), thin * v.y(), thin * v.z()};
+    }
+    return pair;
+}
+
+Pair scaled(RandomBodies& random, double factor) {
+    Pair pair = grazing(random);
+    for (Points* points : {&pair.a, &pair.b}) {
+        for (Vec3d& v : *points) v *= factor;
+    }
+    pair.pose_a.translation *= factor;
+    pair.pose_b.translation *= factor;
+    return pair;
+}
+
+std::vector<Family> families() {
+    return {{"random", [](RandomBodies& r) { return round_pair(r, 1.5 * (1 + r.number())); }, 100},
+            {"grazing", grazing, 50},
+            {"nearly parallel", nearly_parallel, 0},
+            {"lattice", on_a_lattice, 30},
+            {"far off", far_off, 20},
+            {"unequal", unequal, 0},
+            {"skewed", skewed, 30},
+            {"needles", needles, 0},
+            {"denormal", [](RandomBodies& r) { return scaled(r, 0x1p-1050); }, 50},
+            {"huge", [](RandomBodies& r) { return scaled(r, 0x1p+1000); }, 50}};
+}
+
+/// Nearly right: weights and direction off by up to a thousandth.
+Claim shaken(RandomBodies& random, Claim claim) {
+    const double step = log_uniform(random, -50, -10);
+    for (double& w : claim.weights) w *= 1 + step * random.number();
+    claim.direction += step * random.unit();
+    return claim;
+}
+
+Claim garbage(RandomBodies& random) {
+    constexpr double odd[] = {nan, infinity, -infinity, 0, -1, 1e308, 5e-324, -5e-324, 1, 1e-17};
+    const auto number = [&] { return random.number() < 0 ? random.number() : odd[random.bits()() % 10]; };
+    Claim claim;
+    const auto count = random.bits()() % 6;
+    for (std::size_t i = 0; i < count; ++i) {
+        claim.on_a.push_back(static_cast<std::uint32_t>(random.bits()() % 42));
+        claim.on_b.push_back(static_cast<std::uint32_t>(random.bits()() % 42));
+        claim.weights.push_back(number());
+    }
+    const double x = number(), y = number(), z = number();
+    claim.direction = {x, y, z};
+    return claim;
+}
+
+/// Like that of the accuracy band, but without squares, which huge and tiny numbers do not survive.
+double scale_of(const Pair& pair) {
+    double scale = max_abs(Vec3d(pair.pose_b.translation - pair.pose_a.translation));
+    for (const Points* points : {&pair.a, &pair.b}) {
+        for (const Vec3d& v : *points) scale = std::max(scale, max_abs(v));
+    }
+    return scale;
+}
+
+struct Widths {
+    double good = 0, features = 0, shaken = 0;
+    int overlapping = 0, proved = 0, useful_garbage = 0;
+
+    void add(RandomBodies& random, const Pair& pair) {
+        const Truth truth = truth_of(pair);
+        const double scale = scale_of(pair);
+        const auto width = [&](const Certificate& c) {
+            EXPECT_TRUE(holds(c, truth.square));
+            // The last places of denormals are as wide as they are.
+            return std::max(0.0, c.width() - 1e-323) / scale;
+        };
+        good = std::max(good, width(truth.claim.certify(pair)));
+        const Certificate best = truth.claim.certify(pair, false);
+        features = std::max(features, width(best));
+        shaken = std::max(shaken, width(edgewise::shaken(random, truth.claim).certify(pair)));
+        overlapping += truth.verdict == ExactVerdict::overlapping;
+        proved += truth.square == 0 && best.upper == 0;
+        for (const bool weighted : {true, false}) {
+            const Certificate poor = garbage(random).certify(pair, weighted);
+            EXPECT_TRUE(holds(poor, truth.square));
+            useful_garbage += poor.lower > 0;
+        }
+    }
+};
+
+Widths measure(const Family& family, RandomBodies& random) {
+    Widths widths;
+    for (int i = 0; i < 400; ++i) widths.add(random, family.make(random));
+    std::printf(
+        "%-16s width/scale: good %.2g, from features %.2g, shaken %.2g; overlapping %d, contact proved "
+        "%d, garbage with a lower bound %d\n",
+        family.name, widths.good, widths.features, widths.shaken, widths.overlapping, widths.proved,
+        widths.useful_garbage);
+    return widths;
+}
+
+TEST(CertificateFamilies, hold_the_exact_distance) {
+    RandomBodies random(31);
+    for (const Family& family : families()) {
+        const Widths widths = measure(family, random);
+        EXPECT_LE(widths.good, 1e-14) << family.name;
+        EXPECT_LE(widths.features, 5e-16) << family.name;
+        EXPECT_LT(widths.shaken, 1e-2) << family.name;
+        EXPECT_GT(widths.shaken, widths.features) << family.name;
+        EXPECT_GE(widths.overlapping, family.overlapping) << family.name;
+        EXPECT_GE(widths.proved, widths.overlapping) << family.name;
+        EXPECT_GT(widths.useful_garbage, 0) << family.name;
+    }
+}
+
+Points stored(const Points& given, bool single) {
+    Points result = given;
+    for (Vec3d& v : result) {
+        for (int i = 0; i < 3; ++i)
+            v[i] = single ? double{static_cast<float>(v[i])} : std::round(v[i] * 64) / 64;
+    }
+    return result;
+}
+
+TEST(CertificateFamilies, widened_holds_the_distance_of_the_given_bodies) {
+    RandomBodies random(32);
+    for (const bool single : {true, false}) {
+        int missed = 0;
+        double worst = 0;
+        for (int i = 0; i < 400; ++i) {
+            const Pair given = i % 2 == 0 ? grazing(random) : round_pair(random, 3);
+            const Pair rounded{stored(given.a, single), stored(given.b, single), given.pose_a, given.pose_b};
+            const Certificate narrow = truth_of(rounded).claim.certify(rounded);
+            const Certificate wide =
+                widen(narrow, representation_error(given.a, rounded.a, given.pose_a.rotation),
+                      representation_error(given.b, rounded.b, given.pose_b.rotation));
+            const Truth truth = truth_of(given);
+            EXPECT_TRUE(holds(wide, truth.square));
+            missed += !holds(narrow, truth.square);
+            worst = std::max(worst, wide.width());
+        }
+        std::printf("stored in %s: %d of 400 miss the given distance unwidened, worst width %.2g\n",
+                    single ? "single" : "1/64ths", missed, worst);
+        EXPECT_GT(missed, 200);
+        EXPECT_LT(worst, single ? 1e-6 : 0.1);
+    }
+}
+
+}  // namespace
+}  // namespace edgewise

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+//
+// Johnson's sub-distance algorithm beside the exact distance of the simplex's points from the origin:
+// simplices of every size and every awkward kind, in double and in single.
+#include "edgewise/algorithms/johnson.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bitset>
+#include <cstdio>
+#include <string>
+
+#include "edgewise/geometry/single.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/truth/exact_distance.hpp"
+
+namespace edgewise {
+namespace {
+
+using Corners = std::array<Vec3d, 4>;
+
+Corners at_random(Rng& rng) {
+    const Vec3d shift = rng.in_cube(1.5);
+    Corners w;
+    for (Vec3d& p : w) p = rng.in_cube(1) + shift;
+    return w;
+}
+
+double tiny(Rng& rng) { return std::ldexp(rng.uniform(-1, 1), -static_cast<int>(rng.below(45))); }
+
+/// The third point almost on the line of the first two, the fourth near a point of their triangle.
+Corners sliver(Rng& rng) {
+    Corners w = at_random(rng);
+    w[2] = w[0] + rng.uniform(-0.5, 1.5) * (w[1] - w[0]) + tiny(rng) * rng.on_sphere();
+    w[3] = w[0] + rng.uniform() * (w[2] - w[0]) + rng.uniform() * (w[1] - w[0]) + tiny(rng) * rng.on_sphere();
+    return w;
+}
+
+/// All four in a plane, but for a little; the origin often near it.
+Corners flat(Rng& rng) {
+    Corners w = at_random(rng);
+    const Vec3d normal = rng.on_sphere();
+    const double height = rng.below(2) == 0 ? tiny(rng) : rng.uniform();
+    for (Vec3d& p : w) p += (height + 1e-3 * tiny(rng) - dot(normal, p)) * normal;
+    return w;
+}
+
+/// Points of a small lattice: equal points, collinear and coplanar ones, the origin in a corner, edge or
+/// face.
+Corners lattice(Rng& rng) {
+    Corners w;
+    for (Vec3d& p : w) p = rng.in_cube(2).array().round();
+    return w;
+}
+
+/// Moved so that the origin is next to some point of the simplex.
+Corners near_contact(Rng& rng) {
+    Corners w = at_random(rng);
+    Vec3d place = Vec3d::Zero();
+    double sum = 0;
+    for (const Vec3d& p : w) {
+        const double weight = rng.below(2) == 0 ? 0 : rng.uniform();
+        place += weight * p;
+        sum += weight;
+    }
+    if (sum > 0) place /= sum;
+    place += tiny(rng) * rng.on_sphere();
+    for (Vec3d& p : w) p -= place;
+    return w;
+}
+
+struct Kind {
+    const char* name;
+    Corners (*make)(Rng&);
+    int missed_in_single;  ///< answers of 20 000 that may be off by more than rounding
+};
+
+/// In single precision three almost collinear points have cofactors that are nothing but noise, and all three
+/// may be positive: some triangle then answers with weights of no meaning. Counted here so that it grows no
+/// worse.
+constexpr Kind kinds[] = {
+    {"random", at_random, 0}, {"slivers", sliver, 40},           {"flat", flat, 0},
+    {"lattice", lattice, 0},  {"near contact", near_contact, 0},
+};
+
+/// Over the largest coordinate. Weights are worse than the point: close to contact they cancel.
+template <class Scalar>
+constexpr double error_allowed = 32 * static_cast<double>(Tolerance<Scalar>::eps);
+template <class Scalar>
+constexpr double witness_allowed = 8192 * static_cast<double>(Tolerance<Scalar>::eps);
+
+struct Seen {
+    std::bitset<16> subsets;
+    double error = 0, weights = 0, sum = 0;
+    int backups = 0, missed = 0;
+};
+
+double exact_from_origin(const Corners& w, int count) {
+    const Vec3d origin = Vec3d::Zero();
+    const auto exact =
+        exact_distance(std::span(w).first(static_cast<std::size_t>(count)), {}, {&origin, 1}, {});
+    EXPECT_TRUE(exact) << exact.error;
+    return exact ? exact->distance : 0;
+}
+
+template <class Scalar>
+void ask(Corners w, int count, Seen& seen) {
+    std::array<Vec3<Scalar>, 4> stored;
+    double size = 0;
+    for (int i = 0; i < 4; ++i) {
+        if (sizeof(Scalar) == sizeof(float)) w[i] = to_single(w[i]);
+        stored[i] = w[i].cast<Scalar>();
+        if (i < count) size = std::max(size, max_abs(w[i]));
+    }
+    const double exact = exact_from_origin(w, count);
+    const auto closest = Johnson<Scalar>(stored, count).closest();
+    ASSERT_NE(closest.members, 0);
+    seen.subsets.set(closest.members);
+    seen.backups += closest.backup;
+    const bool contact = closest.members == 15;
+    const double found = contact ? 0 : static_cast<double>(norm(closest.point));
+    const double error = size > 0 ? std::abs(found - exact) / size : 0;
+    seen.error = std::max(seen.error, error);
+    seen.missed += error > error_allowed<Scalar>;
+
+    Scalar sum = 0;
+    Vec3<Scalar> weighted = Vec3<Scalar>::Zero();
+    for (int i = 0; i < count; ++i) {
+        if (!(closest.members >> i & 1)) continue;
+        EXPECT_GT(closest.weight[i], 0);
+        sum += closest.weight[i];
+        weighted += closest.weight[i] * stored[i];
+    }
+    seen.sum = std::max(seen.sum, std::abs(static_cast<double>(sum) - 1));
+    const auto off = static_cast<double>(norm(Vec3<Scalar>(weighted - closest.point)));
+    if (!contact && size > 0) seen.weights = std::max(seen.weights, off / size);
+}
+
+template <class Scalar>
+void ask_all() {
+    constexpr bool single = sizeof(Scalar) == sizeof(float);
+    Rng rng(1);
+    std::bitset<16> subsets;
+    for (const Kind& kind : kinds) {
+        Seen seen;
+        for (int i = 0; i < 20000; ++i) ask<Scalar>(kind.make(rng), 1 + static_cast<int>(rng.below(4)), seen);
+        std::printf(
+            "johnson %s, %s: worst error %.3g, witness %.3g, sum of weights %.3g; %d backups, "
+            "%d missed\n",
+            single ? "single" : "double", kind.name, seen.error, seen.weights, seen.sum, seen.backups,
+            seen.missed);
+        EXPECT_LE(seen.missed, single ? kind.missed_in_single : 0) << kind.name;
+        EXPECT_LE(seen.weights, witness_allowed<Scalar>) << kind.name;
+        EXPECT_LE(seen.sum, 4 * static_cast<double>(Tolerance<Scalar>::eps)) << kind.name;
+        subsets |= seen.subsets;
+    }
+    for (std::size_t mask = 1; mask < 16; ++mask) EXPECT_TRUE(subsets[mask]) << "subset " << mask;
+}
+
+TEST(Johnson, DoubleIsTheNearestPointOfEverySimplex) { ask_all<double>(); }
+
+TEST(Johnson, SingleIsTheNearestPointOfEverySimplex) { ask_all<float>(); }
+
+/// Solid by far: then the whole simplex must answer, and only then.
+TEST(Johnson, SaysThatTheOriginIsInsideExactlyWhenItIs) {
+    Rng rng(2);
+    int inside = 0, outside = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const Corners w = at_random(rng);
+        double least = 1;  // of the four corner volumes with the origin over that of the tetrahedron
+        const Vec3d p = w[1] - w[0], q = w[2] - w[0], r = w[3] - w[0];
+        const double whole = dot(p, cross(q, r));
+        for (int k = 0; k < 4; ++k) {
+            const Vec3d &a = w[(k + 1) & 3], &b = w[(k + 2) & 3], &c = w[(k + 3) & 3];
+            least = std::min(least, dot(a, cross(b, c)) * (k & 1 ? -1 : 1) / whole);
+        }
+        if (std::abs(whole) < 1e-3 || std::abs(least) < 1e-9) continue;
+        const bool holds = Johnson<double>(w, 4).closest().members == 15;
+        EXPECT_EQ(holds, least > 0);
+        ++(holds ? inside : outside);
+    }
+    EXPECT_GT(inside, 200);
+    EXPECT_GT(outside, 200);
+}
+
+}  // namespace
+}  // namespace edgewise

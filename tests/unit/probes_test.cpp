@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+//
+// Probes on made-up cells: what any of them must keep (a figure is a finite number, or null with a reason),
+// and the figures that others rely on, from numbers whose results are known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "edgewise/measure/probe.hpp"
+
+namespace edgewise {
+namespace {
+
+/// A table of 100 bytes and 168 more an edge, of which the planes take 128.
+TableBytes table_of(std::uint64_t edges) {
+    TableBytes table;
+    table.vertices = (edges + 6) / 3;
+    table.edges = edges;
+    const auto e = static_cast<double>(edges);
+    table.components = {{"voronoi_planes", 128 * e}, {"edge_geometry", 40 * e}, {"padding", 100}};
+    table.paper_subtotal = 168 * e;
+    table.total = 168 * e + 100;
+    return table;
+}
+
+Round round_of(int number, double ns, double baseline_ns) {
+    return {number, {10, 5, 10 * ns, 5 * 2 * ns}, {10, 5, 10 * baseline_ns, 5 * 2 * baseline_ns}};
+}
+
+class Probes : public ::testing::Test {
+  protected:
+    Probes() {
+        for (const std::uint64_t edges : {12U, 108U, 1152U}) sizes_.push_back(table_of(edges));
+        for (int i = 0; i < 10; ++i) {
+            CheckedAnswer answer;
+            answer.separated = i < 7;
+            answer.touching = i == 7;
+            answer.error_stored = i * 1e-15;
+            answer.error_given = i * 1e-8;
+            answer.witness_error = i * 1e-16;
+            checked_.push_back(answer);
+        }
+        checked_[9].verdict_wrong = true;
+        checked_[4].in_band = true;
+        for (int i = 0; i < 9; ++i) rounds_.push_back(round_of(i, 100 + i, 200 + 2 * i));
+        subject_.table = table_of(108);
+        subject_.sizes = sizes_;
+        subject_.checked = checked_;
+        subject_.counts = {1000, 1500, 3, 2, 17};
+        subject_.rounds = rounds_;
+    }
+
+    /// The figures of a probe by name; none where this program has no such probe.
+    [[nodiscard]] static std::map<std::string, Figure> figures(std::string_view name,
+                                                               const Subject& subject) {
+        std::map<std::string, Figure> result;
+        for (const auto& probe : registered_probes()) {
+            if (probe->name() != name) continue;
+            for (Figure& figure : probe->figures(subject)) result[figure.name] = figure;
+        }
+        return result;
+    }
+
+    std::vector<TableBytes> sizes_;
+    std::vector<CheckedAnswer> checked_;
+    std::vector<Round> rounds_;
+    Subject subject_;
+};
+
+void expect_sound(const Probe& probe, const Subject& subject) {
+    std::set<std::string> names;
+    for (const Figure& figure : probe.figures(subject)) {
+        EXPECT_TRUE(names.insert(figure.name).second) << figure.name << " twice";
+        EXPECT_FALSE(figure.unit.empty()) << figure.name;
+        if (figure.value) {
+            EXPECT_TRUE(std::isfinite(*figure.value)) << figure.name;
+            EXPECT_TRUE(figure.reason.empty()) << figure.name;
+        } else {
+            EXPECT_FALSE(figure.reason.empty()) << figure.name << " is null without a reason";
+        }
+    }
+}
+
+TEST_F(Probes, HaveNamesOfTheirOwnAndSayWhatTheyMeasure) {
+    std::set<std::string_view> names;
+    ASSERT_FALSE(registered_probes().empty());
+    for (const auto& probe : registered_probes()) {
+        EXPECT_TRUE(names.insert(probe->name()).second) << probe->name();
+        EXPECT_FALSE(probe->summary().empty());
+    }
+}
+
+TEST_F(Probes, EveryFigureIsANumberOrNullWithAReason) {
+    Subject untimed = subject_;
+    untimed.rounds = {};
+    Subject few_rounds = subject_;
+    few_rounds.rounds = few_rounds.rounds.first(2);
+    Subject without_planes = subject_;
+    without_planes.table.paper_subtotal = 0;
+    Subject unchecked = subject_;
+    unchecked.checked = {};
+    unchecked.counts = {};
+    unchecked.sizes = {};
+    for (const auto& probe : registered_probes()) {
+        for (const Subject& subject : {subject_, untimed, few_rounds, without_planes, unchecked}) {
+            expect_sound(*probe, subject);
+        }
+    }
+}
+
+TEST_F(Probes, BytesAreSharesAndSlopes) {
+    auto found = figures("bytes", subject_);
+    if (found.empty()) GTEST_SKIP() << "no such probe";
+    EXPECT_EQ(found["voronoi_planes"].value, 128);
+    EXPECT_EQ(found["padding"].value, 100.0 / 108);
+    EXPECT_EQ(found["paper_bytes_per_edge"].value, 168);
+    EXPECT_EQ(found["slope_bytes_per_edge"].value, 168);
+    EXPECT_EQ(found["total_bytes_per_edge"].value, 168 + 100.0 / 108);
+    EXPECT_EQ(found["table_bytes"].value, 168 * 108 + 100);
+    subject_.table.paper_subtotal = 0;
+    EXPECT_FALSE(figures("bytes", subject_)["paper_bytes_per_edge"].value);
+}
+
+TEST_F(Probes, TimesAreMediansAndRatiosOfTheSameRound) {
+    auto found = figures("time", subject_);
+    if (found.empty()) GTEST_SKIP() << "no such probe";
+    EXPECT_EQ(found["separated_ns"].value, 104);
+    EXPECT_EQ(found["overlapping_ns"].value, 208);
+    EXPECT_EQ(found["separated_ratio"].value, 0.5);
+    EXPECT_LT(found["separated_ns_low"].value, 104);
+    EXPECT_GT(found["separated_ns_high"].value, 104);
+    EXPECT_EQ(found["rounds"].value, 9);
+    subject_.rounds = {};
+    EXPECT_FALSE(figures("time", subject_)["separated_ns"].value);
+}
+
+TEST_F(Probes, ErrorsAreTheWorstAndVerdictsAreCounted) {
+    auto found = figures("error", subject_);
+    if (found.empty()) GTEST_SKIP() << "no such probe";
+    EXPECT_EQ(found["checked"].value, 10);
+    EXPECT_EQ(found["worst_error_stored"].value, checked_[9].error_stored);
+    EXPECT_EQ(found["worst_error_given"].value, checked_[9].error_given);
+    EXPECT_EQ(found["wrong_verdicts"].value, 1);
+    EXPECT_EQ(found["verdicts_in_band"].value, 1);
+    EXPECT_EQ(found["separated"].value, 7);
+    EXPECT_EQ(found["touching"].value, 1);
+    EXPECT_EQ(found["overlapping"].value, 2);
+    EXPECT_EQ(found["fallbacks"].value, 3);
+    EXPECT_EQ(found["cycles"].value, 2);
+    EXPECT_EQ(found["mean_steps"].value, 1.5);
+    EXPECT_EQ(found["max_steps"].value, 17);
+}
+
+}  // namespace
+}  // namespace edgewise

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+//
+// Boxes are strictly convex; a body with a face cut in two is not, and one with a face folded outward by more
+// than the rule's angle is again.
+#include <gtest/gtest.h>
+
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/strictly_convex.hpp"
+#include "geometry_bodies.hpp"
+
+namespace edgewise {
+namespace {
+
+using testing::Dice;
+using testing::Faces;
+using testing::Points;
+using testing::random_rotation;
+
+/// A square pyramid whose base is two triangles; the corner of the base at the origin is pushed outward, so
+/// that the base is folded along the diagonal from there.
+Polyhedron pyramid(double fold) {
+    const Points points = {{0, 0, -fold}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
+    const Faces faces = {{0, 3, 2}, {0, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+    const auto body = polyhedron_from_faces(points, faces);
+    EXPECT_TRUE(body) << body.error;
+    return *body;
+}
+
+TEST(StrictlyConvex, BoxesAreHoweverTheyLie) {
+    Dice dice(3);
+    for (int i = 0; i < 200; ++i) {
+        const Mat3d turn = random_rotation(dice);
+        const Vec3d size(dice.between(0.01, 1), 1, dice.between(1, 100));
+        Points points;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3d signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+            points.push_back(turn * Vec3d(signs.cwiseProduct(size)));
+        }
+        EXPECT_TRUE(is_strictly_convex(*convex_hull(points)));
+    }
+}
+
+TEST(StrictlyConvex, ASharpNeedleIs) {
+    const Points needle = {{0, 0, 0}, {1e8, 0.5, 0.5}, {0, 1, 0}, {0, 0, 1}};
+    EXPECT_TRUE(is_strictly_convex(*convex_hull(needle)));
+}
+
+TEST(StrictlyConvex, ACutFaceIsNotUntilItIsFolded) {
+    EXPECT_FALSE(is_strictly_convex(pyramid(0)));
+    EXPECT_FALSE(is_strictly_convex(pyramid(1e-5)));
+    EXPECT_TRUE(is_strictly_convex(pyramid(1e-3)));
+}
+
+}  // namespace
+}  // namespace edgewise

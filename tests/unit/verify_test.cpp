@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+//
+// Verification: right answers pass, and every kind of wrong one is seen and said.
+#include "edgewise/sweep/verify.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/truth/exact_distance.hpp"
+
+namespace edgewise {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double eps = Tolerance<double>::eps;
+
+Plan small_plan() {
+    Plan plan;
+    plan.seed = 3;
+    plan.queries = 120;
+    plan.checked = 60;
+    return plan;
+}
+
+class Verify : public ::testing::Test {
+  protected:
+    Verify()
+        : group_(small_plan(), SceneChoice{"cold", {{"overlapping", 0.3}}},
+                 NamedShape{"cube8", "built-in", *make_shape("cube8"), ""}) {
+        for (const Query& query : group_.workload().queries) {
+            const auto exact = exact_distance(body(query.body_a).vertices, query.pose_a,
+                                              body(query.body_b).vertices, query.pose_b);
+            EXPECT_TRUE(exact) << exact.error;
+            Distance answer;
+            answer.status =
+                exact->verdict == ExactVerdict::separated ? Status::separated : Status::overlapping;
+            answer.distance = exact->distance;
+            answer.point_a = exact->separation;  // as far from the other point, the origin, as the bodies are
+            answer.steps = 2;
+            answers_.push_back(answer);
+        }
+    }
+
+    [[nodiscard]] const Polyhedron& body(std::uint32_t i) const { return group_.workload().bodies[i]; }
+
+    /// The first checked query with this verdict.
+    [[nodiscard]] std::size_t first(Status status) const {
+        for (const std::size_t i : group_.checked()) {
+            if (answers_[i].status == status) return i;
+        }
+        ADD_FAILURE() << "no " << to_string(status) << " pair";
+        return 0;
+    }
+
+    [[nodiscard]] std::string wrong(double epsilon = eps) {
+        return what_is_wrong(group_, check_answers(group_, group_.workload().bodies, answers_, epsilon),
+                             epsilon);
+    }
+
+    Group group_;
+    std::vector<Distance> answers_;
+};
+
+TEST_F(Verify, RightAnswersPass) {
+    EXPECT_EQ(wrong(), "");
+    const auto checked = check_answers(group_, group_.workload().bodies, answers_, eps);
+    ASSERT_EQ(checked.size(), 60U);
+    std::size_t separated = 0;
+    for (const CheckedAnswer& answer : checked) separated += answer.separated;
+    EXPECT_GT(separated, 30U);
+    EXPECT_LT(separated, 55U);
+}
+
+TEST_F(Verify, WrongDistancesFailBeyondTheBoundOfThePrecision) {
+    const std::size_t i = first(Status::separated);
+    const double scale = 4;  // cubes of extent 1.95, some 2 to 4 apart
+    answers_[i].distance += 0.1 * verified_error_double * scale;
+    EXPECT_EQ(wrong(), "");
+    answers_[i].distance += 10 * verified_error_double * scale;
+    EXPECT_THAT(wrong(), HasSubstr("1 of 60 checked answers are wrong"));
+    EXPECT_THAT(wrong(), HasSubstr("query " + std::to_string(i) + " (wrong distance)"));
+    EXPECT_EQ(wrong(Tolerance<float>::eps), "");
+    answers_[i].distance += 10 * verified_error_single * scale;
+    EXPECT_NE(wrong(Tolerance<float>::eps), "");
+}
+
+TEST_F(Verify, WrongVerdictsFail) {
+    answers_[first(Status::separated)].status = Status::overlapping;
+    EXPECT_THAT(wrong(), HasSubstr("wrong verdict"));
+}
+
+TEST_F(Verify, ContactCalledSeparatedFails) {
+    Distance& answer = answers_[first(Status::overlapping)];
+    answer.status = Status::separated;
+    answer.distance = 0.5;
+    EXPECT_THAT(wrong(), HasSubstr("wrong verdict"));
+}
+
+TEST_F(Verify, FailedAndNanAnswersFail) {
+    const std::size_t i = first(Status::separated);
+    answers_[i].status = Status::failed;
+    EXPECT_NE(wrong(), "");
+    answers_[i].status = Status::separated;
+    answers_[i].distance = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NE(wrong(), "");
+}
+
+TEST_F(Verify, WitnessesThatDoNotMatchTheDistanceFail) {
+    Distance& answer = answers_[first(Status::separated)];
+    const Vec3d right = answer.point_a;
+    answer.point_a *= 1.001;
+    EXPECT_THAT(wrong(), HasSubstr("witness error"));
+    answer.point_a = right * std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NE(wrong(), "");
+}
+
+TEST_F(Verify, UncheckedQueriesAreNotJudged) {
+    ASSERT_EQ(group_.checked()[1], 2U);
+    answers_[1].distance += 1;
+    EXPECT_EQ(wrong(), "");
+}
+
+TEST_F(Verify, CountsEverything) {
+    answers_[0].fallbacks = 1;
+    answers_[1].fallbacks = 1;
+    answers_[1].cycles = 1;
+    answers_[2].steps = 9;
+    const AnswerCounts counts = count_answers(answers_);
+    EXPECT_EQ(counts.queries, 120U);
+    EXPECT_EQ(counts.steps, 247U);
+    EXPECT_EQ(counts.fallbacks, 2U);
+    EXPECT_EQ(counts.cycles, 1U);
+    EXPECT_EQ(counts.max_steps, 9);
+}
+
+}  // namespace
+}  // namespace edgewise
