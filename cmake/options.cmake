@@ -19,6 +19,8 @@ target_compile_options(edgewise_flags INTERFACE -Wall -Wextra -Wpedantic -Wshado
 if(EDGEWISE_SANITIZE)
     target_compile_options(edgewise_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(edgewise_flags INTERFACE -fsanitize=address,undefined)
+    # For files full of query loops: flattened and sanitized, they would take minutes each to compile.
+    set(EDGEWISE_QUERY_LOOP_OPTIONS -fno-inline)
 endif()
 
 # Machine tuning is for the tool alone: nothing that is installed or exported is compiled with it.

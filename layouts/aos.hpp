@@ -42,6 +42,7 @@ class aos {
     using Edge = Index;
     using Face = Index;
 
+    static constexpr Face no_face = edgewise::no_face;
     static constexpr std::string_view name = "aos";
     static constexpr std::string_view stores =
         "one struct an edge: four Voronoi planes, direction, length, ends";

@@ -25,6 +25,7 @@ class soa {
     using Edge = Index;
     using Face = Index;
 
+    static constexpr Face no_face = edgewise::no_face;
     static constexpr std::string_view name = "soa";
     static constexpr std::string_view stores = "the scalars of aos, each in an array of its own";
     static constexpr std::string_view derives = "nothing";

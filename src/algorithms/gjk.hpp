@@ -159,6 +159,13 @@ class GjkRun {
             on_a += closest_.weight[i] * simplex_.on_a[i];
             on_b += closest_.weight[i] * simplex_.on_b[i];
         }
+        // Weights on a thin triangle are worse than its foot: share out the difference, so that the points
+        // lie as far apart as the distance says.
+        if (status == Status::separated) {
+            const Vec3<Scalar> excess = Scalar(0.5) * (on_a - on_b - closest_.point);
+            on_a -= excess;
+            on_b += excess;
+        }
         Distance answer;
         answer.status = status;
         answer.distance = status == Status::separated ? norm(closest_.point) : 0;

@@ -47,7 +47,7 @@ json feature_json(const NamedFeature& feature) {
 json empty_answer(const std::string& id) {
     json line = {{"id", id}, {"status", "failed"}};
     for (const char* key : {"distance", "point_a", "point_b", "feature_a", "feature_b", "depth", "normal",
-                            "steps", "fallbacks", "certificate", "error"}) {
+                            "steps", "fallbacks", "certificate", "stored_certificate", "error"}) {
         line[key] = nullptr;
     }
     return line;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Topology first (check_topology.cpp), then geometry, here: planes, convexity, winding. Tolerances: a vertex
-// may lie off its face's plane, or above another's, by face_planarity x extent plus the rounding of the
+// may lie off its face's plane, or above another's, by planarity x extent plus the rounding of the
 // offset (offset_rounding x largest coordinate).
 #include "edgewise/geometry/check_polyhedron.hpp"
 
@@ -60,11 +60,11 @@ void check_winding(const Polyhedron& body, Index f, double tolerance, Violations
 
 }  // namespace
 
-Violations check_polyhedron(const Polyhedron& body) {
+Violations check_polyhedron(const Polyhedron& body, double planarity) {
     Violations found = check_topology(body);
     if (!found.empty()) return found;
     if (!all_finite(body)) return {"a vertex is not finite"};
-    const double tolerance = shape_tolerance(body);
+    const double tolerance = shape_tolerance(body, planarity);
     for (Index f = 0; f < body.face_count(); ++f) {
         check_plane(body, f, tolerance, found);
         check_winding(body, f, tolerance, found);

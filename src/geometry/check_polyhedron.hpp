@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
 // Lists everything that is wrong with a Polyhedron: Euler's formula, twins, ring winding, convexity,
-// planarity. Shape is judged to face_planarity x extent plus the rounding of plane offsets (tolerance.hpp).
+// planarity. Shape is judged to planarity x extent plus the rounding of plane offsets (tolerance.hpp).
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise {
 
 /// One line for each violation; empty for a sound closed convex body.
-[[nodiscard]] std::vector<std::string> check_polyhedron(const Polyhedron& body);
+[[nodiscard]] std::vector<std::string> check_polyhedron(const Polyhedron& body,
+                                                        double planarity = face_planarity);
 
 }  // namespace edgewise

@@ -20,10 +20,10 @@ Vec3d direction(const Polyhedron& body, HalfEdge h) {
 
 }  // namespace
 
-double shape_tolerance(const Polyhedron& body) {
+double shape_tolerance(const Polyhedron& body, double planarity) {
     double largest = 0;
     for (const Vec3d& v : body.vertices) largest = std::max(largest, max_abs(v));
-    return face_planarity * extent(body.vertices) + offset_rounding * largest;
+    return planarity * extent(body.vertices) + offset_rounding * largest;
 }
 
 std::string face_name(const Polyhedron& body, Index f) {

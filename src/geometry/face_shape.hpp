@@ -10,9 +10,9 @@
 
 namespace edgewise {
 
-/// How far a vertex of this body may be off a plane or a line it should be on: face_planarity x extent, plus
-/// the rounding of a plane's offset.
-[[nodiscard]] double shape_tolerance(const Polyhedron& body);
+/// How far a vertex of this body may be off a plane or a line it should be on: planarity x extent, plus the
+/// rounding of a plane's offset.
+[[nodiscard]] double shape_tolerance(const Polyhedron& body, double planarity);
 
 /// "face 0-1-3-2": by the input's vertices, since a canonical face number tells the user nothing.
 [[nodiscard]] std::string face_name(const Polyhedron& body, Index f);

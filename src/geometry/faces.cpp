@@ -69,6 +69,15 @@ std::string unused_warning(std::span<const Vec3d> points, Faces faces) {
     return message(unused, " vertices are in no face and were left out, the first is vertex ", first);
 }
 
+/// Of faces that single precision bent: what was meant, as a hull.
+Result<Polyhedron> hull_of_bent(const Polyhedron& given) {
+    Result<Polyhedron> hull = convex_hull(given.vertices);
+    if (!hull) return hull;
+    for (Index& name : (*hull).input_index) name = given.input_index[name];
+    hull.warning = "the faces are bent by the rounding of their vertices; took the hull instead";
+    return hull;
+}
+
 }  // namespace
 
 Result<Polyhedron> polyhedron_from_faces(std::span<const Vec3d> points, Faces faces) {
@@ -84,6 +93,7 @@ Result<Polyhedron> polyhedron_from_faces(std::span<const Vec3d> points, Faces fa
     if (!error.empty()) return Result<Polyhedron>::failure(std::move(error));
     const std::vector<std::string> violations = check_polyhedron(*body);
     if (!violations.empty()) {
+        if (check_polyhedron(*body, single_planarity).empty()) return hull_of_bent(*body);
         return Result<Polyhedron>::failure("the faces do not bound a convex solid: " + violations.front() +
                                            "; leave them out to get the hull");
     }

@@ -19,6 +19,7 @@
 #include "edgewise/geometry/check_polyhedron.hpp"
 #include "edgewise/geometry/extreme_frame.hpp"
 #include "edgewise/geometry/face_shape.hpp"
+#include "edgewise/geometry/flat_hull.hpp"
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/point_set.hpp"
 #include "edgewise/geometry/polyhedron_builder.hpp"
@@ -67,7 +68,7 @@ FaceRings in_input_order(std::span<const Vec3d> points, std::span<const Index> d
 }
 
 std::vector<Index> blamed_vertices(const Polyhedron& body) {
-    const double tolerance = shape_tolerance(body);
+    const double tolerance = shape_tolerance(body, face_planarity);
     std::vector<Index> blamed;
     for (Index f = 0; f < body.face_count(); ++f) {
         if (corner_outside(body, f, tolerance))
@@ -99,7 +100,7 @@ std::string hull_error(const Polyhedron& body, std::span<const Vec3d> points,
                        std::span<const Index> distinct) {
     const std::vector<std::string> violations = check_polyhedron(body);
     if (!violations.empty()) return violations.front();
-    const double tolerance = shape_tolerance(body);
+    const double tolerance = shape_tolerance(body, face_planarity);
     for (const Index i : distinct) {
         const bool is_vertex = std::binary_search(body.input_index.begin(), body.input_index.end(), i);
         if (is_vertex) continue;  // the checker has seen it
@@ -137,12 +138,14 @@ Result<Polyhedron> round_to_single(const Polyhedron& body) {
                                                    " is out of the range of single precision"));
     }
     if (single == body.vertices) return Result<Polyhedron>::success(body);
-    Result<Polyhedron> hull = convex_hull(single);
+    Result<Polyhedron> hull = hull_of_any(single);
     if (!hull) return Result<Polyhedron>::failure("rounded to single precision: " + hull.error);
     for (Index& name : (*hull).input_index) name = body.input_index[name];
     if (const std::size_t lost = body.vertex_count() - hull->vertex_count(); lost > 0) {
         hull.warning = message(lost, " of ", body.vertex_count(), " vertices vanish in single precision");
     }
+    if (body.face_count() > 2 && hull->face_count() <= 2)
+        hull.warning = "the body is flat in single precision";
     return hull;
 }
 

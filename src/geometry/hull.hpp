@@ -21,7 +21,8 @@ namespace edgewise {
 /// A body whose faces are taken as given: each a counter-clockwise ring (seen from outside) of vertex
 /// indices. Coplanar neighbours stay apart; a body wound inward throughout is turned round; vertices in no
 /// face are left out, with a warning. Fails, with a reason, if the faces do not bound a closed convex solid,
-/// are not planar to face_planarity x extent, have no area, or have vertices in the middle of edges.
+/// are not planar to face_planarity x extent (bent by no more than single precision does, the hull of their
+/// vertices is taken, with a warning), have no area, or have vertices in the middle of edges.
 [[nodiscard]] Result<Polyhedron> polyhedron_from_faces(std::span<const Vec3d> points,
                                                        std::span<const std::vector<Index>> faces);
 

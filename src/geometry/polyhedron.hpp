@@ -24,10 +24,16 @@ namespace edgewise {
 using Index = std::uint32_t;
 using HalfEdge = std::uint32_t;
 
+/// On both sides of the edge of a segment.
+inline constexpr Index no_face = 0xffffffff;
+
 struct PolyhedronEdge {
     Index tail, head;   ///< vertices
-    Index left, right;  ///< faces
+    Index left, right;  ///< faces, or no_face
 };
+
+/// A solid; or a flat body: a polygon with a front and a back face, a segment of one edge without faces, a
+/// point.
 
 struct Polyhedron {
     std::vector<Vec3d> vertices;

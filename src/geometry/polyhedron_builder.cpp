@@ -138,7 +138,7 @@ std::string fill_vertex_rings(Polyhedron& body) {
     body.vertex_offset.push_back(0);
     for (Index v = 0; v < body.vertex_count(); ++v) {
         const Index name = body.input_index[v];
-        if (degree[v] < 3) return too_few_faces(name, degree[v]);
+        if (degree[v] < 3 && body.face_count() > 2) return too_few_faces(name, degree[v]);
         HalfEdge h = smallest[v];
         do {
             body.vertex_ring.push_back(h);

@@ -21,8 +21,8 @@ struct FaceRings {
 };
 
 /// Fails, with a reason, if the rings are not a closed surface of consistent winding: every edge between two
-/// faces that run it in opposite directions, at least three faces around every vertex, all in one fan. Says
-/// nothing about convexity. Faces without area get a zero normal.
+/// faces that run it in opposite directions, at least three faces around every vertex (of a polygon, two),
+/// all in one fan. Says nothing about convexity. Faces without area get a zero normal.
 [[nodiscard]] Result<Polyhedron> build_polyhedron(const FaceRings& input);
 
 /// The same, with all rings turned round if the first face looks inward.

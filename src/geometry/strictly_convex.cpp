@@ -32,9 +32,10 @@ bool is_strictly_convex(const Polyhedron& body) {
     for (Index f = 0; f < body.face_count(); ++f) {
         if (!face_turns_at_every_corner(body, f)) return false;
     }
-    return std::all_of(body.edges.begin(), body.edges.end(), [&](const PolyhedronEdge& edge) {
-        return turns(body.face_planes[edge.left].normal, body.face_planes[edge.right].normal);
-    });
+    return body.face_count() == 0 ||
+           std::all_of(body.edges.begin(), body.edges.end(), [&](const PolyhedronEdge& edge) {
+               return turns(body.face_planes[edge.left].normal, body.face_planes[edge.right].normal);
+           });
 }
 
 }  // namespace edgewise

@@ -10,6 +10,7 @@
 namespace edgewise {
 
 /// False when two neighbouring faces, or two consecutive sides of a face, turn by less than strict_turn.
+/// Points and segments are strictly convex.
 [[nodiscard]] bool is_strictly_convex(const Polyhedron& body);
 
 }  // namespace edgewise

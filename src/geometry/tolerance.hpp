@@ -63,6 +63,14 @@ inline constexpr double flat_thickness = face_planarity;
 /// and what rounding does to a region grows with one over the turn.
 inline constexpr double strict_turn = 1e-4;
 
+/// Twice the area of a corner of a polygon in axes scaled to about 1: below some rounding steps it is
+/// straight.
+inline constexpr double straight_corner = 8 * std::numeric_limits<double>::epsilon();
+
+/// Relative to the extent: faces given in single precision are bent by its rounding, and quads are no planes
+/// any more; up to eight of its steps, the hull of their vertices is taken for what was meant.
+inline constexpr double single_planarity = 8 * 0x1p-23;
+
 /// Relative to the largest coordinate: the rounding of a plane's offset far from the origin.
 inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsilon();
 

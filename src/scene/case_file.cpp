@@ -9,7 +9,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/geometry/flat_hull.hpp"
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/point_set.hpp"
 
 namespace edgewise {
 namespace {
@@ -165,8 +167,9 @@ std::optional<Result<Case>> CaseReader::next() {
 }
 
 Result<Polyhedron> body_from_case(const CaseBody& body) {
+    const bool solid = flatness_error(body.vertices, distinct_points(body.vertices)).empty();
     Result<Polyhedron> result =
-        body.faces ? polyhedron_from_faces(body.vertices, *body.faces) : convex_hull(body.vertices);
+        body.faces && solid ? polyhedron_from_faces(body.vertices, *body.faces) : hull_of_any(body.vertices);
     if (!result) result.error = fmt::format("{}: {}", body.where, result.error);
     return result;
 }

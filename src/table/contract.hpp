@@ -51,6 +51,8 @@ concept FeatureTable = SupportTable<T> &&
     { table.strictly_convex() } -> std::same_as<bool>;
     { table.tail(e) } -> std::same_as<typename T::Vertex>;
     { table.head(e) } -> std::same_as<typename T::Vertex>;
+    /// what a segment's edge has on either side; its edge_face_planes are negative everywhere
+    { T::no_face } -> std::convertible_to<typename T::Face>;
     { table.left(e) } -> std::same_as<typename T::Face>;
     { table.right(e) } -> std::same_as<typename T::Face>;
     /// tail to head; unit length where stored

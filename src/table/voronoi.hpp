@@ -19,6 +19,15 @@ struct EdgeGeometry {
     return {normal, -dot(normal, point)};
 }
 
+/// Seen from outside, a face lies to the left of its edges as its own ring runs them: normal x along points
+/// into it. Beyond a side without a face there is nothing: its plane is negative everywhere.
+[[nodiscard]] inline Plane<double> edge_face_plane(const Polyhedron& body, Index face, const Vec3d& along,
+                                                   const Vec3d& point) {
+    if (face == no_face) return {Vec3d::Zero(), -1};
+    const Vec3d into = cross(body.face_planes[face].normal, along);
+    return plane_through(into / norm(into), point);
+}
+
 [[nodiscard]] inline EdgeGeometry edge_geometry(const Polyhedron& body, Index e) {
     const PolyhedronEdge& edge = body.edges[e];
     const Vec3d& tail = body.vertices[edge.tail];
@@ -30,11 +39,8 @@ struct EdgeGeometry {
     result.direction = along / result.length;
     result.tail_plane = plane_through(-result.direction, tail);
     result.head_plane = plane_through(result.direction, head);
-    // Seen from outside, the left face lies to the left of tail -> head: n_left x direction points into it.
-    const auto into_left = cross(body.face_planes[edge.left].normal, result.direction);
-    const auto into_right = cross(result.direction, body.face_planes[edge.right].normal);
-    result.left_plane = plane_through(into_left / norm(into_left), tail);
-    result.right_plane = plane_through(into_right / norm(into_right), tail);
+    result.left_plane = edge_face_plane(body, edge.left, result.direction, tail);
+    result.right_plane = edge_face_plane(body, edge.right, Vec3d(-result.direction), tail);
     return result;
 }
 

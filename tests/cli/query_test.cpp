@@ -17,6 +17,7 @@ using testing::UnorderedElementsAre;
 
 const json tetrahedron = {{"vertices", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
 const json triangle = {{"vertices", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
+const json huge = {{"vertices", {{0, 0, 0}, {1e200, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
 
 json moved(double x, double y, double z) { return {{"R", {1, 0, 0, 0, 1, 0, 0, 0, 1}}, {"t", {x, y, z}}}; }
 
@@ -62,8 +63,7 @@ TEST_P(Query, AnswersSeparatedAndOverlappingPairs) {
 }
 
 TEST_P(Query, HasEveryKeyInEveryAnswer) {
-    const Outcome outcome =
-        ask(pair_line("good", tetrahedron, 3) + pair_line("flat", triangle, 3) + "rubbish\n");
+    const Outcome outcome = ask(pair_line("good", tetrahedron, 3) + pair_line("huge", huge, 3) + "rubbish\n");
     const auto answers = answers_of(outcome);
     ASSERT_EQ(answers.size(), 3u);
     for (const json& answer : answers) {
@@ -71,7 +71,7 @@ TEST_P(Query, HasEveryKeyInEveryAnswer) {
         for (const auto& [key, value] : answer.items()) keys.push_back(key);
         EXPECT_THAT(keys, UnorderedElementsAre("id", "status", "distance", "point_a", "point_b", "feature_a",
                                                "feature_b", "depth", "normal", "steps", "fallbacks",
-                                               "certificate", "error"));
+                                               "certificate", "stored_certificate", "error"));
     }
     for (const char* key : {"distance", "point_a", "feature_a", "steps", "certificate"}) {
         EXPECT_TRUE(answers[1][key].is_null()) << key;
@@ -108,14 +108,14 @@ TEST_P(Query, NamesTheLineOfABadCaseAndGoesOn) {
     EXPECT_EQ(answers[3]["distance"], 3.0);
 }
 
-TEST_P(Query, FailsOnAFlatBodyWithTheReason) {
-    const Outcome outcome = ask(pair_line("flat", triangle, 3) + pair_line("solid", tetrahedron, 3));
+TEST_P(Query, FailsOnAHugeBodyWithTheReason) {
+    const Outcome outcome = ask(pair_line("huge", huge, 3) + pair_line("solid", tetrahedron, 3));
     EXPECT_EQ(outcome.exit_code, 1);
     const auto answers = answers_of(outcome);
     ASSERT_EQ(answers.size(), 2u);
-    EXPECT_EQ(answers[0]["id"], "flat");
+    EXPECT_EQ(answers[0]["id"], "huge");
     EXPECT_EQ(answers[0]["status"], "failed");
-    EXPECT_THAT(answers[0]["error"].get<std::string>(), HasSubstr("cases.jsonl:1: a: flat"));
+    EXPECT_THAT(answers[0]["error"].get<std::string>(), HasSubstr("cases.jsonl:1: a: vertex 1"));
     EXPECT_EQ(answers[1]["status"], "separated");
 }
 
@@ -129,6 +129,40 @@ TEST_P(Query, TellsOverlapFromTouchInSpecialPositions) {
     EXPECT_EQ(answers[0]["status"], "overlapping");
     EXPECT_EQ(answers[1]["status"], "overlapping");
     EXPECT_EQ(answers[2]["status"], "touching");
+}
+
+TEST_P(Query, AnswersForFlatBodies) {
+    const json point = {{"vertices", {{0.25, 0.25, 0.5}}}};
+    const json segment = {{"vertices", {{0, 0, 0}, {0, 0, 1}}}};
+    const auto answers =
+        answers_of(ask(pair_line("triangles", triangle, 3) + pair_line("segments", segment, 2) +
+                       pair_line("points", point, 1) + pair_line("same", point, 0)));
+    ASSERT_EQ(answers.size(), 4u);
+    EXPECT_EQ(answers[0]["distance"], 2.0);
+    EXPECT_EQ(answers[1]["distance"], 2.0);
+    EXPECT_EQ(answers[2]["distance"], 0.75);
+    EXPECT_EQ(answers[3]["status"], "touching");
+}
+
+TEST_P(Query, ProvesADepthAndADistance) {
+    const auto answers =
+        answers_of(ask(pair_line("apart", tetrahedron, 3) + pair_line("deep", tetrahedron, 0.25),
+                       {"--needs", "certificate"}));
+    ASSERT_EQ(answers.size(), 2u);
+    EXPECT_LE(answers[0]["certificate"]["lower"], 2.0);
+    EXPECT_GE(answers[0]["certificate"]["upper"], 2.0);
+    EXPECT_NEAR(answers[0]["stored_certificate"]["lower"].get<double>(), 2.0, 1e-14);
+    EXPECT_TRUE(answers[0]["depth"].is_null());
+    EXPECT_EQ(answers[1]["status"], "overlapping");
+    EXPECT_GT(answers[1]["depth"], 0.0);
+    EXPECT_EQ(answers[1]["certificate"]["upper"], 0.0);
+}
+
+TEST_P(Query, TouchesWithinTheContactTolerance) {
+    const std::string line = pair_line("near", tetrahedron, 1.125);
+    EXPECT_EQ(answers_of(ask(line))[0]["status"], "separated");
+    EXPECT_EQ(answers_of(ask(line, {"--contact-tolerance", "0.125"}))[0]["status"], "touching");
+    EXPECT_EQ(answers_of(ask(line, {"--contact-tolerance", "0.124"}))[0]["status"], "separated");
 }
 
 TEST_P(Query, TakesFacesAsGiven) {

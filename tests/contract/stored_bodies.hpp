@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "edgewise/geometry/flat_hull.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
@@ -59,12 +60,20 @@ struct NamedBody {
     return as_stored(*hull);
 }
 
+/// Flat: a front, a back, and no third face at any corner.
+[[nodiscard]] inline Polyhedron polygon() {
+    const std::vector<Vec3d> corners = {
+        {1, 0, 0.5}, {0, 1, 0.25}, {-1, 0, -0.5}, {-0.5, -1, -0.5}, {0.5, -1, 0}};
+    const auto hull = hull_of_any(corners);
+    EXPECT_TRUE(hull) << hull.error;
+    EXPECT_EQ(hull->face_count(), 2U);
+    return as_stored(*hull);
+}
+
 [[nodiscard]] inline const std::vector<NamedBody>& test_bodies() {
-    static const std::vector<NamedBody> bodies = {{"tetra4", shape("tetra4")},
-                                                  {"cube8", shape("cube8")},
-                                                  {"sphere38", shape("sphere38")},
-                                                  {"sphere386", shape("sphere386")},
-                                                  {"random hull", random_hull(5)}};
+    static const std::vector<NamedBody> bodies = {
+        {"tetra4", shape("tetra4")},       {"cube8", shape("cube8")},       {"sphere38", shape("sphere38")},
+        {"sphere386", shape("sphere386")}, {"random hull", random_hull(5)}, {"polygon", polygon()}};
     return bodies;
 }
 

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <string>
 
+#include "allowed.hpp"
 #include "judged.hpp"
 #include "query_poses.hpp"
 #include "stored_bodies.hpp"
@@ -35,38 +36,8 @@ struct States {
     [[nodiscard]] static std::bitset<9> all() { return std::bitset<9>(0b011111111); }
 };
 
-/// What may be expected of an answer.
-enum class Class {
-    plain,     ///< everything
-    parallel,  ///< the right distance to within a tilt that rounding hides
-};
-constexpr std::size_t classes = 2;
-
 template <class Algorithm>
 constexpr bool is_vclip = std::is_same_v<Algorithm, VClip>;
-
-/// Two edges (or an edge and a face) that are parallel but for a little tilt have a direction of shortest
-/// distance that is only known to eps x size / gap, times 64 for V-Clip's dead bands; either algorithm may
-/// then stop at the wrong end of an edge, and be off by that. Up to this gap (in sizes) it is more than the
-/// verified error.
-constexpr double parallel_reach =
-    64 * compute_eps / (compute_eps > Tolerance<double>::eps ? verified_error_single : verified_error_double);
-
-Class classify(const CheckedPair& checked) {
-    const bool close = !checked.separated() || checked.exact.distance < parallel_reach * checked.size;
-    return close && checked.pair.relation != Relation::generic ? Class::parallel : Class::plain;
-}
-
-/// Witness points come from a simplex's weights, which are worse than its distance where a triangle is seen
-/// nearly edge-on: in single precision by this much.
-constexpr double witness_allowed =
-    compute_eps > Tolerance<double>::eps ? 4 * verified_error_single : verified_error_double;
-
-constexpr double error_allowed(Class answer) {
-    const bool single = compute_eps > Tolerance<double>::eps;
-    if (answer == Class::parallel) return single ? 1e-3 : 2e-6;
-    return single ? verified_error_single : verified_error_double;
-}
 
 struct Tally {
     std::array<double, classes> error{};  ///< of distance and place
@@ -135,7 +106,7 @@ void expect_right(const Tally& tally, const std::string& name) {
         EXPECT_LE(tally.error[at], error_allowed(kind)) << name << ", pair " << tally.worst[at];
     }
     EXPECT_EQ(tally.wrong[0], 0) << name << ", last pair " << tally.worst[0];
-    EXPECT_LE(tally.witness, witness_allowed) << name;
+    EXPECT_LE(tally.witness, verified_error) << name;
     EXPECT_LE(tally.clear_fallbacks, stored_in_double ? 0 : tally.clear / 1000) << name;
     if (stored_in_double) {
         EXPECT_EQ(tally.fallbacks[0], 0) << name;

@@ -21,6 +21,7 @@ class ReferenceTable : public Canonical {
   public:
     using Edge = Index;
     using Face = Index;
+    static constexpr Face no_face = edgewise::no_face;
 
     explicit ReferenceTable(const Polyhedron& body) : Canonical(body), body_(&body) {}
 

@@ -33,6 +33,7 @@ template <class Table>
     }
     for (const auto [edge, flipped] : table.ring_of_vertex(first)) {
         for (const auto face : {table.left(edge), table.right(edge)}) {
+            if (face == Table::no_face) continue;
             const auto is_on = [&](auto v) { return face_holds(table, face, v); };
             if (std::all_of(vertices.begin(), vertices.end(), is_on)) return Feature<Table>::of_face(face);
         }

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// Points, segments, triangles and polygons against each other and against a solid: random pairs in every
+// relation and at every gap of PairMaker, each answer beside the exact one, from a cold and from a warm
+// start. Flat bodies need nothing of V-Clip but the two sides of a polygon: its fallback stays rare on
+// generic poses.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include "allowed.hpp"
+#include "edgewise/geometry/flat_hull.hpp"
+#include "judged.hpp"
+#include "query_poses.hpp"
+#include "stored_bodies.hpp"
+
+namespace edgewise {
+namespace {
+
+constexpr int pairs_a_setting = 300;
+
+std::vector<NamedBody> bodies() {
+    const auto hull = [](const std::vector<Vec3d>& points) {
+        const auto body = hull_of_any(points);
+        EXPECT_TRUE(body) << body.error;
+        return as_stored(*body);
+    };
+    return {{"point", hull({{0.25, -0.5, 0.125}})},
+            {"segment", hull({{-0.5, 0.25, 0}, {0.75, -0.25, 0.5}})},
+            {"triangle", hull({{-0.5, 0, 0.25}, {0.75, 0, -0.25}, {0, 1, 0.5}})},
+            {"square", hull({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}})},
+            {"cube", shape("cube8")}};
+}
+
+/// Planes stored in single tell V-Clip which feature is closest to some 1e-7 only, however well the distance
+/// is computed then.
+template <class Algorithm>
+constexpr bool planes_are_rounded = std::is_same_v<Algorithm, VClip>&& stored_eps > 2 * compute_eps;
+
+struct Tally {
+    std::array<double, classes> error{};
+    double witness = 0;
+    int wrong = 0, apart = 0, contact = 0, generic = 0, generic_fallbacks = 0;
+
+    void add(const Distance& answer, const CheckedPair& checked, const Judged& judged) {
+        double& worst = error[static_cast<std::size_t>(classify(checked))];
+        worst = std::max(worst, judged.distance_error);
+        witness = std::max(witness, judged.witness_error);
+        wrong += judged.verdict_wrong;
+        ++(checked.separated() ? apart : contact);
+        const bool clear = checked.pair.relation == Relation::generic && checked.separated() &&
+                           checked.exact.distance > 1e-3 * checked.band.scale;
+        generic += clear;
+        generic_fallbacks += clear ? answer.fallbacks : 0;
+    }
+};
+
+template <class Algorithm>
+void compare(const NamedBody& of_a, const NamedBody& of_b, Tally& tally) {
+    const Table a(of_a.body, Algorithm::parts), b(of_b.body, Algorithm::parts);
+    using Pair = typename Algorithm::template Pair<Table, Table>;
+    PairMaker maker(of_a.body, of_b.body, 3);
+    Pair warm(a, b);
+    for (int i = 0; i < pairs_a_setting; ++i) {
+        const CheckedPair checked = check_pair(of_a.body, of_b.body, maker.next(), compute_eps);
+        Pair cold(a, b);
+        for (Pair* pair : {&cold, &warm}) {
+            const Distance answer = Algorithm::query(a, b, checked.a_from_b, *pair);
+            const Judged judged = judge_answer(answer, checked, of_a.body, of_b.body);
+            EXPECT_FALSE(judged.verdict_wrong) << of_a.name << " " << of_b.name << " " << i;
+            tally.add(answer, checked, judged);
+        }
+    }
+}
+
+template <class Type>
+class FlatPairs : public ::testing::Test {};
+TYPED_TEST_SUITE(FlatPairs, TableTypes);
+
+TYPED_TEST(FlatPairs, AnswersAreRightFromAnyStart) {
+    for_each_algorithm<Table>([&]<class Algorithm>(Algorithm) {
+        Tally tally;
+        for (const NamedBody& a : bodies()) {
+            for (const NamedBody& b : bodies()) compare<Algorithm>(a, b, tally);
+        }
+        std::printf(
+            "%s %s: error %.2g, close and parallel %.2g, witness %.2g, %d apart, %d in contact, fallbacks %d "
+            "of %d\n",
+            TableUnderTest::name, std::string(Algorithm::name).c_str(), tally.error[0], tally.error[1],
+            tally.witness, tally.apart, tally.contact, tally.generic_fallbacks, tally.generic);
+        EXPECT_LE(tally.error[0], planes_are_rounded<Algorithm> ? 1e-9 : error_allowed(Class::plain));
+        EXPECT_LE(tally.error[1], planes_are_rounded<Algorithm> ? 1e-3 : error_allowed(Class::parallel));
+        EXPECT_LE(tally.witness, verified_error);
+        EXPECT_GT(tally.apart, 1000);
+        EXPECT_GT(tally.contact, 200);
+        EXPECT_GT(tally.generic, 500);
+        EXPECT_LE(tally.generic_fallbacks, tally.generic / 100);
+    });
+}
+
+}  // namespace
+}  // namespace edgewise
