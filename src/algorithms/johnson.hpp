@@ -139,10 +139,11 @@ class Johnson {
         return result;
     }
 
-    /// The closest point of a triangle: the weighted sum, or the foot on its plane as a multiple of the
-    /// normal. Close to contact the sum cancels, and its direction, along which the next support point is
-    /// sought, is noise. Both suffer from the rounding of the points: the sum's direction by that over its
-    /// own length, the normal's by that over the triangle's height. The longer one wins.
+    /// The closest point of a triangle: the weighted sum, or its foot on the normal through the origin. Where
+    /// the triangle is long and low (length over height k) the weights are off by k^2 rounding steps, the sum
+    /// by k^2 times the length, and its direction, along which the next support point is sought, by that over
+    /// its own length; the normal's direction is off by k steps. The better known one wins; of a sliver,
+    /// whose normal is noise, the sum, which at least is a point of the triangle.
     [[nodiscard]] Vec3<Scalar> foot_on_triangle(Mask mask, const Vec3<Scalar>& weighted) const {
         const int i = lowest(mask);
         const int j = lowest(static_cast<Mask>(mask & (mask - 1)));
@@ -151,8 +152,9 @@ class Johnson {
         const Vec3<Scalar> normal = cross(p, q);
         const Scalar squared = squared_norm(normal);
         const Scalar longest = std::max(squared_norm(p), squared_norm(q));
-        if (squared <= squared_norm(weighted) * longest) return weighted;
-        return (dot(normal, w_[i]) / squared) * normal;
+        const bool sliver = squared <= Tolerance<Scalar>::sliver * longest * longest;
+        if (sliver || squared * squared_norm(weighted) >= longest * longest * longest) return weighted;
+        return (dot(normal, weighted) / squared) * normal;
     }
 
     /// The backup procedure. All cofactors are known by now.

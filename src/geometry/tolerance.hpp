@@ -37,6 +37,10 @@ struct Tolerance {
     /// of a vertex height computed in floating point (derived in truth/support_filter.cpp).
     static constexpr Scalar support_filter = 256 * eps;
 
+    /// Johnson, squared height over length of a triangle: below it the direction of the normal is off by more
+    /// than a thousandth.
+    static constexpr Scalar sliver = (1024 * eps) * (1024 * eps);
+
     /// Johnson, relative to the permanent (the triple product with all signs positive): rounding of a triple
     /// product of differences. A tetrahedron with a corner volume not beyond it is flat.
     static constexpr Scalar volume_noise = 8 * eps;
