@@ -8,6 +8,7 @@
 
 #include <cstddef>
 
+#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/rings.hpp"
@@ -62,7 +63,7 @@ class aos {
         const RingSlots rings(plan, body, parts);
 
         block_ = Block(plan);
-        facts_ = BodyFacts(body, parts);
+        facts_ = BodyFacts(body, parts, Tolerance<Stored>::strict_turn);
         vertices_ = block_.fill(vertices, [&](Index v) { return cast<Stored>(body.vertices[v]); });
         edges_ = block_.fill(edges, [&](Index e) { return Record(edge_geometry(body, e), body.edges[e]); });
         faces_ = block_.fill(faces, [&](Index f) { return cast<Stored>(body.face_planes[f]); });

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 
+#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/rings.hpp"
@@ -42,7 +43,7 @@ class soa {
         const RingSlots ring_slots(plan, body, parts);
 
         block_ = Block(plan);
-        facts_ = BodyFacts(body, parts);
+        facts_ = BodyFacts(body, parts, Tolerance<Stored>::strict_turn);
         vertices_ = fill(vertex_slots, [&](Index v) {
             return std::array{body.vertices[v].x(), body.vertices[v].y(), body.vertices[v].z()};
         });

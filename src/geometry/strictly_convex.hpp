@@ -9,8 +9,8 @@
 
 namespace edgewise {
 
-/// False when two neighbouring faces, or two consecutive sides of a face, turn by less than strict_turn.
-/// Points and segments are strictly convex.
-[[nodiscard]] bool is_strictly_convex(const Polyhedron& body);
+/// False when two neighbouring faces, or two consecutive sides of a face, turn by less than least_turn
+/// (radians; tolerance.hpp, strict_turn). Points and segments are strictly convex.
+[[nodiscard]] bool is_strictly_convex(const Polyhedron& body, double least_turn);
 
 }  // namespace edgewise

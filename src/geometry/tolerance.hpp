@@ -37,6 +37,12 @@ struct Tolerance {
     /// of a vertex height computed in floating point (derived in truth/support_filter.cpp).
     static constexpr Scalar support_filter = 256 * eps;
 
+    /// Radians, by what stores: faces or sides that turn by less count as flat, and V-Clip proves its answers
+    /// on such a body. Under an edge that turns by t, planes with noise n tell the two sides apart from a
+    /// depth of n / t on: a millionth of the size in double (2^-26), a quarter in single, where any more
+    /// would take in spheres of some hundred vertices.
+    static constexpr Scalar strict_turn = eps < Scalar(1e-10) ? Scalar(0x1p-26) : 64 * eps;
+
     /// Johnson, squared height over length of a triangle: below it the direction of the normal is off by more
     /// than a thousandth.
     static constexpr Scalar sliver = (1024 * eps) * (1024 * eps);
@@ -62,10 +68,6 @@ inline constexpr double face_planarity = 4096 * std::numeric_limits<double>::eps
 /// Relative to the extent: a body thinner than this is flat. The same as face_planarity, since below it no
 /// check can tell the two sides of the body apart.
 inline constexpr double flat_thickness = face_planarity;
-
-/// Radians: faces or sides that turn by less than this count as flat. Planes in single are off by some 1e-6,
-/// and what rounding does to a region grows with one over the turn.
-inline constexpr double strict_turn = 1e-4;
 
 /// Twice the area of a corner of a polygon in axes scaled to about 1: below some rounding steps it is
 /// straight.

@@ -14,10 +14,11 @@ struct BodyFacts {
     bool strictly_convex = true;  ///< false: V-Clip proves its answers before it believes them
 
     BodyFacts() = default;
-    BodyFacts(const Polyhedron& body, Parts parts)
+    /// `strict_turn`: that of the stored scalar (tolerance.hpp).
+    BodyFacts(const Polyhedron& body, Parts parts, double strict_turn)
         : vertex_count(static_cast<Index>(body.vertex_count())),
           face_count(parts == Parts::features ? static_cast<Index>(body.face_count()) : 0),
-          strictly_convex(is_strictly_convex(body)) {}
+          strictly_convex(is_strictly_convex(body, strict_turn)) {}
 };
 
 }  // namespace edgewise

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "edgewise/geometry/strictly_convex.hpp"
+#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/canonical.hpp"
 #include "edgewise/table/voronoi.hpp"
 
@@ -25,7 +26,9 @@ class ReferenceTable : public Canonical {
 
     explicit ReferenceTable(const Polyhedron& body) : Canonical(body), body_(&body) {}
 
-    [[nodiscard]] bool strictly_convex() const { return is_strictly_convex(*body_); }
+    [[nodiscard]] bool strictly_convex() const {
+        return is_strictly_convex(*body_, Tolerance<double>::strict_turn);
+    }
     [[nodiscard]] Vertex tail(Edge e) const { return body_->edges[e].tail; }
     [[nodiscard]] Vertex head(Edge e) const { return body_->edges[e].head; }
     [[nodiscard]] Face left(Edge e) const { return body_->edges[e].left; }

@@ -16,6 +16,8 @@ using testing::Faces;
 using testing::Points;
 using testing::random_rotation;
 
+constexpr double least = 1e-4;
+
 /// A square pyramid whose base is two triangles; the corner of the base at the origin is pushed outward, so
 /// that the base is folded along the diagonal from there.
 Polyhedron pyramid(double fold) {
@@ -36,19 +38,19 @@ TEST(StrictlyConvex, BoxesAreHoweverTheyLie) {
             const Vec3d signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
             points.push_back(turn * Vec3d(signs.cwiseProduct(size)));
         }
-        EXPECT_TRUE(is_strictly_convex(*convex_hull(points)));
+        EXPECT_TRUE(is_strictly_convex(*convex_hull(points), least));
     }
 }
 
 TEST(StrictlyConvex, ASharpNeedleIs) {
     const Points needle = {{0, 0, 0}, {1e8, 0.5, 0.5}, {0, 1, 0}, {0, 0, 1}};
-    EXPECT_TRUE(is_strictly_convex(*convex_hull(needle)));
+    EXPECT_TRUE(is_strictly_convex(*convex_hull(needle), least));
 }
 
 TEST(StrictlyConvex, ACutFaceIsNotUntilItIsFolded) {
-    EXPECT_FALSE(is_strictly_convex(pyramid(0)));
-    EXPECT_FALSE(is_strictly_convex(pyramid(1e-5)));
-    EXPECT_TRUE(is_strictly_convex(pyramid(1e-3)));
+    EXPECT_FALSE(is_strictly_convex(pyramid(0), least));
+    EXPECT_FALSE(is_strictly_convex(pyramid(1e-5), least));
+    EXPECT_TRUE(is_strictly_convex(pyramid(1e-3), least));
 }
 
 }  // namespace
