@@ -152,8 +152,10 @@ class Johnson {
         const Vec3<Scalar> normal = cross(p, q);
         const Scalar squared = squared_norm(normal);
         const Scalar longest = std::max(squared_norm(p), squared_norm(q));
-        const bool sliver = squared <= Tolerance<Scalar>::sliver * longest * longest;
-        if (sliver || squared * squared_norm(weighted) >= longest * longest * longest) return weighted;
+        const Scalar height =
+            squared / longest;  // squared, as `longest` is; no product of more than four lengths
+        const bool sliver = !(height > Tolerance<Scalar>::sliver * longest);
+        if (sliver || height * squared_norm(weighted) >= longest * longest) return weighted;
         return (dot(normal, weighted) / squared) * normal;
     }
 

@@ -2,9 +2,10 @@
 //
 // How near to contact a pair must be for its verdict to be a matter of rounding, and how an answer is judged.
 //
-//     scale = max(extent A, extent B, |offset|)           extent: diagonal of the vertex box, in the body's
-//     frame offset = max(|t_B - t_A|, largest |v| of A and B)   what a query in the frame of one body has to
-//     carry band  = 16 eps scale + 4 ortho_error max(extent)    eps = 2^-52, or 2^-23 where single computes
+//     scale  = max(extent A, extent B, |offset|)
+//     extent = diagonal of the vertex box, in the body's frame
+//     offset = max(|t_B - t_A|, largest |v| of A and B): what a query in the frame of one body has to carry
+//     band   = 16 eps scale + 4 ortho_error max(extent), eps = 2^-52, or 2^-23 where single computes
 //
 // The translations count by their difference only: queries subtract them first, in double. ortho_error is
 // that of the worse of the two rotations: code that uses R_A^T R_B may differ by it from R v + t as given.

@@ -42,7 +42,8 @@ template <class Table>
 
 /// True when the bodies are as far apart as the answer says. Witness points are in A's frame.
 template <class TableA, class TableB>
-[[nodiscard]] [[gnu::noinline]] bool is_proven(const Distance& result, const Body<TableA>& a, const Body<TableB>& b) {
+[[nodiscard]] [[gnu::noinline]] bool is_proven(const Distance& result, const Body<TableA>& a,
+                                               const Body<TableB>& b) {
     using Scalar = ComputeOf<TableA>;
     const Vec3<Scalar> on_a = result.point_a.template cast<Scalar>();
     const Vec3<Scalar> on_b = result.point_b.template cast<Scalar>();

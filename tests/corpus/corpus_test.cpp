@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+//
+// Every case of the corpus through every table type and algorithm, as given, swapped, and with its vertices
+// listed backwards. The judge is the exact oracle on the bodies that the tables hold: verdict outside the
+// band, distance, witness points, depth, and the certificates of the stored and of the given bodies.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <set>
+
+#include "corpus.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/sweep/certificates.hpp"
+#include "edgewise/sweep/registry.hpp"
+#include "edgewise/truth/accuracy_band.hpp"
+#include "edgewise/truth/exact_depth.hpp"
+
+namespace edgewise {
+namespace {
+
+/// Depths are judged less sharply than distances: a normal is worse than a foot.
+constexpr double depth_error_double = 1e-9;
+
+struct Worst {
+    double distance = 0, witness = 0, depth = 0;  ///< over scale, beyond what the rotations owe
+    int apart = 0, contact = 0, in_band = 0;
+};
+
+struct Subject {
+    const TableType& type;
+    std::string algorithm;
+
+    [[nodiscard]] bool single() const { return type.eps > Tolerance<double>::eps; }
+    [[nodiscard]] double error_allowed() const {
+        return single() ? verified_error_single : verified_error_double;
+    }
+    [[nodiscard]] double depth_allowed() const {
+        return single() ? verified_error_single : depth_error_double;
+    }
+};
+
+void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.type.name << subject.algorithm; }
+
+class Corpus : public testing::TestWithParam<Subject> {
+  protected:
+    void SetUp() override { runner_ = GetParam().type.make_runner(GetParam().algorithm); }
+
+    void expect_right(const Case& given) {
+        SCOPED_TRACE(given.id);
+        id_ = given.id;
+        const auto a = body_from_case(given.a);
+        const auto b = body_from_case(given.b);
+        ASSERT_TRUE(a && b) << a.error << b.error;
+        const std::vector<Polyhedron> bodies = {*a, *b};
+        ASSERT_EQ(runner_->load(bodies), "");
+        const Query query{0, 1, 0, given.pose_a, given.pose_b};
+        const NamedAnswer answer = runner_->answer(query);
+        judge_distance(answer, query);
+        judge_certificates(answer, query, bodies);
+    }
+
+    Worst worst_;
+    std::set<std::string> wrong_;  ///< cases with a wrong verdict or distance
+
+  private:
+    [[nodiscard]] std::span<const Vec3d> vertices(std::size_t body) const {
+        return runner_->stored_bodies()[body].vertices;
+    }
+
+    [[nodiscard]] Result<ExactDistance> exact(const Query& query) const {
+        return exact_distance(vertices(0), query.pose_a, vertices(1), query.pose_b);
+    }
+
+    void judge_distance(const NamedAnswer& answer, const Query& query) {
+        const auto truth = exact(query);
+        ASSERT_TRUE(truth) << truth.error;
+        const AccuracyBand band =
+            accuracy_band(vertices(0), query.pose_a, vertices(1), query.pose_b, GetParam().type.eps);
+        const bool apart = answer.distance.status == Status::separated;
+        std::optional<double> depth;
+        if (truth->verdict != ExactVerdict::separated) {
+            depth = exact_depth(vertices(0), query.pose_a, vertices(1), query.pose_b, truth->simplex)->depth;
+        }
+        const Judgement judged = judge({apart, answer.distance.distance}, *truth, band, depth);
+        const double allowed = GetParam().error_allowed() * band.scale + band.band;
+        if (judged.verdict_wrong || !(judged.error <= allowed)) wrong_.insert(id_);
+        if (apart) judge_witness(answer, band);
+        if (depth && !apart) judge_depth(answer, *depth, band);
+        ++(apart ? worst_.apart : worst_.contact);
+        worst_.in_band += judged.in_band;
+        worst_.distance = std::max(worst_.distance, (judged.error - band.band) / band.scale);
+    }
+
+    void judge_witness(const NamedAnswer& answer, const AccuracyBand& band) {
+        const double between = norm(Vec3d(answer.distance.point_a - answer.distance.point_b));
+        const double error = std::abs(between - answer.distance.distance);
+        EXPECT_LE(error, GetParam().error_allowed() * band.scale + band.band);
+        worst_.witness = std::max(worst_.witness, (error - band.band) / band.scale);
+    }
+
+    void judge_depth(const NamedAnswer& answer, double depth, const AccuracyBand& band) {
+        const double error = std::abs(answer.depth - depth);
+        EXPECT_LE(error, GetParam().depth_allowed() * band.scale + band.band);
+        if (depth > band.band) {
+            EXPECT_EQ(answer.distance.status, Status::overlapping);
+        }
+        worst_.depth = std::max(worst_.depth, (error - band.band) / band.scale);
+    }
+
+    void judge_certificates(const NamedAnswer& answer, const Query& query,
+                            const std::vector<Polyhedron>& bodies) {
+        const auto certificates = certificates_of(answer, query, bodies, runner_->stored_bodies());
+        ASSERT_TRUE(certificates) << certificates.error;
+        const auto stored = exact(query);
+        const auto given = exact_distance(bodies[0].vertices, query.pose_a, bodies[1].vertices, query.pose_b);
+        EXPECT_LE(certificates->stored.lower, stored->distance);
+        EXPECT_GE(certificates->stored.upper, stored->distance);
+        EXPECT_LE(certificates->given.lower, given->distance);
+        EXPECT_GE(certificates->given.upper, given->distance);
+    }
+
+    std::unique_ptr<Runner> runner_;
+    std::string id_;
+};
+
+/// Faults that are known and not yet mended; one that is mended must leave this list. V-Clip in single takes
+/// two nearly parallel boxes that overlap by 3e-5 of their size to be 2e-5 apart.
+std::set<std::string> open_faults(const Subject& subject) {
+    if (subject.single() && subject.algorithm == "vclip") return {"fcl399"};
+    return {};
+}
+
+TEST_P(Corpus, IsAnsweredRightHoweverItIsGiven) {
+    ASSERT_GE(corpus().size(), 180U);
+    for (const Case& given : corpus()) {
+        expect_right(given);
+        expect_right(swapped(given));
+        expect_right(reversed(given));
+    }
+    std::printf("%s %s: error %.2g, witness %.2g, depth %.2g; %d apart, %d in contact, %d in the band\n",
+                GetParam().type.name.c_str(), GetParam().algorithm.c_str(), worst_.distance, worst_.witness,
+                worst_.depth, worst_.apart, worst_.contact, worst_.in_band);
+    EXPECT_EQ(wrong_, open_faults(GetParam()));
+    EXPECT_GT(worst_.apart, 200);
+    EXPECT_GT(worst_.contact, 200);
+}
+
+std::vector<Subject> subjects() {
+    std::vector<Subject> all;
+    for (const TableType& type : table_types()) {
+        for (const std::string& algorithm : type.algorithms) all.push_back({type, algorithm});
+    }
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Corpus, testing::ValuesIn(subjects()),
+                         [](const auto& of) { return of.param.type.name + "_" + of.param.algorithm; });
+
+}  // namespace
+}  // namespace edgewise
