@@ -15,12 +15,19 @@ add_library(edgewise_flags INTERFACE)
 target_compile_features(edgewise_flags INTERFACE cxx_std_20)
 target_compile_options(edgewise_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     # A false alarm of g++ 12 inside std::string (GCC bug 105651).
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+    # The straight-line vectoriser of g++ 12 writes fused multiply-adds in spite of -ffp-contract=off.
+    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 if(EDGEWISE_SANITIZE)
     target_compile_options(edgewise_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(edgewise_flags INTERFACE -fsanitize=address,undefined)
     # For files full of query loops: flattened and sanitized, they would take minutes each to compile.
     set(EDGEWISE_QUERY_LOOP_OPTIONS -fno-inline)
+    # For the loops that sanitized tests spend their time in: -O1 leaves every Eigen accessor a call.
+    set(EDGEWISE_REFERENCE_LOOP_OPTIONS -O2)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # Query loops are 10 to 20 % slower without it; house.no_contraction looks for what it may do wrong.
+    set(EDGEWISE_QUERY_LOOP_OPTIONS -ftree-slp-vectorize)
 endif()
 
 # Machine tuning is for the tool alone: nothing that is installed or exported is compiled with it.

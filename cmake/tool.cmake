@@ -3,6 +3,7 @@
 edgewise_write_registry()
 get_property(registry_units GLOBAL PROPERTY EDGEWISE_REGISTRY_UNITS)
 set_source_files_properties(${registry_units} PROPERTIES COMPILE_OPTIONS "${EDGEWISE_QUERY_LOOP_OPTIONS}")
+set_source_files_properties(src/truth/brute_force.cpp PROPERTIES COMPILE_OPTIONS "${EDGEWISE_REFERENCE_LOOP_OPTIONS}")
 
 set(build_info ${PROJECT_BINARY_DIR}/registry/build_info.cpp)
 string(TOUPPER ${CMAKE_BUILD_TYPE} type)

@@ -32,3 +32,11 @@ if(HOUSE_CLANG_TIDY)
         -- -std=c++20 -I${EDGEWISE_INCLUDE} -isystem ${eigen})
     set_tests_properties(house.tidy PROPERTIES TIMEOUT 600)
 endif()
+
+# GCC may fuse what -ffp-contract=off keeps apart (cmake/options.cmake); std::fma itself compiles to scalar ones.
+find_program(HOUSE_OBJDUMP objdump)
+if(HOUSE_OBJDUMP AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    add_test(NAME house.no_contraction COMMAND ${CMAKE_COMMAND} -D TOOL=${HOUSE_OBJDUMP}
+        -D PROGRAM=$<TARGET_FILE:edgewise_program> -P ${CMAKE_CURRENT_SOURCE_DIR}/check_contraction.cmake)
+    set_tests_properties(house.no_contraction PROPERTIES TIMEOUT 120)
+endif()

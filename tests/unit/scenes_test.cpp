@@ -241,7 +241,7 @@ TEST(Tumble, APairThatReturnsGetsANewSlot) {
 TEST(Scenes, OneSeedOneWorkload) {
     const Polyhedron body = shape("sphere38");
     const std::map<std::string, std::uint64_t> golden = {
-        {"static", 0x893bd2e00cc3aca7U}, {"cold", 0xcdc5428cd9779aa9U}, {"tumble", 0x035c4019cc9813cbU}};
+        {"static", 0x893bd2e00cc3aca7U}, {"cold", 0xcdc5428cd9779aa9U}, {"tumble", 0x64db073872c93f51U}};
     for (const SceneInfo& info : list_scenes()) {
         const Workload w = scene(info.name.c_str(), body, 500, {}, 42);
         const std::uint64_t hash = hash_of(w);
