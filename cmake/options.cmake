@@ -23,8 +23,6 @@ if(EDGEWISE_SANITIZE)
     target_link_options(edgewise_flags INTERFACE -fsanitize=address,undefined)
     # For files full of query loops: flattened and sanitized, they would take minutes each to compile.
     set(EDGEWISE_QUERY_LOOP_OPTIONS -fno-inline)
-    # For the loops that sanitized tests spend their time in: -O1 leaves every Eigen accessor a call.
-    set(EDGEWISE_REFERENCE_LOOP_OPTIONS -O2)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # Query loops are 10 to 20 % slower without it; house.no_contraction looks for what it may do wrong.
     set(EDGEWISE_QUERY_LOOP_OPTIONS -ftree-slp-vectorize)

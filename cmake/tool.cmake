@@ -3,7 +3,6 @@
 edgewise_write_registry()
 get_property(registry_units GLOBAL PROPERTY EDGEWISE_REGISTRY_UNITS)
 set_source_files_properties(${registry_units} PROPERTIES COMPILE_OPTIONS "${EDGEWISE_QUERY_LOOP_OPTIONS}")
-set_source_files_properties(src/truth/brute_force.cpp PROPERTIES COMPILE_OPTIONS "${EDGEWISE_REFERENCE_LOOP_OPTIONS}")
 
 set(build_info ${PROJECT_BINARY_DIR}/registry/build_info.cpp)
 string(TOUPPER ${CMAKE_BUILD_TYPE} type)
@@ -33,6 +32,14 @@ add_library(edgewise_tool STATIC
     src/measure/perf_event.cpp
     src/measure/statistics.cpp
     src/scene/case_file.cpp
+    src/scene/hard/bodies.cpp
+    src/scene/hard/contact.cpp
+    src/scene/hard/cubes.cpp
+    src/scene/hard/families.cpp
+    src/scene/hard/maker.cpp
+    src/scene/hard/parallel.cpp
+    src/scene/hard/sequences.cpp
+    src/scene/hard/size.cpp
     src/scene/motion.cpp
     src/scene/scene_cold.cpp
     src/scene/scene_setup.cpp
@@ -50,6 +57,10 @@ add_library(edgewise_tool STATIC
     src/sweep/run.cpp
     src/sweep/shapes_of.cpp
     src/sweep/sqlite.cpp
+    src/sweep/stability.cpp
+    src/sweep/stability_cases.cpp
+    src/sweep/stability_subject.cpp
+    src/sweep/stability_tally.cpp
     src/sweep/store.cpp
     src/sweep/table_bytes.cpp
     src/sweep/verify.cpp
@@ -82,7 +93,9 @@ add_executable(edgewise_program
     src/cli/command_machine.cpp
     src/cli/command_query.cpp
     src/cli/command_report.cpp
+    src/cli/command_stability.cpp
     src/cli/command_sweep.cpp
-    src/cli/main.cpp)
+    src/cli/main.cpp
+    src/cli/stability_run.cpp)
 set_target_properties(edgewise_program PROPERTIES OUTPUT_NAME edgewise RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_link_libraries(edgewise_program PRIVATE edgewise_tool edgewise_reports CLI11::CLI11 edgewise_tuned_flags)

@@ -17,6 +17,8 @@ std::vector<GridCell> problem_row(const ReportCell& cell) {
 void add_status(Grid& grid, const ReportData& data, const std::string& status) {
     for (const ReportCell& cell : data.cells)
         if (cell.status == status) grid.rows.push_back(problem_row(cell));
+    for (const ReportCell& row : data.stability)
+        if (row.status == status) grid.rows.push_back(problem_row(row));
 }
 
 }  // namespace

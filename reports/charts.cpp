@@ -24,6 +24,7 @@ std::vector<std::string> ordered_names(const ReportData& data, std::string Repor
                                        const std::vector<std::string>& first) {
     std::set<std::string> present;
     for (const ReportCell& cell : data.cells) present.insert(cell.*member);
+    for (const ReportCell& row : data.stability) present.insert(row.*member);
     std::vector<std::string> names;
     for (const std::string& name : first)
         if (present.erase(name)) names.push_back(name);
@@ -34,7 +35,10 @@ std::vector<std::string> ordered_names(const ReportData& data, std::string Repor
 }  // namespace
 
 std::vector<Chart> all_charts(const ReportData& data) {
-    return {bytes_chart(data), time_chart(data), speed_error_chart(data), ratio_chart(data)};
+    std::vector<Chart> charts = {bytes_chart(data), time_chart(data), speed_error_chart(data),
+                                 ratio_chart(data)};
+    if (!data.stability.empty()) charts.insert(charts.end(), {tolerance_chart(data), gap_chart(data)});
+    return charts;
 }
 
 ChartJson cell_json(const ReportCell& cell) {
@@ -159,6 +163,34 @@ Grid data_grid(const ChartJson& values, const std::vector<std::string>& fields) 
     if (values.size() > rows)
         grid.caption = fmt::format("The first {} of {} rows; results.csv has them all.", rows, values.size());
     return grid;
+}
+
+ChartJson table_json(const ReportData& data, const std::string& algorithm, const std::string& table) {
+    ChartJson result{{"algorithm", algorithm}, {"table", table}};
+    for (const ReportCell& row : data.stability) {
+        if (row.table != table) continue;
+        result["layout"] = row.layout;
+        result["precision"] = row.precision;
+        break;
+    }
+    return result;
+}
+
+ChartJson table_lines(const ReportData& data, const ChartJson& values, const ChartJson& x,
+                      const ChartJson& y) {
+    return {{"config", chart_config()},
+            {"data", {{"values", values}}},
+            {"width", 640},
+            {"height", 300},
+            {"params", ChartJson::array({legend_pick("layout"), legend_pick("precision")})},
+            {"mark", {{"type", "line"}, {"point", true}, {"strokeWidth", 1.4}}},
+            {"encoding",
+             {{"x", x},
+              {"y", y},
+              {"color", layout_colour(data)},
+              {"strokeDash", precision_dash(data)},
+              {"shape", algorithm_shape(data)},
+              {"opacity", picked_opacity({"layout", "precision"})}}}};
 }
 
 }  // namespace edgewise

@@ -30,6 +30,8 @@ struct Chart {
 [[nodiscard]] Chart time_chart(const ReportData& data);
 [[nodiscard]] Chart speed_error_chart(const ReportData& data);
 [[nodiscard]] Chart ratio_chart(const ReportData& data);
+[[nodiscard]] Chart tolerance_chart(const ReportData& data);
+[[nodiscard]] Chart gap_chart(const ReportData& data);
 [[nodiscard]] std::vector<Chart> all_charts(const ReportData& data);
 
 /// The most marks one chart may hold; browsers draw this many in about half a second.
@@ -37,6 +39,12 @@ inline constexpr std::size_t mark_limit = 20000;
 
 /// What names a cell in every chart's data.
 [[nodiscard]] ChartJson cell_json(const ReportCell& cell);
+/// What names an algorithm on a table type.
+[[nodiscard]] ChartJson table_json(const ReportData& data, const std::string& algorithm,
+                                   const std::string& table);
+/// One line an algorithm x table type.
+[[nodiscard]] ChartJson table_lines(const ReportData& data, const ChartJson& values, const ChartJson& x,
+                                    const ChartJson& y);
 /// Font, grid lines and legend sizes: one look for all.
 [[nodiscard]] ChartJson chart_config();
 /// Colour by layout, from a fixed order of names, whatever else is shown or hidden.

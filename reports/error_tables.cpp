@@ -29,6 +29,7 @@ constexpr Column columns[] = {{"checked", "checked", true},
                               {"wrong verdicts", "wrong_verdicts", true},
                               {"verdicts in band", "verdicts_in_band", true},
                               {"fallbacks", "fallbacks", true},
+                              {"refinements", "refinements", true},
                               {"cycles", "cycles", true},
                               {"mean steps", "mean_steps", false},
                               {"max steps", "max_steps", false}};

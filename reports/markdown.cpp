@@ -54,6 +54,9 @@ std::string report_markdown(const ReportData& data, const std::vector<Chart>& ch
     out += times_markdown(data);
     out += section("Errors", error_explanation()) + grid_markdown(error_summary_grid(data));
     out += grid_markdown(error_grid(data));
+    out += section("Stability", stability_explanation(data));
+    if (!data.stability.empty())
+        out += grid_markdown(stability_summary_grid(data)) + grid_markdown(stability_grid(data));
     return out + section("All cells") + grid_markdown(cells_grid(data));
 }
 

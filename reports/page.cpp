@@ -46,7 +46,8 @@ std::string opening_html(const ReportData& data) {
     out +=
         "<nav><a href=\"#machine\">Machine and build</a><a href=\"#charts\">Charts</a><a "
         "href=\"#bytes\">Bytes "
-        "per edge</a><a href=\"#times\">Times</a><a href=\"#errors\">Errors</a><a href=\"#cells\">All "
+        "per edge</a><a href=\"#times\">Times</a><a href=\"#errors\">Errors</a><a "
+        "href=\"#stability\">Stability</a><a href=\"#cells\">All "
         "cells</a></nav>\n";
     out += heading("machine", "Machine and build");
     out += "<div class=\"facts\">\n" + grid_html(facts_grid(data)) + "</div>\n<h3>Scenes</h3>\n";
@@ -108,6 +109,14 @@ std::string times_html(const ReportData& data) {
     return out;
 }
 
+std::string stability_html(const ReportData& data) {
+    std::string out = heading("stability", "Stability") + paragraph(stability_explanation(data));
+    if (data.stability.empty()) return out;
+    return out + grid_html(stability_summary_grid(data)) +
+           folded(fmt::format("Every family ({})", plural(data.stability.size(), "row")),
+                  grid_html(stability_grid(data)));
+}
+
 std::string tables_html(const ReportData& data) {
     const std::string shape = reference_shape(data);
     std::string out = heading("bytes", "Bytes per edge") + paragraph(bytes_explanation());
@@ -116,6 +125,7 @@ std::string tables_html(const ReportData& data) {
     out += times_html(data);
     out += heading("errors", "Errors") + paragraph(error_explanation()) + grid_html(error_summary_grid(data));
     out += folded(fmt::format("Every cell ({})", data.cells.size()), grid_html(error_grid(data)));
+    out += stability_html(data);
     out += heading("cells", "All cells");
     out += paragraph(
         "results.csv beside this page holds every figure of every cell; report.md holds these tables as "

@@ -21,6 +21,7 @@ namespace edgewise {
 [[nodiscard]] std::string bytes_explanation();
 [[nodiscard]] std::string time_explanation();
 [[nodiscard]] std::string error_explanation();
+[[nodiscard]] std::string stability_explanation(const ReportData& data);
 
 /// `scripts`: the bundles as script elements, or empty when they were not available.
 [[nodiscard]] std::string page_html(const ReportData& data, const std::vector<Chart>& charts,

@@ -166,7 +166,11 @@ ReportData read_report(const std::string& store, const std::string& build) {
     for (std::size_t i = 0; i < data.cells.size(); ++i) index[data.cells[i].hash] = i;
     read_figures(database, data.build.id, index, data.cells);
     read_rounds(database, data.build.id, index, data.cells);
+    const auto is_stability = [](const ReportCell& cell) { return cell.scene == "stability"; };
+    std::copy_if(data.cells.begin(), data.cells.end(), std::back_inserter(data.stability), is_stability);
+    std::erase_if(data.cells, is_stability);
     label_scenes(data.cells);
+    label_scenes(data.stability);
     return data;
 }
 

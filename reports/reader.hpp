@@ -48,6 +48,8 @@ struct ReportData {
     ReportBuild build;                                      ///< whose cells these are
     std::vector<std::string> other_builds;                  ///< ids of builds in the store that are not shown
     std::vector<ReportCell> cells;  ///< by scene, parameters, vertices, shape, algorithm, table type, hash
+    std::vector<ReportCell>
+        stability;  ///< rows of the stability run: the shape is the family; order likewise
 
     [[nodiscard]] std::size_t count(const std::string& status) const;
 };

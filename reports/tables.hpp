@@ -42,6 +42,11 @@ enum class PairKind { Separated, Overlapping };
 /// The error figures of every cell.
 [[nodiscard]] Grid error_grid(const ReportData& data);
 
+/// The stability run, all families together: one row an algorithm x table type.
+[[nodiscard]] Grid stability_summary_grid(const ReportData& data);
+/// One row a family x algorithm x table type.
+[[nodiscard]] Grid stability_grid(const ReportData& data);
+
 /// Scene labels in order.
 [[nodiscard]] std::vector<std::string> scene_labels(const ReportData& data);
 

@@ -60,4 +60,21 @@ std::string error_explanation() {
            "cycles and steps are over all queries of a cell.";
 }
 
+std::string stability_explanation(const ReportData& data) {
+    if (data.stability.empty()) {
+        return "This store holds no stability run: `edgewise stability` runs the hard families into it.";
+    }
+    return "Pairs that broke collision libraries, generated family by family and judged by exact arithmetic. "
+           "A "
+           "wrong verdict outside the rounding band, or an error beyond what the precision allows, fails the "
+           "row; verdicts that differ inside the band are counted apart, for there the precision cannot "
+           "tell. "
+           "Errors and certificate widths are over the scale of the pair, beyond what the rotation matrices' "
+           "own "
+           "distance from orthogonal explains. Refused cases are bodies or numbers that Edgewise does not "
+           "take, "
+           "each with a reason. Cycles are V-Clip runs that came back to a state, fallbacks the answers that "
+           "GJK gave instead, refinements close answers that it worked out again in wider arithmetic.";
+}
+
 }  // namespace edgewise

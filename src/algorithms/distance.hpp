@@ -31,6 +31,7 @@ struct Distance {
     int steps = 0;                  ///< V-Clip states visited, or GJK iterations
     int cycles = 0;                 ///< runs that came back to a state already seen
     int fallbacks = 0;              ///< answers taken from the complete fallback instead
+    int refinements = 0;            ///< close answers worked out again from where the run ended
 };
 
 /// The witness points in world coordinates.

@@ -17,6 +17,7 @@
 #include "edgewise/algorithms/johnson.hpp"
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/geometry/wider.hpp"
 #include "edgewise/table/contract.hpp"
 
 namespace edgewise {
@@ -31,6 +32,7 @@ struct Simplex {
     std::array<typename TableB::Vertex, 4> vertex_b;
     std::array<Vec3<Scalar>, 4> on_a, on_b;  ///< both in A's frame
     std::array<Vec3<Scalar>, 4> difference;
+    Scalar size = 0;  ///< longest coordinate of all points pushed so far: what rounding is relative to
 
     void push(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& point_a,
               const Vec3<Scalar>& point_b) {
@@ -40,6 +42,7 @@ struct Simplex {
         on_b[count] = point_b;
         difference[count] = point_a - point_b;
         ++count;
+        size = std::max({size, max_abs(point_a), max_abs(point_b)});
     }
 
     [[nodiscard]] bool holds(typename TableA::Vertex a, typename TableB::Vertex b) const {
@@ -63,13 +66,6 @@ struct Simplex {
             ++kept;
         }
         count = kept;
-    }
-
-    /// Longest coordinate among the points: what rounding noise is relative to.
-    [[nodiscard]] Scalar size() const {
-        Scalar result = 0;
-        for (int i = 0; i < count; ++i) result = std::max({result, max_abs(on_a[i]), max_abs(on_b[i])});
-        return result;
     }
 };
 
@@ -111,7 +107,16 @@ class GjkRun {
             add(a_.first_vertex(), b_.first_vertex());
         }
         for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
-        solve();
+        if (!still_inside()) solve();
+        simplex_.keep(closest_);
+    }
+
+    /// A pair that overlapped most likely still does: four signs tell, where fourteen subsets would be tried.
+    [[nodiscard]] bool still_inside() {
+        Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
+        if (!johnson.holds_origin()) return false;
+        closest_ = johnson.inside();
+        return true;
     }
 
     void add(typename TableA::Vertex a, typename TableB::Vertex b) {
@@ -119,8 +124,29 @@ class GjkRun {
     }
 
     void solve() {
-        closest_ = Johnson<Scalar>(simplex_.difference, simplex_.count).closest();
-        simplex_.keep(closest_);
+        if (!careful_) {
+            Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
+            closest_ = johnson.closest();
+            if (closest_.members == Johnson<Scalar>::whole) return;
+            const Scalar close = Tolerance<Scalar>::close * simplex_.size;
+            const bool far = squared_norm(closest_.point) >= close * close;
+            if (far && !closest_.backup && !johnson.is_thin(closest_.members)) return;
+        }
+        solve_wide();
+    }
+
+    /// Near the origin the cofactors cancel: the direction of what is left is noise, or the wrong members are
+    /// chosen and the distance grows. So the same in wider arithmetic. The points stay as they are; their
+    /// rounding costs the distance no more than itself. Returns the squared distance, unrounded.
+    [[gnu::noinline]] Wider<Scalar> solve_wide() {
+        std::array<Vec3<Wider<Scalar>>, 4> points;
+        for (int i = 0; i < simplex_.count; ++i) points[i] = cast<Wider<Scalar>>(simplex_.difference[i]);
+        const auto wide = Johnson<Wider<Scalar>>(points, simplex_.count).closest();
+        closest_.members = wide.members;
+        closest_.backup = wide.backup;
+        closest_.point = cast<Scalar>(wide.point);
+        for (int i = 0; i < simplex_.count; ++i) closest_.weight[i] = static_cast<Scalar>(wide.weight[i]);
+        return squared_norm(wide.point);
     }
 
     /// One support point further; false when nothing is left to gain.
@@ -129,7 +155,7 @@ class GjkRun {
         const auto a = support(a_, Vec3<Scalar>(-v), simplex_.vertex_a[simplex_.count - 1]);
         const auto b = support(b_, a_from_b_.direction_back(v), simplex_.vertex_b[simplex_.count - 1]);
         const Vec3<Scalar> on_b = a_from_b_.point(b.point);
-        const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex_.size();
+        const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex_.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
         if (simplex_.holds(a.vertex, b.vertex) || squared - reach_ <= noise) return false;
@@ -138,15 +164,36 @@ class GjkRun {
         const auto closest_before = closest_;
         simplex_.push(a.vertex, b.vertex, a.point, on_b);
         solve();
-        if (simplex_.count == 4 || squared_norm(closest_.point) < squared) return true;
+        if (!gains(squared) && !gains_slowly(before)) {
+            simplex_ = before;
+            closest_ = closest_before;
+            return false;
+        }
+        simplex_.keep(closest_);
+        return true;
+    }
+
+    [[nodiscard]] bool gains(Scalar before) const {
+        if (closest_.members == Johnson<Scalar>::whole) return true;
+        return !careful_ && squared_norm(closest_.point) < before;
+    }
+
+    /// The duality gap is open but the distance did not fall: along a valley of nearly parallel sides it
+    /// falls by the square of the gap, and many steps that rounding hides add up. From here on only the
+    /// unrounded distance counts, which falls strictly: the run ends.
+    [[nodiscard]] [[gnu::noinline]] bool gains_slowly(const Simplex<TableA, TableB>& before) {
+        careful_ = true;
+        const Simplex<TableA, TableB> after = simplex_;
         simplex_ = before;
-        closest_ = closest_before;
-        return false;
+        const Wider<Scalar> old_distance = solve_wide();
+        simplex_ = after;
+        const Wider<Scalar> new_distance = solve_wide();
+        return closest_.members == Johnson<Scalar>::whole || new_distance < old_distance;
     }
 
     /// At the origin with a direction that separates nothing: contact as far as this precision can tell.
     [[nodiscard]] Status separated_or_contact() const {
-        const bool at_origin = max_abs(closest_.point) <= Tolerance<Scalar>::contact_noise * simplex_.size();
+        const bool at_origin = max_abs(closest_.point) <= Tolerance<Scalar>::contact_noise * simplex_.size;
         return at_origin && !separates_ ? Status::touching : Status::separated;
     }
 
@@ -183,6 +230,7 @@ class GjkRun {
     Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
     int steps_ = 0;
     bool separates_ = false;  ///< beyond rounding
+    bool careful_ = false;    ///< every sub-distance in wider arithmetic
 };
 
 /// The algorithm as the sweep and users see it.

@@ -23,6 +23,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
@@ -34,6 +35,8 @@ class Johnson {
   public:
     using Mask = std::uint8_t;  ///< bit i: point i belongs to the subset
 
+    static constexpr Mask whole = 15;
+
     struct Closest {
         Mask members = 0;
         std::array<Scalar, 4> weight{};  ///< of members; they sum to one
@@ -43,6 +46,10 @@ class Johnson {
 
     /// Points are w[0 .. count-1], 1 <= count <= 4.
     Johnson(const std::array<Vec3<Scalar>, 4>& w, int count) : w_(w), count_(count) {}
+
+    /// Whether a tetrahedron holds the origin, before any subset is tried; then `closest` is that.
+    [[nodiscard]] bool holds_origin() { return count_ == 4 && volumes_hold_origin(); }
+    [[nodiscard]] Closest inside() const { return weigh(whole); }
 
     [[nodiscard]] Closest closest() {
         for (const Mask mask : ascending) {
@@ -55,10 +62,16 @@ class Johnson {
         return nearest_of_all();
     }
 
+    /// A triangle too long and low for its foot to be as good as its points are.
+    [[nodiscard]] bool is_thin(Mask mask) const {
+        if (std::popcount(mask) != 3) return false;
+        const auto [p, q] = sides(mask);
+        const Scalar longest = std::max(squared_norm(p), squared_norm(q));
+        return !(squared_norm(cross(p, q)) > Tolerance<Scalar>::thin * longest * longest);
+    }
+
   private:
     static constexpr std::array<Mask, 14> ascending = {1, 2, 4, 8, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14};
-
-    static constexpr Mask whole = 15;
 
     /// Signed volumes of the origin with each face of the tetrahedron; they are the cofactors of the whole.
     bool volumes_hold_origin() {
@@ -76,7 +89,10 @@ class Johnson {
 
     /// The triple product with every sign turned positive: what its rounding is relative to.
     static Scalar permanent(const Vec3<Scalar>& a, const Vec3<Scalar>& b, const Vec3<Scalar>& c) {
-        const auto size = [](Scalar s) { return std::abs(s); };
+        const auto size = [](const Scalar& s) {
+            using std::abs;
+            return abs(s);
+        };
         return size(a.x()) * (size(b.y() * c.z()) + size(b.z() * c.y())) +
                size(a.y()) * (size(b.z() * c.x()) + size(b.x() * c.z())) +
                size(a.z()) * (size(b.x() * c.y()) + size(b.y() * c.x()));
@@ -145,18 +161,22 @@ class Johnson {
     /// its own length; the normal's direction is off by k steps. The better known one wins; of a sliver,
     /// whose normal is noise, the sum, which at least is a point of the triangle.
     [[nodiscard]] Vec3<Scalar> foot_on_triangle(Mask mask, const Vec3<Scalar>& weighted) const {
-        const int i = lowest(mask);
-        const int j = lowest(static_cast<Mask>(mask & (mask - 1)));
-        const int k = std::bit_width(mask) - 1;
-        const Vec3<Scalar> p = w_[j] - w_[i], q = w_[k] - w_[i];
+        const auto [p, q] = sides(mask);
         const Vec3<Scalar> normal = cross(p, q);
         const Scalar squared = squared_norm(normal);
         const Scalar longest = std::max(squared_norm(p), squared_norm(q));
-        const Scalar height =
-            squared / longest;  // squared, as `longest` is; no product of more than four lengths
+        // Squared, as `longest` is: no product of more than four lengths.
+        const Scalar height = squared / longest;
         const bool sliver = !(height > Tolerance<Scalar>::sliver * longest);
         if (sliver || height * squared_norm(weighted) >= longest * longest) return weighted;
         return (dot(normal, weighted) / squared) * normal;
+    }
+
+    [[nodiscard]] std::pair<Vec3<Scalar>, Vec3<Scalar>> sides(Mask mask) const {
+        const int i = lowest(mask);
+        const int j = lowest(static_cast<Mask>(mask & (mask - 1)));
+        const int k = std::bit_width(mask) - 1;
+        return {w_[j] - w_[i], w_[k] - w_[i]};
     }
 
     /// The backup procedure. All cofactors are known by now.

@@ -3,7 +3,8 @@
 // The support point: the vertex farthest along a direction. Large bodies climb along neighbour rings
 // (Cameron, "Enhancing GJK", ICRA 1997): on a convex body a vertex none of whose neighbours is farther is the
 // farthest. Small bodies are scanned: below the break-even a scan's predictable loop beats the climb's
-// unpredictable one.
+// unpredictable one. Bodies that are not strictly convex are scanned too: where neighbours lie on one plane
+// or almost in one place, rounding makes plateaus on which a climb ends far below the top.
 #pragma once
 
 #include "edgewise/table/contract.hpp"
@@ -61,8 +62,9 @@ template <SupportTable Table>
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                           typename Table::Vertex start) {
-    return table.vertex_count() < scan_below ? scan_support(table, direction)
-                                             : climb_support(table, direction, start);
+    return table.vertex_count() < scan_below || !table.strictly_convex()
+               ? scan_support(table, direction)
+               : climb_support(table, direction, start);
 }
 
 }  // namespace edgewise

@@ -16,6 +16,7 @@
 #include <cassert>
 
 #include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/vclip/close.hpp"
 #include "edgewise/algorithms/vclip/closest_points.hpp"
 #include "edgewise/algorithms/vclip/cycle_guard.hpp"
 #include "edgewise/algorithms/vclip/edge_edge.hpp"
@@ -87,17 +88,37 @@ template <class TableA, class TableB>
     return result;
 }
 
-/// Where features meet to within rounding, every test of the last state hung on noise: edges that cross in
-/// the middle of deeply overlapping boxes look like closest features at distance 1e-16. Such an answer is not
-/// believed; nor is one on a body that is not strictly convex, until it is proven.
+/// What becomes of the answer of a run that did not go round.
+enum class Trust : std::uint8_t { sound, doubted, close };
+
+/// Of an answer below `untrusted`. Features that meet to within rounding are in contact: each point is one of
+/// its body. (Edges that cross in the middle of deeply overlapping boxes look like closest features at
+/// distance 1e-16.)
 template <class TableA, class TableB>
-[[nodiscard]] bool in_doubt(const Distance& result, const Body<TableA>& a, const Body<TableB>& b) {
-    if (result.status == Status::touching) return true;
-    if (result.status != Status::separated) return false;
-    const double noise = std::max<double>(plane_noise<TableA>, plane_noise<TableB>);
+[[nodiscard]] [[gnu::noinline]] Trust trust_close(Distance& result, double size, const Body<TableA>& a,
+                                                  const Body<TableB>& b) {
+    if (result.distance <= contact_noise<TableA> * size) {
+        result.status = Status::touching;
+        result.distance = 0;
+        return Trust::sound;
+    }
+    return may_slide(a, b) || result.distance <= hardly_apart<TableA> * size ? Trust::close : Trust::sound;
+}
+
+/// On a body that is not strictly convex the region of a feature goes on under the surface, and nothing is
+/// believed until it is proven.
+template <class TableA, class TableB>
+[[nodiscard]] Trust trust(Distance& result, const Body<TableA>& a, const Body<TableB>& b) {
+    if (result.status == Status::overlapping) return Trust::sound;
+    const bool convex = a.table.strictly_convex() && b.table.strictly_convex();
+    if (result.status == Status::touching) {
+        if (!convex) return Trust::doubted;
+        return rounded_planes<TableA> || rounded_planes<TableB> ? Trust::close : Trust::sound;
+    }
+    if (!convex && !is_proven(result, a, b)) return Trust::doubted;
     const double size = std::max<double>(max_abs(result.point_a), max_abs(a.from_other.translation));
-    if (result.distance <= noise * size) return true;
-    return !(a.table.strictly_convex() && b.table.strictly_convex()) && !is_proven(result, a, b);
+    if (result.distance > untrusted<TableA, TableB> * size) return Trust::sound;
+    return trust_close(result, size, a, b);
 }
 
 template <class TableA, class TableB, class Observer>
@@ -109,9 +130,12 @@ template <class TableA, class TableB, class Observer>
         const bool cycle = last == Step::moved && guard.returns_to(a.feature, b.feature);
         if (last == Step::moved && !cycle) continue;
         Distance result = answer(a, b, last);
-        if (cycle || in_doubt(result, a, b)) result = fall_back(a, b);
+        const Trust verdict = cycle ? Trust::doubted : trust(result, a, b);
+        if (verdict != Trust::sound) result = answer_by_gjk(a, b);
         result.steps = steps;
-        result.cycles = cycle ? 1 : 0;
+        result.cycles = cycle;
+        result.fallbacks = verdict == Trust::doubted;
+        result.refinements = verdict == Trust::close;
         return result;
     }
 }

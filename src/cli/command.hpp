@@ -30,6 +30,7 @@ void add_list(CLI::App& app, Context& context);
 void add_machine(CLI::App& app, Context& context);
 void add_query(CLI::App& app, Context& context);
 void add_report(CLI::App& app, Context& context);
+void add_stability(CLI::App& app, Context& context);
 void add_sweep(CLI::App& app, Context& context);
 
 }  // namespace edgewise::cli

@@ -8,6 +8,7 @@
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/measure/probe.hpp"
+#include "edgewise/scene/hard/families.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/plan.hpp"
@@ -77,6 +78,13 @@ json list_of_shapes() {
     return result;
 }
 
+json list_families() {
+    json result = json::array();
+    for (const HardFamily& family : hard_families())
+        result.push_back({{"name", family.name}, {"varies", family.varies}, {"breaks", family.breaks}});
+    return result;
+}
+
 json list_plans() {
     json result = json::array();
     for (const std::string& name : plan_names()) {
@@ -85,6 +93,7 @@ json list_plans() {
                           {"queries", plan.queries},
                           {"checked", plan.checked},
                           {"rounds", plan.rounds},
+                          {"stability", plan.stability},
                           {"shapes", plan.shapes}});
     }
     return result;
@@ -93,7 +102,8 @@ json list_plans() {
 const std::map<std::string, json (*)()>& lists() {
     static const std::map<std::string, json (*)()> known = {
         {"layouts", list_layouts},  {"probes", list_probes},    {"algorithms", list_algorithms},
-        {"scenes", list_of_scenes}, {"shapes", list_of_shapes}, {"plans", list_plans}};
+        {"scenes", list_of_scenes}, {"shapes", list_of_shapes}, {"plans", list_plans},
+        {"families", list_families}};
     return known;
 }
 

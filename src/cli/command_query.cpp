@@ -46,8 +46,9 @@ json feature_json(const NamedFeature& feature) {
 /// All keys of an answer, with nothing in them yet.
 json empty_answer(const std::string& id) {
     json line = {{"id", id}, {"status", "failed"}};
-    for (const char* key : {"distance", "point_a", "point_b", "feature_a", "feature_b", "depth", "normal",
-                            "steps", "fallbacks", "certificate", "stored_certificate", "error"}) {
+    for (const char* key :
+         {"distance", "point_a", "point_b", "feature_a", "feature_b", "depth", "normal", "steps", "fallbacks",
+          "refinements", "certificate", "stored_certificate", "error"}) {
         line[key] = nullptr;
     }
     return line;
@@ -69,6 +70,7 @@ json answer_json(const std::string& id, const NamedAnswer& answer, Needs needs) 
     line["status"] = to_string(d.status);
     line["steps"] = d.steps;
     line["fallbacks"] = d.fallbacks;
+    line["refinements"] = d.refinements;
     if (needs >= Needs::distance) line["distance"] = d.distance;
     const bool separated = d.status == Status::separated;
     if (needs >= (separated ? Needs::witnesses : Needs::depth)) {

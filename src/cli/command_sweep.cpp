@@ -13,6 +13,7 @@
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/stability_run.hpp"
 #include "edgewise/cli/store_path.hpp"
 #include "edgewise/reports/report.hpp"
 #include "edgewise/sweep/build_info.hpp"
@@ -29,12 +30,18 @@ struct Options {
     std::vector<std::string> layouts, algorithms, scenes, shapes, meshes;
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
+    std::optional<std::size_t> stability;
     bool each_mesh = false;
     std::optional<std::uint64_t> seed;
 };
 
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+/// A sweep of chosen scenes or bodies is about those: no stability run unless asked for.
+bool narrowed(const Options& options) {
+    return !options.scenes.empty() || !options.shapes.empty() || !options.meshes.empty();
+}
 
 /// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.
 Plan chosen_plan(const Options& options) {
@@ -64,6 +71,7 @@ Plan chosen_plan(const Options& options) {
     plan.queries = options.queries.value_or(plan.queries);
     plan.checked = options.checked.value_or(plan.checked);
     plan.rounds = options.rounds.value_or(plan.rounds);
+    plan.stability = options.stability.value_or(narrowed(options) ? 0 : plan.stability);
     plan.seed = options.seed.value_or(plan.seed);
     return plan;
 }
@@ -82,17 +90,42 @@ SweepSummary run_with_progress(const SweepWork& work, Store& store) {
     return run_sweep(work, store, listener, stop_requested);
 }
 
-void print_summary(const SweepSummary& summary, const std::string& store, const std::string& page,
-                   bool json) {
+/// The hard families, if the plan has them, over the sweep's table types and algorithms.
+StabilitySummary run_stability_of(const SweepWork& work, Store& store, bool& stopped) {
+    if (work.plan.stability == 0) return {};
+    StabilityPlan plan;
+    plan.count = plan.proofs = work.plan.stability;
+    plan.seed = work.plan.seed;
+    plan.types = work.types;
+    plan.algorithms = work.algorithms;
+    for (const NamedShape& shape : work.shapes) {
+        if (shape.error.empty() && shape.source != "built-in") plan.real.push_back(shape.body);
+    }
+    const std::size_t rows = stability_rows(plan);
+    const StabilitySummary summary = store_stability(plan, store, rows, {});
+    stopped = summary.rows < rows;
+    return summary;
+}
+
+void print_summary(const SweepSummary& summary, const StabilitySummary& stability, const std::string& store,
+                   const std::string& page, bool json) {
     if (json) {
-        const nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
-                                     {"failed", summary.failed}, {"unavailable", summary.unavailable},
-                                     {"store", store},           {"report", page}};
+        nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
+                               {"failed", summary.failed}, {"unavailable", summary.unavailable},
+                               {"store", store},           {"report", page}};
+        if (stability.rows > 0) {
+            line["stability_rows"] = stability.rows;
+            line["stability_failed"] = stability.failed;
+        }
         fmt::print("{}\n", line.dump());
         return;
     }
     fmt::print("{} cells: {} verified, {} failed, {} unavailable\n", summary.cells, summary.verified,
                summary.failed, summary.unavailable);
+    if (stability.rows > 0) {
+        fmt::print("{} stability rows: {} failed, {} unavailable\n", stability.rows, stability.failed,
+                   stability.unavailable);
+    }
     fmt::print("store: {}\nreport: {}\n", store, page);
 }
 
@@ -102,9 +135,11 @@ int run(const Options& options, bool json) {
     const auto folder = std::filesystem::path(options.store).parent_path();
     if (!folder.empty()) std::filesystem::create_directories(folder);
     SweepSummary summary;
+    StabilitySummary stability;
     {
         Store store(options.store);
         summary = run_with_progress(work, store);
+        if (!summary.stopped) stability = run_stability_of(work, store, summary.stopped);
     }
     if (summary.stopped) {
         fmt::print(stderr,
@@ -115,8 +150,8 @@ int run(const Options& options, bool json) {
     const std::string out = !options.out.empty() ? options.out : folder.empty() ? "." : folder.string();
     const ReportSummary report = write_report(options.store, out, charts_folder());
     if (!report.note.empty()) fmt::print(stderr, "edgewise: {}\n", report.note);
-    print_summary(summary, options.store, report.page, json);
-    return summary.failed > 0 ? exit_check_failed : exit_done;
+    print_summary(summary, stability, options.store, report.page, json);
+    return summary.failed + stability.failed > 0 ? exit_check_failed : exit_done;
 }
 
 }  // namespace
@@ -143,6 +178,7 @@ void add_sweep(CLI::App& app, Context& context) {
     command->add_option("--queries", options->queries, "queries a cell and round")->check(at_least_one);
     command->add_option("--checked", options->checked, "queries checked exactly a cell")->check(at_least_one);
     command->add_option("--rounds", options->rounds, "timed rounds a cell")->check(at_least_one);
+    command->add_option("--stability", options->stability, "hard cases a family; 0: no stability run");
     command->add_option("--seed", options->seed, "seed of scenes and orders");
     command->callback(
         [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });

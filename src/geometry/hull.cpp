@@ -132,10 +132,16 @@ Result<Polyhedron> round_to_single(const Polyhedron& body) {
     std::vector<Vec3d> single;
     for (std::size_t v = 0; v < body.vertex_count(); ++v) {
         single.push_back(to_single(body.vertices[v]));
-        if (std::isfinite(max_abs(single.back()))) continue;
-        return Result<Polyhedron>::failure(message("vertex ", body.input_index[v], ": ",
-                                                   max_abs(body.vertices[v]),
-                                                   " is out of the range of single precision"));
+        if (max_abs(single.back()) <= largest_coordinate_single) continue;
+        return Result<Polyhedron>::failure(
+            message("vertex ", body.input_index[v], ": ", max_abs(body.vertices[v]), " is beyond ",
+                    largest_coordinate_single, ", the range of single precision; scale the body down"));
+    }
+    const double width = widest_extent(body.vertices);
+    if (width > 0 && width < smallest_extent_single) {
+        return Result<Polyhedron>::failure(message("the body is ", width, " wide, below ",
+                                                   smallest_extent_single,
+                                                   ", the range of single precision; scale the body up"));
     }
     if (single == body.vertices) return Result<Polyhedron>::success(body);
     Result<Polyhedron> hull = hull_of_any(single);

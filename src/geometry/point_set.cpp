@@ -32,15 +32,6 @@ std::vector<Index> sorted_indices(std::span<const Vec3d> points) {
     return order;
 }
 
-double widest_extent(std::span<const Vec3d> points) {
-    double widest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const CoordinateRange range = range_of_axis(points, axis);
-        widest = std::max(widest, range.high - range.low);
-    }
-    return widest;
-}
-
 /// What is wrong with one coordinate, after its value; empty when nothing is.
 std::string value_error(double value) {
     if (!std::isfinite(value)) return "; every coordinate must be a finite number";
@@ -58,6 +49,15 @@ double exact_centre(const CoordinateRange& range) {
 }
 
 }  // namespace
+
+double widest_extent(std::span<const Vec3d> points) {
+    double widest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const CoordinateRange range = range_of_axis(points, axis);
+        widest = std::max(widest, range.high - range.low);
+    }
+    return widest;
+}
 
 std::string coordinate_error(std::span<const Vec3d> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -17,6 +17,9 @@ namespace edgewise {
 /// Empty, or one line naming the first vertex that is not finite or out of range.
 [[nodiscard]] std::string coordinate_error(std::span<const Vec3d> points);
 
+/// Of the box around the points.
+[[nodiscard]] double widest_extent(std::span<const Vec3d> points);
+
 /// For each point the lowest index that has the same coordinates.
 [[nodiscard]] std::vector<Index> first_of_equals(std::span<const Vec3d> points);
 

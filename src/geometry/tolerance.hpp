@@ -7,6 +7,8 @@
 
 namespace edgewise {
 
+struct Twofold;
+
 /// Per scalar type that computes; all are multiples of its rounding step, so all scale with the body.
 template <class Scalar>
 struct Tolerance {
@@ -47,6 +49,11 @@ struct Tolerance {
     /// than a thousandth.
     static constexpr Scalar sliver = (1024 * eps) * (1024 * eps);
 
+    /// Johnson, squared height over length of a triangle: below it the foot is worked out in wider
+    /// arithmetic. The normal is off by the rounding over the height, the distance by that times the size:
+    /// 2^-44 in double, 2^-18 in single, some rounding steps below what a query may err (verified_error).
+    static constexpr Scalar thin = eps < Scalar(1e-10) ? Scalar(0x1p-16) : Scalar(0x1p-10);
+
     /// Johnson, relative to the permanent (the triple product with all signs positive): rounding of a triple
     /// product of differences. A tetrahedron with a corner volume not beyond it is flat.
     static constexpr Scalar volume_noise = 8 * eps;
@@ -58,7 +65,32 @@ struct Tolerance {
     /// Normal of a triangle, squared sine of the angle at its first corner: above it the plain cross product
     /// loses at most four binary digits; thinner triangles take the exact one.
     static constexpr Scalar fair_corner = Scalar(1) / 256;
+
+    /// V-Clip, relative to the size: closest points nearer than this have a direction good to no more than a
+    /// part in 256, and slopes along it, which decide, no better.
+    static constexpr Scalar hardly_apart = 256 * contact_noise;
+
+    /// Relative to max|w|: a closest point nearer to the origin than this is worked out again in the next
+    /// wider arithmetic, and V-Clip's answer on slippery features by GJK. Its direction is off by the
+    /// rounding of the points over their distance from the origin, and the distance by that times the size:
+    /// beyond a thousandth of the size in double, 1/16 in single, neither exceeds what a query may err
+    /// (verified_error).
+    static constexpr Scalar close = eps < Scalar(1e-10) ? Scalar(0x1p-10) : Scalar(0x1p-4);
 };
+
+/// Sums of two doubles: what the sub-distance needs of the above.
+template <>
+struct Tolerance<Twofold> {
+    static constexpr double eps = 0x1p-100;
+    static constexpr double sliver = (1024 * eps) * (1024 * eps);
+    static constexpr double thin = 0;
+    static constexpr double volume_noise = 8 * eps;
+};
+
+/// V-Clip, relative to the size, where planes are stored in single and computed with in double: a vertex that
+/// a plane's rounding of 2^-24 leaves outside its feature's region makes the distance d too long by 2^-49 /
+/// d.
+inline constexpr double close_of_rounded_planes = 0x1p-7;
 
 /// Relative to the extent: how far a vertex may lie off the plane of its face, or above the plane of another,
 /// in a body that counts as sound. Qhull merges what it cannot tell apart, which leaves a few dozen rounding
@@ -84,9 +116,15 @@ inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsil
 inline constexpr double unit_length = 8 * std::numeric_limits<double>::epsilon();
 
 /// Coordinates beyond largest_coordinate, and bodies narrower than smallest_extent (in the body's own unit),
-/// are refused: products of three coordinates must neither overflow nor vanish.
-inline constexpr double largest_coordinate = 1e100;
-inline constexpr double smallest_extent = 1e-100;
+/// are refused: products of four coordinates, and the low halves of their sums of two doubles, must neither
+/// overflow nor vanish.
+inline constexpr double largest_coordinate = 1e60;
+inline constexpr double smallest_extent = 1e-60;
+
+/// Likewise for storage in single precision: products of four coordinates stay 2^20 above its smallest
+/// number, and below its largest.
+inline constexpr double largest_coordinate_single = 0x1p30;
+inline constexpr double smallest_extent_single = 0x1p-26;
 
 /// EPA, where bodies are about 1: a coordinate below this counts as zero, so that every digit of a product of
 /// three differences stays in the range of double (3 x (200 + 53) < 1074 binary places).

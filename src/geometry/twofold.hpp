@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // An unevaluated sum of two doubles: about 106 bits, for the few places where a difference of nearly equal
-// products decides (the plane of a sliver face, the thickness of a needle). Error-free sums after Knuth and
-// Dekker (1971), error-free products by fma; the fma is explicit and correctly rounded, so the bits are the
-// same everywhere.
+// products decides (the plane of a sliver face, the thickness of a needle, a simplex that nearly holds the
+// origin). Error-free sums after Knuth and Dekker (1971), error-free products by fma; the fma is explicit and
+// correctly rounded, so the bits are the same everywhere.
 #pragma once
 
 #include <cmath>
@@ -13,10 +13,12 @@
 namespace edgewise {
 
 struct Twofold {
-    double high = 0;
-    double low = 0;
+    double high, low;
 
-    [[nodiscard]] double value() const { return high + low; }
+    constexpr Twofold(double high_part = 0, double low_part = 0) : high(high_part), low(low_part) {}
+
+    [[nodiscard]] constexpr double value() const { return high + low; }
+    [[nodiscard]] explicit constexpr operator double() const { return value(); }
 };
 
 [[nodiscard]] inline Twofold exact_sum(double a, double b) {
@@ -45,6 +47,24 @@ struct Twofold {
     const Twofold product = exact_product(a.high, b.high);
     return exact_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
+
+/// Two steps of long division; about 100 bits.
+[[nodiscard]] inline Twofold operator/(const Twofold& a, const Twofold& b) {
+    const double first = a.high / b.high;
+    const Twofold rest = a - b * Twofold(first);
+    const double second = rest.high / b.high;
+    const double third = (rest - b * Twofold(second)).high / b.high;
+    return exact_sum(first, second) + Twofold(third);
+}
+
+inline Twofold& operator+=(Twofold& a, const Twofold& b) { return a = a + b; }
+
+[[nodiscard]] inline bool operator<(const Twofold& a, const Twofold& b) {
+    return a.high < b.high || (a.high == b.high && a.low < b.low);
+}
+[[nodiscard]] inline bool operator>(const Twofold& a, const Twofold& b) { return b < a; }
+[[nodiscard]] inline bool operator>=(const Twofold& a, const Twofold& b) { return !(a < b); }
+[[nodiscard]] inline Twofold abs(const Twofold& a) { return a < Twofold() ? -a : a; }
 
 struct TwofoldVec {
     Twofold x, y, z;
@@ -79,3 +99,21 @@ struct TwofoldVec {
 }
 
 }  // namespace edgewise
+
+namespace Eigen {
+
+/// What Eigen wants to know of a scalar before it takes it.
+template <>
+struct NumTraits<edgewise::Twofold> : GenericNumTraits<edgewise::Twofold> {
+    enum {
+        IsComplex = 0,
+        IsInteger = 0,
+        IsSigned = 1,
+        RequireInitialization = 1,
+        ReadCost = 2,
+        AddCost = 20,
+        MulCost = 10
+    };
+};
+
+}  // namespace Eigen

@@ -37,9 +37,9 @@ Result<Certificates> certificates_of(const NamedAnswer& answer, const Query& que
                                      std::span<const Polyhedron> given, std::span<const Polyhedron> stored) {
     const Polyhedron& a = stored[query.body_a];
     const Polyhedron& b = stored[query.body_b];
-    const std::vector<Index> on_a = stored_vertices(a, answer.feature_a);
-    const std::vector<Index> on_b = stored_vertices(b, answer.feature_b);
     const bool apart = answer.distance.status == Status::separated;
+    const std::vector<Index> on_a = apart ? stored_vertices(a, answer.feature_a) : answer.proof_a;
+    const std::vector<Index> on_b = apart ? stored_vertices(b, answer.feature_b) : answer.proof_b;
     const Vec3d along = apart ? Vec3d(answer.distance.point_b - answer.distance.point_a) : answer.normal;
     const auto held = certify(a.vertices, query.pose_a, b.vertices, query.pose_b, {on_a}, {on_b}, along);
     if (!held) return Result<Certificates>::failure(held.error);

@@ -41,6 +41,7 @@ Plan quick() {
     plan.queries = 4000;
     plan.checked = 200;
     plan.rounds = 17;
+    plan.stability = 20;
     return plan;
 }
 
@@ -50,6 +51,7 @@ Plan paper() {
     plan.queries = 30000;
     plan.checked = 2000;
     plan.rounds = 25;
+    plan.stability = 200;
     return plan;
 }
 
@@ -68,8 +70,8 @@ void take(const nlohmann::json& from, const char* key, Value& to) {
     if (from.contains(key)) to = from.at(key).get<Value>();
 }
 
-constexpr std::array members = {"scenes",     "shapes", "meshes",  "each_mesh", "layouts",
-                                "algorithms", "seed",   "queries", "checked",   "rounds"};
+constexpr std::array members = {"scenes", "shapes",  "meshes",  "each_mesh", "layouts",  "algorithms",
+                                "seed",   "queries", "checked", "rounds",    "stability"};
 
 /// A misspelt member would be ignored in silence.
 void refuse_unknown_members(const nlohmann::json& json) {
@@ -107,6 +109,7 @@ Plan read_plan(const std::string& file) {
         take(json, "queries", plan.queries);
         take(json, "checked", plan.checked);
         take(json, "rounds", plan.rounds);
+        take(json, "stability", plan.stability);
     } catch (const std::exception& problem) {
         throw std::invalid_argument(fmt::format("plan {}: {}", file, problem.what()));
     }

@@ -27,9 +27,10 @@ struct Plan {
     std::vector<std::string> layouts;     ///< as for select_table_types
     std::vector<std::string> algorithms;  ///< as for select_algorithms
     std::uint64_t seed = 1;
-    std::size_t queries = 0;  ///< a cell and round
-    std::size_t checked = 0;  ///< of them, against exact arithmetic
-    int rounds = 0;           ///< timed, interleaved
+    std::size_t queries = 0;    ///< a cell and round
+    std::size_t checked = 0;    ///< of them, against exact arithmetic
+    int rounds = 0;             ///< timed, interleaved
+    std::size_t stability = 0;  ///< hard cases a family; 0: no stability run
 };
 
 /// Names of the plans written in code.

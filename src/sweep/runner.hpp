@@ -26,6 +26,8 @@ struct NamedAnswer {
     NamedFeature feature_a, feature_b;
     double depth = 0;              ///< 0 unless in contact
     Vec3d normal = Vec3d::Zero();  ///< in contact: B moved by depth * normal only touches A
+    std::vector<Index> proof_a,
+        proof_b;  ///< in contact: stored vertices whose hulls hold a common point, or nearly
 };
 
 class Runner {

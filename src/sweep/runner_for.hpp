@@ -113,6 +113,12 @@ class RunnerFor final : public Runner {
         const double size =
             std::max({max_abs(overlap.point_a), max_abs(overlap.point_b), max_abs(a_from_b.translation)});
         const double noise = static_cast<double>(Tolerance<ComputeOf<Table>>::contact_noise) * size;
+        auto simplex = simplex_of(a, b, pair);
+        static_cast<void>(GjkRun<Table, Table>(a, b, cast<ComputeOf<Table>>(a_from_b)).run(simplex));
+        for (std::uint32_t i = 0; i < simplex.count; ++i) {
+            answer.proof_a.push_back(a.index_of(simplex.vertex_a[i]));
+            answer.proof_b.push_back(b.index_of(simplex.vertex_b[i]));
+        }
         Distance settled = distance;
         settled.status = overlap.depth > noise ? Status::overlapping : Status::touching;
         settled.point_a = overlap.point_a;

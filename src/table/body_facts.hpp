@@ -11,7 +11,7 @@ namespace edgewise {
 struct BodyFacts {
     Index vertex_count = 0;
     Index face_count = 0;         ///< 0 in a table without features
-    bool strictly_convex = true;  ///< false: V-Clip proves its answers before it believes them
+    bool strictly_convex = true;  ///< false: climbs may stick and Voronoi regions go on inside
 
     BodyFacts() = default;
     /// `strict_turn`: that of the stored scalar (tolerance.hpp).

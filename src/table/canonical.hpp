@@ -17,6 +17,8 @@ class Canonical {
     explicit Canonical(const Polyhedron& body) : body_(&body) {}
 
     [[nodiscard]] std::size_t vertex_count() const { return body_->vertex_count(); }
+    /// Not asked: a scan is right for any body.
+    [[nodiscard]] bool strictly_convex() const { return false; }
     [[nodiscard]] Vertex first_vertex() const { return 0; }
     [[nodiscard]] Index index_of(Vertex v) const { return v; }
     [[nodiscard]] Vec3d vertex(Vertex v) const { return body_->vertices[v]; }

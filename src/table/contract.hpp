@@ -34,6 +34,8 @@ concept SupportTable = requires(const T& table, typename T::Vertex v) {
     requires Precision<typename T::PrecisionType>;
     { T::name } -> std::convertible_to<std::string_view>;
     { table.vertex_count() } -> std::convertible_to<std::size_t>;
+    /// geometry/strictly_convex.hpp: false costs scans and proofs, and is never wrong
+    { table.strictly_convex() } -> std::same_as<bool>;
     { table.first_vertex() } -> std::same_as<typename T::Vertex>;
     { table.vertex(v) } -> std::convertible_to<Vec3<typename T::PrecisionType::Compute>>;
     { *table.neighbours(v).begin() } -> std::convertible_to<typename T::Vertex>;
@@ -47,8 +49,6 @@ concept SupportTable = requires(const T& table, typename T::Vertex v) {
 template <class T>
 concept FeatureTable = SupportTable<T> &&
     requires(const T& table, typename T::Vertex v, typename T::Edge e, typename T::Face f) {
-    /// geometry/strictly_convex.hpp: false costs a proof a query, and is never wrong
-    { table.strictly_convex() } -> std::same_as<bool>;
     { table.tail(e) } -> std::same_as<typename T::Vertex>;
     { table.head(e) } -> std::same_as<typename T::Vertex>;
     /// what a segment's edge has on either side; its edge_face_planes are negative everywhere

@@ -63,7 +63,8 @@ TEST(Sweep, TakesAPlanFromAFile) {
         {"algorithms", {"gjk"}},
         {"queries", 100},
         {"checked", 10},
-        {"rounds", 2}};
+        {"rounds", 2},
+        {"stability", 0}};
     folder.write("mine.json", plan.dump());
     const Outcome outcome =
         run({"sweep", "--plan", "mine.json", "--store", "a/b.db", "--out", "pages", "--json"}, folder);
@@ -82,7 +83,7 @@ TEST(Sweep, TakesAPlanFromAFile) {
 TEST(Sweep, ShowsABodyThatCannotBeHadAsUnavailable) {
     const Folder folder;
     folder.write("plan.json", R"({"shapes": ["tetra4"], "scenes": [{"name": "cold"}],
-        "layouts": ["straight"], "queries": 100, "checked": 10, "rounds": 2})");
+        "layouts": ["straight"], "queries": 100, "checked": 10, "rounds": 2, "stability": 0})");
     const Outcome outcome =
         Process(crooked_program_path, {"sweep", "--plan", "plan.json", "--json"}, folder).wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -191,7 +191,8 @@ TYPED_TEST(RandomPairs, AnswersAreRightFromAnyStart) {
     }
 }
 
-/// Asked again from where it ended, V-Clip sees at once that it is there, and says the same to the bit.
+/// Asked again from where it ended, V-Clip sees at once that it is there, and says the same to the bit. (An
+/// answer that GJK worked out again may lie on other features at the same distance.)
 TYPED_TEST(RandomPairs, VClipStaysWhereItEnded) {
     if constexpr (has_features) {
         int asked = 0;
@@ -201,7 +202,7 @@ TYPED_TEST(RandomPairs, VClipStaysWhereItEnded) {
             for (const CheckedPair& checked : setting.pairs) {
                 FeaturePair<T, T> pair(a, b);
                 const Distance first = VClip::query(a, b, checked.a_from_b, pair);
-                if (first.status != Status::separated || first.fallbacks > 0) continue;
+                if (first.status != Status::separated || first.fallbacks + first.refinements > 0) continue;
                 const Distance again = VClip::query(a, b, checked.a_from_b, pair);
                 ++asked;
                 EXPECT_EQ(again.steps, 1) << setting.name;
@@ -210,7 +211,7 @@ TYPED_TEST(RandomPairs, VClipStaysWhereItEnded) {
                 EXPECT_EQ(again.point_b, first.point_b) << setting.name;
             }
         }
-        EXPECT_GT(asked, pairs_a_shape);
+        EXPECT_GT(asked, pairs_a_shape / 2);
     } else {
         GTEST_SKIP() << "V-Clip needs features";
     }

@@ -3,9 +3,9 @@
 // golden_answers FILE | --update FILE | --details
 //
 // One hash of all answers of each table type x algorithm to a fixed, seeded set of queries: every scene,
-// small and large bodies; status, distance, witness points, steps and fallbacks, bit by bit. And one hash of
-// the queries themselves for each scene. The same on every compiler and machine; a difference means that a
-// change moved some bits. If it was meant to, --update and commit the file with it.
+// small and large bodies; status, distance, witness points, steps, fallbacks and refinements, bit by bit. And
+// one hash of the queries themselves for each scene. The same on every compiler and machine; a difference
+// means that a change moved some bits. If it was meant to, --update and commit the file with it.
 #include <fmt/core.h>
 
 #include <cstdio>
@@ -61,6 +61,7 @@ void add(Fingerprint& print, const Distance& answer) {
     add(print, answer.point_b);
     print.add(static_cast<std::uint64_t>(answer.steps));
     print.add(static_cast<std::uint64_t>(answer.cycles)).add(static_cast<std::uint64_t>(answer.fallbacks));
+    print.add(static_cast<std::uint64_t>(answer.refinements));
 }
 
 /// Every table type and algorithm on one scene and shape.

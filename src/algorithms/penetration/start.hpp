@@ -3,37 +3,11 @@
 // Where EPA starts from, for either algorithm: what the last distance query of the pair left behind.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip.hpp"
+#include "edgewise/algorithms/vclip/feature_simplex.hpp"
 
 namespace edgewise {
-
-/// Up to four vertices of a feature, all of it if it has no more; how many.
-template <FeatureTable Table>
-[[nodiscard]] std::uint32_t corners_of(const Table& table, const Feature<Table>& feature,
-                                       std::array<typename Table::Vertex, 4>& corners) {
-    switch (feature.kind()) {
-        case FeatureKind::vertex:
-            corners[0] = feature.vertex();
-            return 1;
-        case FeatureKind::edge:
-            corners[0] = table.tail(feature.edge());
-            corners[1] = table.head(feature.edge());
-            return 2;
-        case FeatureKind::face:
-            break;
-    }
-    std::uint32_t count = 0;
-    for (const auto [edge, flipped] : table.ring_of_face(feature.face())) {
-        if (count == corners.size()) break;
-        corners[count++] = flipped ? table.head(edge) : table.tail(edge);
-    }
-    return count;
-}
 
 template <SupportTable TableA, SupportTable TableB>
 [[nodiscard]] const SimplexPair<TableA, TableB>& simplex_of(const TableA&, const TableB&,
@@ -41,19 +15,10 @@ template <SupportTable TableA, SupportTable TableB>
     return pair;
 }
 
-/// The corners of V-Clip's penetrating features, as many as a simplex takes.
 template <FeatureTable TableA, FeatureTable TableB>
 [[nodiscard]] SimplexPair<TableA, TableB> simplex_of(const TableA& a, const TableB& b,
                                                      const FeaturePair<TableA, TableB>& pair) {
-    std::array<typename TableA::Vertex, 4> of_a;
-    std::array<typename TableB::Vertex, 4> of_b;
-    const std::uint32_t count_a = corners_of(a, pair.a, of_a), count_b = corners_of(b, pair.b, of_b);
-    SimplexPair<TableA, TableB> simplex;
-    for (; simplex.count < std::max(count_a, count_b); ++simplex.count) {
-        simplex.vertex_a[simplex.count] = of_a[simplex.count % count_a];
-        simplex.vertex_b[simplex.count] = of_b[simplex.count % count_b];
-    }
-    return simplex;
+    return vclip::feature_simplex(a, pair.a, b, pair.b);
 }
 
 }  // namespace edgewise

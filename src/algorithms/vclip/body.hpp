@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/tolerance.hpp"
@@ -37,6 +38,15 @@ struct Body {
 template <class Table>
 inline constexpr ComputeOf<Table> plane_noise =
     static_cast<ComputeOf<Table>>(Tolerance<typename Table::PrecisionType::Stored>::contact_noise);
+
+/// Relative to the coordinates: a distance between points of the bodies that rounding alone may have left.
+template <class Table>
+inline constexpr double contact_noise{Tolerance<ComputeOf<Table>>::contact_noise};
+
+/// Planes stored rounder than the arithmetic: what lies on one side of them may lie on the other.
+template <class Table>
+inline constexpr bool rounded_planes =
+    !std::is_same_v<typename Table::PrecisionType::Stored, ComputeOf<Table>>;
 
 /// A straight piece from tail to head.
 template <class Scalar>

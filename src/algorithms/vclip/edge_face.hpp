@@ -33,6 +33,25 @@ void move_to_nearest_edge(Body<Table>& body, const Segment<ComputeOf<Table>>& se
     body.feature = nearest;
 }
 
+/// An edge that crosses the face's plane inside its prism pierces it, as far as the planes can tell: beyond
+/// their noise at both ends of the clipped edge and, where they are rounded, on all sides of the piercing.
+template <class Theirs, class Clipped>
+[[nodiscard]] Step pierced(const Body<Theirs>& theirs, const Segment<ComputeOf<Theirs>>& segment,
+                           const Clipped& clip, ComputeOf<Theirs> low, ComputeOf<Theirs> high) {
+    using Scalar = ComputeOf<Theirs>;
+    const Scalar noise = plane_noise<Theirs> * std::max(max_abs(segment.tail), max_abs(segment.head));
+    if (std::min(std::abs(low), std::abs(high)) <= noise) return Step::touching;
+    if constexpr (rounded_planes<Theirs>) {
+        const Scalar lambda = clip.low + low / (low - high) * (clip.high - clip.low);
+        const Vec3<Scalar> point = segment.at(lambda);
+        for (const auto [side, flipped] : theirs.table.ring_of_face(theirs.feature.face())) {
+            const auto plane = theirs.table.edge_face_plane(side, flipped ? Side::right : Side::left);
+            if (plane.distance(point) <= noise) return Step::touching;
+        }
+    }
+    return Step::overlapping;
+}
+
 template <class Mine, class Theirs>
 [[nodiscard]] Step edge_face(Body<Mine>& mine, Body<Theirs>& theirs) {
     using Scalar = ComputeOf<Mine>;
@@ -53,9 +72,7 @@ template <class Mine, class Theirs>
     const Scalar low = height_at(plane, segment, clip.low);
     const Scalar high = height_at(plane, segment, clip.high);
     if (low == 0 || high == 0 || (low < 0) != (high < 0)) {
-        const Scalar size = std::max(max_abs(segment.tail), max_abs(segment.head));
-        const Scalar depth = std::min(std::abs(low), std::abs(high));
-        return depth > plane_noise<Theirs> * size ? Step::overlapping : Step::touching;
+        return pierced(theirs, segment, clip, low, high);
     }
 
     const Scalar slope = slope_over(mine, plane.normal);

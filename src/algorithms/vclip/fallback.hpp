@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// What answers when a run comes back to a pair it has seen: GJK from a cold start on the same tables, which
-// needs no Voronoi planes. Its simplex is turned back into features, so that the next query starts near.
+// What answers when a run comes back to a pair it has seen, or ends at one that rounding may have chosen: GJK
+// on the same tables, which needs no Voronoi planes, from the corners of the features where the run stopped.
+// Its simplex is turned back into features, so that the next query starts near.
 #pragma once
 
 #include <span>
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip/body.hpp"
+#include "edgewise/algorithms/vclip/feature_simplex.hpp"
 
 namespace edgewise::vclip {
 
@@ -42,16 +44,15 @@ template <class Table>
 }
 
 template <class TableA, class TableB>
-[[nodiscard]] [[gnu::noinline]] Distance fall_back(Body<TableA>& a, Body<TableB>& b) {
-    SimplexPair<TableA, TableB> simplex;
-    Distance answer = GjkRun<TableA, TableB>(a.table, b.table, a.from_other).run(simplex);
+[[nodiscard]] [[gnu::noinline]] Distance answer_by_gjk(Body<TableA>& a, Body<TableB>& b) {
+    auto simplex = feature_simplex(a.table, a.feature, b.table, b.feature);
+    const Distance answer = GjkRun<TableA, TableB>(a.table, b.table, a.from_other).run(simplex);
     a.feature = feature_spanning(a.table, std::span(simplex.vertex_a).first(simplex.count));
     b.feature = feature_spanning(b.table, std::span(simplex.vertex_b).first(simplex.count));
     // Two faces are no state; one of them gives way to a vertex of the simplex.
     if (a.feature.kind() == FeatureKind::face && b.feature.kind() == FeatureKind::face) {
         b.move_to_vertex(simplex.vertex_b[0]);
     }
-    answer.fallbacks = 1;
     return answer;
 }
 

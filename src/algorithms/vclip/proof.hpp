@@ -35,7 +35,7 @@ template <class Table>
 [[nodiscard]] bool ends_at(const Body<Table>& body, const Vec3<ComputeOf<Table>>& point,
                            const Vec3<ComputeOf<Table>>& direction) {
     using Scalar = ComputeOf<Table>;
-    const auto farthest = climb_support(body.table, direction, vertex_on(body));
+    const auto farthest = support(body.table, direction, vertex_on(body));
     const Scalar size = std::max({max_abs(farthest.point), max_abs(point), max_abs(direction)});
     return dot(Vec3<Scalar>(farthest.point - point), direction) <= plane_noise<Table> * size * size;
 }

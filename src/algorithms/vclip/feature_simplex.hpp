@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// From V-Clip's pair of features to a simplex that GJK or EPA can start from.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/table/feature_handle.hpp"
+
+namespace edgewise::vclip {
+
+/// Up to four vertices of a feature, all of it if it has no more; how many.
+template <FeatureTable Table>
+[[nodiscard]] std::uint32_t corners_of(const Table& table, const Feature<Table>& feature,
+                                       std::array<typename Table::Vertex, 4>& corners) {
+    switch (feature.kind()) {
+        case FeatureKind::vertex:
+            corners[0] = feature.vertex();
+            return 1;
+        case FeatureKind::edge:
+            corners[0] = table.tail(feature.edge());
+            corners[1] = table.head(feature.edge());
+            return 2;
+        case FeatureKind::face:
+            break;
+    }
+    std::uint32_t count = 0;
+    for (const auto [edge, flipped] : table.ring_of_face(feature.face())) {
+        if (count == corners.size()) break;
+        corners[count++] = flipped ? table.head(edge) : table.tail(edge);
+    }
+    return count;
+}
+
+/// The corners of two features, as many as a simplex takes.
+template <FeatureTable TableA, FeatureTable TableB>
+[[nodiscard]] SimplexPair<TableA, TableB> feature_simplex(const TableA& a, const Feature<TableA>& feature_a,
+                                                          const TableB& b, const Feature<TableB>& feature_b) {
+    std::array<typename TableA::Vertex, 4> of_a;
+    std::array<typename TableB::Vertex, 4> of_b;
+    const std::uint32_t count_a = corners_of(a, feature_a, of_a), count_b = corners_of(b, feature_b, of_b);
+    SimplexPair<TableA, TableB> simplex;
+    for (; simplex.count < std::max(count_a, count_b); ++simplex.count) {
+        simplex.vertex_a[simplex.count] = of_a[simplex.count % count_a];
+        simplex.vertex_b[simplex.count] = of_b[simplex.count % count_b];
+    }
+    return simplex;
+}
+
+}  // namespace edgewise::vclip

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// Families 4, 5, 14 and 15: just apart, just touching, deep inside, and every support value twice.
+#include <cmath>
+
+#include "edgewise/scene/hard/families.hpp"
+
+namespace edgewise::hard {
+
+Pair grazing(Maker& maker) {
+    CaseBody a{"a", maker.any_solid(), {}}, b{"b", maker.any_solid(), {}};
+    const double step = maker.single() ? 0x1p-23 : 0x1p-52;
+    const int octave = static_cast<int>(maker.rng.below(25)) - 4;
+    const double gap = maker.pick({-1.0, 0.0, 1.0}) * std::ldexp(step, octave);
+    return at_gap(maker, std::move(a), std::move(b), maker.rng.rotation(), maker.rng.rotation(), gap);
+}
+
+/// Boxes with dyadic sizes and offsets, turned by quarters only: nothing is rounded, the touch is exact.
+Pair exact_touch(Maker& maker) {
+    const auto size = [&] { return maker.pick({0.25, 0.5, 1.0, 2.0}); };
+    const Vec3d half_a(size(), size(), size()), half_b(size(), size(), size());
+    const bool octahedral = maker.rng.below(4) == 0;
+    CaseBody a{"a", Maker::box(half_a.x(), half_a.y(), half_a.z()), {}};
+    CaseBody b{"b", Maker::box(half_b.x(), half_b.y(), half_b.z()), {}};
+    if (octahedral) {
+        b.vertices = Maker::octahedron();
+        for (Vec3d& v : b.vertices) v = v.cwiseProduct(half_b);
+    }
+    // At least one axis touches; on the others the boxes touch, meet in part, or share a side.
+    Vec3d offset;
+    for (int i = 0; i < 3; ++i) {
+        const double sum = half_a[i] + half_b[i];
+        offset[i] = maker.either_sign(octahedral ? maker.pick({0.0, half_a[i] / 2})
+                                                 : maker.pick({sum, sum / 2, half_a[i] - half_b[i], 0.0}));
+    }
+    const int axis = static_cast<int>(maker.rng.below(3));
+    offset[axis] = maker.either_sign(half_a[axis] + half_b[axis]);
+    const Mat3d turn = maker.quarter_turn();
+    return {std::move(a), std::move(b), {{Pose{turn, Vec3d::Zero()}, Pose{turn, multiply(turn, offset)}}}};
+}
+
+Pair deep_and_concentric(Maker& maker) {
+    CaseBody a{"a", maker.any_solid(), {}}, b{"b", maker.any_solid(), {}};
+    if (maker.rng.below(2) == 0) b.vertices = a.vertices;
+    const double ratio = maker.rng.uniform(0.01, 1);
+    for (Vec3d& v : b.vertices) v *= ratio;
+    const double off = maker.rng.below(3) == 0 ? 0 : maker.spread(-53, -4);
+    const Mat3d common = maker.common_rotation();
+    const Mat3d turned = maker.rng.below(2) == 0 ? common : maker.rng.rotation();
+    return {std::move(a),
+            std::move(b),
+            {{Pose{common, Vec3d::Zero()}, Pose{turned, Vec3d(maker.rng.on_sphere() * off)}}}};
+}
+
+Pair tie_rich_solids(Maker& maker) {
+    const auto solid = [&]() -> std::vector<Vec3d> {
+        switch (maker.rng.below(4)) {
+            case 0:
+                return Maker::box(1, 1, 1);
+            case 1:
+                return Maker::octahedron();
+            case 2:
+                return Maker::icosahedron();
+            default:
+                return Maker::prism(4 * (1 + static_cast<int>(maker.rng.below(8))), 1);
+        }
+    };
+    CaseBody a{"a", solid(), {}}, b{"b", solid(), {}};
+    const Vec3d lateral(maker.pick({0.0, 1.0, 0.5}), maker.pick({0.0, 1.0, 0.5}), 0);
+    const double height = maker.pick({1.5, 2.0, 2.25, 3.0, 4.0});
+    const Mat3d common = maker.rng.below(2) == 0 ? maker.quarter_turn() : maker.rng.rotation();
+    const Vec3d place = multiply(common, Vec3d(lateral + Vec3d(0, 0, height)));
+    return {std::move(a),
+            std::move(b),
+            {{Pose{common, Vec3d::Zero()}, Pose{product(common, maker.quarter_turn()), place}}}};
+}
+
+}  // namespace edgewise::hard

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// What was seen of one algorithm on one table type over the cases of one family.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgewise/algorithms/distance.hpp"
+#include "edgewise/measure/figure.hpp"
+#include "edgewise/truth/accuracy_band.hpp"
+
+namespace edgewise {
+
+/// Contact tolerances of the tolerance curve, relative to the scale of the pair.
+inline constexpr std::array<double, 9> stability_tolerances = {0,    1e-16, 1e-14, 1e-12, 1e-10,
+                                                               1e-8, 1e-6,  1e-5,  1e-3};
+
+/// Bins of time against signed gap: edges of the gap over the scale.
+inline constexpr std::array<double, 4> stability_gaps = {1e-9, 1e-6, 1e-3, 1e-1};
+
+/// One judged answer.
+struct StabilityJudgement {
+    Judgement judgement;
+    AccuracyBand band;
+    Distance answer;
+    const ExactDistance* exact = nullptr;
+};
+
+/// One answer with depth and certificate.
+struct StabilityProof {
+    double depth_error = 0;        ///< over scale, beyond the band; 0 unless in contact
+    double certificate_width = 0;  ///< over scale; of the stored bodies
+    bool certificate_missed = false;
+};
+
+class StabilityTally {
+  public:
+    /// error_allowed: of distances and witness points over scale, beyond the band.
+    explicit StabilityTally(double error_allowed) : error_allowed_(error_allowed) {}
+
+    void add(const StabilityJudgement& judged);
+    void add(const StabilityProof& proof);
+    void add_refusal(std::size_t poses, const std::string& reason);
+    /// Of one bin of gaps, e.g. "-1e-03"; nothing if no case fell into it.
+    void add_time(const std::string& bin, std::optional<double> ns);
+
+    [[nodiscard]] std::vector<Figure> figures() const;
+    /// Empty when every answer was right.
+    [[nodiscard]] std::string what_is_wrong() const;
+    [[nodiscard]] std::size_t wrong() const { return wrong_outside_; }
+
+  private:
+    void note(const char* what, const StabilityJudgement& judged);
+
+    double error_allowed_;
+    std::size_t asked_ = 0, refused_ = 0, separated_ = 0, touching_ = 0, overlapping_ = 0;
+    std::size_t in_band_ = 0, wrong_outside_ = 0, wrong_inside_ = 0, beyond_ = 0, missed_ = 0, proofs_ = 0;
+    std::uint64_t steps_ = 0, cycles_ = 0, fallbacks_ = 0, refinements_ = 0;
+    int max_steps_ = 0;
+    std::array<std::size_t, stability_tolerances.size()> failures_{};
+    std::vector<double> errors_, witness_errors_, depth_errors_, widths_;
+    std::vector<std::pair<std::string, std::optional<double>>> times_;
+    std::string first_refusal_, first_wrong_;
+};
+
+}  // namespace edgewise

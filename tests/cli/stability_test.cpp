@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise stability`: rows in the store, a chapter in the report, and what is said when a name is wrong.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+#include "sweep_store.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Stability, WritesARowForEachFamilyAlgorithmAndTableType) {
+    const Folder folder;
+    const Outcome outcome = run({"stability", "--families", "parallel_faces,grazing", "--layouts", "aos",
+                                 "--count", "10", "--store", "s.db", "--json"},
+                                folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json summary = json::parse(outcome.out);
+    EXPECT_EQ(summary["rows"], 2 * 3 * 2);
+    EXPECT_EQ(summary["verified"], summary["rows"]);
+    const auto cases = rows_of(folder / "s.db", "select value from figure where name = 'cases'");
+    EXPECT_THAT(cases, testing::SizeIs(12));
+    EXPECT_THAT(cases, testing::Each(HasSubstr("10")));
+    const Outcome report = run({"report", "s.db", "--out", "pages"}, folder);
+    EXPECT_EQ(report.exit_code, 0) << report.err;
+    EXPECT_THAT(text_of(folder / "pages/report.md"), HasSubstr("parallel_faces"));
+    EXPECT_THAT(text_of(folder / "pages/index.html"), HasSubstr("data-chart=\"tolerance\""));
+}
+
+TEST(Stability, AnUnknownFamilyIsOneLineThatListsTheKnown) {
+    const Folder folder;
+    const Outcome outcome = run({"stability", "--families", "easy", "--store", "s.db"}, folder);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("unknown family 'easy'"));
+    EXPECT_THAT(outcome.err, HasSubstr("bad_warm_start"));
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test
