@@ -121,10 +121,9 @@ inline constexpr double unit_length = 8 * std::numeric_limits<double>::epsilon()
 inline constexpr double largest_coordinate = 1e60;
 inline constexpr double smallest_extent = 1e-60;
 
-/// Likewise for storage in single precision: products of four coordinates stay 2^20 above its smallest
-/// number, and below its largest.
+/// Likewise for storage in single precision, once the larger body is scaled to about 1 (sweep/unit.hpp).
 inline constexpr double largest_coordinate_single = 0x1p30;
-inline constexpr double smallest_extent_single = 0x1p-26;
+inline constexpr double smallest_extent_single = 0x1p-30;
 
 /// EPA, where bodies are about 1: a coordinate below this counts as zero, so that every digit of a product of
 /// three differences stays in the range of double (3 x (200 + 53) < 1074 binary places).

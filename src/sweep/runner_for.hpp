@@ -15,6 +15,7 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/sweep/name_feature.hpp"
 #include "edgewise/sweep/runner.hpp"
+#include "edgewise/sweep/unit.hpp"
 
 namespace edgewise {
 
@@ -26,25 +27,29 @@ class RunnerFor final : public Runner {
     [[nodiscard]] std::string load(std::span<const Polyhedron> bodies) override {
         bodies_.clear();
         tables_.clear();
+        unit_ = Unit(bodies);
         for (const Polyhedron& body : bodies) {
-            auto stored = as_stored(body);
+            auto stored = as_stored(unit_.into(body));
             if (!stored) return stored.error;
-            bodies_.push_back(std::move(*stored));
-            tables_.emplace_back(bodies_.back(), Algorithm::parts);
+            tables_.emplace_back(*stored, Algorithm::parts);
+            bodies_.push_back(unit_.back(*stored));
         }
         return {};
     }
 
     [[nodiscard]] std::span<const Polyhedron> stored_bodies() const override { return bodies_; }
 
-    [[nodiscard]] std::vector<Distance> answer(const Workload& workload) const override {
+    [[nodiscard]] std::vector<Distance> answer(const Workload& given) const override {
+        Workload space;
+        const Workload& workload = in_unit(given, space);
         std::vector<Distance> answers(workload.queries.size());
         run(workload, 0, answers.size(), cold_pairs(workload),
-            [&](std::size_t i, const Distance& d) { answers[i] = d; });
+            [&](std::size_t i, const Distance& d) { answers[i] = unit_.back(d); });
         return answers;
     }
 
-    [[nodiscard]] NamedAnswer answer(const Query& query) const override {
+    [[nodiscard]] NamedAnswer answer(const Query& given) const override {
+        const Query query = unit_.into(given);
         const Table& a = tables_[query.body_a];
         const Table& b = tables_[query.body_b];
         Pair pair(a, b);
@@ -57,11 +62,13 @@ class RunnerFor final : public Runner {
         }
         std::tie(result.feature_a, result.feature_b) =
             name_features(pair, a, bodies_[query.body_a], b, bodies_[query.body_b]);
-        return result;
+        return unit_.back(std::move(result));
     }
 
-    [[nodiscard]] Timing time(const Workload& workload, std::span<const std::uint8_t> in_contact,
+    [[nodiscard]] Timing time(const Workload& given, std::span<const std::uint8_t> in_contact,
                               double clock_cost_ns) const override {
+        Workload space;
+        const Workload& workload = in_unit(given, space);
         assert(in_contact.size() == workload.queries.size());
         Timing timing;
         std::vector<Pair> pairs = cold_pairs(workload);
@@ -95,6 +102,15 @@ class RunnerFor final : public Runner {
         } else {
             return Result<Polyhedron>::success(body);
         }
+    }
+
+    /// The workload in the runner's unit; a copy in `space` unless it is in it already.
+    [[nodiscard]] const Workload& in_unit(const Workload& given, Workload& space) const {
+        if (unit_.is_one()) return given;
+        space.pair_count = given.pair_count;
+        space.warm = given.warm;
+        for (const Query& query : given.queries) space.queries.push_back(unit_.into(query));
+        return space;
     }
 
     [[nodiscard]] Distance ask(const Query& query, Pair& pair) const {
@@ -166,7 +182,8 @@ class RunnerFor final : public Runner {
         }
     }
 
-    std::vector<Polyhedron> bodies_;
+    Unit unit_;
+    std::vector<Polyhedron> bodies_;  ///< as stored, in the given unit
     std::vector<Table> tables_;
 };
 

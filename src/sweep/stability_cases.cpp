@@ -6,12 +6,28 @@
 
 namespace edgewise {
 
+namespace {
+
+bool same_bodies(const hard::Pair& p, const hard::Pair& q) {
+    return p.a.vertices == q.a.vertices && p.b.vertices == q.b.vertices && p.a.faces == q.a.faces &&
+           p.b.faces == q.b.faces;
+}
+
+}  // namespace
+
 StabilityCases::StabilityCases(const HardFamily& family, std::size_t count, std::uint64_t seed, bool single,
                                std::span<const Polyhedron> real) {
     hard::Maker maker(seed, single, real);
+    hard::Pair last;
     for (std::size_t poses = 0; poses < count;) {
         hard::Pair pair = family.make(maker);
         poses += pair.poses.size();
+        if (!family.warm && !cases_.empty() && same_bodies(pair, last)) {
+            auto& known = cases_.back().poses;
+            known.insert(known.end(), pair.poses.begin(), pair.poses.end());
+            truths_.back().resize(known.size());
+            continue;
+        }
         auto a = body_from_case(pair.a);
         auto b = body_from_case(pair.b);
         std::string error = !a ? a.error : !b ? b.error : "";
@@ -20,7 +36,8 @@ StabilityCases::StabilityCases(const HardFamily& family, std::size_t count, std:
         }
         if (error.empty()) {
             truths_.emplace_back(pair.poses.size());
-            cases_.push_back({std::move(*a), std::move(*b), std::move(pair.poses)});
+            cases_.push_back({std::move(*a), std::move(*b), pair.poses});
+            last = std::move(pair);
         } else {
             refused_ += pair.poses.size();
             if (first_refusal_.empty()) first_refusal_ = error;

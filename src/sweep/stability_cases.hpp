@@ -14,7 +14,8 @@
 
 namespace edgewise {
 
-/// Two bodies that could be built, and their poses in time order.
+/// Two bodies that could be built, and their poses: of a warm family in time order, else all pairs of these
+/// bodies that came in a row.
 struct StabilityCase {
     Polyhedron a, b;
     std::vector<std::pair<Pose, Pose>> poses;

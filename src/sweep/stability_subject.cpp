@@ -115,7 +115,7 @@ void StabilitySubject::time(StabilityTally& tally) {
         const auto stored = runner_->stored_bodies();
         const auto first = static_cast<std::uint32_t>(bodies.size());
         bodies.insert(bodies.end(), one.bodies.begin(), one.bodies.end());
-        for (std::size_t pose = 0; pose < one.queries.size(); ++pose, ++taken) {
+        for (std::size_t pose = 0; pose < one.queries.size() && taken < proofs_; ++pose, ++taken) {
             const ExactDistance& exact = cases_.exact(i, pose, stored[0], stored[1]);
             const auto& query = one.queries[pose];
             const double scale =

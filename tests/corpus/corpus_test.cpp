@@ -2,7 +2,8 @@
 //
 // Every case of the corpus through every table type and algorithm, as given, swapped, and with its vertices
 // listed backwards. The judge is the exact oracle on the bodies that the tables hold: verdict outside the
-// band, distance, witness points, depth, and the certificates of the stored and of the given bodies.
+// band, distance, witness points, depth, and the certificates of the stored and of the given bodies. And
+// every case at other scales, where the answer must be the same to the bit.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -62,6 +63,8 @@ class Corpus : public testing::TestWithParam<Subject> {
     Worst worst_;
     std::set<std::string> wrong_;  ///< cases with a wrong verdict or distance
 
+    std::unique_ptr<Runner> runner_;
+
   private:
     [[nodiscard]] std::span<const Vec3d> vertices(std::size_t body) const {
         return runner_->stored_bodies()[body].vertices;
@@ -119,7 +122,6 @@ class Corpus : public testing::TestWithParam<Subject> {
         EXPECT_GE(certificates->given.upper, given->distance);
     }
 
-    std::unique_ptr<Runner> runner_;
     std::string id_;
 };
 
@@ -136,6 +138,40 @@ TEST_P(Corpus, IsAnsweredRightHoweverItIsGiven) {
     EXPECT_THAT(wrong_, testing::IsEmpty());
     EXPECT_GT(worst_.apart, 200);
     EXPECT_GT(worst_.contact, 200);
+}
+
+/// The answer to the case scaled by 2^power must be the answer to the case, scaled; to the bit.
+void expect_scaled(const Case& given, int power, Runner& runner, int& compared) {
+    SCOPED_TRACE(given.id + " times 2^" + std::to_string(power));
+    const auto answer_to = [&](const Case& of) -> std::optional<NamedAnswer> {
+        const auto a = body_from_case(of.a);
+        const auto b = body_from_case(of.b);
+        if (!a || !b || !runner.load(std::vector<Polyhedron>{*a, *b}).empty()) return std::nullopt;
+        return runner.answer(Query{0, 1, 0, of.pose_a, of.pose_b});
+    };
+    const auto plain = answer_to(given), scaled = answer_to(scaled_by_power(given, power));
+    ASSERT_EQ(plain.has_value(), scaled.has_value());
+    if (!plain) return;
+    const double factor = std::ldexp(1.0, power);
+    EXPECT_EQ(plain->distance.status, scaled->distance.status);
+    EXPECT_EQ(plain->distance.distance * factor, scaled->distance.distance);
+    EXPECT_EQ(Vec3d(plain->distance.point_a * factor), scaled->distance.point_a);
+    EXPECT_EQ(Vec3d(plain->distance.point_b * factor), scaled->distance.point_b);
+    EXPECT_EQ(plain->distance.steps, scaled->distance.steps);
+    EXPECT_EQ(plain->feature_a.vertices, scaled->feature_a.vertices);
+    EXPECT_EQ(plain->depth * factor, scaled->depth);
+    ++compared;
+}
+
+TEST_P(Corpus, IsAnsweredAlikeAtEveryScale) {
+    const bool stored_single = GetParam().type.single_storage;
+    int compared = 0;
+    for (const Case& given : corpus()) {
+        for (const int power : {-20, -13, 20, stored_single ? 13 : -60, stored_single ? 7 : 60}) {
+            expect_scaled(given, power, *runner_, compared);
+        }
+    }
+    EXPECT_GT(compared, 800);
 }
 
 std::vector<Subject> subjects() {
