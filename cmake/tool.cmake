@@ -22,6 +22,7 @@ add_library(edgewise_tool STATIC
     ${registry_units}
     ${build_info}
     ${mesh_sources}
+    src/algorithms/moore_wilhelms.cpp
     src/cli/progress.cpp
     src/measure/caches.cpp
     src/measure/counters.cpp

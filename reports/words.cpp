@@ -73,7 +73,12 @@ std::string stability_explanation(const ReportData& data) {
            "own "
            "distance from orthogonal explains. Refused cases are bodies or numbers that Edgewise does not "
            "take, "
-           "each with a reason. Cycles are V-Clip runs that came back to a state, fallbacks the answers that "
+           "each with a reason. The control is the paper's robustness metric: how many verdicts disagree "
+           "with the test "
+           "of Moore and Wilhelms, which takes touching bodies and exact copies for apart; outside the band "
+           "and off "
+           "exact touch only a defect may disagree, and \"control wrong\" says whose it is. Cycles are "
+           "V-Clip runs that came back to a state, fallbacks the answers that "
            "GJK gave instead, refinements close answers that it worked out again in wider arithmetic.";
 }
 

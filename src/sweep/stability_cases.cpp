@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/sweep/stability_cases.hpp"
 
+#include "edgewise/algorithms/moore_wilhelms.hpp"
 #include "edgewise/truth/exact_depth.hpp"
 #include "edgewise/truth/pair_error.hpp"
 
@@ -64,6 +65,16 @@ double StabilityCases::depth(std::size_t index, std::size_t pose, const Polyhedr
         truth.depth = exact_depth(stored_a.vertices, pose_a, stored_b.vertices, pose_b, seed)->depth;
     }
     return *truth.depth;
+}
+
+std::optional<bool> StabilityCases::control(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
+                                            const Polyhedron& stored_b) {
+    Truth& truth = truths_[index][pose];
+    if (!truth.control) {
+        const auto& [pose_a, pose_b] = cases_[index].poses[pose];
+        truth.control = moore_wilhelms(stored_a, stored_b, relative_pose(pose_a, pose_b));
+    }
+    return *truth.control;
 }
 
 }  // namespace edgewise

@@ -39,10 +39,15 @@ class StabilityCases {
     [[nodiscard]] double depth(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
                                const Polyhedron& stored_b);
 
+    /// The paper's control, in double on the same bodies; nothing where a body is flat.
+    [[nodiscard]] std::optional<bool> control(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
+                                              const Polyhedron& stored_b);
+
   private:
     struct Truth {
         std::optional<ExactDistance> distance;
         std::optional<double> depth;
+        std::optional<std::optional<bool>> control;
     };
 
     std::vector<StabilityCase> cases_;

@@ -76,7 +76,8 @@ void StabilitySubject::judge_pose(std::size_t index, std::size_t pose, const Dis
     std::optional<double> depth;
     if (apart && exact.verdict != ExactVerdict::separated)
         depth = cases_.depth(index, pose, stored[0], stored[1]);
-    tally.add({judge({apart, answer.distance}, exact, band, depth), band, answer, &exact});
+    tally.add({judge({apart, answer.distance}, exact, band, depth), band, answer, &exact,
+               cases_.control(index, pose, stored[0], stored[1])});
 }
 
 void StabilitySubject::prove_pose(std::size_t index, std::size_t pose, StabilityTally& tally) {

@@ -49,7 +49,9 @@ void StabilityTally::add(const StabilityJudgement& judged) {
     touching_ += judged.exact->verdict == ExactVerdict::touching;
     overlapping_ += judged.exact->verdict == ExactVerdict::overlapping;
     const bool disagrees = (answer.status == Status::separated) != apart;
-    in_band_ += judged.judgement.in_band || (apart && judged.exact->distance <= judged.band.band);
+    const bool near = judged.judgement.in_band || (apart && judged.exact->distance <= judged.band.band);
+    in_band_ += near;
+    compare_with_control(judged, apart, near);
     wrong_outside_ += judged.judgement.verdict_wrong;
     wrong_inside_ += disagrees && !judged.judgement.verdict_wrong;
     errors_.push_back(beyond_band(judged.judgement.error, judged.band));
@@ -67,6 +69,17 @@ void StabilityTally::add(const StabilityJudgement& judged) {
     fallbacks_ += static_cast<std::uint64_t>(answer.fallbacks);
     refinements_ += static_cast<std::uint64_t>(answer.refinements);
     max_steps_ = std::max(max_steps_, answer.steps);
+}
+
+/// The paper's robustness metric, with the exact referee beside it.
+void StabilityTally::compare_with_control(const StabilityJudgement& judged, bool apart, bool near) {
+    if (!judged.control) return;
+    ++control_asked_;
+    const bool touching = judged.exact->verdict == ExactVerdict::touching;
+    const bool disagrees = *judged.control != (judged.answer.status != Status::separated);
+    control_disagrees_ += disagrees;
+    control_outside_ += disagrees && !near && !touching;
+    control_wrong_ += *judged.control == apart && !near && !touching;
 }
 
 void StabilityTally::add(const StabilityProof& proof) {
@@ -107,6 +120,10 @@ std::vector<Figure> StabilityTally::figures() const {
                                   worst("worst_certificate_width", widths_, none),
                                   count("certificates", proofs_),
                                   count("certificates_missed", missed_),
+                                  count("control_asked", control_asked_),
+                                  count("control_disagrees", control_disagrees_),
+                                  count("control_disagrees_outside_band", control_outside_),
+                                  count("control_wrong", control_wrong_),
                                   count("cycles", cycles_),
                                   count("fallbacks", fallbacks_),
                                   count("refinements", refinements_),

@@ -28,6 +28,7 @@ struct StabilityJudgement {
     AccuracyBand band;
     Distance answer;
     const ExactDistance* exact = nullptr;
+    std::optional<bool> control;  ///< Moore-Wilhelms: in contact?
 };
 
 /// One answer with depth and certificate.
@@ -54,12 +55,14 @@ class StabilityTally {
     [[nodiscard]] std::size_t wrong() const { return wrong_outside_; }
 
   private:
+    void compare_with_control(const StabilityJudgement& judged, bool apart, bool near);
     void note(const char* what, const StabilityJudgement& judged);
 
     double error_allowed_;
     std::size_t asked_ = 0, refused_ = 0, separated_ = 0, touching_ = 0, overlapping_ = 0;
     std::size_t in_band_ = 0, wrong_outside_ = 0, wrong_inside_ = 0, beyond_ = 0, missed_ = 0, proofs_ = 0;
     std::uint64_t steps_ = 0, cycles_ = 0, fallbacks_ = 0, refinements_ = 0;
+    std::size_t control_asked_ = 0, control_disagrees_ = 0, control_outside_ = 0, control_wrong_ = 0;
     int max_steps_ = 0;
     std::array<std::size_t, stability_tolerances.size()> failures_{};
     std::vector<double> errors_, witness_errors_, depth_errors_, widths_;

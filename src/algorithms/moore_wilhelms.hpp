@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// The paper's control: the interpenetration test of Moore and Wilhelms, "Collision Detection and Response for
+// Computer Animation" (SIGGRAPH 1988). A vertex, an edge or a face centroid of one body strictly inside the
+// other, both ways round. It answers contact or no contact; the paper counts how often an algorithm
+// disagrees.
+//
+// Departure: an edge is clipped against all planes at once (Cyrus and Beck), and a range that is left means a
+// hit; testing the midpoints of its crossings says the same. All tests are strict: bodies that only touch are
+// not in contact for it, nor is a body with its exact copy, whose very centroids lie on the surface.
+#pragma once
+
+#include <optional>
+
+#include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/geometry/pose.hpp"
+
+namespace edgewise {
+
+/// Whether the bodies interpenetrate; nothing for flat bodies, which have no inside. `a_from_b` takes B's
+/// points into A's frame. Every vertex, edge and face of one against every face of the other: a referee, not
+/// a contestant.
+[[nodiscard]] std::optional<bool> moore_wilhelms(const Polyhedron& a, const Polyhedron& b,
+                                                 const Transform<double>& a_from_b);
+
+}  // namespace edgewise
