@@ -190,6 +190,7 @@ ChartJson table_lines(const ReportData& data, const ChartJson& values, const Cha
               {"color", layout_colour(data)},
               {"strokeDash", precision_dash(data)},
               {"shape", algorithm_shape(data)},
+              {"detail", {{"field", "algorithm"}, {"type", "nominal"}}},
               {"opacity", picked_opacity({"layout", "precision"})}}}};
 }
 

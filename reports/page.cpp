@@ -36,7 +36,7 @@ std::string head_html() {
 }
 
 std::string opening_html(const ReportData& data) {
-    const bool failed = data.count("failed") > 0, partly = data.count("unavailable") > 0;
+    const bool failed = data.any_failed(), partly = data.count("unavailable") > 0;
     std::string out = "<h1>Edgewise report</h1>\n" + paragraph(report_purpose());
     out += paragraph(verdict_line(data), failed ? "verdict bad" : partly ? "verdict part" : "verdict");
     if (failed || partly) {

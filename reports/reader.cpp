@@ -149,6 +149,12 @@ std::size_t ReportData::count(const std::string& status) const {
         cells.begin(), cells.end(), [&](const ReportCell& cell) { return cell.status == status; }));
 }
 
+bool ReportData::any_failed() const {
+    const auto failed = [](const ReportCell& row) { return row.status == "failed"; };
+    return std::any_of(cells.begin(), cells.end(), failed) ||
+           std::any_of(stability.begin(), stability.end(), failed);
+}
+
 ReportData read_report(const std::string& store, const std::string& build) {
     const ReadOnlyDatabase database(store);
     Query begin(database, "begin");

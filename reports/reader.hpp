@@ -51,7 +51,8 @@ struct ReportData {
     std::vector<ReportCell>
         stability;  ///< rows of the stability run: the shape is the family; order likewise
 
-    [[nodiscard]] std::size_t count(const std::string& status) const;
+    [[nodiscard]] std::size_t count(const std::string& status) const;  ///< of cells
+    [[nodiscard]] bool any_failed() const;                             ///< cell or stability row
 };
 
 /// Reads one build; an empty `build` means the latest: the one that the key `build` of `meta` names, else the
