@@ -12,8 +12,6 @@ namespace edgewise {
 
 namespace {
 
-const std::string prefix = "ns_at_";
-
 double middle(std::vector<double> sample) {
     std::sort(sample.begin(), sample.end());
     const std::size_t half = sample.size() / 2;
@@ -32,12 +30,8 @@ using Samples = std::map<std::tuple<std::string, std::string, std::string>, std:
 
 ChartJson values_of(const ReportData& data) {
     Samples samples;
-    for (const ReportCell& row : data.stability) {
-        for (const StoredFigure& figure : row.figures) {
-            if (!figure.value || figure.name.rfind(prefix, 0) != 0) continue;
-            samples[{row.algorithm, row.table, figure.name.substr(prefix.size())}].push_back(*figure.value);
-        }
-    }
+    for (const StabilityFigure& figure : stability_figures(data, "ns_at_"))
+        samples[{figure.row->algorithm, figure.row->table, figure.at}].push_back(figure.value);
     ChartJson values = ChartJson::array();
     for (const auto& [key, sample] : samples) {
         const auto& [algorithm, table, gap] = key;

@@ -3,7 +3,6 @@
 // The paper's tolerance question as a curve: verdicts that contradict the exact one, against the distance up
 // to which a pair counts as touching. Too small a tolerance leaves rounding to decide, too large a one calls
 // separated pairs touching.
-#include <cstdlib>
 #include <map>
 
 #include "edgewise/reports/charts.hpp"
@@ -12,8 +11,6 @@
 namespace edgewise {
 
 namespace {
-
-const std::string prefix = "failures_at_";
 
 /// Tolerance 0 has no place on a logarithmic axis; it stands left of all others.
 constexpr double place_of_zero = 1e-18;
@@ -27,14 +24,10 @@ using Sums = std::map<std::tuple<std::string, std::string, double>, Sum>;
 
 Sums sums_of(const ReportData& data) {
     Sums sums;
-    for (const ReportCell& row : data.stability) {
-        for (const StoredFigure& figure : row.figures) {
-            if (!figure.value || figure.name.rfind(prefix, 0) != 0) continue;
-            const double tolerance = std::strtod(figure.name.c_str() + prefix.size(), nullptr);
-            Sum& sum = sums[{row.algorithm, row.table, tolerance}];
-            sum.failures += *figure.value;
-            sum.cases += row.figure("stability", "cases").value.value_or(0);
-        }
+    for (const StabilityFigure& figure : stability_figures(data, "failures_at_")) {
+        Sum& sum = sums[{figure.row->algorithm, figure.row->table, std::stod(figure.at)}];
+        sum.failures += figure.value;
+        sum.cases += figure.row->figure("stability", "cases").value.value_or(0);
     }
     return sums;
 }

@@ -165,6 +165,17 @@ Grid data_grid(const ChartJson& values, const std::vector<std::string>& fields) 
     return grid;
 }
 
+std::vector<StabilityFigure> stability_figures(const ReportData& data, const std::string& prefix) {
+    std::vector<StabilityFigure> result;
+    for (const ReportCell& row : data.stability) {
+        for (const StoredFigure& figure : row.figures) {
+            if (!figure.value || figure.name.rfind(prefix, 0) != 0) continue;
+            result.push_back({&row, figure.name.substr(prefix.size()), *figure.value});
+        }
+    }
+    return result;
+}
+
 ChartJson table_json(const ReportData& data, const std::string& algorithm, const std::string& table) {
     ChartJson result{{"algorithm", algorithm}, {"table", table}};
     for (const ReportCell& row : data.stability) {

@@ -39,6 +39,14 @@ inline constexpr std::size_t mark_limit = 20000;
 
 /// What names a cell in every chart's data.
 [[nodiscard]] ChartJson cell_json(const ReportCell& cell);
+/// One stored figure of the stability run whose name begins with a prefix.
+struct StabilityFigure {
+    const ReportCell* row;
+    std::string at;  ///< the rest of its name
+    double value;
+};
+[[nodiscard]] std::vector<StabilityFigure> stability_figures(const ReportData& data,
+                                                             const std::string& prefix);
 /// What names an algorithm on a table type.
 [[nodiscard]] ChartJson table_json(const ReportData& data, const std::string& algorithm,
                                    const std::string& table);

@@ -4,50 +4,34 @@
 #include <algorithm>
 #include <map>
 
+#include "edgewise/reports/summary.hpp"
 #include "edgewise/reports/tables.hpp"
 
 namespace edgewise {
 
 namespace {
 
-struct Column {
-    const char* title;
-    const char* name;
-    bool sum;  ///< over families: add up, else take the worst
-};
-
-constexpr Column columns[] = {{"cases", "cases", true},
-                              {"refused", "refused", true},
-                              {"in the band", "in_band", true},
-                              {"wrong verdicts", "wrong_outside_band", true},
-                              {"differing inside the band", "wrong_inside_band", true},
-                              {"errors beyond the bound", "errors_beyond", true},
-                              {"worst error", "worst_error", false},
-                              {"p99.9 error", "p999_error", false},
-                              {"witness error", "worst_witness_error", false},
-                              {"depth error", "worst_depth_error", false},
-                              {"certificate width", "worst_certificate_width", false},
-                              {"certificates that miss", "certificates_missed", true},
-                              {"asked of the control", "control_asked", true},
-                              {"control disagrees", "control_disagrees", true},
-                              {"... outside the band", "control_disagrees_outside_band", true},
-                              {"control wrong", "control_wrong", true},
-                              {"cycles", "cycles", true},
-                              {"fallbacks", "fallbacks", true},
-                              {"refinements", "refinements", true},
-                              {"max steps", "max_steps", false}};
-
-GridCell over_families(const std::vector<const ReportCell*>& rows, const Column& column) {
-    StoredFigure total{"stability", column.name, std::nullopt, "", "no row has it", ""};
-    for (const ReportCell* row : rows) {
-        const StoredFigure figure = row->figure("stability", column.name);
-        if (!figure.value) continue;
-        const double so_far = total.value.value_or(0);
-        total.value = column.sum ? so_far + *figure.value : std::max(so_far, *figure.value);
-        total.unit = figure.unit;
-    }
-    return figure_cell(total);
-}
+constexpr SummaryColumn columns[] = {{"cases", "cases", true},
+                                     {"refused", "refused", true},
+                                     {"in the band", "in_band", true},
+                                     {"wrong verdicts", "wrong_outside_band", true},
+                                     {"differing inside the band", "wrong_inside_band", true},
+                                     {"errors beyond the bound", "errors_beyond", true},
+                                     {"worst error", "worst_error", false},
+                                     {"p99.9 error", "p999_error", false},
+                                     {"witness error", "worst_witness_error", false},
+                                     {"depth error", "worst_depth_error", false},
+                                     {"depths beyond the bound", "depths_beyond", true},
+                                     {"certificate width", "worst_certificate_width", false},
+                                     {"certificates that miss", "certificates_missed", true},
+                                     {"asked of the control", "control_asked", true},
+                                     {"control disagrees", "control_disagrees", true},
+                                     {"... outside the band", "control_disagrees_outside_band", true},
+                                     {"control wrong", "control_wrong", true},
+                                     {"cycles", "cycles", true},
+                                     {"fallbacks", "fallbacks", true},
+                                     {"refinements", "refinements", true},
+                                     {"max steps", "max_steps", false}};
 
 }  // namespace
 
@@ -57,13 +41,13 @@ Grid stability_summary_grid(const ReportData& data) {
     Grid grid{"Over all families: sums of counts, worst of the rest",
               {{"algorithm"}, {"table type"}, {"families", true}, {"failed", true}},
               {}};
-    for (const Column& column : columns) grid.columns.push_back({column.title, true});
+    for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
     for (const auto& [name, rows] : groups) {
         const auto failed = std::count_if(rows.begin(), rows.end(),
                                           [](const ReportCell* row) { return row->status == "failed"; });
         std::vector<GridCell> cells{
             {name.first}, {name.second}, {std::to_string(rows.size())}, {std::to_string(failed)}};
-        for (const Column& column : columns) cells.push_back(over_families(rows, column));
+        for (const SummaryColumn& column : columns) cells.push_back(summary_cell(rows, "stability", column));
         grid.rows.push_back(std::move(cells));
     }
     return grid;
@@ -71,10 +55,10 @@ Grid stability_summary_grid(const ReportData& data) {
 
 Grid stability_grid(const ReportData& data) {
     Grid grid{"Family by family", {{"family"}, {"algorithm"}, {"table type"}, {"status"}}, {}};
-    for (const Column& column : columns) grid.columns.push_back({column.title, true});
+    for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
     for (const ReportCell& row : data.stability) {
         std::vector<GridCell> cells{{row.shape}, {row.algorithm}, {row.table}, {row.status}};
-        for (const Column& column : columns)
+        for (const SummaryColumn& column : columns)
             cells.push_back(figure_cell(row.figure("stability", column.name)));
         grid.rows.push_back(std::move(cells));
     }

@@ -4,8 +4,6 @@
 // next run goes on from there.
 #include <fmt/format.h>
 
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +12,7 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/progress.hpp"
 #include "edgewise/cli/stability_run.hpp"
+#include "edgewise/cli/stop.hpp"
 #include "edgewise/cli/store_path.hpp"
 #include "edgewise/reports/report.hpp"
 #include "edgewise/sweep/build_info.hpp"
@@ -34,9 +33,6 @@ struct Options {
     bool each_mesh = false;
     std::optional<std::uint64_t> seed;
 };
-
-std::atomic<bool> stop_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
 /// A sweep of chosen scenes or bodies is about those: no stability run unless asked for.
 bool narrowed(const Options& options) {
@@ -85,9 +81,7 @@ SweepSummary run_with_progress(const SweepWork& work, Store& store) {
         if (progress) progress->clear();
         fmt::print(stderr, "edgewise: {}\n", line);
     };
-    std::signal(SIGINT, [](int) { stop_requested = true; });
-    std::signal(SIGTERM, [](int) { stop_requested = true; });
-    return run_sweep(work, store, listener, stop_requested);
+    return run_sweep(work, store, listener, stop_on_signals());
 }
 
 /// The hard families, if the plan has them, over the sweep's table types and algorithms.

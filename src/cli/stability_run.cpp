@@ -3,20 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-#include <csignal>
-
 #include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/stop.hpp"
 #include "edgewise/sweep/build_info.hpp"
 #include "edgewise/sweep/shapes_of.hpp"
 
 namespace edgewise::cli {
-
-namespace {
-
-std::atomic<bool> stop_requested{false};
-
-}  // namespace
 
 StabilitySummary store_stability(const StabilityPlan& plan, Store& store, std::size_t rows,
                                  const std::function<void(const StabilityRow&)>& on_row) {
@@ -24,8 +16,6 @@ StabilitySummary store_stability(const StabilityPlan& plan, Store& store, std::s
     store.put_build(build);
     store.set_meta("build", build.id);
     Progress progress("stability", rows);
-    std::signal(SIGINT, [](int) { stop_requested = true; });
-    std::signal(SIGTERM, [](int) { stop_requested = true; });
     return run_stability(
         plan,
         [&](const StabilityRow& row) {
@@ -36,7 +26,7 @@ StabilitySummary store_stability(const StabilityPlan& plan, Store& store, std::s
             }
             progress.advance(1, row.cell.shape + " " + row.cell.table);
         },
-        stop_requested);
+        stop_on_signals());
 }
 
 std::vector<Polyhedron> real_bodies(const Plan& plan) {

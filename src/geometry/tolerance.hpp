@@ -151,4 +151,7 @@ inline constexpr double verdict_band_ortho = 4;
 inline constexpr double verified_error_double = 1e-12;
 inline constexpr double verified_error_single = 1e-5;
 
+/// Likewise for depths in double, judged less sharply: a normal is worse than a foot.
+inline constexpr double verified_depth_error_double = 1e-9;
+
 }  // namespace edgewise

@@ -25,6 +25,10 @@ std::string bin_of(double gap) {
     return edge == 0 ? "0" : fmt::format("{}{:.0e}", gap < 0 ? "-" : "", edge);
 }
 
+bool holds(const Certificate& known, const ExactDistance& exact) {
+    return known.lower <= exact.distance && exact.distance <= known.upper;
+}
+
 std::vector<std::string> all_bins() {
     std::vector<std::string> bins;
     for (std::size_t i = stability_gaps.size(); i-- > 0;) bins.push_back(bin_of(-stability_gaps[i]));
@@ -91,16 +95,17 @@ void StabilitySubject::prove_pose(std::size_t index, std::size_t pose, Stability
     const ExactDistance& exact = cases_.exact(index, pose, stored[0], stored[1]);
     const AccuracyBand band =
         accuracy_band(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b, type_.eps);
-    const double scale = band.scale > 0 ? band.scale : 1;
     StabilityProof proof;
+    proof.certificate_missed = true;
     if (certificates) {
-        const Certificate& known = certificates->stored;
-        proof.certificate_width = (known.upper - known.lower) / scale;
-        proof.certificate_missed = !(known.lower <= exact.distance && exact.distance <= known.upper);
+        const auto of_given = exact_distance(given.a.vertices, query.pose_a, given.b.vertices, query.pose_b);
+        proof.certificate_width = certificates->stored.width() / (band.scale > 0 ? band.scale : 1);
+        proof.certificate_missed =
+            !holds(certificates->stored, exact) || !of_given || !holds(certificates->given, *of_given);
     }
     if (exact.verdict != ExactVerdict::separated && answer.distance.status != Status::separated) {
         const double off = std::abs(answer.depth - cases_.depth(index, pose, stored[0], stored[1]));
-        proof.depth_error = std::max(0.0, off - band.band) / scale;
+        proof.depth_error = error_beyond(off, band);
     }
     tally.add(proof);
 }

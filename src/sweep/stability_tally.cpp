@@ -12,15 +12,10 @@ namespace edgewise {
 
 namespace {
 
-/// What the rotations' own error is excused for.
-double beyond_band(double error, const AccuracyBand& band) {
-    return std::max(0.0, error - band.band) / (band.scale > 0 ? band.scale : 1);
-}
-
 double witness_error(const StabilityJudgement& judged) {
     if (judged.answer.status != Status::separated) return 0;
     const double apart = norm(Vec3d(judged.answer.point_a - judged.answer.point_b));
-    return beyond_band(std::abs(apart - judged.answer.distance), judged.band);
+    return error_beyond(std::abs(apart - judged.answer.distance), judged.band);
 }
 
 Figure at_quantile(const char* name, const std::vector<double>& sample, double p, const std::string& none) {
@@ -28,11 +23,18 @@ Figure at_quantile(const char* name, const std::vector<double>& sample, double p
     return {name, value, "of scale", value ? "" : sample.empty() ? none : "an error is not a number"};
 }
 
+Figure count(const std::string& name, std::uint64_t n) { return {name, static_cast<double>(n), "queries"}; }
+
 Figure worst(const char* name, const std::vector<double>& sample, const std::string& none) {
     return at_quantile(name, sample, 1, none);
 }
 
 }  // namespace
+
+double error_beyond(double error, const AccuracyBand& band) {
+    const double beyond = error - band.band;
+    return beyond <= 0 ? 0 : beyond / (band.scale > 0 ? band.scale : 1);
+}
 
 void StabilityTally::note(const char* what, const StabilityJudgement& judged) {
     if (!first_wrong_.empty()) return;
@@ -54,7 +56,7 @@ void StabilityTally::add(const StabilityJudgement& judged) {
     compare_with_control(judged, apart, near);
     wrong_outside_ += judged.judgement.verdict_wrong;
     wrong_inside_ += disagrees && !judged.judgement.verdict_wrong;
-    errors_.push_back(beyond_band(judged.judgement.error, judged.band));
+    errors_.push_back(error_beyond(judged.judgement.error, judged.band));
     witness_errors_.push_back(witness_error(judged));
     const bool beyond = !(errors_.back() <= error_allowed_) || !(witness_errors_.back() <= error_allowed_);
     beyond_ += beyond;
@@ -86,6 +88,7 @@ void StabilityTally::add(const StabilityProof& proof) {
     ++proofs_;
     depth_errors_.push_back(proof.depth_error);
     widths_.push_back(proof.certificate_width);
+    depths_beyond_ += !(proof.depth_error <= depth_error_allowed_);
     missed_ += proof.certificate_missed;
 }
 
@@ -99,9 +102,6 @@ void StabilityTally::add_time(const std::string& bin, std::optional<double> ns) 
 }
 
 std::vector<Figure> StabilityTally::figures() const {
-    const auto count = [](const char* name, auto n) {
-        return Figure{name, static_cast<double>(n), "queries"};
-    };
     const std::string none = asked_ > 0 ? "not asked for" : "every case was refused: " + first_refusal_;
     const double asked = static_cast<double>(std::max<std::size_t>(asked_, 1));
     std::vector<Figure> result = {count("cases", asked_),
@@ -117,6 +117,7 @@ std::vector<Figure> StabilityTally::figures() const {
                                   at_quantile("p999_error", errors_, 0.999, none),
                                   worst("worst_witness_error", witness_errors_, none),
                                   worst("worst_depth_error", depth_errors_, none),
+                                  count("depths_beyond", depths_beyond_),
                                   worst("worst_certificate_width", widths_, none),
                                   count("certificates", proofs_),
                                   count("certificates_missed", missed_),
@@ -129,21 +130,28 @@ std::vector<Figure> StabilityTally::figures() const {
                                   count("refinements", refinements_),
                                   {"mean_steps", static_cast<double>(steps_) / asked, "steps"},
                                   {"max_steps", static_cast<double>(max_steps_), "steps"}};
-    for (std::size_t i = 0; i < failures_.size(); ++i) {
-        result.push_back(
-            count(fmt::format("failures_at_{:.0e}", stability_tolerances[i]).c_str(), failures_[i]));
-    }
-    for (const auto& [bin, ns] : times_) {
-        result.push_back({"ns_at_" + bin, ns, "ns", ns ? "" : "no case of this family has such a gap"});
-    }
+    add_curves(result);
     return result;
 }
 
+void StabilityTally::add_curves(std::vector<Figure>& to) const {
+    for (std::size_t i = 0; i < failures_.size(); ++i) {
+        to.push_back(count(fmt::format("failures_at_{:.0e}", stability_tolerances[i]), failures_[i]));
+    }
+    for (const auto& [bin, ns] : times_) {
+        to.push_back({"ns_at_" + bin, ns, "ns", ns ? "" : "no case of this family has such a gap"});
+    }
+}
+
 std::string StabilityTally::what_is_wrong() const {
-    if (wrong_outside_ + beyond_ == 0 && missed_ == 0) return {};
-    if (wrong_outside_ + beyond_ == 0) return fmt::format("{} certificates miss the exact distance", missed_);
-    return fmt::format("{} of {} verdicts and {} distances are wrong; first: {}", wrong_outside_, asked_,
-                       beyond_, first_wrong_);
+    if (asked_ == 0) return "no case was answered; first refusal: " + first_refusal_;
+    if (wrong_outside_ + beyond_ + depths_beyond_ + missed_ == 0) return {};
+    return fmt::format(
+        "{} of {} verdicts and {} distances are wrong; of {} proven answers {} depths are wrong and {} "
+        "certificates "
+        "miss{}",
+        wrong_outside_, asked_, beyond_, proofs_, depths_beyond_, missed_,
+        first_wrong_.empty() ? "" : "; first: " + first_wrong_);
 }
 
 }  // namespace edgewise

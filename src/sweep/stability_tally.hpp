@@ -22,6 +22,9 @@ inline constexpr std::array<double, 9> stability_tolerances = {0,    1e-16, 1e-1
 /// Bins of time against signed gap: edges of the gap over the scale.
 inline constexpr std::array<double, 4> stability_gaps = {1e-9, 1e-6, 1e-3, 1e-1};
 
+/// An error over the scale, less what the band excuses; NaN stays NaN.
+[[nodiscard]] double error_beyond(double error, const AccuracyBand& band);
+
 /// One judged answer.
 struct StabilityJudgement {
     Judgement judgement;
@@ -33,15 +36,16 @@ struct StabilityJudgement {
 
 /// One answer with depth and certificate.
 struct StabilityProof {
-    double depth_error = 0;        ///< over scale, beyond the band; 0 unless in contact
-    double certificate_width = 0;  ///< over scale; of the stored bodies
-    bool certificate_missed = false;
+    double depth_error = 0;           ///< over scale, beyond the band; 0 unless in contact
+    double certificate_width = 0;     ///< over scale; of the stored bodies
+    bool certificate_missed = false;  ///< of the stored or of the given bodies; or there was none
 };
 
 class StabilityTally {
   public:
-    /// error_allowed: of distances and witness points over scale, beyond the band.
-    explicit StabilityTally(double error_allowed) : error_allowed_(error_allowed) {}
+    /// Over scale, beyond the band: errors allowed of distances and witness points, and of depths.
+    StabilityTally(double error_allowed, double depth_error_allowed)
+        : error_allowed_(error_allowed), depth_error_allowed_(depth_error_allowed) {}
 
     void add(const StabilityJudgement& judged);
     void add(const StabilityProof& proof);
@@ -50,17 +54,18 @@ class StabilityTally {
     void add_time(const std::string& bin, std::optional<double> ns);
 
     [[nodiscard]] std::vector<Figure> figures() const;
-    /// Empty when every answer was right.
+    /// Empty when there were answers and every one was right.
     [[nodiscard]] std::string what_is_wrong() const;
-    [[nodiscard]] std::size_t wrong() const { return wrong_outside_; }
 
   private:
     void compare_with_control(const StabilityJudgement& judged, bool apart, bool near);
+    void add_curves(std::vector<Figure>& to) const;
     void note(const char* what, const StabilityJudgement& judged);
 
-    double error_allowed_;
+    double error_allowed_, depth_error_allowed_;
     std::size_t asked_ = 0, refused_ = 0, separated_ = 0, touching_ = 0, overlapping_ = 0;
-    std::size_t in_band_ = 0, wrong_outside_ = 0, wrong_inside_ = 0, beyond_ = 0, missed_ = 0, proofs_ = 0;
+    std::size_t in_band_ = 0, wrong_outside_ = 0, wrong_inside_ = 0, beyond_ = 0, depths_beyond_ = 0,
+                missed_ = 0, proofs_ = 0;
     std::uint64_t steps_ = 0, cycles_ = 0, fallbacks_ = 0, refinements_ = 0;
     std::size_t control_asked_ = 0, control_disagrees_ = 0, control_outside_ = 0, control_wrong_ = 0;
     int max_steps_ = 0;

@@ -19,9 +19,6 @@
 namespace edgewise {
 namespace {
 
-/// Depths are judged less sharply than distances: a normal is worse than a foot.
-constexpr double depth_error_double = 1e-9;
-
 struct Worst {
     double distance = 0, witness = 0, depth = 0;  ///< over scale, beyond what the rotations owe
     int apart = 0, contact = 0, in_band = 0;
@@ -36,7 +33,7 @@ struct Subject {
         return single() ? verified_error_single : verified_error_double;
     }
     [[nodiscard]] double depth_allowed() const {
-        return single() ? verified_error_single : depth_error_double;
+        return single() ? verified_error_single : verified_depth_error_double;
     }
 };
 

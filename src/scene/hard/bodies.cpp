@@ -2,6 +2,7 @@
 //
 // Families 11 to 13 and 21 to 23: what bodies users hand in.
 #include "edgewise/scene/hard/families.hpp"
+#include "edgewise/scene/scene_setup.hpp"
 
 namespace edgewise::hard {
 
@@ -146,7 +147,7 @@ Pair real_hulls_at_gaps(Maker& maker) {
     CaseBody a = some("a"), b = some("b");
     const double gap =
         maker.pick({5.0, 1.0, 0.1, 0.01, 1e-3, 1e-4, 1e-8, 1e-12, -1e-12, -1e-8, -1e-4, -1e-3, -0.01, -0.1});
-    const double size = reach(a.vertices);
+    const double size = reach(a.vertices, Vec3d::Zero());
     return at_gap(maker, std::move(a), std::move(b), maker.rng.rotation(), maker.rng.rotation(), gap * size);
 }
 

@@ -5,9 +5,18 @@
 
 #include "edgewise/scene/angle.hpp"
 #include "edgewise/scene/motion.hpp"
+#include "edgewise/scene/scene_setup.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
 namespace edgewise::hard {
+
+namespace {
+
+double far_off(const CaseBody& a, const CaseBody& b) {
+    return 1.5 * (reach(a.vertices, Vec3d::Zero()) + reach(b.vertices, Vec3d::Zero()));
+}
+
+}  // namespace
 
 double Maker::spread(int low, int high) {
     const auto octaves = static_cast<std::uint64_t>(high - low + 1);
@@ -100,17 +109,11 @@ Mat3d product(const Mat3d& a, const Mat3d& b) {
     return result;
 }
 
-double reach(std::span<const Vec3d> points) {
-    double squared = 0;
-    for (const Vec3d& p : points) squared = std::max(squared, squared_norm(p));
-    return std::sqrt(squared);
-}
-
 void set_gap(const CaseBody& a, const Pose& pose_a, const CaseBody& b, Pose& pose_b, const Vec3d& away,
              double gap) {
     auto exact = exact_distance(a.vertices, pose_a, b.vertices, pose_b);
     if (exact->distance == 0) {
-        pose_b.translation = pose_a.translation + away * (1.5 * (reach(a.vertices) + reach(b.vertices)));
+        pose_b.translation = pose_a.translation + away * far_off(a, b);
         exact = exact_distance(a.vertices, pose_a, b.vertices, pose_b);
     }
     if (exact->distance == 0) return;
@@ -122,7 +125,7 @@ Pair at_gap(Maker& maker, CaseBody a, CaseBody b, const Mat3d& rotation_a, const
             double gap) {
     Pose pose_a{rotation_a, Vec3d::Zero()}, pose_b{rotation_b, Vec3d::Zero()};
     const Vec3d away = maker.rng.on_sphere();
-    pose_b.translation = away * (1.5 * (reach(a.vertices) + reach(b.vertices)));
+    pose_b.translation = away * far_off(a, b);
     set_gap(a, pose_a, b, pose_b, away, gap);
     return {std::move(a), std::move(b), {{pose_a, pose_b}}};
 }

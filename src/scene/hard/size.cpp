@@ -94,8 +94,9 @@ Pair far_apart(Maker& maker) {
 /// reason, none may hang or answer NaN.
 Pair extreme_numbers(Maker& maker) {
     Pair pair = absolute_scale(maker);
-    const int exponent = maker.single() ? maker.pick({-149, -140, -110, -76, -40, 40, 63, 100, 126})
-                                        : maker.pick({-1060, -900, -530, -300, 300, 480, 800, 1000});
+    const int exponent = maker.single()
+                             ? maker.pick({-149, -140, -110, -76, -40, 40, 63, 100, 126})
+                             : maker.pick({-1060, -900, -530, -300, -130, -90, 90, 130, 300, 480, 800, 960});
     for (CaseBody* body : {&pair.a, &pair.b}) {
         for (Vec3d& v : body->vertices) {
             for (double& x : v) x = std::ldexp(x == 0 ? -0.0 : x, exponent);
