@@ -11,6 +11,7 @@ add_library(edgewise_library STATIC
     src/geometry/face_shape.cpp
     src/geometry/faces.cpp
     src/geometry/flat_hull.cpp
+    src/geometry/grid.cpp
     src/geometry/hull.cpp
     src/geometry/point_set.cpp
     src/geometry/polyhedron.cpp

@@ -9,6 +9,8 @@ set -eu
 
 needed='g++ cmake ninja-build git ca-certificates libeigen3-dev libqhull-dev libassimp-dev libgmp-dev libsqlite3-dev
 nlohmann-json3-dev libcli11-dev libfmt-dev libgtest-dev libgmock-dev'
+# Formatting, linting, fuzzing; the second opinion on exact distances.
+wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev'
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 
 say() { printf 'set-up: %s\n' "$*" >&2; }
@@ -79,6 +81,10 @@ esac
 if command -v apt-get >/dev/null 2>&1 && command -v dpkg-query >/dev/null 2>&1; then
     # shellcheck disable=SC2086  # a list of words
     install_missing $needed || exit 2
+    if [ "$1" = tests ]; then
+        # shellcheck disable=SC2086  # a list of words
+        install_missing $wanted_by_tests || say "going on; the tests will leave out what needs those"
+    fi
     if [ "$1" = sweep ]; then
         # shellcheck disable=SC2046  # a list of words
         install_missing $(names_for_charts) || say "going on; the report will show tables in place of charts"

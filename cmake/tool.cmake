@@ -49,6 +49,7 @@ add_library(edgewise_tool STATIC
     src/scene/scenes.cpp
     src/scene/shapes.cpp
     src/scene/sphere_points.cpp
+    src/sweep/axes.cpp
     src/sweep/cell.cpp
     src/sweep/certificates.cpp
     src/sweep/contender.cpp

@@ -6,13 +6,7 @@
 // counted apart.
 #pragma once
 
-#include <cstddef>
-
-#include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/table/body_facts.hpp"
-#include "edgewise/table/contract.hpp"
-#include "edgewise/table/rings.hpp"
-#include "edgewise/table/voronoi.hpp"
+#include "edgewise/table/indexed_table.hpp"
 
 namespace edgewise {
 
@@ -34,22 +28,24 @@ struct AosRecord {
 };
 
 template <Precision P, class Loader = Direct>
-class aos {
-  public:
-    using PrecisionType = P;
-    using Stored = typename P::Stored;
-    using Compute = typename P::Compute;
-    using Vertex = Index;
-    using Edge = Index;
-    using Face = Index;
+class aos : public IndexedTable<P, Loader> {
+    using Base = IndexedTable<P, Loader>;
+    using Base::block_;
+    using Base::load;
 
-    static constexpr Face no_face = edgewise::no_face;
+  public:
+    using typename Base::Compute;
+    using typename Base::Edge;
+    using typename Base::Face;
+    using typename Base::Stored;
+    using typename Base::Vertex;
+
     static constexpr std::string_view name = "aos";
     static constexpr std::string_view stores =
         "one struct an edge: four Voronoi planes, direction, length, ends";
     static constexpr std::string_view derives = "nothing";
 
-    aos(const Polyhedron& body, Parts parts, Loader loader = {}) : loader_(loader) {
+    aos(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(loader) {
         const bool features = parts == Parts::features;
         BlockPlan plan;
         const auto vertices = plan.array<Vec3<Stored>>(
@@ -62,39 +58,21 @@ class aos {
                                                      {{Component::face_planes, sizeof(Plane<Stored>)}});
         const RingSlots rings(plan, body, parts);
 
-        block_ = Block(plan);
-        facts_ = BodyFacts(body, parts, Tolerance<Stored>::strict_turn);
+        this->allocate(plan, body, parts);
         vertices_ = block_.fill(vertices, [&](Index v) { return cast<Stored>(body.vertices[v]); });
         edges_ = block_.fill(edges, [&](Index e) { return Record(edge_geometry(body, e), body.edges[e]); });
         faces_ = block_.fill(faces, [&](Index f) { return cast<Stored>(body.face_planes[f]); });
-        rings_ = Rings(block_, rings, body);
+        this->rings_ = Rings(block_, rings, body);
     }
 
     /// The same memory seen through another loader.
     template <class OtherLoader>
     aos(const aos<P, OtherLoader>& other, Loader loader)
-        : loader_(loader),
-          block_(other.block_),
-          facts_(other.facts_),
-          vertices_(other.vertices_),
-          edges_(other.edges_),
-          faces_(other.faces_),
-          rings_(other.rings_) {}
-
-    [[nodiscard]] std::size_t vertex_count() const { return facts_.vertex_count; }
-    [[nodiscard]] Vertex first_vertex() const { return 0; }
-    [[nodiscard]] Index index_of(Vertex v) const { return v; }
-    [[nodiscard]] auto all_vertices() const { return index_range(facts_.vertex_count); }
-    [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
-    [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
-    [[nodiscard]] const Ledger& ledger() const { return block_.ledger(); }
+        : Base(other, loader), vertices_(other.vertices_), edges_(other.edges_), faces_(other.faces_) {}
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
         return cast<Compute>(load(vertices_[v], Field::vertex));
     }
-    [[nodiscard]] auto neighbours(Vertex v) const { return rings_.neighbours(loader_, v); }
-    [[nodiscard]] auto ring_of_vertex(Vertex v) const { return rings_.ring_of_vertex(loader_, v); }
-    [[nodiscard]] auto ring_of_face(Face f) const { return rings_.ring_of_face(loader_, f); }
 
     [[nodiscard]] Vertex tail(Edge e) const { return load(edges_[e].ends.tail, Field::edge_ends); }
     [[nodiscard]] Vertex head(Edge e) const { return load(edges_[e].ends.head, Field::edge_ends); }
@@ -120,17 +98,9 @@ class aos {
 
     using Record = AosRecord<Stored>;
 
-    template <class Value>
-    const Value& load(const Value& location, Field field) const {
-        return loader_.load(location, field);
-    }
-    [[no_unique_address]] Loader loader_;
-    Block block_;
-    BodyFacts facts_;
     const Vec3<Stored>* vertices_ = nullptr;
     const Record* edges_ = nullptr;
     const Plane<Stored>* faces_ = nullptr;
-    Rings rings_;
 };
 
 }  // namespace edgewise

@@ -79,6 +79,7 @@ class soa {
     [[nodiscard]] auto all_vertices() const { return index_range(facts_.vertex_count); }
     [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
     [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
+    [[nodiscard]] double reach() const { return facts_.reach; }
     [[nodiscard]] const Ledger& ledger() const { return block_.ledger(); }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const { return vector(&vertices_[0], v, Field::vertex); }

@@ -76,6 +76,8 @@ ReportCell read_cell(const Query& row) {
     cell.queries = row.integer(13);
     cell.status = row.text(14);
     cell.reason = row.text(15);
+    cell.axes = row.text(16);
+    if (!cell.axes.empty()) cell.table += " " + cell.axes;
     return cell;
 }
 
@@ -83,7 +85,7 @@ std::vector<ReportCell> read_cells(const ReadOnlyDatabase& database, const std::
     Query query(
         database,
         "select hash, scene, scene_parameters, shape, shape_source, algorithm, layout, precision, "
-        "table_type, vertices, edges, faces, seed, queries, status, reason from cell where build = ?");
+        "table_type, vertices, edges, faces, seed, queries, status, reason, axes from cell where build = ?");
     query.bind(1, build);
     std::vector<ReportCell> cells;
     while (query.next()) cells.push_back(read_cell(query));

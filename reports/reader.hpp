@@ -31,6 +31,8 @@ struct ReportCell {
     std::int64_t vertices = 0, edges = 0, faces = 0, queries = 0;
     std::uint64_t seed = 0;
     std::string status, reason;
+    std::string
+        axes;  ///< further axes; they are part of `table` too, since their cells stand beside the plain
     std::vector<StoredFigure> figures;  ///< in order of probe and name
     std::vector<StoredRound> rounds;    ///< in order of number
 

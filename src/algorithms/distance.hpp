@@ -13,7 +13,8 @@ namespace edgewise {
 
 enum class Status : std::uint8_t {
     separated,    ///< distance > 0
-    touching,     ///< distance 0 and no common interior seen: `penetration` tells whether there is one
+    touching,     ///< distance 0 (or within a tolerance asked for) and no common interior seen: `penetration`
+                  ///< tells whether there is one
     overlapping,  ///< distance 0 and a common interior point
     failed,       ///< no answer; the caller says why
 };
@@ -25,7 +26,7 @@ enum class Status : std::uint8_t {
 
 struct Distance {
     Status status = Status::failed;
-    double distance = 0;            ///< 0 unless separated
+    double distance = 0;            ///< 0 in contact, but for what a contact tolerance allows
     Vec3d point_a = Vec3d::Zero();  ///< witness on A, in A's frame; when overlapping, no claim is made
     Vec3d point_b = Vec3d::Zero();  ///< witness on B, in A's frame
     int steps = 0;                  ///< V-Clip states visited, or GJK iterations

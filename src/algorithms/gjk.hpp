@@ -15,6 +15,7 @@
 
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/johnson.hpp"
+#include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/wider.hpp"
@@ -86,8 +87,13 @@ class GjkRun {
     using Scalar = ComputeOf<TableA>;
     using Pair = SimplexPair<TableA, TableB>;
 
-    GjkRun(const TableA& a, const TableB& b, const Transform<Scalar>& a_from_b)
-        : a_(a), b_(b), a_from_b_(a_from_b) {}
+    GjkRun(const TableA& a, const TableB& b, const Transform<Scalar>& a_from_b,
+           const QueryOptions& options = {})
+        : a_(a),
+          b_(b),
+          a_from_b_(a_from_b),
+          contact_squared_(static_cast<Scalar>(options.contact_tolerance * options.contact_tolerance)),
+          gap_(static_cast<Scalar>(options.gap_tolerance)) {}
 
     [[nodiscard]] [[gnu::flatten]] Distance run(Pair& pair) {
         start(pair);
@@ -96,6 +102,7 @@ class GjkRun {
             if (simplex_.count == 4) return finish(pair, Status::overlapping);
             const Scalar squared = squared_norm(closest_.point);
             if (squared == 0) return finish(pair, Status::touching);
+            if (squared <= contact_squared_) break;
             if (!advance(squared)) break;
         }
         return finish(pair, separated_or_contact());
@@ -158,7 +165,8 @@ class GjkRun {
         const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex_.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
-        if (simplex_.holds(a.vertex, b.vertex) || squared - reach_ <= noise) return false;
+        if (simplex_.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
+            return false;
 
         const Simplex<TableA, TableB> before = simplex_;
         const auto closest_before = closest_;
@@ -180,15 +188,21 @@ class GjkRun {
 
     /// The duality gap is open but the distance did not fall: along a valley of nearly parallel sides it
     /// falls by the square of the gap, and many steps that rounding hides add up. From here on only the
-    /// unrounded distance counts, which falls strictly: the run ends.
+    /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not worked out again from
+    /// the simplex that is left: of a sliver that may come out larger, and the run go round.)
     [[nodiscard]] [[gnu::noinline]] bool gains_slowly(const Simplex<TableA, TableB>& before) {
-        careful_ = true;
-        const Simplex<TableA, TableB> after = simplex_;
-        simplex_ = before;
-        const Wider<Scalar> old_distance = solve_wide();
-        simplex_ = after;
-        const Wider<Scalar> new_distance = solve_wide();
-        return closest_.members == Johnson<Scalar>::whole || new_distance < old_distance;
+        if (!careful_) {
+            careful_ = true;
+            const Simplex<TableA, TableB> after = simplex_;
+            simplex_ = before;
+            unrounded_ = solve_wide();
+            simplex_ = after;
+        }
+        const Wider<Scalar> now = solve_wide();
+        if (closest_.members == Johnson<Scalar>::whole) return true;
+        if (!(now < unrounded_)) return false;
+        unrounded_ = now;
+        return true;
     }
 
     /// At the origin with a direction that separates nothing: contact as far as this precision can tell.
@@ -227,10 +241,12 @@ class GjkRun {
     const Transform<Scalar>& a_from_b_;
     Simplex<TableA, TableB> simplex_;
     typename Johnson<Scalar>::Closest closest_;
+    Scalar contact_squared_, gap_;  ///< QueryOptions
     Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
     int steps_ = 0;
-    bool separates_ = false;  ///< beyond rounding
-    bool careful_ = false;    ///< every sub-distance in wider arithmetic
+    bool separates_ = false;     ///< beyond rounding
+    bool careful_ = false;       ///< every sub-distance in wider arithmetic
+    Wider<Scalar> unrounded_{};  ///< squared distance, when careful
 };
 
 /// The algorithm as the sweep and users see it.
@@ -245,9 +261,9 @@ struct Gjk {
     /// and receives the start of the next.
     template <SupportTable TableA, SupportTable TableB>
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
-                                        SimplexPair<TableA, TableB>& pair) {
+                                        SimplexPair<TableA, TableB>& pair, const QueryOptions& options = {}) {
         const auto transform = cast<ComputeOf<TableA>>(a_from_b);
-        return GjkRun<TableA, TableB>(a, b, transform).run(pair);
+        return within(options, GjkRun<TableA, TableB>(a, b, transform, options).run(pair));
     }
 };
 

@@ -7,6 +7,10 @@
 // or almost in one place, rounding makes plateaus on which a climb ends far below the top.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
+#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
 
 namespace edgewise {
@@ -24,7 +28,8 @@ struct SupportPoint {
 };
 
 template <SupportTable Table>
-[[nodiscard]] SupportPoint<Table> scan_support(const Table& table, const Vec3<ComputeOf<Table>>& direction) {
+[[nodiscard]] [[gnu::noinline]] SupportPoint<Table> scan_support(const Table& table,
+                                                                 const Vec3<ComputeOf<Table>>& direction) {
     const auto first = table.first_vertex();
     const auto start = table.vertex(first);
     SupportPoint<Table> best{first, start, dot(start, direction)};
@@ -36,14 +41,23 @@ template <SupportTable Table>
     return best;
 }
 
-/// Steepest ascent from `start`. Strictly upward, so it ends.
+/// Whether an edge between these is short beside where it lies.
+template <class Scalar>
+[[nodiscard]] bool is_short(const Vec3<Scalar>& tail, const Vec3<Scalar>& head) {
+    return max_abs(Vec3<Scalar>(head - tail)) < Tolerance<Scalar>::short_edge * max_abs(head);
+}
+
+/// Steepest ascent from `start`. Strictly upward, so it ends. A neighbour as high as the top but for rounding
+/// may hide a slope behind it, the steeper the shorter the edge to it: behind a short one a scan looks.
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> climb_support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                                 typename Table::Vertex start) {
+    using Scalar = ComputeOf<Table>;
     const auto point = table.vertex(start);
     SupportPoint<Table> best{start, point, dot(point, direction)};
-    for (bool improved = true; improved;) {
-        improved = false;
+    const Scalar noise = Tolerance<Scalar>::support_noise * max_abs(point) * max_abs(direction);
+    for (bool improved = true, hidden = false;;) {
+        improved = hidden = false;
         for (const auto v : table.neighbours(best.vertex)) {
             const auto candidate = table.vertex(v);
             const auto along = dot(candidate, direction);
@@ -52,11 +66,14 @@ template <SupportTable Table>
                 best.along = along;
                 start = v;
                 improved = true;
+            } else if (along >= best.along - noise) {
+                hidden |= is_short(best.point, candidate);
             }
         }
         best.vertex = start;
+        if (improved) continue;
+        return hidden ? scan_support(table, direction) : best;
     }
-    return best;
 }
 
 template <SupportTable Table>

@@ -13,9 +13,11 @@
 // in the states' files.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 
 #include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/vclip/close.hpp"
 #include "edgewise/algorithms/vclip/closest_points.hpp"
 #include "edgewise/algorithms/vclip/cycle_guard.hpp"
@@ -106,7 +108,7 @@ template <class TableA, class TableB>
 }
 
 /// On a body that is not strictly convex the region of a feature goes on under the surface, and nothing is
-/// believed until it is proven.
+/// believed until it is proven; the proof is as good as the direction between the points, so not a close one.
 template <class TableA, class TableB>
 [[nodiscard]] Trust trust(Distance& result, const Body<TableA>& a, const Body<TableB>& b) {
     if (result.status == Status::overlapping) return Trust::sound;
@@ -115,10 +117,11 @@ template <class TableA, class TableB>
         if (!convex) return Trust::doubted;
         return rounded_planes<TableA> || rounded_planes<TableB> ? Trust::close : Trust::sound;
     }
-    if (!convex && !is_proven(result, a, b)) return Trust::doubted;
-    const double size = std::max<double>(max_abs(result.point_a), max_abs(a.from_other.translation));
-    if (result.distance > untrusted<TableA, TableB> * size) return Trust::sound;
-    return trust_close(result, size, a, b);
+    const double offset{max_abs(a.from_other.translation)};
+    const double size = std::max({offset, a.table.reach(), b.table.reach()});
+    if (result.distance > untrusted<TableA, TableB> * size)
+        return convex || is_proven(result, a, b) ? Trust::sound : Trust::doubted;
+    return convex ? trust_close(result, size, a, b) : Trust::close;
 }
 
 template <class TableA, class TableB, class Observer>
@@ -154,7 +157,8 @@ struct VClip {
     /// and receives the closest features, the start of the next.
     template <FeatureTable TableA, FeatureTable TableB, class Observer = NoObserver>
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
-                                        FeaturePair<TableA, TableB>& pair, Observer&& observer = {}) {
+                                        FeaturePair<TableA, TableB>& pair, const QueryOptions& options = {},
+                                        Observer&& observer = {}) {
         const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
         vclip::Body<TableA> body_a{a, into_a, pair.a};
@@ -162,7 +166,7 @@ struct VClip {
         const Distance result = vclip::run(body_a, body_b, observer);
         pair.a = body_a.feature;
         pair.b = body_b.feature;
-        return result;
+        return within(options, result);
     }
 };
 

@@ -49,10 +49,9 @@ const Probe& bytes_probe() {
 }
 
 Polyhedron as_stored(const TableType& type, const Polyhedron& body) {
-    if (!type.single_storage) return body;
-    auto rounded = round_to_single(body);
-    if (!rounded) throw std::invalid_argument(rounded.error);
-    return std::move(*rounded);
+    auto stored = type.stored_body(body);
+    if (!stored) throw std::invalid_argument(stored.error);
+    return std::move(*stored);
 }
 
 nlohmann::json row_of(const TableType& type, const NamedBody& shape, SizeFamily& sizes) {

@@ -11,6 +11,7 @@
 #include "edgewise/scene/hard/families.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
 #include "edgewise/sweep/registry.hpp"
 
@@ -85,6 +86,13 @@ json list_families() {
     return result;
 }
 
+json list_axes() {
+    json result = json::array();
+    for (const AxisInfo& axis : axes_known())
+        result.push_back({{"name", axis.name}, {"values", axis.values}, {"meaning", axis.summary}});
+    return result;
+}
+
 json list_plans() {
     json result = json::array();
     for (const std::string& name : plan_names()) {
@@ -101,9 +109,9 @@ json list_plans() {
 
 const std::map<std::string, json (*)()>& lists() {
     static const std::map<std::string, json (*)()> known = {
-        {"layouts", list_layouts},  {"probes", list_probes},    {"algorithms", list_algorithms},
-        {"scenes", list_of_scenes}, {"shapes", list_of_shapes}, {"plans", list_plans},
-        {"families", list_families}};
+        {"layouts", list_layouts},   {"probes", list_probes},    {"algorithms", list_algorithms},
+        {"scenes", list_of_scenes},  {"shapes", list_of_shapes}, {"plans", list_plans},
+        {"families", list_families}, {"axes", list_axes}};
     return known;
 }
 

@@ -27,7 +27,7 @@ struct Options {
     std::string algorithm = "vclip";
     std::string layout = "aos_f64";
     std::string needs = std::string(to_string(Needs::features));
-    double contact_tolerance = 0;
+    QueryOptions query;
 };
 
 Needs chosen_needs(const Options& options) {
@@ -97,16 +97,18 @@ json answer_case(const Case& given, Runner& runner, const Options& options) {
     const std::vector<Polyhedron> bodies = {*a, *b};
     if (const std::string error = runner.load(bodies); !error.empty()) return failed_answer(given.id, error);
     const Query query{0, 1, 0, given.pose_a, given.pose_b};
-    NamedAnswer answer = runner.answer(query);
-    if (!std::isfinite(answer.distance.distance)) {
-        return failed_answer(given.id, "the answer is not finite: coordinates too large for this precision");
+    const NamedAnswer answer = runner.answer(query);
+    if (answer.distance.status == Status::failed || !std::isfinite(answer.distance.distance)) {
+        return failed_answer(
+            given.id,
+            "the bodies are too large, too small or too far apart for this precision: use f64, "
+            "or another unit");
     }
-    if (answer.distance.status == Status::separated && answer.distance.distance <= options.contact_tolerance)
-        answer.distance.status = Status::touching;
     const Needs needs = chosen_needs(options);
     json line = answer_json(given.id, answer, needs);
     if (needs < Needs::certificate) return line;
-    const auto certificates = certificates_of(answer, query, bodies, runner.stored_bodies());
+    const auto certificates =
+        certificates_of(answer, query, bodies, runner.stored_bodies(), given.a.vertices, given.b.vertices);
     if (!certificates) return failed_answer(given.id, certificates.error);
     line["certificate"] = certificate_json(certificates->given);
     line["stored_certificate"] = certificate_json(certificates->stored);
@@ -125,6 +127,7 @@ std::unique_ptr<Runner> chosen_runner(const Options& options) {
         throw std::invalid_argument(
             fmt::format("layout {} does not hold what {} needs", types.front()->name, options.algorithm));
     }
+    runner->set_options(options.query);
     return runner;
 }
 
@@ -169,9 +172,14 @@ void add_query(CLI::App& app, Context& context) {
     command->add_option("--needs", options->needs, fmt::format("{}", fmt::join(needs_names, ", ")))
         ->capture_default_str();
     command
-        ->add_option("--contact-tolerance", options->contact_tolerance,
+        ->add_option("--contact-tolerance", options->query.contact_tolerance,
                      "bodies as near as this or nearer are touching, in the bodies' own unit")
         ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command
+        ->add_option("--gap-tolerance", options->query.gap_tolerance,
+                     "GJK ends when the squared distance is known to this relative width")
+        ->check(CLI::Range(0.0, 0.999))
         ->capture_default_str();
     command->callback([options, &context] { context.action = [options] { return run(*options); }; });
 }

@@ -26,7 +26,7 @@ struct Options {
     std::string plan = "quick";
     std::string store = default_store;
     std::string out;
-    std::vector<std::string> layouts, algorithms, scenes, shapes, meshes;
+    std::vector<std::string> layouts, algorithms, axes, scenes, shapes, meshes;
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
     std::optional<std::size_t> stability;
@@ -47,6 +47,7 @@ Plan chosen_plan(const Options& options) {
     };
     replace(plan.layouts, options.layouts);
     replace(plan.algorithms, options.algorithms);
+    replace(plan.axes, options.axes);
     if (!options.shapes.empty() || !options.meshes.empty()) {
         plan.shapes = options.shapes;
         plan.meshes = options.meshes;
@@ -164,6 +165,7 @@ void add_sweep(CLI::App& app, Context& context) {
     };
     list("--layouts", options->layouts, "only these layouts or table types");
     list("--algorithms", options->algorithms, "only these algorithms");
+    list("--axes", options->axes, "these cells beside the plain ones, such as gap_tolerance=1e-06");
     list("--scenes", options->scenes, "only these scenes");
     list("--shapes", options->shapes, "these built-in shapes instead of the plan's bodies");
     command->add_option("--mesh", options->meshes, "these mesh files instead of the plan's bodies");

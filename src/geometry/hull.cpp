@@ -128,6 +128,19 @@ Result<Polyhedron> convex_hull(std::span<const Vec3d> points) {
     return Result<Polyhedron>::failure("no sound hull: " + error);
 }
 
+Result<Polyhedron> hull_of_moved(const Polyhedron& body, std::span<const Vec3d> moved, const char* where) {
+    if (std::equal(moved.begin(), moved.end(), body.vertices.begin(), body.vertices.end()))
+        return Result<Polyhedron>::success(body);
+    Result<Polyhedron> hull = hull_of_any(moved);
+    if (!hull) return Result<Polyhedron>::failure(message("rounded to ", where, ": ", hull.error));
+    for (Index& name : (*hull).input_index) name = body.input_index[name];
+    if (const std::size_t lost = body.vertex_count() - hull->vertex_count(); lost > 0)
+        hull.warning = message(lost, " of ", body.vertex_count(), " vertices vanish in ", where);
+    if (body.face_count() > 2 && hull->face_count() <= 2)
+        hull.warning = message("the body is flat in ", where);
+    return hull;
+}
+
 Result<Polyhedron> round_to_single(const Polyhedron& body) {
     std::vector<Vec3d> single;
     for (std::size_t v = 0; v < body.vertex_count(); ++v) {
@@ -143,16 +156,7 @@ Result<Polyhedron> round_to_single(const Polyhedron& body) {
                                                    smallest_extent_single,
                                                    ", the range of single precision; scale the body up"));
     }
-    if (single == body.vertices) return Result<Polyhedron>::success(body);
-    Result<Polyhedron> hull = hull_of_any(single);
-    if (!hull) return Result<Polyhedron>::failure("rounded to single precision: " + hull.error);
-    for (Index& name : (*hull).input_index) name = body.input_index[name];
-    if (const std::size_t lost = body.vertex_count() - hull->vertex_count(); lost > 0) {
-        hull.warning = message(lost, " of ", body.vertex_count(), " vertices vanish in single precision");
-    }
-    if (body.face_count() > 2 && hull->face_count() <= 2)
-        hull.warning = "the body is flat in single precision";
-    return hull;
+    return hull_of_moved(body, single, "single precision");
 }
 
 }  // namespace edgewise

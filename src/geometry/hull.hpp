@@ -26,6 +26,12 @@ namespace edgewise {
 [[nodiscard]] Result<Polyhedron> polyhedron_from_faces(std::span<const Vec3d> points,
                                                        std::span<const std::vector<Index>> faces);
 
+/// The body with its vertices moved (as many, in order): the hull of where they are now, with its own
+/// topology. `input_index` still names the vertices of the original input. The body unchanged when none
+/// moved; a warning says how many vertices vanish. `where` ends messages: "single precision".
+[[nodiscard]] Result<Polyhedron> hull_of_moved(const Polyhedron& body, std::span<const Vec3d> moved,
+                                               const char* where);
+
 /// The body that a table with single-precision storage really holds: the hull of the rounded vertices, with
 /// its own topology. `input_index` still names the vertices of the original input. Returns the body unchanged
 /// when every coordinate is exactly representable; a warning says how many vertices vanish.

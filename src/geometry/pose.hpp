@@ -7,6 +7,7 @@
 // subtracted first, in double, and only then rotated.
 #pragma once
 
+#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
 
 namespace edgewise {
@@ -64,6 +65,30 @@ template <class Scalar>
         }
     }
     return worst;
+}
+
+/// Orthogonal but for rounding.
+[[nodiscard]] inline bool is_polished(const Pose& pose) {
+    return ortho_error(pose.rotation) <= rotation_rounding;
+}
+
+/// The pose with its rotation made orthogonal, if it is farther from that than rounding leaves one (matrices
+/// in single, or typed in): queries in the frame of A take offsets there by the transpose, and would stretch
+/// a long one. `about`, a point of the body, stays where it is, so that no other moves by more than the
+/// distance of R from orthogonal times the body's extent, which the band of a verdict allows for.
+[[nodiscard]] inline Pose polished(const Pose& pose, const Vec3d& about) {
+    Pose result = pose;
+    for (int i = 0; i < 8 && !is_polished(result); ++i) {
+        const Mat3d r = result.rotation;
+        for (int j = 0; j < 3; ++j) {
+            // Newton's step, column by column: R (3 - R^T R) / 2.
+            const Vec3d column = r.col(j);
+            const Vec3d square = multiply_transposed(r, column);
+            result.rotation.col(j) = 1.5 * column - 0.5 * multiply(r, square);
+        }
+    }
+    result.translation += multiply(Mat3d(pose.rotation - result.rotation), about);
+    return result;
 }
 
 }  // namespace edgewise

@@ -7,34 +7,51 @@ namespace edgewise {
 
 namespace {
 
-/// By the sine, which near zero is the angle; an acute turn is known by its cosine.
-bool turns(const Vec3d& from, const Vec3d& to, double least) {
-    const double lengths = norm(from) * norm(to);
-    return dot(from, to) <= 0 || norm(Vec3d(cross(from, to))) >= least * lengths;
-}
-
-bool face_turns_at_every_corner(const Polyhedron& body, Index f, double least) {
-    const auto ring = body.ring_of_face(f);
-    const auto along = [&](HalfEdge h) {
-        return Vec3d(body.vertices[body.head(h)] - body.vertices[body.tail(h)]);
-    };
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        if (!turns(along(ring[i]), along(ring[(i + 1) % ring.size()]), least)) return false;
+class Turns {
+  public:
+    Turns(const Polyhedron& body, double least) : body_(body), least_(least) {
+        for (const Vec3d& v : body.vertices) reach_ = std::max(reach_, max_abs(v));
     }
-    return true;
-}
+
+    [[nodiscard]] bool at_every_corner(Index f) const {
+        const auto ring = body_.ring_of_face(f);
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec3d side = along(ring[i]), next = along(ring[(i + 1) % ring.size()]);
+            if (!enough(side, next, std::min(norm(side), norm(next)))) return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool across(const PolyhedronEdge& edge) const {
+        return enough(body_.face_planes[edge.left].normal, body_.face_planes[edge.right].normal,
+                      norm(Vec3d(body_.vertices[edge.head] - body_.vertices[edge.tail])));
+    }
+
+  private:
+    /// By the sine, which near zero is the angle; of an obtuse turn it is not asked.
+    [[nodiscard]] bool enough(const Vec3d& from, const Vec3d& to, double length) const {
+        const double lengths = norm(from) * norm(to);
+        const double sine = dot(from, to) <= 0 ? 1 : norm(Vec3d(cross(from, to))) / lengths;
+        return sine >= least_ && sine * length >= least_ * reach_;
+    }
+    [[nodiscard]] Vec3d along(HalfEdge h) const {
+        return body_.vertices[body_.head(h)] - body_.vertices[body_.tail(h)];
+    }
+
+    const Polyhedron& body_;
+    double least_, reach_ = 0;
+};
 
 }  // namespace
 
 bool is_strictly_convex(const Polyhedron& body, double least_turn) {
+    const Turns turns(body, least_turn);
     for (Index f = 0; f < body.face_count(); ++f) {
-        if (!face_turns_at_every_corner(body, f, least_turn)) return false;
+        if (!turns.at_every_corner(f)) return false;
     }
     return body.face_count() == 0 ||
-           std::all_of(body.edges.begin(), body.edges.end(), [&](const PolyhedronEdge& edge) {
-               return turns(body.face_planes[edge.left].normal, body.face_planes[edge.right].normal,
-                            least_turn);
-           });
+           std::all_of(body.edges.begin(), body.edges.end(),
+                       [&](const PolyhedronEdge& edge) { return turns.across(edge); });
 }
 
 }  // namespace edgewise

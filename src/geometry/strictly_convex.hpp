@@ -3,6 +3,8 @@
 // Whether every vertex and every edge of a body is a real corner. On a hull with merged faces it is; a body
 // whose faces were given as triangles, or with vertices in the middle of a side, is convex but not strictly.
 // Voronoi regions of its flat edges are sheets of no thickness, which reach through the body to its far side.
+// Nor is a corner real for arithmetic if it is so small beside the body that products with its coordinates
+// hide it.
 #pragma once
 
 #include "edgewise/geometry/polyhedron.hpp"
@@ -10,7 +12,8 @@
 namespace edgewise {
 
 /// False when two neighbouring faces, or two consecutive sides of a face, turn by less than least_turn
-/// (radians; tolerance.hpp, strict_turn). Points and segments are strictly convex.
+/// (radians; tolerance.hpp, strict_turn), or when such a turn times the length of the edge, or of the shorter
+/// side, is less than least_turn of the body's largest coordinate. Points and segments are strictly convex.
 [[nodiscard]] bool is_strictly_convex(const Polyhedron& body, double least_turn);
 
 }  // namespace edgewise

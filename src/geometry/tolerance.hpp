@@ -35,6 +35,11 @@ struct Tolerance {
     /// be improved.
     static constexpr Scalar support_noise = 4 * eps;
 
+    /// Support climbing, relative to the coordinates: behind an edge of this length that rises by less than
+    /// the rounding of a support product, a body may rise by that over this: 2^-40 of its size in double,
+    /// 2^-14 in single.
+    static constexpr Scalar short_edge = eps < Scalar(1e-10) ? Scalar(0x1p-10) : Scalar(0x1p-7);
+
     /// Exact oracle, absolute, in units where a body and a direction are about 1: proven bound of the error
     /// of a vertex height computed in floating point (derived in truth/support_filter.cpp).
     static constexpr Scalar support_filter = 256 * eps;
@@ -108,6 +113,9 @@ inline constexpr double straight_corner = 8 * std::numeric_limits<double>::epsil
 /// Relative to the extent: faces given in single precision are bent by its rounding, and quads are no planes
 /// any more; up to eight of its steps, the hull of their vertices is taken for what was meant.
 inline constexpr double single_planarity = 8 * 0x1p-23;
+
+/// Pure number: how far from orthogonal rounding may leave a rotation that was computed in double.
+inline constexpr double rotation_rounding = 64 * std::numeric_limits<double>::epsilon();
 
 /// Relative to the largest coordinate: the rounding of a plane's offset far from the origin.
 inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsilon();

@@ -35,6 +35,7 @@ struct CheckedAnswer {
     bool separated = false, touching = false;  ///< exactly; else overlapping
     bool verdict_wrong = false, in_band = false;
     double error_stored = 0;   ///< |d - d*| / scale, d* of the bodies that the table holds
+    double given_away = 0;     ///< what of it was allowed as a tolerance
     double error_given = 0;    ///< the same, d* of the bodies as given
     double witness_error = 0;  ///< | |p_a - p_b| - d | / scale; separated answers only
 };

@@ -32,7 +32,12 @@ std::string parameters_json(const SceneParameters& parameters) { return nlohmann
 
 void name_cell(CellRow& cell, const Polyhedron& body) {
     Fingerprint print;
-    print.add(cell.scene).add(cell.scene_parameters).add(cell.shape).add(cell.algorithm).add(cell.table);
+    print.add(cell.scene)
+        .add(cell.scene_parameters)
+        .add(cell.shape)
+        .add(cell.algorithm)
+        .add(cell.table)
+        .add(cell.axes);
     cell.hash = print.add(cell.seed).add(cell.queries).add(body).hex();
 }
 

@@ -16,8 +16,10 @@ Parts parts_of(const std::string& algorithm) {
 
 }  // namespace
 
-Contender::Contender(const TableType& type, std::string algorithm, CellRow row)
-    : type_(type), row_(std::move(row)), runner_(type.make_runner(algorithm)) {
+Contender::Contender(const TableType& type, std::string algorithm, const Axes& axes, CellRow row)
+    : type_(type), axes_(axes), row_(std::move(row)), runner_(type.make_runner(algorithm)) {
+    runner_->set_options(axes.query);
+    row_.axes = axes.text();
     row_.algorithm = std::move(algorithm);
     row_.layout = type.layout;
     row_.precision = type.precision;
@@ -32,7 +34,7 @@ void Contender::verify(Group& group) {
     const std::vector<Distance> answers = runner_->answer(group.workload());
     counts_ = count_answers(answers);
     for (const Distance& answer : answers) in_contact_.push_back(answer.status != Status::separated);
-    checked_ = check_answers(group, runner_->stored_bodies(), answers, type_.eps);
+    checked_ = check_answers(group, runner_->stored_bodies(), answers, type_.eps, axes_.query);
     row_.reason = what_is_wrong(group, checked_, type_.eps);
     row_.status = row_.reason.empty() ? "verified" : "failed";
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/cell.hpp"
 #include "edgewise/sweep/group.hpp"
 #include "edgewise/sweep/registry.hpp"
@@ -17,7 +18,7 @@ namespace edgewise {
 
 class Contender {
   public:
-    Contender(const TableType& type, std::string algorithm, CellRow row);
+    Contender(const TableType& type, std::string algorithm, const Axes& axes, CellRow row);
 
     /// Sets the row's hash; the cell's identity is complete from here on.
     void name(const Polyhedron& body) { name_cell(row_, body); }
@@ -41,6 +42,7 @@ class Contender {
 
   private:
     const TableType& type_;
+    Axes axes_;
     CellRow row_;
     std::unique_ptr<Runner> runner_;
     std::vector<std::uint8_t> in_contact_;

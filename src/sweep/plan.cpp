@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "edgewise/sweep/registry.hpp"
+
 namespace edgewise {
 
 namespace {
@@ -18,6 +20,21 @@ namespace {
 /// Hulls of real objects from Debian's dart-doc, relative to the mesh folder: a humanoid's foot, thigh and
 /// hand, and an arm's wrist.
 constexpr const char* real_objects[] = {"atlas_foot.stl", "hubo_foot.stl", "atlas_hand.stl", "wam_wrist.stl"};
+
+/// Near relatives of a layout that is swept anyway; only `full` has them.
+constexpr std::array only_in_full = {"aos_padded", "aosoa",        "hot_cold",   "points_neighbours",
+                                     "ring",       "shared_plane", "soa_stagger"};
+
+/// All others of this program.
+std::vector<std::string> widely_different_layouts() {
+    std::vector<std::string> names;
+    for (const TableType& type : table_types()) {
+        const bool left_out =
+            std::find(only_in_full.begin(), only_in_full.end(), type.layout) != only_in_full.end();
+        if (!left_out && (names.empty() || names.back() != type.layout)) names.push_back(type.layout);
+    }
+    return names;
+}
 
 /// Shared by all named plans: every layout and algorithm; tumble from nearly still to incoherent.
 Plan base(std::string name) {
@@ -30,7 +47,7 @@ Plan base(std::string name) {
                    {"tumble", {{"rotation_step", 1}}}};
     plan.shapes = {"tetra4", "cube8", "sphere38", "sphere386"};
     plan.meshes = default_meshes();
-    plan.layouts = {"all"};
+    plan.layouts = widely_different_layouts();
     plan.algorithms = {"all"};
     return plan;
 }
@@ -59,9 +76,11 @@ Plan paper() {
 Plan full() {
     Plan plan = paper();
     plan.name = "full";
+    plan.layouts = {"all"};
     plan.shapes = {"tetra4", "cube8", "sphere38", "sphere102", "sphere386", "sphere1538", "sphere6146"};
     for (const double rotation : {0.001, 0.03, 0.3})
         plan.scenes.push_back({"tumble", {{"rotation_step", rotation}}});
+    plan.axes = {"contact_tolerance=0.001", "gap_tolerance=1e-06", "gap_tolerance=0.01"};
     return plan;
 }
 
@@ -70,8 +89,8 @@ void take(const nlohmann::json& from, const char* key, Value& to) {
     if (from.contains(key)) to = from.at(key).get<Value>();
 }
 
-constexpr std::array members = {"scenes", "shapes",  "meshes",  "each_mesh", "layouts",  "algorithms",
-                                "seed",   "queries", "checked", "rounds",    "stability"};
+constexpr std::array members = {"scenes", "shapes", "meshes",  "each_mesh", "layouts", "algorithms",
+                                "axes",   "seed",   "queries", "checked",   "rounds",  "stability"};
 
 /// A misspelt member would be ignored in silence.
 void refuse_unknown_members(const nlohmann::json& json) {
@@ -105,6 +124,7 @@ Plan read_plan(const std::string& file) {
         take(json, "each_mesh", plan.each_mesh);
         take(json, "layouts", plan.layouts);
         take(json, "algorithms", plan.algorithms);
+        take(json, "axes", plan.axes);
         take(json, "seed", plan.seed);
         take(json, "queries", plan.queries);
         take(json, "checked", plan.checked);

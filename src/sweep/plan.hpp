@@ -26,6 +26,7 @@ struct Plan {
     bool meshes_required = false;         ///< an unreadable mesh file ends the sweep before it starts
     std::vector<std::string> layouts;     ///< as for select_table_types
     std::vector<std::string> algorithms;  ///< as for select_algorithms
+    std::vector<std::string> axes;        ///< beside the plain cells, one at a time; as for parse_axes
     std::uint64_t seed = 1;
     std::size_t queries = 0;    ///< a cell and round
     std::size_t checked = 0;    ///< of them, against exact arithmetic

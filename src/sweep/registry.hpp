@@ -22,9 +22,12 @@ struct TableType {
     std::string layout, precision;
     std::string stores, derives;          ///< one line each
     std::vector<std::string> algorithms;  ///< those whose contract the layout meets
-    bool single_storage = false;          ///< holds bodies rounded to single
+    std::string storage;                  ///< of bodies: "double", "single", or a lossy layout's own
+    bool single_storage = false;          ///< holds bodies in the range of single precision
+    bool rounded_planes = false;          ///< stores planes rounder than what computes
     double eps = 0;                       ///< rounding step of what computes: 2^-52 or 2^-23
     std::function<std::unique_ptr<Runner>(std::string_view algorithm)> make_runner;
+    std::function<Result<Polyhedron>(const Polyhedron&)> stored_body;  ///< what its tables hold of a body
     std::function<Ledger(const Polyhedron&, Parts)> ledger;  ///< of a table built from a body it can store
 
     [[nodiscard]] bool serves(std::string_view algorithm) const {

@@ -80,7 +80,7 @@ class Sweep {
         }
         Group group(plan_, scene, shape);
         for (Contender& contender : contenders) contender.verify(group);
-        Contender baseline(baseline_, baseline_algorithm_, row_for(scene, shape));
+        Contender baseline(baseline_, baseline_algorithm_, {}, row_for(scene, shape));
         baseline.verify(group);
         time_rounds(group, contenders, baseline);
         if (stop_) return;
@@ -91,13 +91,10 @@ class Sweep {
     [[nodiscard]] std::vector<Contender> contenders_for(const SceneChoice& scene,
                                                         const NamedShape& shape) const {
         std::vector<Contender> result;
-        for (const TableType* type : work_.types) {
-            for (const std::string& algorithm : work_.algorithms) {
-                if (!type->serves(algorithm)) continue;
-                result.emplace_back(*type, algorithm, row_for(scene, shape));
-                result.back().name(shape.body);
-            }
-        }
+        work_.each_cell([&](const TableType& type, const std::string& algorithm, const Axes& axes) {
+            result.emplace_back(type, algorithm, axes, row_for(scene, shape));
+            result.back().name(shape.body);
+        });
         return result;
     }
 

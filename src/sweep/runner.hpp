@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/geometry/feature.hpp"
 #include "edgewise/geometry/result.hpp"
 #include "edgewise/measure/round.hpp"
@@ -37,6 +38,9 @@ class Runner {
     Runner& operator=(const Runner&) = delete;
     virtual ~Runner() = default;
 
+    /// What later answers may give away; contact_tolerance in the given bodies' unit.
+    virtual void set_options(const QueryOptions& options) = 0;
+
     /// Builds one table for each body (rounded to what the table stores). An error line when a body cannot be
     /// stored.
     [[nodiscard]] virtual std::string load(std::span<const Polyhedron> bodies) = 0;
@@ -44,7 +48,8 @@ class Runner {
     /// The bodies that the tables really hold.
     [[nodiscard]] virtual std::span<const Polyhedron> stored_bodies() const = 0;
 
-    /// Every query of the workload in order, from cold pairs; points in A's frame.
+    /// Every query of the workload in order, from cold pairs; points in A's frame. Bodies farther apart than
+    /// the precision can compute with: status failed, here and below.
     [[nodiscard]] virtual std::vector<Distance> answer(const Workload& workload) const = 0;
 
     /// One query from a cold start, with features and, in contact, the depth, which also tells touching from

@@ -11,11 +11,11 @@
 #include "edgewise/algorithms/penetration.hpp"
 #include "edgewise/algorithms/penetration/start.hpp"
 #include "edgewise/algorithms/vclip.hpp"
-#include "edgewise/geometry/hull.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/sweep/name_feature.hpp"
 #include "edgewise/sweep/runner.hpp"
 #include "edgewise/sweep/unit.hpp"
+#include "edgewise/table/stored_body.hpp"
 
 namespace edgewise {
 
@@ -24,12 +24,14 @@ class RunnerFor final : public Runner {
   public:
     using Pair = typename Algorithm::template Pair<Table, Table>;
 
+    void set_options(const QueryOptions& options) override { options_ = options; }
+
     [[nodiscard]] std::string load(std::span<const Polyhedron> bodies) override {
         bodies_.clear();
         tables_.clear();
         unit_ = Unit(bodies);
         for (const Polyhedron& body : bodies) {
-            auto stored = as_stored(unit_.into(body));
+            auto stored = stored_body<Table>(unit_.into(body));
             if (!stored) return stored.error;
             tables_.emplace_back(*stored, Algorithm::parts);
             bodies_.push_back(unit_.back(*stored));
@@ -43,19 +45,21 @@ class RunnerFor final : public Runner {
         Workload space;
         const Workload& workload = in_unit(given, space);
         std::vector<Distance> answers(workload.queries.size());
-        run(workload, 0, answers.size(), cold_pairs(workload),
-            [&](std::size_t i, const Distance& d) { answers[i] = unit_.back(d); });
+        run(workload, 0, answers.size(), cold_pairs(workload), [&](std::size_t i, const Distance& d) {
+            answers[i] = in_range(workload.queries[i]) ? unit_.back(d) : Distance{};
+        });
         return answers;
     }
 
     [[nodiscard]] NamedAnswer answer(const Query& given) const override {
-        const Query query = unit_.into(given);
+        const Query query = unit_.into(polished(given));
+        if (!in_range(query)) return {};
         const Table& a = tables_[query.body_a];
         const Table& b = tables_[query.body_b];
         Pair pair(a, b);
         NamedAnswer result;
         const Distance distance = ask(query, pair);
-        if (distance.status == Status::separated) {
+        if (distance.status == Status::separated || distance.distance > 0) {
             result.distance = to_world(distance, query.pose_a);
         } else {
             settle_contact(query, pair, distance, result);
@@ -96,26 +100,38 @@ class RunnerFor final : public Runner {
     [[nodiscard]] Ledger ledger(std::size_t body) const override { return tables_[body].ledger(); }
 
   private:
-    static Result<Polyhedron> as_stored(const Polyhedron& body) {
-        if constexpr (std::is_same_v<typename Table::PrecisionType::Stored, float>) {
-            return round_to_single(body);
-        } else {
-            return Result<Polyhedron>::success(body);
-        }
+    [[nodiscard]] Query polished(Query query) const {
+        query.pose_a = edgewise::polished(query.pose_a, bodies_[query.body_a].vertices[0]);
+        query.pose_b = edgewise::polished(query.pose_b, bodies_[query.body_b].vertices[0]);
+        return query;
     }
 
-    /// The workload in the runner's unit; a copy in `space` unless it is in it already.
+    /// The workload in the runner's unit and with rotations that are some; a copy in `space` unless it is in
+    /// it already.
     [[nodiscard]] const Workload& in_unit(const Workload& given, Workload& space) const {
-        if (unit_.is_one()) return given;
+        const auto is_ready = [](const Query& query) {
+            return is_polished(query.pose_a) && is_polished(query.pose_b);
+        };
+        if (unit_.is_one() && std::all_of(given.queries.begin(), given.queries.end(), is_ready)) return given;
         space.pair_count = given.pair_count;
         space.warm = given.warm;
-        for (const Query& query : given.queries) space.queries.push_back(unit_.into(query));
+        for (const Query& query : given.queries) space.queries.push_back(unit_.into(polished(query)));
         return space;
+    }
+
+    /// Whether the offset between the bodies can be computed with: not too long, nor, between points at their
+    /// origins, too short.
+    [[nodiscard]] bool in_range(const Query& query) const {
+        constexpr bool single = std::is_same_v<ComputeOf<Table>, float>;
+        const double offset = max_abs(relative_pose(query.pose_a, query.pose_b).translation);
+        const double size = std::max(offset, unit_.reach());
+        return offset <= (single ? largest_coordinate_single : largest_coordinate) &&
+               (size == 0 || size >= (single ? smallest_extent_single : smallest_extent));
     }
 
     [[nodiscard]] Distance ask(const Query& query, Pair& pair) const {
         return Algorithm::query(tables_[query.body_a], tables_[query.body_b],
-                                relative_pose(query.pose_a, query.pose_b), pair);
+                                relative_pose(query.pose_a, query.pose_b), pair, unit_.into(options_));
     }
 
     /// How deep, and with that whether it is more than a touch, to the rounding of coordinates.
@@ -183,6 +199,7 @@ class RunnerFor final : public Runner {
     }
 
     Unit unit_;
+    QueryOptions options_;
     std::vector<Polyhedron> bodies_;  ///< as stored, in the given unit
     std::vector<Table> tables_;
 };

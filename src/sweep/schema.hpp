@@ -6,7 +6,7 @@
 
 namespace edgewise {
 
-inline constexpr int store_schema_version = 1;
+inline constexpr int store_schema_version = 2;
 inline constexpr int store_application_id = 0x45644765;  ///< "EdGe", so that another program's file is known
 
 inline constexpr const char* store_schema = R"sql(
@@ -26,6 +26,7 @@ create table if not exists cell(
     seed integer not null,  -- 64 bits, written as the signed number of the same bits
     queries integer not null,
     status text not null check(status in ('verified', 'failed', 'unavailable')), reason text not null,
+    axes text not null,  -- further axes, NAME=VALUE joined by '+'; empty for the plain cell
     primary key(build, hash)) without rowid;
 
 create table if not exists figure(

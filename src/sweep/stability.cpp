@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <stdexcept>
 
 #include "edgewise/geometry/tolerance.hpp"
@@ -54,16 +56,29 @@ StabilityRow row_for(const StabilityPlan& plan, const HardFamily& family, const 
 /// Where planes are stored in single and computed with in double, V-Clip is as good as the planes.
 StabilityTally tally_for(const TableType& type, const std::string& algorithm) {
     const bool single = type.eps > Tolerance<double>::eps;
-    const bool rounded_planes = type.single_storage && algorithm == "vclip";
+    const bool rounded_planes = type.rounded_planes && algorithm == "vclip";
     return {single || rounded_planes ? verified_error_single : verified_error_double,
             single ? verified_error_single : verified_depth_error_double};
 }
 
-/// Whether some table type asks for the cases in that storage.
-bool wanted(const StabilityPlan& plan, bool single) {
-    return std::any_of(plan.types.begin(), plan.types.end(),
-                       [&](const TableType* type) { return type->single_storage == single; });
-}
+/// The cases of one family, for each storage of the bodies: their exact answers are shared.
+class CasesOf {
+  public:
+    CasesOf(const StabilityPlan& plan, const HardFamily& family) : plan_(plan), family_(family) {}
+
+    [[nodiscard]] StabilityCases& of(const TableType& type) {
+        auto& place = known_[type.storage];
+        if (!place)
+            place = std::make_unique<StabilityCases>(family_, plan_.count, plan_.seed, type.single_storage,
+                                                     plan_.real);
+        return *place;
+    }
+
+  private:
+    const StabilityPlan& plan_;
+    const HardFamily& family_;
+    std::map<std::string, std::unique_ptr<StabilityCases>> known_;
+};
 
 }  // namespace
 
@@ -81,9 +96,7 @@ StabilitySummary run_stability(const StabilityPlan& plan,
     StabilitySummary summary;
     for (const HardFamily* family : chosen_families(plan)) {
         const bool possible = family->name != "real_hulls_at_gaps" || !plan.real.empty();
-        const std::size_t count = possible ? plan.count : 0;
-        StabilityCases in_double(*family, wanted(plan, false) ? count : 0, plan.seed, false, plan.real);
-        StabilityCases in_single(*family, wanted(plan, true) ? count : 0, plan.seed, true, plan.real);
+        CasesOf cases(plan, *family);
         for (const TableType* type : plan.types) {
             for (const std::string& algorithm : plan.algorithms) {
                 if (stop) return summary;
@@ -91,8 +104,7 @@ StabilitySummary run_stability(const StabilityPlan& plan,
                 StabilityRow row = row_for(plan, *family, *type, algorithm);
                 StabilityTally tally = tally_for(*type, algorithm);
                 if (possible) {
-                    StabilityCases& cases = type->single_storage ? in_single : in_double;
-                    StabilitySubject(*type, algorithm, family->warm, cases, plan.proofs).run(tally);
+                    StabilitySubject(*type, algorithm, family->warm, cases.of(*type), plan.proofs).run(tally);
                     for (Figure& figure : tally.figures()) row.figures.push_back({"stability", figure});
                 }
                 const std::string wrong = possible ? tally.what_is_wrong() : "";

@@ -127,9 +127,10 @@ void Store::put_build(const BuildRow& b) {
 void Store::put_cell(const std::string& build, const CellRow& c, std::span<const FigureRow> figures) {
     const sqlite::Database& database = implementation_->database;
     sqlite::Transaction transaction(database);
-    sqlite::Statement(database, "insert or replace into cell values(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")
+    sqlite::Statement(database, "insert or replace into cell values(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")
         .bind(build, c.hash, c.scene, c.scene_parameters, c.shape, c.shape_source, c.algorithm, c.layout,
-              c.precision, c.table, c.vertices, c.edges, c.faces, c.seed, c.queries, c.status, c.reason)
+              c.precision, c.table, c.vertices, c.edges, c.faces, c.seed, c.queries, c.status, c.reason,
+              c.axes)
         .run();
     put_figures(database, build, c.hash, figures);
     transaction.commit();
@@ -155,12 +156,12 @@ std::optional<CellRow> Store::find_cell(const std::string& build, const std::str
     sqlite::Statement s(
         implementation_->database,
         "select hash, scene, scene_parameters, shape, shape_source, algorithm, layout, precision, "
-        "table_type, vertices, edges, faces, seed, queries, status, reason "
+        "table_type, vertices, edges, faces, seed, queries, status, reason, axes "
         "from cell where build = ? and hash = ?");
     if (!s.bind(build, hash).step()) return std::nullopt;
     return CellRow{s.text(0),     s.text(1),     s.text(2),  s.text(3),    s.text(4),     s.text(5),
                    s.text(6),     s.text(7),     s.text(8),  s.natural(9), s.natural(10), s.natural(11),
-                   s.natural(12), s.natural(13), s.text(14), s.text(15)};
+                   s.natural(12), s.natural(13), s.text(14), s.text(15),   s.text(16)};
 }
 
 std::vector<FigureRow> Store::figures(const std::string& build, const std::string& hash) const {

@@ -37,6 +37,7 @@ struct CellRow {
     std::uint64_t seed = 0, queries = 0;
     std::string status;  ///< verified | failed | unavailable
     std::string reason;  ///< why failed or unavailable
+    std::string axes;    ///< further axes, as in sweep/axes.hpp; empty for the plain cell
 };
 
 struct FigureRow {

@@ -31,7 +31,9 @@ const std::vector<TableBytes>& SizeFamily::of(const TableType& type, Parts parts
     auto [place, is_new] = known_.try_emplace({type.name, parts});
     if (is_new) {
         for (const Polyhedron& body : bodies_) {
-            place->second.push_back(table_bytes(type.ledger(body, parts), body));
+            const auto stored = type.stored_body(body);
+            if (!stored) throw std::logic_error(stored.error);
+            place->second.push_back(table_bytes(type.ledger(*stored, parts), *stored));
         }
     }
     return place->second;

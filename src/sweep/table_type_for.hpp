@@ -9,6 +9,7 @@
 
 #include "edgewise/sweep/registry.hpp"
 #include "edgewise/sweep/runner_for.hpp"
+#include "edgewise/table/stored_body.hpp"
 
 namespace edgewise {
 
@@ -26,7 +27,10 @@ template <class Table>
     type.name = type.layout + "_" + type.precision;
     type.stores = Table::stores;
     type.derives = Table::derives;
+    type.storage = storage_name<Table>();
     type.single_storage = std::is_same_v<typename P::Stored, float>;
+    if constexpr (FeatureTable<Table>) type.rounded_planes = vclip::rounded_planes<Table>;
+    type.stored_body = stored_body<Table>;
     type.eps = std::numeric_limits<typename P::Compute>::epsilon();
     type.ledger = [](const Polyhedron& body, Parts parts) { return Table(body, parts).ledger(); };
 

@@ -19,6 +19,10 @@ namespace edgewise {
 /// Binary places around 1 within which bodies are taken as they are.
 inline constexpr int places_as_given = 10;
 
+/// Most that is scaled by: the bodies that hulls accept come within 2^10 of 1, and offsets stay in range
+/// beside points of denormal coordinates.
+inline constexpr int most_places = 190;
+
 class Unit {
   public:
     Unit() = default;
@@ -29,13 +33,19 @@ class Unit {
             for (const Vec3d& v : body.vertices) largest = std::max(largest, max_abs(v));
         }
         if (!(largest > 0) || !std::isfinite(largest)) return;
-        const int exponent = std::ilogb(largest);
+        const int exponent = std::clamp(std::ilogb(largest), -most_places, most_places);
         if (std::abs(exponent) > places_as_given) factor_ = std::ldexp(1.0, -exponent);
+        reach_ = largest * factor_;
     }
 
     [[nodiscard]] bool is_one() const { return factor_ == 1; }
 
+    /// The largest coordinate of the bodies, in the unit.
+    [[nodiscard]] double reach() const { return reach_; }
+
     /// Into the unit, and back.
+    [[nodiscard]] Vec3d into(const Vec3d& v) const { return v * factor_; }
+    [[nodiscard]] Vec3d back(const Vec3d& v) const { return v / factor_; }
     [[nodiscard]] Polyhedron into(const Polyhedron& body) const {
         return is_one() ? body : scaled(body, factor_);
     }
@@ -46,6 +56,10 @@ class Unit {
         query.pose_a.translation *= factor_;
         query.pose_b.translation *= factor_;
         return query;
+    }
+    [[nodiscard]] QueryOptions into(QueryOptions options) const {
+        options.contact_tolerance *= factor_;
+        return options;
     }
     [[nodiscard]] Distance back(Distance answer) const {
         answer.distance /= factor_;
@@ -60,7 +74,7 @@ class Unit {
     }
 
   private:
-    double factor_ = 1;
+    double factor_ = 1, reach_ = 0;
 };
 
 }  // namespace edgewise

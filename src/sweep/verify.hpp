@@ -8,15 +8,17 @@
 #include <vector>
 
 #include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/measure/probe.hpp"
 #include "edgewise/sweep/group.hpp"
 
 namespace edgewise {
 
 /// The checked answers of one cell. `stored` are the bodies its tables hold; eps the rounding step that
-/// computes.
+/// computes; `options` what the answers were allowed to give away.
 [[nodiscard]] std::vector<CheckedAnswer> check_answers(Group& group, std::span<const Polyhedron> stored,
-                                                       std::span<const Distance> answers, double eps);
+                                                       std::span<const Distance> answers, double eps,
+                                                       const QueryOptions& options = {});
 
 /// Empty when every checked answer is right; else what is wrong, with the first case as example.
 [[nodiscard]] std::string what_is_wrong(const Group& group, std::span<const CheckedAnswer> checked,

@@ -10,11 +10,20 @@ namespace edgewise {
 
 std::size_t SweepWork::cells_of_group() const {
     std::size_t count = 0;
-    for (const TableType* type : types) {
-        count += static_cast<std::size_t>(std::count_if(
-            algorithms.begin(), algorithms.end(), [&](const auto& name) { return type->serves(name); }));
-    }
+    each_cell([&](const TableType&, const std::string&, const Axes&) { ++count; });
     return count;
+}
+
+void SweepWork::each_cell(
+    const std::function<void(const TableType&, const std::string& algorithm, const Axes&)>& use) const {
+    for (const TableType* type : types) {
+        for (const std::string& algorithm : algorithms) {
+            if (!type->serves(algorithm)) continue;
+            for (const Axes& chosen : axes) {
+                if (chosen.text().empty() || chosen.concerns(algorithm)) use(*type, algorithm, chosen);
+            }
+        }
+    }
 }
 
 SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::string& line)>& warn) {
@@ -22,6 +31,8 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     work.plan = plan;
     work.types = select_table_types(plan.layouts);
     work.algorithms = select_algorithms(plan.algorithms);
+    work.axes.emplace_back();
+    for (const std::string& text : plan.axes) work.axes.push_back(parse_axes(text));
     for (SceneChoice& scene : work.plan.scenes) {
         auto complete = complete_parameters(scene.name, scene.parameters);
         if (!complete) throw std::invalid_argument(complete.error);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
 #include "edgewise/sweep/registry.hpp"
 #include "edgewise/sweep/shapes_of.hpp"
@@ -18,9 +19,13 @@ struct SweepWork {
     Plan plan;  ///< with every scene parameter
     std::vector<const TableType*> types;
     std::vector<std::string> algorithms;
+    std::vector<Axes> axes;  ///< the plain cell first
     std::vector<NamedShape> shapes;
 
-    /// Cells of one scene and shape.
+    /// The cells of one scene and shape, each once.
+    void each_cell(
+        const std::function<void(const TableType&, const std::string& algorithm, const Axes&)>& use) const;
+    /// How many they are.
     [[nodiscard]] std::size_t cells_of_group() const;
     [[nodiscard]] std::size_t cells() const { return cells_of_group() * shapes.size() * plan.scenes.size(); }
 };

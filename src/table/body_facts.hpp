@@ -3,6 +3,8 @@
 // The few facts of a body that every table keeps beside its arrays.
 #pragma once
 
+#include <algorithm>
+
 #include "edgewise/geometry/strictly_convex.hpp"
 #include "edgewise/table/needs.hpp"
 
@@ -11,6 +13,7 @@ namespace edgewise {
 struct BodyFacts {
     Index vertex_count = 0;
     Index face_count = 0;         ///< 0 in a table without features
+    double reach = 0;             ///< largest coordinate: what the rounding of planes is relative to
     bool strictly_convex = true;  ///< false: climbs may stick and Voronoi regions go on inside
 
     BodyFacts() = default;
@@ -18,7 +21,9 @@ struct BodyFacts {
     BodyFacts(const Polyhedron& body, Parts parts, double strict_turn)
         : vertex_count(static_cast<Index>(body.vertex_count())),
           face_count(parts == Parts::features ? static_cast<Index>(body.face_count()) : 0),
-          strictly_convex(is_strictly_convex(body, strict_turn)) {}
+          strictly_convex(is_strictly_convex(body, strict_turn)) {
+        for (const Vec3d& v : body.vertices) reach = std::max(reach, max_abs(v));
+    }
 };
 
 }  // namespace edgewise

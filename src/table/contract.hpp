@@ -59,6 +59,8 @@ concept FeatureTable = SupportTable<T> &&
     { table.direction(e) } -> std::convertible_to<Vec3<typename T::PrecisionType::Compute>>;
     { *table.ring_of_vertex(v).begin() } -> std::convertible_to<RingEdge<typename T::Edge>>;
     { *table.ring_of_face(f).begin() } -> std::convertible_to<RingEdge<typename T::Edge>>;
+    /// the body's largest coordinate: what the rounding of its planes is relative to
+    { table.reach() } -> std::convertible_to<double>;
     { *table.all_faces().begin() } -> std::convertible_to<typename T::Face>;
     table.vertex_edge_plane(e, End::tail).distance(table.vertex(v));
     table.edge_face_plane(e, Side::left).distance(table.vertex(v));

@@ -62,8 +62,9 @@ TYPED_TEST(Memory, SupportTablesHoldNoPlanes) {
         EXPECT_GT(support[Component::topology], 0U) << name;
         if (!has_features) continue;
         const Ledger features = Table(body, Parts::features).ledger();
-        EXPECT_GT(features.total(), support.total()) << name;
-        EXPECT_GT(features[Component::topology], support[Component::topology]) << name;
+        // Equal where all features are derived.
+        EXPECT_GE(features.total(), support.total()) << name;
+        EXPECT_GE(features[Component::topology], support[Component::topology]) << name;
     }
 }
 

@@ -14,6 +14,7 @@
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/table/stored_body.hpp"
 #include "table_under_test.hpp"
 
 namespace edgewise {
@@ -23,9 +24,17 @@ using Stored = Table::PrecisionType::Stored;
 using Compute = ComputeOf<Table>;
 using TableTypes = ::testing::Types<TableUnderTest>;
 
+/// Planes worked out when asked for, from corners.
+template <class T>
+concept DerivesPlanes = requires {
+    T::derives_planes;
+};
+
 inline constexpr bool has_features = FeatureTable<Table>;
-inline constexpr double stored_eps = std::numeric_limits<Stored>::epsilon();
 inline constexpr double compute_eps = std::numeric_limits<Compute>::epsilon();
+/// What planes are rounded to.
+inline constexpr double stored_eps =
+    DerivesPlanes<Table> ? compute_eps : double{std::numeric_limits<Stored>::epsilon()};
 
 struct NamedBody {
     std::string name;
@@ -34,13 +43,9 @@ struct NamedBody {
 
 /// What a table holds when it is given this body.
 [[nodiscard]] inline Polyhedron as_stored(const Polyhedron& body) {
-    if constexpr (std::is_same_v<Stored, float>) {
-        auto rounded = round_to_single(body);
-        EXPECT_TRUE(rounded) << rounded.error;
-        return *rounded;
-    } else {
-        return body;
-    }
+    auto stored = stored_body<Table>(body);
+    EXPECT_TRUE(stored) << stored.error;
+    return *stored;
 }
 
 [[nodiscard]] inline Polyhedron shape(const std::string& name) {
@@ -75,6 +80,18 @@ struct NamedBody {
         {"tetra4", shape("tetra4")},       {"cube8", shape("cube8")},       {"sphere38", shape("sphere38")},
         {"sphere386", shape("sphere386")}, {"random hull", random_hull(5)}, {"polygon", polygon()}};
     return bodies;
+}
+
+/// The face of the body that a table's face is: handles are the table's own, its rings are the body's.
+template <class T>
+[[nodiscard]] Index body_face(const T& table, const typename T::Face& f, const Polyhedron& body) {
+    const auto [edge, flipped] = *table.ring_of_face(f).begin();
+    const Index from = table.index_of(flipped ? table.head(edge) : table.tail(edge));
+    const Index to = table.index_of(flipped ? table.tail(edge) : table.head(edge));
+    for (const HalfEdge h : body.ring_of_vertex(from)) {
+        if (body.head(h) == to) return body.face(h);
+    }
+    return no_face;
 }
 
 }  // namespace edgewise

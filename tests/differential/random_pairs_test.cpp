@@ -93,7 +93,7 @@ template <class Algorithm>
 Distance ask(const Table& a, const Table& b, const Transform<double>& pose,
              typename Algorithm::template Pair<Table, Table>& pair, States& states) {
     if constexpr (is_vclip<Algorithm>) {
-        return Algorithm::query(a, b, pose, pair, states);
+        return Algorithm::query(a, b, pose, pair, {}, states);
     } else {
         static_cast<void>(states);
         return Algorithm::query(a, b, pose, pair);

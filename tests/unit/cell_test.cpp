@@ -78,13 +78,14 @@ TEST_F(CellName, EveryPartOfTheWorkChangesIt) {
     seen.insert(hash([](CellRow& r) { r.shape = "cube9"; }, cube_));
     seen.insert(hash([](CellRow& r) { r.algorithm = "gjk"; }, cube_));
     seen.insert(hash([](CellRow& r) { r.table = "some_f32"; }, cube_));
+    seen.insert(hash([](CellRow& r) { r.axes = "gap_tolerance=0.01"; }, cube_));
     seen.insert(hash([](CellRow& r) { r.seed = 2; }, cube_));
     seen.insert(hash([](CellRow& r) { r.queries = 101; }, cube_));
     seen.insert(hash([](CellRow&) {}, tetra_));
     Polyhedron nudged = cube_;
     nudged.vertices[3].y() = std::nextafter(nudged.vertices[3].y(), 9.0);
     seen.insert(hash([](CellRow&) {}, nudged));
-    EXPECT_EQ(seen.size(), 10U);
+    EXPECT_EQ(seen.size(), 11U);
 }
 
 TEST_F(CellName, WhatCameOutOfItDoesNot) {

@@ -193,6 +193,16 @@ TEST(ExactDistance, proof_refuses_wrong_simplices) {
     edge.pair[1] = {1, 0};
     edge.point[1] = bodies.difference({1, 0});
     EXPECT_THROW(require_optimal(bodies, edge), std::logic_error);
+    // The foot on an edge's line, beyond its ends; no vertex is nearer along it.
+    const Points segment = {{1, 1, 0}, {1, 2, 0}}, origin = {{0, 0, 0}};
+    ExactPair lines(segment, {}, origin, {});
+    MinimumSimplex<IntegerVec> beyond_end;
+    beyond_end.size = 2;
+    beyond_end.pair = {VertexPair{0, 0}, VertexPair{1, 0}};
+    for (int i = 0; i < 2; ++i) beyond_end.point[i] = lines.difference(beyond_end.pair[i]);
+    beyond_end.direction = {1, 0, 0};
+    beyond_end.height = beyond_end.point[0].x;
+    EXPECT_THROW(require_optimal(lines, beyond_end), std::logic_error);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 
+#include "edgewise/scene/rng.hpp"
 #include "geometry_bodies.hpp"
 
 namespace edgewise {
@@ -104,6 +105,25 @@ TEST(OrthoError, IsTheLargestEntryOfTheDefect) {
     std::printf("worst ortho_error of a random rotation: %.2g\n", worst);
     EXPECT_LE(worst, 4e-15);
     EXPECT_GT(worst, 0);
+}
+
+TEST(Polished, MakesARotationOfWhatIsNearlyOne) {
+    Rng rng(11);
+    double worst = 0;
+    for (int i = 0; i < 1000; ++i) {
+        Pose pose{rng.rotation(), rng.in_cube(3)};
+        EXPECT_EQ(polished(pose, Vec3d::Zero()).rotation, pose.rotation) << "rounding alone changes nothing";
+        const double off = std::ldexp(1.0, -static_cast<int>(rng.below(40)) - 5);
+        for (int j = 0; j < 3; ++j) pose.rotation.col(j) += off * rng.in_cube(1);
+        const Vec3d about = rng.in_cube(1e6);
+        const Pose better = polished(pose, about);
+        EXPECT_TRUE(is_polished(better));
+        EXPECT_LT(norm(Vec3d(better.apply(about) - pose.apply(about))), 1e-8);
+        worst = std::max(
+            worst, (better.rotation - pose.rotation).cwiseAbs().maxCoeff() / ortho_error(pose.rotation));
+    }
+    std::printf("moved by at most %.3g of the distance from orthogonal\n", worst);
+    EXPECT_LT(worst, 2);
 }
 
 }  // namespace

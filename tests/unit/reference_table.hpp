@@ -26,6 +26,7 @@ class ReferenceTable : public Canonical {
 
     explicit ReferenceTable(const Polyhedron& body) : Canonical(body), body_(&body) {}
 
+    [[nodiscard]] double reach() const { return extent(body_->vertices) + max_abs(body_->vertices[0]); }
     [[nodiscard]] bool strictly_convex() const {
         return is_strictly_convex(*body_, Tolerance<double>::strict_turn);
     }

@@ -33,7 +33,7 @@ inline std::string cell_sql(const std::string& hash, const std::string& scene, c
     return "insert into cell values('b2','" + hash + "','" + scene + "','" + parameters + "','" + shape +
            "','built-in','" + algorithm + "','aos','" + precision + "','aos_" + precision + "'," +
            std::to_string(vertices) + "," + std::to_string(3 * vertices - 6) + ",4,-1,1000,'" + status +
-           "','" + reason + "');";
+           "','" + reason + "','');";
 }
 
 inline std::string figure_sql(const std::string& hash, const std::string& probe, const std::string& name,
@@ -78,7 +78,7 @@ inline std::string store_sql() {
     sql += "insert into meta values('build','b2'),('plan','quick');";
     sql +=
         "insert into cell select 'b1','old','static','{}','s','s','vclip','aos','f64','aos_f64',4,6,4,7,1,"
-        "'verified','';";
+        "'verified','','';";
     sql += cell_sql("h-full", "static", "cube8", 8, "vclip", "f64", "verified", "");
     sql += cell_sql("h-null", "tumble", "cow</script><b>&\"", 20, "gjk", "f64", "verified", "");
     sql += cell_sql("h-bare", "static", "cube8", 8, "gjk", "f32", "verified", "");

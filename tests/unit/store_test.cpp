@@ -26,12 +26,23 @@ BuildRow sample_build(const std::string& id = "build-1") {
 }
 
 CellRow sample_cell(const std::string& hash = "cell-1") {
-    return {hash,        "tumble",   R"({"rotation_step":0.01})",
-            "sphere386", "built-in", "vclip",
-            "aos",       "f64",      "aos_f64",
-            386,         1152,       768,
-            42,          100'000,    "verified",
-            ""};
+    return {hash,
+            "tumble",
+            R"({"rotation_step":0.01})",
+            "sphere386",
+            "built-in",
+            "vclip",
+            "aos",
+            "f64",
+            "aos_f64",
+            386,
+            1152,
+            768,
+            42,
+            100'000,
+            "verified",
+            "",
+            "gap_tolerance=1e-06"};
 }
 
 void expect_equal(const CellRow& a, const CellRow& b) {

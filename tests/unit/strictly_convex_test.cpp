@@ -42,9 +42,24 @@ TEST(StrictlyConvex, BoxesAreHoweverTheyLie) {
     }
 }
 
-TEST(StrictlyConvex, ASharpNeedleIs) {
-    const Points needle = {{0, 0, 0}, {1e8, 0.5, 0.5}, {0, 1, 0}, {0, 0, 1}};
-    EXPECT_TRUE(is_strictly_convex(*convex_hull(needle), least));
+TEST(StrictlyConvex, ASharpNeedleIsUntilItsEndIsLostInRounding) {
+    const auto needle = [](double length) {
+        return *convex_hull(Points{{0, 0, 0}, {length, 0.5, 0.5}, {0, 1, 0}, {0, 0, 1}});
+    };
+    EXPECT_TRUE(is_strictly_convex(needle(1e3), least));
+    EXPECT_FALSE(is_strictly_convex(needle(1e8), least));
+}
+
+TEST(StrictlyConvex, ACornerCutOffIsUntilItIsTiny) {
+    const auto cut = [](double size) {
+        Points points;
+        for (int corner = 1; corner < 8; ++corner)
+            points.emplace_back(corner & 1, corner >> 1 & 1, corner >> 2);
+        for (int i = 0; i < 3; ++i) points.push_back(size * Vec3d(Mat3d::Identity().col(i)));
+        return *convex_hull(points);
+    };
+    EXPECT_TRUE(is_strictly_convex(cut(1e-2), least));
+    EXPECT_FALSE(is_strictly_convex(cut(1e-6), least));
 }
 
 TEST(StrictlyConvex, ACutFaceIsNotUntilItIsFolded) {

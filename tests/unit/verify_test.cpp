@@ -58,9 +58,9 @@ class Verify : public ::testing::Test {
         return 0;
     }
 
-    [[nodiscard]] std::string wrong(double epsilon = eps) {
-        return what_is_wrong(group_, check_answers(group_, group_.workload().bodies, answers_, epsilon),
-                             epsilon);
+    [[nodiscard]] std::string wrong(double epsilon = eps, const QueryOptions& options = {}) {
+        return what_is_wrong(
+            group_, check_answers(group_, group_.workload().bodies, answers_, epsilon, options), epsilon);
     }
 
     Group group_;
@@ -118,6 +118,30 @@ TEST_F(Verify, WitnessesThatDoNotMatchTheDistanceFail) {
     EXPECT_THAT(wrong(), HasSubstr("witness error"));
     answer.point_a = right * std::numeric_limits<double>::quiet_NaN();
     EXPECT_NE(wrong(), "");
+}
+
+TEST_F(Verify, AContactToleranceMovesTheVerdict) {
+    const std::size_t i = first(Status::separated);
+    const double distance = answers_[i].distance;
+    answers_[i].status = Status::touching;
+    EXPECT_THAT(wrong(), HasSubstr("wrong verdict"));
+    // The others are still separated, and wrong with it if they are as near as that.
+    for (std::size_t k = 0; k < answers_.size(); ++k) {
+        if (answers_[k].distance <= distance * 1.001) answers_[k].status = Status::touching;
+    }
+    EXPECT_EQ(wrong(eps, {distance * 1.001, 0}), "");
+    EXPECT_THAT(wrong(eps, {distance * 0.9, 0}), HasSubstr("wrong verdict"));
+    answers_[i].status = Status::separated;
+    EXPECT_THAT(wrong(eps, {distance * 1.001, 0}), HasSubstr("1 of 60 checked answers are wrong"));
+}
+
+TEST_F(Verify, AGapToleranceAllowsThatPartOfTheDistance) {
+    Distance& answer = answers_[first(Status::separated)];
+    answer.point_a *= 1.009;
+    answer.distance *= 1.009;
+    EXPECT_THAT(wrong(), HasSubstr("wrong distance"));
+    EXPECT_EQ(wrong(eps, {0, 0.01}), "");
+    EXPECT_THAT(wrong(eps, {0, 0.008}), HasSubstr("wrong distance"));
 }
 
 TEST_F(Verify, UncheckedQueriesAreNotJudged) {

@@ -57,13 +57,13 @@ class Tetrahedron {
   private:
     using Directions = std::array<Vec3d, 3>;
 
-    /// A first corner in both bodies' origin has no size; then one of the others has.
+    /// The start may lie about both bodies' origin and tell nothing of their size, so the box is asked too.
     void choose_scale(const std::array<CornerType, 4>& given, int count) {
         double size = 0;
         for (int i = 0; i < count; ++i) size = std::max(size, given[i].size());
-        for (int i = 0; i < 6 && size == 0; ++i) {
+        for (int i = 0; i < 6; ++i) {
             const Vec3d axis = (i < 3 ? 1 : -1) * Vec3d(Mat3d::Identity().col(i % 3));
-            size = difference_.support(axis, given[0]).size();
+            size = std::max(size, difference_.support(axis, given[0]).size());
         }
         scale_ = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
     }

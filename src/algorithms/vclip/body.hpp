@@ -3,6 +3,7 @@
 // One of the two bodies as a V-Clip state sees it, and what a state can say.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 
@@ -33,11 +34,30 @@ struct Body {
     void move_to_face(typename Table::Face f) { feature = Feature<Table>::of_face(f); }
 };
 
+/// What planes are rounded to: as they are stored, or, worked out from corners when asked for, as what
+/// computes.
+template <class Table>
+using PlaneScalar = std::conditional_t < requires {
+    Table::derives_planes;
+}
+, ComputeOf<Table>, typename Table::PrecisionType::Stored > ;
+
 /// Relative to the coordinates: a height over a plane, or a distance, that rounding may have turned round.
 /// Planes are only as good as they are stored.
 template <class Table>
 inline constexpr ComputeOf<Table> plane_noise =
-    static_cast<ComputeOf<Table>>(Tolerance<typename Table::PrecisionType::Stored>::contact_noise);
+    static_cast<ComputeOf<Table>>(Tolerance<PlaneScalar<Table>>::contact_noise);
+
+/// How far off its plane a face of this body may be: by rounding; or, of a body with corners so small beside
+/// it that the hull may have merged them, by what counts as flat.
+template <class Table>
+[[nodiscard]] ComputeOf<Table> face_noise(const Table& table) {
+    using Scalar = ComputeOf<Table>;
+    const Scalar merged = static_cast<Scalar>(face_planarity);
+    const Scalar relative =
+        table.strictly_convex() ? plane_noise<Table> : std::max(plane_noise<Table>, merged);
+    return relative * static_cast<Scalar>(table.reach());
+}
 
 /// Relative to the coordinates: a distance between points of the bodies that rounding alone may have left.
 template <class Table>
@@ -45,8 +65,7 @@ inline constexpr double contact_noise{Tolerance<ComputeOf<Table>>::contact_noise
 
 /// Planes stored rounder than the arithmetic: what lies on one side of them may lie on the other.
 template <class Table>
-inline constexpr bool rounded_planes =
-    !std::is_same_v<typename Table::PrecisionType::Stored, ComputeOf<Table>>;
+inline constexpr bool rounded_planes = !std::is_same_v<PlaneScalar<Table>, ComputeOf<Table>>;
 
 /// A straight piece from tail to head.
 template <class Scalar>

@@ -56,7 +56,7 @@ template <class Table>
 [[nodiscard]] Vec3<ComputeOf<Table>> foot_on_face(const Table& table, typename Table::Face face,
                                                   const Vec3<ComputeOf<Table>>& point) {
     using Scalar = ComputeOf<Table>;
-    if constexpr (std::is_same_v<Scalar, typename Table::PrecisionType::Stored>) {
+    if constexpr (!rounded_planes<Table>) {
         const auto plane = table.face_plane(face);
         return point - plane.distance(point) * plane.normal;
     } else {

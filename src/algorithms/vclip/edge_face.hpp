@@ -39,7 +39,8 @@ template <class Theirs, class Clipped>
 [[nodiscard]] Step pierced(const Body<Theirs>& theirs, const Segment<ComputeOf<Theirs>>& segment,
                            const Clipped& clip, ComputeOf<Theirs> low, ComputeOf<Theirs> high) {
     using Scalar = ComputeOf<Theirs>;
-    const Scalar noise = plane_noise<Theirs> * std::max(max_abs(segment.tail), max_abs(segment.head));
+    const Scalar size = std::max(max_abs(segment.tail), max_abs(segment.head));
+    const Scalar noise = std::max(plane_noise<Theirs> * size, face_noise(theirs.table));
     if (std::min(std::abs(low), std::abs(high)) <= noise) return Step::touching;
     if constexpr (rounded_planes<Theirs>) {
         const Scalar lambda = clip.low + low / (low - high) * (clip.high - clip.low);

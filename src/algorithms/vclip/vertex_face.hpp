@@ -9,6 +9,8 @@
 // noise (tolerance.hpp, towards_plane): a noise edge under the face would skip the escape and loop.
 #pragma once
 
+#include <algorithm>
+
 #include "edgewise/algorithms/vclip/body.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
@@ -42,7 +44,8 @@ template <class Table>
             best = f;
         }
     }
-    if (highest < -plane_noise<Table> * max_abs(point)) return Step::overlapping;
+    const auto noise = std::max(plane_noise<Table> * max_abs(point), face_noise(body.table));
+    if (highest < -noise) return Step::overlapping;
     if (highest <= 0) return Step::touching;
     body.move_to_face(best);
     return Step::moved;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// What a caller may give away of an answer for speed or robustness. Nothing, unless asked: both default to
+// "as exact as the type allows". The paper's tolerances (section 3.4) are of these two kinds.
+#pragma once
+
+#include "edgewise/algorithms/distance.hpp"
+
+namespace edgewise {
+
+struct QueryOptions {
+    /// Bodies as near as this or nearer are touching, in the bodies' own unit.
+    double contact_tolerance = 0;
+    /// GJK ends when the squared distance is known to this relative width: the duality gap |v|^2 - <v, w>
+    /// over |v|^2. The distance is then too large by at most this part of itself. V-Clip has no such thing.
+    double gap_tolerance = 0;
+};
+
+/// An answer as the options want it told. A distance within the tolerance stays as found: for GJK, which
+/// stops as soon as it knows that much, an upper bound.
+[[nodiscard]] inline Distance within(const QueryOptions& options, Distance answer) {
+    if (answer.status == Status::separated && answer.distance <= options.contact_tolerance)
+        answer.status = Status::touching;
+    return answer;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/sweep/axes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <stdexcept>
+
+namespace edgewise {
+
+namespace {
+
+[[noreturn]] void refuse(std::string_view entry, std::string_view wanted) {
+    throw std::invalid_argument(fmt::format("axis '{}': {}", entry, wanted));
+}
+
+/// A number in [0, below).
+double read_tolerance(std::string_view entry, std::string_view value, double below) {
+    double number = -1;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (error != std::errc{} || end != value.data() + value.size() || !(number >= 0 && number < below))
+        refuse(entry, fmt::format("wants a number from 0 to below {}", below));
+    return number;
+}
+
+void take(Axes& axes, std::string_view entry) {
+    const std::size_t equals = entry.find('=');
+    const std::string_view name = entry.substr(0, equals);
+    const std::string_view value = equals == entry.npos ? std::string_view{} : entry.substr(equals + 1);
+    if (name == "contact_tolerance") {
+        axes.query.contact_tolerance = read_tolerance(entry, value, 1e60);
+    } else if (name == "gap_tolerance") {
+        axes.query.gap_tolerance = read_tolerance(entry, value, 1);
+    } else {
+        std::vector<std::string> known;
+        for (const AxisInfo& axis : axes_known())
+            known.push_back(fmt::format("{}={}", axis.name, axis.values));
+        refuse(entry, fmt::format("unknown; known: {}", fmt::join(known, ", ")));
+    }
+}
+
+}  // namespace
+
+const std::vector<AxisInfo>& axes_known() {
+    static const std::vector<AxisInfo> known = {
+        {"contact_tolerance", "LENGTH", "bodies as near as this or nearer are touching"},
+        {"gap_tolerance", "RATIO", "GJK ends when the squared distance is known to this relative width"},
+    };
+    return known;
+}
+
+std::string Axes::text() const {
+    std::vector<std::string> parts;
+    if (query.contact_tolerance != 0)
+        parts.push_back(fmt::format("contact_tolerance={}", query.contact_tolerance));
+    if (query.gap_tolerance != 0) parts.push_back(fmt::format("gap_tolerance={}", query.gap_tolerance));
+    return fmt::format("{}", fmt::join(parts, "+"));
+}
+
+bool Axes::concerns(std::string_view algorithm) const {
+    return query.contact_tolerance != 0 || (query.gap_tolerance != 0 && algorithm == "gjk");
+}
+
+Axes parse_axes(std::string_view text) {
+    Axes axes;
+    while (!text.empty()) {
+        const std::size_t plus = text.find('+');
+        // "1e+3" is a number, not two entries.
+        std::size_t end = plus;
+        while (end != text.npos && end > 0 && (text[end - 1] == 'e' || text[end - 1] == 'E'))
+            end = text.find('+', end + 1);
+        take(axes, text.substr(0, end));
+        text.remove_prefix(end == text.npos ? text.size() : end + 1);
+    }
+    return axes;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// One case through one runner, beside exact arithmetic on the bodies that the tables hold: everything that
+// can be wrong with an answer, in words. The corpus test and the fuzz targets judge by it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/scene/case_file.hpp"
+#include "edgewise/sweep/runner.hpp"
+
+namespace edgewise {
+
+struct JudgedCase {
+    std::vector<std::string> complaints;  ///< none: all is right
+    bool answered = false;                ///< else the bodies were refused, and `refusal` says why
+    std::string refusal;
+    bool apart = false, in_band = false;
+    double distance = 0, witness = 0, depth = 0;  ///< errors over scale, beyond the band
+};
+
+/// What an answer may be wrong by.
+struct Exactness {
+    double eps = 0;          ///< rounding step that computes: the verdict's band
+    bool as_single = false;  ///< distances and depths by the bounds of single precision
+};
+
+/// Verdict outside the band, distance, witness points, depth, and the certificates of the stored and of the
+/// given bodies.
+[[nodiscard]] JudgedCase judge_case(Runner& runner, const Exactness& exactness, const Case& given);
+
+}  // namespace edgewise

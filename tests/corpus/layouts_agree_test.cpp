@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// A layout that derives its planes walks another way, and ends at the same features: V-Clip on every table
+// type beside V-Clip on aos in the same storage, over the corpus and over generic pairs of spheres and boxes.
+// Features are compared where the exact closest features are unique; status and distance everywhere.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "corpus.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/sweep/registry.hpp"
+#include "edgewise/truth/accuracy_band.hpp"
+#include "edgewise/truth/exact_distance.hpp"
+
+namespace edgewise {
+namespace {
+
+struct Asked {
+    std::vector<Polyhedron> bodies;
+    Query query;
+};
+
+/// How many vertices are lowest along a direction, to a billionth of the size.
+std::size_t lowest(const Polyhedron& body, const Pose& pose, const Vec3d& along) {
+    std::vector<double> heights;
+    for (const Vec3d& v : body.vertices) heights.push_back(dot(pose.apply(v), along));
+    const double least = *std::min_element(heights.begin(), heights.end());
+    const double size = extent(body.vertices) * norm(along);
+    return static_cast<std::size_t>(
+        std::count_if(heights.begin(), heights.end(), [&](double h) { return h - least <= 1e-9 * size; }));
+}
+
+/// Apart, and the nearest points lie inside one feature each that nothing is parallel to.
+bool has_unique_features(std::span<const Polyhedron> stored, const Query& query) {
+    const auto exact = exact_distance(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b);
+    if (!exact || exact->verdict != ExactVerdict::separated) return false;
+    const Vec3d along = exact->separation;
+    const std::size_t on_a = lowest(stored[0], query.pose_a, along);
+    const std::size_t on_b = lowest(stored[1], query.pose_b, Vec3d(-along));
+    if (std::min(on_a, on_b) > 1 && on_a + on_b > 4) return false;
+    return exact->simplex.size == static_cast<int>(std::min<std::size_t>(3, on_a + on_b - 1));
+}
+
+std::vector<Index> sorted(std::vector<Index> names) {
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::vector<Asked> questions() {
+    std::vector<Asked> all;
+    for (const Case& given : corpus()) {
+        const auto a = body_from_case(given.a);
+        const auto b = body_from_case(given.b);
+        all.push_back({{*a, *b}, {0, 1, 0, given.pose_a, given.pose_b}});
+    }
+    Rng rng(3);
+    for (const char* name : {"cube8", "sphere38", "sphere386"}) {
+        const Polyhedron body = *make_shape(name);
+        for (int i = 0; i < 400; ++i) {
+            Query query{0, 1, 0, {rng.rotation(), Vec3d::Zero()}, {rng.rotation(), Vec3d::Zero()}};
+            query.pose_b.translation = extent(body.vertices) * rng.uniform(0.3, 1.5) * rng.on_sphere();
+            all.push_back({{body, body}, query});
+        }
+    }
+    return all;
+}
+
+struct Tally {
+    int compared = 0, unique = 0, other_features = 0, other_status = 0;
+    double difference = 0;  ///< of distances, over scale
+};
+
+void compare(Runner& plain, Runner& other, const Asked& asked, double eps, Tally& tally) {
+    if (!plain.load(asked.bodies).empty() || !other.load(asked.bodies).empty()) return;
+    const NamedAnswer expected = plain.answer(asked.query), found = other.answer(asked.query);
+    const auto stored = plain.stored_bodies();
+    const AccuracyBand band =
+        accuracy_band(stored[0].vertices, asked.query.pose_a, stored[1].vertices, asked.query.pose_b, eps);
+    const double off = std::abs(expected.distance.distance - found.distance.distance);
+    ++tally.compared;
+    if (off > 0) tally.difference = std::max(tally.difference, (off - band.band) / band.scale);
+    tally.other_status += expected.distance.status != found.distance.status && off > band.band;
+    if (!has_unique_features(stored, asked.query)) return;
+    ++tally.unique;
+    tally.other_features += sorted(expected.feature_a.vertices) != sorted(found.feature_a.vertices) ||
+                            sorted(expected.feature_b.vertices) != sorted(found.feature_b.vertices);
+}
+
+TEST(LayoutsAgree, OnFeaturesStatusAndDistance) {
+    const auto all = questions();
+    for (const TableType& type : table_types()) {
+        const bool single = type.eps > Tolerance<double>::eps;
+        const auto is_plain = [&](const TableType& t) {
+            return t.layout == "aos" && t.storage == type.storage && t.eps == type.eps;
+        };
+        const auto plain = std::find_if(table_types().begin(), table_types().end(), is_plain);
+        if (plain == table_types().end() || plain->name == type.name || !type.serves("vclip")) continue;
+        const auto of_plain = plain->make_runner("vclip"), of_type = type.make_runner("vclip");
+        Tally tally;
+        for (const Asked& asked : all) compare(*of_plain, *of_type, asked, type.eps, tally);
+        std::printf(
+            "%s: %d of %d pairs have unique features; %d other features, %d other status, distance %.2g\n",
+            type.name.c_str(), tally.unique, tally.compared, tally.other_features, tally.other_status,
+            tally.difference);
+        EXPECT_GT(tally.unique, 500) << type.name;
+        // In single, features that are unique by a hair may be told apart by rounding alone.
+        EXPECT_LE(tally.other_features, single || plain->rounded_planes ? tally.unique / 100 : 0)
+            << type.name;
+        EXPECT_EQ(tally.other_status, 0) << type.name;
+        EXPECT_LE(tally.difference, single || type.rounded_planes || plain->rounded_planes
+                                        ? verified_error_single
+                                        : verified_error_double)
+            << type.name;
+    }
+}
+
+}  // namespace
+}  // namespace edgewise

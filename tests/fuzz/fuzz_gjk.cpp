@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+//
+// The fuzz target of GJK.
+#include "fuzz_pair.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return edgewise::fuzz_pair<edgewise::Gjk>(data, size);
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// Further axes: read, written back the same, and refused with what is known.
+#include "edgewise/sweep/axes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace edgewise {
+namespace {
+
+std::string error_of(const char* text) {
+    try {
+        static_cast<void>(parse_axes(text));
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Axes, ReadBackAsTheyAreWritten) {
+    for (const char* text : {"", "contact_tolerance=0.001", "gap_tolerance=1e-06",
+                             "contact_tolerance=1e+20+gap_tolerance=0.01"}) {
+        EXPECT_EQ(parse_axes(text).text(), text);
+    }
+    EXPECT_EQ(parse_axes("gap_tolerance=0.010+contact_tolerance=1").text(),
+              "contact_tolerance=1+gap_tolerance=0.01");
+    EXPECT_EQ(parse_axes("gap_tolerance=0").text(), "");
+}
+
+TEST(Axes, ConcernOnlyWhatTheyChange) {
+    EXPECT_FALSE(Axes{}.concerns("gjk"));
+    EXPECT_TRUE(parse_axes("gap_tolerance=0.1").concerns("gjk"));
+    EXPECT_FALSE(parse_axes("gap_tolerance=0.1").concerns("vclip"));
+    EXPECT_TRUE(parse_axes("contact_tolerance=0.1").concerns("vclip"));
+}
+
+TEST(Axes, BadOnesAreOneClearLine) {
+    for (const char* text : {"gap_tolerance", "gap_tolerance=", "gap_tolerance=1", "gap_tolerance=-0.1",
+                             "gap_tolerance=nan", "gap_tolerance=0.1x", "contact_tolerance=inf"}) {
+        EXPECT_NE(error_of(text).find("wants a number from 0"), std::string::npos) << text << error_of(text);
+    }
+    EXPECT_NE(error_of("speed=3").find("unknown; known: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace edgewise
