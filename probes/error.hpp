@@ -17,8 +17,8 @@ class error final : public Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "error"; }
     [[nodiscard]] std::string_view summary() const override {
-        return "worst error and wrong verdicts against exact arithmetic; steps, cycles, fallbacks and "
-               "refinements";
+        return "worst error and wrong verdicts against exact arithmetic; steps, escapes, cycles, "
+               "fallbacks and refinements";
     }
 
     [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
@@ -43,6 +43,7 @@ class error final : public Probe {
             {"overlapping", checked - separated - touching, "queries"},
             {"fallbacks", static_cast<double>(counts.fallbacks), "queries"},
             {"refinements", static_cast<double>(counts.refinements), "queries"},
+            {"escapes", static_cast<double>(counts.escapes), "escapes"},
             {"cycles", static_cast<double>(counts.cycles), "queries"},
             mean_steps(counts),
             {"max_steps", static_cast<double>(counts.max_steps), "steps"},

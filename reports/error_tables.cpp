@@ -25,6 +25,7 @@ constexpr SummaryColumn columns[] = {{"checked", "checked", true},
                                      {"verdicts in band", "verdicts_in_band", true},
                                      {"fallbacks", "fallbacks", true},
                                      {"refinements", "refinements", true},
+                                     {"escapes", "escapes", true},
                                      {"cycles", "cycles", true},
                                      {"mean steps", "mean_steps", false},
                                      {"max steps", "max_steps", false}};

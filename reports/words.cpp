@@ -73,7 +73,8 @@ std::string error_explanation() {
            "when it "
            "contradicts the exact one outside the rounding band; verdicts inside the band are counted apart. "
            "Fallbacks, "
-           "cycles and steps are over all queries of a cell.";
+           "refinements, escapes, cycles and steps are over all queries of a cell; an escape is a local "
+           "minimum under a face that V-Clip left for a better face.";
 }
 
 std::string stability_explanation(const ReportData& data) {
@@ -93,7 +94,9 @@ std::string stability_explanation(const ReportData& data) {
            "with the test "
            "of Moore and Wilhelms, which takes touching bodies and exact copies for apart; outside the band "
            "and off "
-           "exact touch only a defect may disagree, and \"control wrong\" says whose it is. Cycles are "
+           "exact touch only a defect may disagree, and \"control wrong\" says whose it is. Escapes are "
+           "local "
+           "minima under a face that V-Clip left for a better face, cycles are "
            "V-Clip runs that came back to a state, fallbacks the answers that "
            "GJK gave instead, refinements close answers that it worked out again in wider arithmetic.";
 }

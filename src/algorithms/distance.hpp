@@ -33,6 +33,7 @@ struct Distance {
     int cycles = 0;                 ///< runs that came back to a state already seen
     int fallbacks = 0;              ///< answers taken from the complete fallback instead
     int refinements = 0;            ///< close answers worked out again from where the run ended
+    int escapes = 0;                ///< local minima under a face that V-Clip left for a better face
 };
 
 /// The witness points in world coordinates.

@@ -127,11 +127,14 @@ template <class TableA, class TableB>
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] [[gnu::flatten]] Distance run(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
     CycleGuard guard(a.feature, b.feature);
+    int escapes = 0;
     for (int steps = 1;; ++steps) {
         observer.visit(a.feature.kind(), b.feature.kind());
         const Step last = step(a, b);
-        const bool cycle = last == Step::moved && guard.returns_to(a.feature, b.feature);
-        if (last == Step::moved && !cycle) continue;
+        escapes += last == Step::escaped;
+        const bool moved = last == Step::moved || last == Step::escaped;
+        const bool cycle = moved && guard.returns_to(a.feature, b.feature);
+        if (moved && !cycle) continue;
         Distance result = answer(a, b, last);
         const Trust verdict = cycle ? Trust::doubted : trust(result, a, b);
         if (verdict != Trust::sound) result = answer_by_gjk(a, b);
@@ -139,6 +142,7 @@ template <class TableA, class TableB, class Observer>
         result.cycles = cycle;
         result.fallbacks = verdict == Trust::doubted;
         result.refinements = verdict == Trust::close;
+        result.escapes = escapes;
         return result;
     }
 }

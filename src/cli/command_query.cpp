@@ -48,7 +48,7 @@ json empty_answer(const std::string& id) {
     json line = {{"id", id}, {"status", "failed"}};
     for (const char* key :
          {"distance", "point_a", "point_b", "feature_a", "feature_b", "depth", "normal", "steps", "fallbacks",
-          "refinements", "certificate", "stored_certificate", "error"}) {
+          "refinements", "escapes", "certificate", "stored_certificate", "error"}) {
         line[key] = nullptr;
     }
     return line;
@@ -71,6 +71,7 @@ json answer_json(const std::string& id, const NamedAnswer& answer, Needs needs) 
     line["steps"] = d.steps;
     line["fallbacks"] = d.fallbacks;
     line["refinements"] = d.refinements;
+    line["escapes"] = d.escapes;
     if (needs >= Needs::distance) line["distance"] = d.distance;
     const bool separated = d.status == Status::separated;
     if (needs >= (separated ? Needs::witnesses : Needs::depth)) {

@@ -44,7 +44,7 @@ struct CheckedAnswer {
 struct AnswerCounts {
     std::uint64_t queries = 0, steps = 0, fallbacks = 0, cycles = 0;
     int max_steps = 0;
-    std::uint64_t refinements = 0;
+    std::uint64_t refinements = 0, escapes = 0;
 };
 
 /// A cell as probes see it.

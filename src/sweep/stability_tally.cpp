@@ -70,6 +70,7 @@ void StabilityTally::add(const StabilityJudgement& judged) {
     cycles_ += static_cast<std::uint64_t>(answer.cycles);
     fallbacks_ += static_cast<std::uint64_t>(answer.fallbacks);
     refinements_ += static_cast<std::uint64_t>(answer.refinements);
+    escapes_ += static_cast<std::uint64_t>(answer.escapes);
     max_steps_ = std::max(max_steps_, answer.steps);
 }
 
@@ -125,6 +126,7 @@ std::vector<Figure> StabilityTally::figures() const {
                                   count("control_disagrees", control_disagrees_),
                                   count("control_disagrees_outside_band", control_outside_),
                                   count("control_wrong", control_wrong_),
+                                  {"escapes", static_cast<double>(escapes_), "escapes"},
                                   count("cycles", cycles_),
                                   count("fallbacks", fallbacks_),
                                   count("refinements", refinements_),

@@ -66,7 +66,7 @@ class StabilityTally {
     std::size_t asked_ = 0, refused_ = 0, separated_ = 0, touching_ = 0, overlapping_ = 0;
     std::size_t in_band_ = 0, wrong_outside_ = 0, wrong_inside_ = 0, beyond_ = 0, depths_beyond_ = 0,
                 missed_ = 0, proofs_ = 0;
-    std::uint64_t steps_ = 0, cycles_ = 0, fallbacks_ = 0, refinements_ = 0;
+    std::uint64_t steps_ = 0, cycles_ = 0, fallbacks_ = 0, refinements_ = 0, escapes_ = 0;
     std::size_t control_asked_ = 0, control_disagrees_ = 0, control_outside_ = 0, control_wrong_ = 0;
     int max_steps_ = 0;
     std::array<std::size_t, stability_tolerances.size()> failures_{};

@@ -92,6 +92,7 @@ AnswerCounts count_answers(std::span<const Distance> answers) {
         counts.steps += static_cast<std::uint64_t>(answer.steps);
         counts.fallbacks += static_cast<std::uint64_t>(answer.fallbacks);
         counts.refinements += static_cast<std::uint64_t>(answer.refinements);
+        counts.escapes += static_cast<std::uint64_t>(answer.escapes);
         counts.cycles += static_cast<std::uint64_t>(answer.cycles);
         counts.max_steps = std::max(counts.max_steps, answer.steps);
     }

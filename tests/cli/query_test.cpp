@@ -69,9 +69,10 @@ TEST_P(Query, HasEveryKeyInEveryAnswer) {
     for (const json& answer : answers) {
         std::vector<std::string> keys;
         for (const auto& [key, value] : answer.items()) keys.push_back(key);
-        EXPECT_THAT(keys, UnorderedElementsAre("id", "status", "distance", "point_a", "point_b", "feature_a",
-                                               "feature_b", "depth", "normal", "steps", "fallbacks",
-                                               "refinements", "certificate", "stored_certificate", "error"));
+        EXPECT_THAT(keys,
+                    UnorderedElementsAre("id", "status", "distance", "point_a", "point_b", "feature_a",
+                                         "feature_b", "depth", "normal", "steps", "fallbacks", "refinements",
+                                         "escapes", "certificate", "stored_certificate", "error"));
     }
     for (const char* key : {"distance", "point_a", "feature_a", "steps", "certificate"}) {
         EXPECT_TRUE(answers[1][key].is_null()) << key;

@@ -48,7 +48,7 @@ class Probes : public ::testing::Test {
         subject_.table = table_of(108);
         subject_.sizes = sizes_;
         subject_.checked = checked_;
-        subject_.counts = {1000, 1500, 3, 2, 17};
+        subject_.counts = {1000, 1500, 3, 2, 17, 5, 8};
         subject_.rounds = rounds_;
     }
 
@@ -149,6 +149,8 @@ TEST_F(Probes, ErrorsAreTheWorstAndVerdictsAreCounted) {
     EXPECT_EQ(found["overlapping"].value, 2);
     EXPECT_EQ(found["fallbacks"].value, 3);
     EXPECT_EQ(found["cycles"].value, 2);
+    EXPECT_EQ(found["refinements"].value, 5);
+    EXPECT_EQ(found["escapes"].value, 8);
     EXPECT_EQ(found["mean_steps"].value, 1.5);
     EXPECT_EQ(found["max_steps"].value, 17);
 }

@@ -155,11 +155,15 @@ TEST_F(Verify, CountsEverything) {
     answers_[1].fallbacks = 1;
     answers_[1].cycles = 1;
     answers_[2].steps = 9;
+    answers_[3].refinements = 1;
+    answers_[4].escapes = 3;
     const AnswerCounts counts = count_answers(answers_);
     EXPECT_EQ(counts.queries, 120U);
     EXPECT_EQ(counts.steps, 247U);
     EXPECT_EQ(counts.fallbacks, 2U);
     EXPECT_EQ(counts.cycles, 1U);
+    EXPECT_EQ(counts.refinements, 1U);
+    EXPECT_EQ(counts.escapes, 3U);
     EXPECT_EQ(counts.max_steps, 9);
 }
 

@@ -16,6 +16,7 @@ namespace edgewise::vclip {
 
 enum class Step : std::uint8_t {
     moved,        ///< to a neighbouring feature
+    escaped,      ///< from a local minimum under a face, to any face
     separated,    ///< both features hold the closest points
     touching,     ///< they meet to within rounding: in doubt
     overlapping,  ///< an edge pierces a face, or a vertex lies inside

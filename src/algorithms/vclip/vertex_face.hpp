@@ -48,7 +48,7 @@ template <class Table>
     if (highest < -noise) return Step::overlapping;
     if (highest <= 0) return Step::touching;
     body.move_to_face(best);
-    return Step::moved;
+    return Step::escaped;
 }
 
 template <class Mine, class Theirs>
