@@ -52,21 +52,23 @@ double value_of(const StabilityRow& row, const char* name) {
 
 void print_heading() {
     fmt::print(
-        "{:<24} {:<9} {:<6} {:>8} {:>7} {:>6} {:>6} {:>6} {:>8} {:>8} {:>8} {:>7} {:>7} {:>7} {:>6} "
+        "{:<24} {:<9} {:<6} {:>8} {:>7} {:>6} {:>6} {:>6} {:>8} {:>8} {:>8} {:>4} {:>7} {:>7} {:>7} {:>6} "
         "{:>5}\n",
         "family", "table", "by", "cases", "refused", "band", "wrong", "beyond", "error", "witness", "cert.",
-        "escapes", "cycles", "fallb.", "refin.", "steps");
+        "caps", "escapes", "cycles", "fallb.", "refin.", "steps");
 }
 
 void print_row(const StabilityRow& row) {
     const auto count = [&](const char* name) { return static_cast<std::size_t>(value_of(row, name)); };
     fmt::print(
-        "{:<24} {:<9} {:<6} {:>8} {:>7} {:>6} {:>6} {:>6} {:>8.1e} {:>8.1e} {:>8.1e} {:>7} {:>7} {:>7} {:>6} "
+        "{:<24} {:<9} {:<6} {:>8} {:>7} {:>6} {:>6} {:>6} {:>8.1e} {:>8.1e} {:>8.1e} {:>4} {:>7} {:>7} {:>7} "
+        "{:>6} "
         "{:>5.2f}{}\n",
         row.cell.shape, row.cell.table, row.cell.algorithm, count("cases"), count("refused"),
         count("in_band"), count("wrong_outside_band"), count("errors_beyond"), value_of(row, "worst_error"),
-        value_of(row, "worst_witness_error"), value_of(row, "worst_certificate_width"), count("escapes"),
-        count("cycles"), count("fallbacks"), count("refinements"), value_of(row, "mean_steps"),
+        value_of(row, "worst_witness_error"), value_of(row, "worst_certificate_width"), count("cap_hits"),
+        count("escapes"), count("cycles"), count("fallbacks"), count("refinements"),
+        value_of(row, "mean_steps"),
         row.cell.reason.empty() ? "" : "  " + row.cell.status + ": " + row.cell.reason);
 }
 

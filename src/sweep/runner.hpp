@@ -26,6 +26,7 @@ struct NamedAnswer {
     Distance distance;
     NamedFeature feature_a, feature_b;
     double depth = 0;              ///< 0 unless in contact
+    bool depth_cut_short = false;  ///< EPA's work space was full: the depth is an upper bound
     Vec3d normal = Vec3d::Zero();  ///< in contact: B moved by depth * normal only touches A
     std::vector<Index> proof_a,
         proof_b;  ///< in contact: stored vertices whose hulls hold a common point, or nearly

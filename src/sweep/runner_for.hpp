@@ -157,6 +157,7 @@ class RunnerFor final : public Runner {
         settled.point_b = overlap.point_b;
         answer.distance = to_world(settled, query.pose_a);
         answer.depth = overlap.depth;
+        answer.depth_cut_short = !overlap.converged;
         answer.normal = query.pose_a.rotation * overlap.normal;
     }
 

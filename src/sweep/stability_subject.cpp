@@ -97,6 +97,7 @@ void StabilitySubject::prove_pose(std::size_t index, std::size_t pose, Stability
         accuracy_band(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b, type_.eps);
     StabilityProof proof;
     proof.certificate_missed = true;
+    proof.depth_cut_short = answer.depth_cut_short;
     if (certificates) {
         const auto of_given = exact_distance(given.a.vertices, query.pose_a, given.b.vertices, query.pose_b);
         proof.certificate_width = certificates->stored.width() / (band.scale > 0 ? band.scale : 1);

@@ -91,6 +91,7 @@ void StabilityTally::add(const StabilityProof& proof) {
     widths_.push_back(proof.certificate_width);
     depths_beyond_ += !(proof.depth_error <= depth_error_allowed_);
     missed_ += proof.certificate_missed;
+    cap_hits_ += proof.depth_cut_short;
 }
 
 void StabilityTally::add_refusal(std::size_t poses, const std::string& reason) {
@@ -119,6 +120,7 @@ std::vector<Figure> StabilityTally::figures() const {
                                   worst("worst_witness_error", witness_errors_, none),
                                   worst("worst_depth_error", depth_errors_, none),
                                   count("depths_beyond", depths_beyond_),
+                                  count("cap_hits", cap_hits_),
                                   worst("worst_certificate_width", widths_, none),
                                   count("certificates", proofs_),
                                   count("certificates_missed", missed_),

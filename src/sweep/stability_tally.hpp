@@ -39,6 +39,7 @@ struct StabilityProof {
     double depth_error = 0;           ///< over scale, beyond the band; 0 unless in contact
     double certificate_width = 0;     ///< over scale; of the stored bodies
     bool certificate_missed = false;  ///< of the stored or of the given bodies; or there was none
+    bool depth_cut_short = false;     ///< EPA reached its face limit: the depth is an upper bound
 };
 
 class StabilityTally {
@@ -65,7 +66,7 @@ class StabilityTally {
     double error_allowed_, depth_error_allowed_;
     std::size_t asked_ = 0, refused_ = 0, separated_ = 0, touching_ = 0, overlapping_ = 0;
     std::size_t in_band_ = 0, wrong_outside_ = 0, wrong_inside_ = 0, beyond_ = 0, depths_beyond_ = 0,
-                missed_ = 0, proofs_ = 0;
+                missed_ = 0, cap_hits_ = 0, proofs_ = 0;
     std::uint64_t steps_ = 0, cycles_ = 0, fallbacks_ = 0, refinements_ = 0, escapes_ = 0;
     std::size_t control_asked_ = 0, control_disagrees_ = 0, control_outside_ = 0, control_wrong_ = 0;
     int max_steps_ = 0;
