@@ -45,6 +45,45 @@ void scale(CaseBody& body, Pose& pose, double factor) {
     pose.translation *= factor;
 }
 
+/// One column is any axis either way, the next any other, the last completes a right-handed frame.
+Mat3d quarter_turn(int turn) {
+    const int first = turn / 8, second = (first + 1 + turn / 4 % 2) % 3;
+    Mat3d result = Mat3d::Zero();
+    result(first, 0) = turn % 2 == 0 ? 1 : -1;
+    result(second, 1) = turn / 2 % 2 == 0 ? 1 : -1;
+    const Vec3d x = result.col(0), y = result.col(1);
+    result.col(2) = cross(x, y);
+    return result;
+}
+
+Pose turned(const Pose& pose, const Mat3d& turn) {
+    Pose result;
+    for (int column = 0; column < 3; ++column) {
+        const Vec3d axis = pose.rotation.col(column);
+        result.rotation.col(column) = multiply(turn, axis);
+    }
+    result.translation = multiply(turn, pose.translation);
+    return result;
+}
+
+/// Knuth's error of a sum is itself exact.
+bool is_exact_sum(double a, double b) {
+    const double sum = a + b, of_b = sum - a;
+    return (a - (sum - of_b)) + (b - of_b) == 0;
+}
+
+/// The longest power of two, of some around the size, that is added to both coordinates without rounding;
+/// else 0.
+double exact_shift(double a, double b, double size) {
+    for (int places = 30; places >= -8; --places) {
+        const double shift = std::ldexp(1.0, std::ilogb(size) + places);
+        for (const double s : {shift, -shift}) {
+            if (is_exact_sum(a, s) && is_exact_sum(b, s)) return s;
+        }
+    }
+    return 0;
+}
+
 }  // namespace
 
 const std::vector<Case>& corpus() {
@@ -70,6 +109,26 @@ Case scaled_by_power(const Case& given, int exponent) {
     Case result = given;
     scale(result.a, result.pose_a, std::ldexp(1.0, exponent));
     scale(result.b, result.pose_b, std::ldexp(1.0, exponent));
+    return result;
+}
+
+Case turned(const Case& given, int turn) {
+    const Mat3d rotation = quarter_turn(turn);
+    Case result = given;
+    result.pose_a = turned(given.pose_a, rotation);
+    result.pose_b = turned(given.pose_b, rotation);
+    return result;
+}
+
+std::optional<Case> moved_exactly(const Case& given) {
+    Case result = given;
+    Vec3d &a = result.pose_a.translation, &b = result.pose_b.translation;
+    const double largest = std::max(max_abs(a), max_abs(b)), size = largest > 0 ? largest : 1;
+    Vec3d shift;
+    for (int i = 0; i < 3; ++i) shift[i] = exact_shift(a[i], b[i], size);
+    if (shift.isZero(0)) return std::nullopt;
+    a += shift;
+    b += shift;
     return result;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The corpus: case files of pairs on which some collision library was wrong, crashed or did not end, each
-// with its source; and the same pairs seen otherwise (swapped, listed backwards, scaled).
+// with its source; and the same pairs seen otherwise (swapped, listed backwards, scaled, turned, moved).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,15 @@ namespace edgewise {
 
 /// The whole scene times 2^exponent.
 [[nodiscard]] Case scaled_by_power(const Case& given, int exponent);
+
+/// How many rotations by quarter turns there are, the identity (number 0) among them.
+inline constexpr int quarter_turns = 24;
+
+/// The whole scene turned by one of them: coordinates change places and signs, none is rounded.
+[[nodiscard]] Case turned(const Case& given, int turn);
+
+/// The whole scene moved, along every axis by the longest power of two, up to 2^30 of the translations' own
+/// length, that rounds neither of them; nothing where no axis has one.
+[[nodiscard]] std::optional<Case> moved_exactly(const Case& given);
 
 }  // namespace edgewise

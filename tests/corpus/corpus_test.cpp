@@ -2,8 +2,9 @@
 //
 // Every case of the corpus through every table type and algorithm, as given, swapped, and with its vertices
 // listed backwards. The judge is the exact oracle on the bodies that the tables hold: verdict outside the
-// band, distance, witness points, depth, and the certificates of the stored and of the given bodies. And
-// every case at other scales, where the answer must be the same to the bit.
+// band, distance, witness points, depth, and the certificates of the stored and of the given bodies. Likewise
+// in a world turned by quarter turns and moved, as far as that rounds no coordinate. And every case at other
+// scales, where the answer must be the same to the bit.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "corpus.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/sweep/registry.hpp"
+#include "edgewise/truth/exact_distance.hpp"
 #include "judged_case.hpp"
 
 namespace edgewise {
@@ -50,6 +52,13 @@ class Corpus : public testing::TestWithParam<Subject> {
         worst_.depth = std::max(worst_.depth, judged.depth);
     }
 
+    void print(const char* how) const {
+        std::printf(
+            "%s %s%s: error %.2g, witness %.2g, depth %.2g; %d apart, %d in contact, %d in the band\n",
+            GetParam().type.name.c_str(), GetParam().algorithm.c_str(), how, worst_.distance, worst_.witness,
+            worst_.depth, worst_.apart, worst_.contact, worst_.in_band);
+    }
+
     Worst worst_;
     std::vector<std::string> wrong_;
     std::unique_ptr<Runner> runner_;
@@ -62,14 +71,46 @@ TEST_P(Corpus, IsAnsweredRightHoweverItIsGiven) {
         expect_right(swapped(given));
         expect_right(reversed(given));
     }
-    std::printf("%s %s: error %.2g, witness %.2g, depth %.2g; %d apart, %d in contact, %d in the band\n",
-                GetParam().type.name.c_str(), GetParam().algorithm.c_str(), worst_.distance, worst_.witness,
-                worst_.depth, worst_.apart, worst_.contact, worst_.in_band);
+    print("");
     EXPECT_THAT(wrong_, testing::IsEmpty());
     // Two cases in their three forms are out of the range of single precision.
     EXPECT_EQ(worst_.refused, GetParam().type.storage == "single" ? 6 : 0);
     EXPECT_GT(worst_.apart, 200);
     EXPECT_GT(worst_.contact, 200);
+}
+
+/// So what judges the cases below is right about them too.
+TEST(CorpusMotion, LeavesTheExactDistanceAsItIs) {
+    for (const Case& given : corpus()) {
+        const auto exact = [&](const Case& of) {
+            return exact_distance(of.a.vertices, of.pose_a, of.b.vertices, of.pose_b);
+        };
+        const auto still = exact(given);
+        ASSERT_TRUE(still) << given.id << ": " << still.error;
+        for (const int turn : {1, 10, 23}) {
+            const Case there = turned(given, turn);
+            EXPECT_EQ(exact(there)->distance, still->distance) << given.id;
+            EXPECT_EQ(exact(moved_exactly(there).value_or(there))->distance, still->distance) << given.id;
+        }
+    }
+}
+
+TEST_P(Corpus, IsAnsweredRightInAWorldTurnedAndMoved) {
+    int moved = 0;
+    for (std::size_t i = 0; i < corpus().size(); ++i) {
+        const Case& given = corpus()[i];
+        expect_right(turned(given, 1 + static_cast<int>(i) % (quarter_turns - 1)));
+        const auto elsewhere =
+            moved_exactly(turned(given, 1 + static_cast<int>(i + 7) % (quarter_turns - 1)));
+        moved += elsewhere.has_value();
+        if (elsewhere) expect_right(*elsewhere);
+    }
+    print(" turned and moved");
+    EXPECT_THAT(wrong_, testing::IsEmpty());
+    EXPECT_EQ(moved, static_cast<int>(corpus().size()));
+    EXPECT_EQ(worst_.refused, GetParam().type.storage == "single" ? 4 : 0);
+    EXPECT_GT(worst_.apart, 130);
+    EXPECT_GT(worst_.contact, 130);
 }
 
 /// The answer to the case scaled by 2^power must be the answer to the case, scaled; to the bit.
