@@ -5,7 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "edgewise/geometry/face_shape.hpp"
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/message.hpp"
+#include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise {
 
@@ -21,12 +24,25 @@ std::vector<Vec3d> on_grid(std::span<const Vec3d> points, double eps) {
     return result;
 }
 
-/// Every plane of the hull has all points on its inner side.
+/// Every point is a vertex of the hull, or on the inner side of all planes by more than its vertices may lie
+/// off them and a height may be rounded.
 bool contains(const Polyhedron& hull, std::span<const Vec3d> points) {
+    const double noise = 2 * shape_tolerance(hull, face_planarity);
     return std::all_of(points.begin(), points.end(), [&](const Vec3d& p) {
-        return std::all_of(hull.face_planes.begin(), hull.face_planes.end(),
-                           [&](const Plane<double>& plane) { return plane.distance(p) <= 0; });
+        const auto is_below = [&](const Plane<double>& plane) { return plane.distance(p) < -noise; };
+        const auto& planes = hull.face_planes;
+        return (planes.size() > 2 && std::all_of(planes.begin(), planes.end(), is_below)) ||
+               std::find(hull.vertices.begin(), hull.vertices.end(), p) != hull.vertices.end();
     });
+}
+
+/// Times the factor about the middle, then to the grid.
+Result<Polyhedron> grown(const Polyhedron& body, double factor, double eps) {
+    Vec3d middle = Vec3d::Zero();
+    for (const Vec3d& v : body.vertices) middle += v / static_cast<double>(body.vertex_count());
+    std::vector<Vec3d> points;
+    for (const Vec3d& v : body.vertices) points.push_back(middle + factor * (v - middle));
+    return hull_of_moved(body, on_grid(points, eps), "16 bits");
 }
 
 }  // namespace
@@ -60,18 +76,17 @@ Result<Polyhedron> round_to_grid(const Polyhedron& body, double eps) {
 }
 
 Result<Polyhedron> round_to_grid_outward(const Polyhedron& body, double eps) {
-    Vec3d middle = Vec3d::Zero();
-    for (const Vec3d& v : body.vertices) middle += v / static_cast<double>(body.vertex_count());
-    const double step = Grid(body.vertices, eps).step;
     Result<Polyhedron> rounded = round_to_grid(body, eps);
+    if (body.face_count() <= 2) return rounded;
     // Growth in steps of a grid step over the extent: most bodies need one or two.
-    const double size = extent(body.vertices);
-    for (int n = 1; n <= 64 && rounded && rounded->face_count() > 2; ++n) {
-        if (contains(*rounded, body.vertices)) return rounded;
-        std::vector<Vec3d> grown;
-        const double factor = 1 + n * step / size;
-        for (const Vec3d& v : body.vertices) grown.push_back(middle + factor * (v - middle));
-        rounded = hull_of_moved(body, on_grid(grown, eps), "16 bits");
+    const double growth = Grid(body.vertices, eps).step / extent(body.vertices);
+    for (int n = 1; rounded && !contains(*rounded, body.vertices); ++n) {
+        if (n > outward_steps) {
+            return Result<Polyhedron>::failure(
+                message("the body cannot be held by a grid of 16 bits: grown by ", outward_steps,
+                        " steps it is still not contained; it is too thin for its length"));
+        }
+        rounded = grown(body, 1 + n * growth, eps);
     }
     return rounded;
 }

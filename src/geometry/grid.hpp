@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A body's own grid: 65 535 steps over its box, the same along all axes, a power of two wide, so that a place
-// on the grid is an exact number. Storing a vertex on it moves each coordinate by half a step at most.
+// A body's own grid: the same step along all axes, a power of two, so that a place on the grid is an exact
+// number. The longest side of the body's box takes from 32 767 to 65 535 steps (half of what 16 bits hold is
+// lost at worst, because a step is a power of two), fewer where the body lies so far out that its coordinates
+// hold no finer ones. Storing a vertex moves each coordinate by half a step at most.
 #pragma once
 
 #include <array>
@@ -20,7 +22,7 @@ struct Grid {
     double step = 1;
 
     Grid() = default;
-    /// Of the points' box. No step is finer than `eps` of the largest coordinate, so that what computes with
+    /// Of the points' box. A step is wider than 2 `eps` of the largest coordinate, so that what computes with
     /// this rounding step holds every place exactly.
     Grid(std::span<const Vec3d> points, double eps);
 
@@ -30,11 +32,16 @@ struct Grid {
     }
 };
 
+/// How far round_to_grid_outward grows a body at most, in steps of the grid along its longest side.
+inline constexpr int outward_steps = 64;
+
 /// The body that a table on this grid really holds: the hull of its vertices moved to their nearest places.
 [[nodiscard]] Result<Polyhedron> round_to_grid(const Polyhedron& body, double eps);
 
-/// Likewise, but a body that contains the given one: grown about its middle, by no more than is needed,
-/// before it is rounded. Flat bodies stay flat, and are contained but for half a step across.
+/// Likewise, but a body that contains the given one: grown about its middle before it is rounded, step by
+/// step, until every vertex is a vertex of the result or inside it by more than rounding. Flat bodies stay
+/// flat, and are contained but for half a step across. Fails where growth by outward_steps is not enough:
+/// on bodies so thin that growing them widens them less than rounding to the grid may narrow them.
 [[nodiscard]] Result<Polyhedron> round_to_grid_outward(const Polyhedron& body, double eps);
 
 }  // namespace edgewise

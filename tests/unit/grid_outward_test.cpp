@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+//
+// Rounding to a grid outward: the body is contained, by exact arithmetic, or refused.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "edgewise/geometry/grid.hpp"
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/truth/exact_distance.hpp"
+
+namespace edgewise {
+namespace {
+
+/// Every vertex of the body lies in the hull of the other's vertices, by exact arithmetic.
+bool exactly_contains(const Polyhedron& outer, const Polyhedron& body) {
+    return std::all_of(body.vertices.begin(), body.vertices.end(), [&](const Vec3d& v) {
+        const auto exact = exact_distance(std::vector{v}, {}, outer.vertices, {});
+        return exact && exact->verdict != ExactVerdict::separated;
+    });
+}
+
+Polyhedron random_hull(Rng& rng, const Vec3d& middle, const Vec3d& size) {
+    std::vector<Vec3d> points;
+    for (int k = 0; k < 30; ++k) points.push_back(middle + rng.in_ball().cwiseProduct(size));
+    return *convex_hull(points);
+}
+
+TEST(GridOutward, ContainsTheBody) {
+    Rng rng(4);
+    int grown = 0, not_contained = 0;
+    for (int i = 0; i < 120; ++i) {
+        const Vec3d far = i % 2 == 0 ? Vec3d(1000 * rng.in_cube(1)) : Vec3d::Zero();
+        const Polyhedron body = random_hull(rng, far, {1, 0.5, 0.2});
+        for (const double eps : {0x1p-52, 0x1p-23}) {
+            const auto nearest = round_to_grid(body, eps), outward = round_to_grid_outward(body, eps);
+            ASSERT_TRUE(nearest && outward) << nearest.error << outward.error;
+            EXPECT_TRUE(exactly_contains(*outward, body)) << i << ": " << eps;
+            if (eps < 1e-10) EXPECT_LT(volume(*outward), volume(body) * 1.001);
+            not_contained += !exactly_contains(*nearest, body);
+            grown += volume(*outward) > volume(*nearest);
+        }
+    }
+    EXPECT_GT(not_contained, 200);
+    EXPECT_GE(grown, not_contained);
+}
+
+/// A fiftieth of its length thick, a body is contained or refused, as the growth it needs has it.
+TEST(GridOutward, NeverReturnsAThinBodyThatSticksOut) {
+    Rng rng(5);
+    int contained = 0, refused = 0;
+    for (int i = 0; i < 100; ++i) {
+        const Polyhedron body = random_hull(rng, Vec3d::Zero(), {1, 0.5, 0.02});
+        const auto outward = round_to_grid_outward(body, 0x1p-52);
+        if (outward) {
+            EXPECT_TRUE(exactly_contains(*outward, body)) << i;
+        } else {
+            EXPECT_THAT(outward.error, testing::HasSubstr("too thin"));
+        }
+        ++(outward ? contained : refused);
+    }
+    EXPECT_GT(contained, 50);
+    EXPECT_GT(refused, 5);
+}
+
+TEST(GridOutward, BodiesOnTheGridNeedNoGrowth) {
+    const Polyhedron cube = *make_shape("cube8");
+    EXPECT_EQ(round_to_grid_outward(cube, 0x1p-52)->vertices, cube.vertices);
+}
+
+TEST(GridOutward, ANeedleIsAnError) {
+    const std::vector<Vec3d> needle = {{0, 0, 0}, {1, 1e-7, 2e-7}, {0.3, 1e-6, 0}, {0.7, 0, 1.3e-6}};
+    const auto outward = round_to_grid_outward(*convex_hull(needle), 0x1p-52);
+    ASSERT_FALSE(outward);
+    EXPECT_THAT(outward.error, testing::HasSubstr("16 bits"));
+}
+
+}  // namespace
+}  // namespace edgewise
