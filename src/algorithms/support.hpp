@@ -7,9 +7,6 @@
 // or almost in one place, rounding makes plateaus on which a climb ends far below the top.
 #pragma once
 
-#include <algorithm>
-#include <limits>
-
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
 
@@ -56,8 +53,8 @@ template <SupportTable Table>
     const auto point = table.vertex(start);
     SupportPoint<Table> best{start, point, dot(point, direction)};
     const Scalar noise = Tolerance<Scalar>::support_noise * max_abs(point) * max_abs(direction);
-    for (bool improved = true, hidden = false;;) {
-        improved = hidden = false;
+    for (;;) {
+        bool improved = false, hidden = false;
         for (const auto v : table.neighbours(best.vertex)) {
             const auto candidate = table.vertex(v);
             const auto along = dot(candidate, direction);

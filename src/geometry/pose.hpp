@@ -39,7 +39,9 @@ struct Transform {
     }
 };
 
-/// The map that takes B's points into A's frame; computed in double whatever the tables hold.
+/// The map that takes B's points into A's frame; computed in double whatever the tables hold. It takes R_A's
+/// transpose for its inverse: rotations that are sloppier than rounding leaves one (`is_polished`: matrices
+/// in single, or typed in) should go through `polished` first, or a long offset comes out stretched.
 [[nodiscard]] inline Transform<double> relative_pose(const Pose& a, const Pose& b) {
     Transform<double> result;
     for (int column = 0; column < 3; ++column) {

@@ -50,8 +50,10 @@ double moved_by(const Polyhedron& given, std::span<const Vec3d> points, const Po
             to.push_back(found->second);
         }
     };
-    for (std::size_t i = 0; i < given.vertex_count(); ++i) see(given.input_index[i], given.vertices[i]);
     for (std::size_t i = 0; i < points.size(); ++i) see(static_cast<Index>(i), points[i]);
+    if (points.empty()) {  // the vertices are all that is known; else they are among the points
+        for (std::size_t i = 0; i < given.vertex_count(); ++i) see(given.input_index[i], given.vertices[i]);
+    }
     return std::max(farthest, from.empty() ? 0 : representation_error(from, to, rotation));
 }
 
