@@ -1,6 +1,12 @@
 # SPDX-License-Identifier: MIT
 # NAME, file under src/, the code, the bug, the cases that must see it, the test's sources.
 
+# Controls: no bug, and the cases must pass. One in a header, one in a source.
+edgewise_mutant(control_header algorithms/vclip/vertex_face.hpp [[if (highest <= 0) return Step::touching;]] [[if (highest <= 0) return Step::touching;]]
+    RandomPairs* ${random_pairs})
+edgewise_mutant(control_source truth/exact_distance.cpp [[while (!simplex.holds_origin()) {]] [[while (!simplex.holds_origin()) {]]
+    ExactDistance.* ${unit}/exact_distance_test.cpp)
+
 # Geometry
 edgewise_mutant(relative_pose_not_transposed geometry/pose.hpp [[multiply_transposed(a.rotation, axis)]] [[multiply(a.rotation, axis)]]
     Pose.RelativePose* ${unit}/pose_test.cpp)
@@ -62,11 +68,11 @@ edgewise_mutant(exact_side_by_rounding algorithms/penetration/exact_side.hpp [[r
 edgewise_mutant(product_without_its_error algorithms/penetration/exact_sum.hpp [[add(abc.low);]] [[]]
     ExactSide.* ${unit}/exact_side_test.cpp)
 
-# Broad phase and control
+# Broad phase and the paper's referee
 edgewise_mutant(sweep_misses_touching algorithms/sweep_and_prune.cpp [[low[axis] > box.high[axis]) break;]] [[low[axis] >= box.high[axis]) break;]]
     SweepAndPrune.* ${unit}/sweep_and_prune_test.cpp)
 
-edgewise_mutant(control_without_edges algorithms/moore_wilhelms.cpp [[return enter < leave;]] [[return false;]]
+edgewise_mutant(referee_without_edges algorithms/moore_wilhelms.cpp [[return enter < leave;]] [[return false;]]
     MooreWilhelms.* ${unit}/moore_wilhelms_test.cpp)
 
 # Truth
