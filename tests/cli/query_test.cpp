@@ -120,6 +120,29 @@ TEST_P(Query, FailsOnAHugeBodyWithTheReason) {
     EXPECT_EQ(answers[1]["status"], "separated");
 }
 
+/// Points at their origins have no size but the offset between them: one whose square would vanish, or, in
+/// single, one beyond its range, is refused; never answered with 0 or infinity.
+TEST_P(Query, RefusesOffsetsThatThePrecisionCannotComputeWith) {
+    const json point = {{"vertices", {{0, 0, 0}}}};
+    const auto line = [&](const std::string& id, double x) {
+        return json{{"id", id}, {"a", point}, {"b", point}, {"pose_b", moved(x, 0, 0)}}.dump() + "\n";
+    };
+    const std::string cases = line("denormal", 1e-307) + line("far", 1e12) + line("near", 2);
+    for (const char* layout : {"aos_f64", "aos_f32"}) {
+        const Outcome outcome = ask(cases, {"--layout", layout, "--needs", "certificate"});
+        EXPECT_EQ(outcome.exit_code, 1);
+        const auto answers = answers_of(outcome);
+        ASSERT_EQ(answers.size(), 3u);
+        EXPECT_EQ(answers[0]["status"], "failed") << layout;
+        EXPECT_THAT(answers[0]["error"].get<std::string>(), HasSubstr("too small or too far apart"));
+        EXPECT_TRUE(answers[0]["distance"].is_null() && answers[0]["certificate"].is_null());
+        const bool single = std::string(layout) == "aos_f32";
+        EXPECT_EQ(answers[1]["status"], single ? "failed" : "separated");
+        if (single) EXPECT_THAT(answers[1]["error"].get<std::string>(), HasSubstr("use f64"));
+        EXPECT_EQ(answers[2]["distance"], 2.0) << layout;
+    }
+}
+
 /// Two bodies with much in common are overlapping even where their faces lie in one plane or their corners
 /// meet; touching is for bodies without common interior.
 TEST_P(Query, TellsOverlapFromTouchInSpecialPositions) {
