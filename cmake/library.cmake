@@ -17,7 +17,8 @@ add_library(edgewise_library STATIC
     src/geometry/polyhedron.cpp
     src/geometry/strictly_convex.cpp
     src/geometry/polyhedron_builder.cpp
-    src/geometry/qhull_facets.cpp)
+    src/geometry/qhull_facets.cpp
+    src/geometry/vertex_order.cpp)
 add_library(edgewise::edgewise ALIAS edgewise_library)
 set_target_properties(edgewise_library PROPERTIES EXPORT_NAME edgewise OUTPUT_NAME edgewise POSITION_INDEPENDENT_CODE ON)
 target_compile_features(edgewise_library PUBLIC cxx_std_20)

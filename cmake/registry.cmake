@@ -4,6 +4,10 @@
 
 # edgewise_layout(NAME PRECISION...): NAME is the file's stem, the type and the command-line name.
 function(edgewise_layout LAYOUT)
+    set_property(GLOBAL APPEND PROPERTY EDGEWISE_ALL_LAYOUTS ${LAYOUT})
+    if(EDGEWISE_LAYOUTS AND NOT LAYOUT IN_LIST EDGEWISE_LAYOUTS)
+        return()
+    endif()
     foreach(PRECISION IN LISTS ARGN)
         set(unit ${PROJECT_BINARY_DIR}/registry/${LAYOUT}_${PRECISION}.cpp)
         configure_file(${PROJECT_SOURCE_DIR}/cmake/table_type.cpp.in ${unit} @ONLY)
@@ -22,6 +26,12 @@ endfunction()
 
 # The lists of all entries, in the manifests' order; to be called when both manifests are read.
 function(edgewise_write_registry)
+    get_property(all GLOBAL PROPERTY EDGEWISE_ALL_LAYOUTS)
+    foreach(layout IN LISTS EDGEWISE_LAYOUTS)
+        if(NOT layout IN_LIST all)
+            message(FATAL_ERROR "edgewise: EDGEWISE_LAYOUTS names '${layout}', which layouts/CMakeLists.txt does not; it has: ${all}")
+        endif()
+    endforeach()
     get_property(table_types GLOBAL PROPERTY EDGEWISE_TABLE_TYPES)
     get_property(probes GLOBAL PROPERTY EDGEWISE_PROBES)
     foreach(type IN LISTS table_types)

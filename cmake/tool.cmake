@@ -13,6 +13,8 @@ add_custom_target(edgewise_build_info BYPRODUCTS ${build_info}
             -D BUILD_TYPE=${CMAKE_BUILD_TYPE} -D CHARTS=${EDGEWISE_CHARTS_DIR}
             -P ${PROJECT_SOURCE_DIR}/cmake/write_build_info.cmake)
 
+include(jemalloc)
+
 set(mesh_sources src/geometry/mesh_file_unavailable.cpp)
 if(assimp_FOUND)
     set(mesh_sources src/geometry/mesh_file.cpp src/geometry/mesh_parts.cpp src/geometry/mesh_volume.cpp)
@@ -22,12 +24,14 @@ add_library(edgewise_tool STATIC
     ${registry_units}
     ${build_info}
     ${mesh_sources}
+    ${EDGEWISE_JEMALLOC_SOURCES}
     src/algorithms/moore_wilhelms.cpp
     src/cli/progress.cpp
     src/measure/caches.cpp
     src/measure/counters.cpp
     src/measure/cpu.cpp
     src/measure/fact.cpp
+    src/measure/lines_touched.cpp
     src/measure/machine.cpp
     src/measure/machine_json.cpp
     src/measure/perf_event.cpp
@@ -43,16 +47,22 @@ add_library(edgewise_tool STATIC
     src/scene/hard/size.cpp
     src/scene/motion.cpp
     src/scene/scene_cold.cpp
+    src/scene/scene_pressure.cpp
     src/scene/scene_setup.cpp
     src/scene/scene_static.cpp
     src/scene/scene_tumble.cpp
     src/scene/scenes.cpp
     src/scene/shapes.cpp
     src/scene/sphere_points.cpp
+    src/scene/uv_sphere.cpp
+    src/sweep/allocators.cpp
+    src/sweep/arena.cpp
     src/sweep/axes.cpp
     src/sweep/cell.cpp
     src/sweep/certificates.cpp
     src/sweep/contender.cpp
+    src/sweep/decompositions.cpp
+    src/sweep/draw_layout.cpp
     src/sweep/group.cpp
     src/sweep/plan.cpp
     src/sweep/registry.cpp
@@ -65,6 +75,7 @@ add_library(edgewise_tool STATIC
     src/sweep/stability_tally.cpp
     src/sweep/store.cpp
     src/sweep/table_bytes.cpp
+    src/sweep/table_memory_cost.cpp
     src/sweep/verify.cpp
     src/sweep/work.cpp
     src/truth/accuracy_band.cpp
@@ -91,6 +102,7 @@ endif()
 
 add_executable(edgewise_program
     src/cli/command_bytes.cpp
+    src/cli/command_draw.cpp
     src/cli/command_list.cpp
     src/cli/command_machine.cpp
     src/cli/command_query.cpp

@@ -12,7 +12,6 @@ namespace edgewise {
 template <Precision P, class Loader = Direct>
 class lean : public DerivedTable<lean<P, Loader>, P, Loader> {
     using Base = DerivedTable<lean, P, Loader>;
-    using Base::block_;
 
   public:
     using typename Base::Compute;
@@ -24,14 +23,8 @@ class lean : public DerivedTable<lean<P, Loader>, P, Loader> {
     static constexpr std::string_view derives = "edges, faces and every plane";
 
     lean(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(loader) {
-        BlockPlan plan;
-        const auto vertices = plan.array<Vec3<Stored>>(
-            body.vertex_count(), {{Component::vertex_coordinates, sizeof(Vec3<Stored>)}});
-        this->rings_ = NarrowRings(plan, body);
-        block_ = Block(plan);
-        this->facts_ = BodyFacts(body, parts, Tolerance<Compute>::strict_turn);
-        vertices_ = block_.fill(vertices, [&](Index v) { return cast<Stored>(body.vertices[v]); });
-        this->rings_.fill(block_, body);
+        vertices_ = this->template build<Vec3<Stored>>(body, parts);
+        write_geometry(*this, body);
     }
 
     /// The same memory seen through another loader.
@@ -43,11 +36,13 @@ class lean : public DerivedTable<lean<P, Loader>, P, Loader> {
         return cast<Compute>(this->loader_.load(vertices_[v], Field::vertex));
     }
 
+    void write_vertex(Index v, const Vec3d& point) { vertices_[v] = cast<Stored>(point); }
+
   private:
     template <Precision, class>
     friend class lean;
 
-    const Vec3<Stored>* vertices_ = nullptr;
+    Vec3<Stored>* vertices_ = nullptr;
 };
 
 }  // namespace edgewise

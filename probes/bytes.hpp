@@ -3,8 +3,12 @@
 // Bytes per edge: every byte of the table by component, over the shape's edges; and the two slopes, per
 // additional edge, fitted over a family of triangulated bodies: of the paper's subtotal (Voronoi planes,
 // direction and length, vertex coordinates: 168 bytes in double precision, 84 in single) and of the whole
-// table.
+// table. Where indices are as narrow as the body allows, an edge of a larger body costs more: the slope is
+// fitted over bodies that need the same widths as the shape does.
 #pragma once
+
+#include <algorithm>
+#include <iterator>
 
 #include "edgewise/measure/probe.hpp"
 #include "edgewise/measure/statistics.hpp"
@@ -33,6 +37,19 @@ class bytes final : public Probe {
     }
 
   private:
+    /// Which widths the rings of a triangulated body need: 6 V - 12 entries, of V vertices, in 8, 16 or 32
+    /// bits each.
+    static int widths_of(std::uint64_t vertices) {
+        constexpr std::uint64_t limits[] = {44, 256, 10924, 65536};
+        return static_cast<int>(std::lower_bound(std::begin(limits), std::end(limits), vertices) -
+                                std::begin(limits));
+    }
+    static int widest(const Subject& subject) {
+        int most = 0;
+        for (const TableBytes& table : subject.sizes) most = std::max(most, widths_of(table.vertices));
+        return most;
+    }
+
     static Figure paper_slope(const Subject& subject) {
         if (subject.table.paper_subtotal > 0) {
             return slope("paper_bytes_per_edge", subject, &TableBytes::paper_subtotal);
@@ -43,7 +60,9 @@ class bytes final : public Probe {
 
     static Figure slope(const char* name, const Subject& subject, double TableBytes::*quantity) {
         std::vector<double> edges, sizes;
+        const int wanted = std::min(widths_of(subject.table.vertices), widest(subject));
         for (const TableBytes& table : subject.sizes) {
+            if (widths_of(table.vertices) != wanted) continue;
             edges.push_back(static_cast<double>(table.edges));
             sizes.push_back(table.*quantity);
         }

@@ -138,6 +138,7 @@ Grid facts_grid(const ReportData& data) {
     add(grid, "seed", seeds(data));
     bool plan = false;
     for (const auto& [key, value] : data.meta) {
+        if (key.compare(0, 8, "drawing ") == 0) continue;  // they have a place of their own
         if (key == "build" || key == "seed") continue;
         plan = plan || key == "plan";
         add(grid, key, value);

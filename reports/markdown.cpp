@@ -51,6 +51,9 @@ std::string report_markdown(const ReportData& data, const std::vector<Chart>& ch
     out += section("Machine and build") + grid_markdown(facts_grid(data)) + grid_markdown(scenes_grid(data));
     out += charts_markdown(charts, figures);
     out += section("Bytes per edge", bytes_explanation()) + grid_markdown(bytes_grid(data, ""));
+    out += section("What layouts cost", layout_explanation()) + grid_markdown(layout_cost_grid(data));
+    const Grid memory = scene_memory_grid(data);
+    if (!memory.rows.empty()) out += grid_markdown(memory);
     out += times_markdown(data);
     out += section("Errors", error_explanation()) + grid_markdown(error_summary_grid(data));
     out += grid_markdown(error_grid(data));

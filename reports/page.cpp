@@ -46,7 +46,8 @@ std::string opening_html(const ReportData& data) {
     out +=
         "<nav><a href=\"#machine\">Machine and build</a><a href=\"#charts\">Charts</a><a "
         "href=\"#bytes\">Bytes "
-        "per edge</a><a href=\"#times\">Times</a><a href=\"#errors\">Errors</a><a "
+        "per edge</a><a href=\"#layouts\">Layouts</a><a href=\"#times\">Times</a><a "
+        "href=\"#errors\">Errors</a><a "
         "href=\"#stability\">Stability</a><a href=\"#cells\">All "
         "cells</a></nav>\n";
     out += heading("machine", "Machine and build");
@@ -117,11 +118,24 @@ std::string stability_html(const ReportData& data) {
                   grid_html(stability_grid(data)));
 }
 
+std::string layouts_html(const ReportData& data) {
+    std::string out = heading("layouts", "What layouts cost") + paragraph(layout_explanation());
+    out += grid_html(layout_cost_grid(data));
+    const Grid memory = scene_memory_grid(data);
+    if (!memory.rows.empty()) out += grid_html(memory);
+    std::string pictures;
+    for (const Drawing& drawing : drawings(data))
+        pictures += "<div class=\"chart\">" + drawing.svg + "</div>\n";
+    return pictures.empty() ? out
+                            : out + folded("The layouts draw themselves: the table of a cube", pictures);
+}
+
 std::string tables_html(const ReportData& data) {
     const std::string shape = reference_shape(data);
     std::string out = heading("bytes", "Bytes per edge") + paragraph(bytes_explanation());
     out += "<h3>" + html_text(shape) + "</h3>\n" + grid_html(bytes_grid(data, shape));
     out += folded("All shapes", grid_html(bytes_grid(data, "")));
+    out += layouts_html(data);
     out += times_html(data);
     out += heading("errors", "Errors") + paragraph(error_explanation()) + grid_html(error_summary_grid(data));
     out += folded(fmt::format("Every cell ({})", data.cells.size()), grid_html(error_grid(data)));

@@ -19,6 +19,7 @@ namespace edgewise {
 [[nodiscard]] std::string report_purpose();
 /// What the bytes table's columns mean.
 [[nodiscard]] std::string bytes_explanation();
+[[nodiscard]] std::string layout_explanation();
 [[nodiscard]] std::string time_explanation();
 [[nodiscard]] std::string error_explanation();
 [[nodiscard]] std::string stability_explanation(const ReportData& data);

@@ -33,6 +33,17 @@ enum class PairKind { Separated, Overlapping };
 /// Bytes an edge by component; an empty `shape` means all of them.
 [[nodiscard]] Grid bytes_grid(const ReportData& data, const std::string& shape);
 
+/// Cache lines a query, time to build and refit, part ever materialised: one scene, the reference shape.
+[[nodiscard]] Grid layout_cost_grid(const ReportData& data);
+/// What the tables of scenes with more than a few of them take, beside the time of their queries.
+[[nodiscard]] Grid scene_memory_grid(const ReportData& data);
+
+/// A picture that the sweep stored: whose, and the SVG.
+struct Drawing {
+    std::string table, svg;
+};
+[[nodiscard]] std::vector<Drawing> drawings(const ReportData& data);
+
 /// Cells of one scene, by shape and then fastest first; an empty `shape` means all of them.
 [[nodiscard]] Grid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
                              const std::string& shape);

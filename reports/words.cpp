@@ -54,6 +54,19 @@ std::string bytes_explanation() {
            "does not count, have their own columns.";
 }
 
+std::string layout_explanation() {
+    return "What a layout costs beside its own bytes. A cache pays for lines of 64 bytes, not for bytes: "
+           "\"lines a query\" are the distinct lines that a query reads of both tables, traced; \"bytes "
+           "read\" "
+           "is what it asked for of them. Build is a table from the canonical body with its face planes; "
+           "refit "
+           "writes the numbers of a deformed body of the same topology into a table that stands. "
+           "\"Materialised\" is the part of a table that ever stood: below 1 where planes are made when they "
+           "are first asked for. Where a scene gives every body a table of its own, the second table shows "
+           "what "
+           "they take together, and what that does to the time of a query.";
+}
+
 std::string time_explanation() {
     return "Median nanoseconds a query over interleaved rounds with its bootstrap 95 % interval, and the "
            "median over "

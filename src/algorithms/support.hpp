@@ -24,18 +24,25 @@ struct SupportPoint {
     ComputeOf<Table> along;  ///< <point, direction>
 };
 
+/// The farthest vertex of all, the first of equals. A layout that can scan faster defines a member of the
+/// same name, with the same answer to the bit.
 template <SupportTable Table>
 [[nodiscard]] [[gnu::noinline]] SupportPoint<Table> scan_support(const Table& table,
                                                                  const Vec3<ComputeOf<Table>>& direction) {
-    const auto first = table.first_vertex();
-    const auto start = table.vertex(first);
-    SupportPoint<Table> best{first, start, dot(start, direction)};
-    for (const auto v : table.all_vertices()) {
-        const auto point = table.vertex(v);
-        const auto along = dot(point, direction);
-        if (along > best.along) best = {v, point, along};
+    if constexpr (requires { table.scan_support(direction); }) {
+        const auto [vertex, point, along] = table.scan_support(direction);
+        return {vertex, point, along};
+    } else {
+        const auto first = table.first_vertex();
+        const auto start = table.vertex(first);
+        SupportPoint<Table> best{first, start, dot(start, direction)};
+        for (const auto v : table.all_vertices()) {
+            const auto point = table.vertex(v);
+            const auto along = dot(point, direction);
+            if (along > best.along) best = {v, point, along};
+        }
+        return best;
     }
-    return best;
 }
 
 /// Whether an edge between these is short beside where it lies.

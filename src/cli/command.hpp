@@ -26,6 +26,7 @@ inline CLI::App* add_command(CLI::App& app, Context& context, const std::string&
 }
 
 void add_bytes(CLI::App& app, Context& context);
+void add_draw(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 void add_machine(CLI::App& app, Context& context);
 void add_query(CLI::App& app, Context& context);

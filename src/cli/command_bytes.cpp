@@ -6,13 +6,16 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/mesh_file.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/sweep/decompositions.hpp"
 #include "edgewise/sweep/table_bytes.hpp"
+#include "edgewise/sweep/table_memory_cost.hpp"
 
 namespace edgewise::cli {
 
@@ -22,6 +25,7 @@ struct Options {
     std::string shape = "sphere386";
     std::string mesh;
     std::vector<std::string> layouts = {"all"};
+    bool slopes = false;
 };
 
 struct NamedBody {
@@ -54,11 +58,51 @@ Polyhedron as_stored(const TableType& type, const Polyhedron& body) {
     return std::move(*stored);
 }
 
-nlohmann::json row_of(const TableType& type, const NamedBody& shape, SizeFamily& sizes) {
+nlohmann::json number_or_null(const std::optional<std::size_t>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+/// Beside the table's own bytes: allocators, pages, and lines that queries touch.
+void add_costs(const TableType& type, const Polyhedron& body, Parts parts, nlohmann::json& row) {
+    row["allocators"] = nlohmann::json::array();
+    for (const AllocatorCost& cost : allocator_costs(type, body, parts)) {
+        nlohmann::json entry = {{"name", cost.allocator},
+                                {"taken_bytes", number_or_null(cost.taken)},
+                                {"by_its_statistics", number_or_null(cost.by_statistics)},
+                                {"resident_bytes", number_or_null(cost.resident)}};
+        if (!cost.reason.empty()) entry["reason"] = cost.reason;
+        row["allocators"].push_back(std::move(entry));
+    }
+    row["queries"] = nlohmann::json::array();
+    for (const std::string& algorithm : type.algorithms) {
+        const Result<LinesTouched> touched = lines_in_tumble(type, algorithm, body);
+        const auto mean = [&](std::uint64_t sum) {
+            return touched ? nlohmann::json(static_cast<double>(sum) / static_cast<double>(touched->queries))
+                           : nlohmann::json();
+        };
+        const LinesTouched sums = touched ? *touched : LinesTouched{};
+        row["queries"].push_back({{"algorithm", algorithm},
+                                  {"lines_per_query", mean(sums.lines)},
+                                  {"line_bytes_per_query", mean(sums.lines * cache_line)},
+                                  {"read_bytes_per_query", mean(sums.bytes)}});
+        if (!touched) row["queries"].back()["reason"] = touched.error;
+    }
+}
+
+void add_slopes(const TableType& type, Parts parts, nlohmann::json& row) {
+    row["slopes_by_index_width"] = nlohmann::json::array();
+    for (const WidthSlope& slope : slopes_by_width(type, parts)) {
+        row["slopes_by_index_width"].push_back({{"offset_bits", slope.offset_bits},
+                                                {"neighbour_bits", slope.neighbour_bits},
+                                                {"least_vertices", slope.least_vertices},
+                                                {"most_vertices", slope.most_vertices},
+                                                {"bytes_per_edge", slope.bytes_per_edge}});
+    }
+}
+
+nlohmann::json row_of(const TableType& type, const NamedBody& shape, SizeFamily& sizes, bool slopes) {
     const Polyhedron body = as_stored(type, shape.body);
-    const bool walks =
-        std::find(type.algorithms.begin(), type.algorithms.end(), "vclip") != type.algorithms.end();
-    const Parts parts = walks ? Parts::features : Parts::support;
+    const Parts parts = type.all_parts();
     Subject subject;
     subject.table = table_bytes(type.ledger(body, parts), body);
     subject.sizes = sizes.of(type, parts);
@@ -71,26 +115,65 @@ nlohmann::json row_of(const TableType& type, const NamedBody& shape, SizeFamily&
         (component ? row["components"] : row)[figure.name] =
             figure.value ? nlohmann::json(*figure.value) : nlohmann::json();
     }
+    row["bytes_per_vertex"] = subject.table.total / static_cast<double>(body.vertex_count());
+    add_costs(type, body, parts, row);
+    if (slopes) add_slopes(type, parts, row);
     return row;
 }
 
+void print_number(const nlohmann::json& value, int width, int digits) {
+    if (value.is_null()) {
+        fmt::print("{:>{}}", "-", width);
+    } else {
+        fmt::print("{:>{}.{}f}", value.get<double>(), width, digits);
+    }
+}
+
 void print_table(const nlohmann::json& rows) {
-    fmt::print("{:<12}{:>8}{:>8}{:>8}", "table", "paper", "total", "slope");
+    fmt::print("{:<24}{:>8}{:>8}{:>8}", "table", "paper", "total", "slope");
     for (const auto name : component_names) fmt::print("{:>20}", name);
     fmt::print("   (bytes per edge)\n");
     for (const auto& row : rows) {
-        const auto cell = [&](const nlohmann::json& value, int width) {
-            if (value.is_null()) {
-                fmt::print("{:>{}}", "-", width);
-            } else {
-                fmt::print("{:>{}.2f}", value.get<double>(), width);
-            }
-        };
-        fmt::print("{:<12}", row["table"].get<std::string>());
+        fmt::print("{:<24}", row["table"].get<std::string>());
         for (const char* key : {"paper_bytes_per_edge", "total_bytes_per_edge", "slope_bytes_per_edge"}) {
-            cell(row[key], 8);
+            print_number(row[key], 8, 2);
         }
-        for (const auto name : component_names) cell(row["components"][std::string(name)], 20);
+        for (const auto name : component_names) print_number(row["components"][std::string(name)], 20, 2);
+        fmt::print("\n");
+    }
+}
+
+void print_costs(const nlohmann::json& rows) {
+    fmt::print("\n{:<24}{:>10}{:>10}{:>10}{:>10}{:>10}{:>14}{:>14}\n", "table", "bytes", "arena", "jemalloc",
+               "libc", "resident", "lines, vclip", "lines, gjk");
+    for (const auto& row : rows) {
+        fmt::print("{:<24}", row["table"].get<std::string>());
+        print_number(row["table_bytes"], 10, 0);
+        for (const auto& allocator : row["allocators"]) print_number(allocator["taken_bytes"], 10, 0);
+        print_number(row["allocators"][0]["resident_bytes"], 10, 0);
+        for (const char* algorithm : {"vclip", "gjk"}) {
+            nlohmann::json lines;
+            for (const auto& entry : row["queries"])
+                if (entry["algorithm"] == algorithm) lines = entry["lines_per_query"];
+            print_number(lines, 14, 1);
+        }
+        fmt::print("\n");
+    }
+    fmt::print(
+        "bytes: the table's own; what it takes in each allocator; pages in memory in the arena; distinct "
+        "cache "
+        "lines\na query touches in both tables, tumble at 0.1 rad a step\n");
+}
+
+void print_slopes(const nlohmann::json& rows) {
+    fmt::print("\nbytes per additional edge, by bits of ring offsets and of neighbours at that size\n{:<24}",
+               "table");
+    for (const auto& slope : rows[0]["slopes_by_index_width"])
+        fmt::print("{:>9}/{}", slope["offset_bits"].get<int>(), slope["neighbour_bits"].get<int>());
+    fmt::print("\n");
+    for (const auto& row : rows) {
+        fmt::print("{:<24}", row["table"].get<std::string>());
+        for (const auto& slope : row["slopes_by_index_width"]) print_number(slope["bytes_per_edge"], 11, 2);
         fmt::print("\n");
     }
 }
@@ -100,13 +183,16 @@ int run(const Options& options, bool json) {
     SizeFamily sizes;
     nlohmann::json rows = nlohmann::json::array();
     for (const TableType* type : select_table_types(options.layouts))
-        rows.push_back(row_of(*type, shape, sizes));
+        rows.push_back(row_of(*type, shape, sizes, options.slopes));
     if (json) {
-        fmt::print("{}\n", nlohmann::json{{"rows", rows}}.dump());
+        fmt::print("{}\n", nlohmann::json{{"rows", rows}, {"decompositions", decompositions_json()}}.dump());
     } else {
         fmt::print("{}: {} vertices, {} edges\n", shape.name, shape.body.vertex_count(),
                    shape.body.edge_count());
         print_table(rows);
+        print_costs(rows);
+        if (options.slopes) print_slopes(rows);
+        fmt::print("\n{}", decompositions_text());
     }
     return exit_done;
 }
@@ -120,6 +206,9 @@ void add_bytes(CLI::App& app, Context& context) {
     command->add_option("--mesh", options->mesh, "mesh file instead of a built-in shape")->excludes(shape);
     command->add_option("--layouts", options->layouts, "layouts or table types, e.g. aos soa_f32")
         ->delimiter(',');
+    command->add_flag(
+        "--slopes", options->slopes,
+        "also the slope at every index width, over bodies of 8 to 100 000 vertices; takes a while");
     command->callback(
         [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
 }

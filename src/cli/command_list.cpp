@@ -97,11 +97,17 @@ json list_plans() {
     json result = json::array();
     for (const std::string& name : plan_names()) {
         const Plan plan = make_plan(name);
+        json scenes = json::array();
+        for (const SceneChoice& scene : plan.scenes)
+            scenes.push_back(scene.name + " " + json(scene.parameters).dump());
         result.push_back({{"name", name},
                           {"queries", plan.queries},
                           {"checked", plan.checked},
                           {"rounds", plan.rounds},
                           {"stability", plan.stability},
+                          {"layouts", plan.layouts},
+                          {"axes", plan.axes},
+                          {"scenes", scenes},
                           {"shapes", plan.shapes}});
     }
     return result;

@@ -39,6 +39,17 @@ bool narrowed(const Options& options) {
     return !options.scenes.empty() || !options.shapes.empty() || !options.meshes.empty();
 }
 
+/// Of a scene that was asked for by name, what else was named on the command line counts, not what the plan
+/// would restrict it to.
+SceneChoice unrestricted(SceneChoice scene, const Options& options) {
+    if (!options.shapes.empty() || !options.meshes.empty()) scene.shapes.clear();
+    if (!options.layouts.empty()) scene.layouts.clear();
+    if (!options.algorithms.empty()) scene.algorithms.clear();
+    if (options.queries) scene.queries = 0;
+    if (!options.axes.empty()) scene.plain = false;
+    return scene;
+}
+
 /// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.
 Plan chosen_plan(const Options& options) {
     Plan plan = make_plan(options.plan);
@@ -59,9 +70,9 @@ Plan chosen_plan(const Options& options) {
         for (const std::string& name : options.scenes) {
             const std::size_t before = kept.size();
             for (const SceneChoice& scene : plan.scenes) {
-                if (scene.name == name) kept.push_back(scene);
+                if (scene.name == name) kept.push_back(unrestricted(scene, options));
             }
-            if (kept.size() == before) kept.push_back({name, {}});
+            if (kept.size() == before) kept.push_back({name});
         }
         plan.scenes = kept;
     }

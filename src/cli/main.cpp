@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
     add_stability(app, context);
     add_report(app, context);
     add_bytes(app, context);
+    add_draw(app, context);
     add_query(app, context);
     add_machine(app, context);
     add_list(app, context);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "edgewise/geometry/face_shape.hpp"
+#include "edgewise/geometry/flat_hull.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/tolerance.hpp"
@@ -45,6 +46,23 @@ Result<Polyhedron> grown(const Polyhedron& body, double factor, double eps) {
     return hull_of_moved(body, on_grid(points, eps), "16 bits");
 }
 
+/// The hull of small boxes around the vertices, two steps to each side: more than rounding moves a corner. It
+/// has more vertices than the body, several of one name, and contains it however thin it is.
+Result<Polyhedron> hull_of_boxes(const Polyhedron& body, double eps) {
+    const double step = Grid(body.vertices, eps).step;
+    std::vector<Vec3d> corners;
+    for (const Vec3d& v : body.vertices) {
+        for (int i = 0; i < 8; ++i) {
+            const Vec3d away(i & 1 ? 2 : -2, i & 2 ? 2 : -2, i & 4 ? 2 : -2);
+            corners.push_back(v + step * away);
+        }
+    }
+    Result<Polyhedron> hull = hull_of_any(on_grid(corners, eps));
+    if (!hull) return hull;
+    for (Index& name : (*hull).input_index) name = body.input_index[name / 8];
+    return hull;
+}
+
 }  // namespace
 
 Grid::Grid(std::span<const Vec3d> points, double eps) {
@@ -78,17 +96,17 @@ Result<Polyhedron> round_to_grid(const Polyhedron& body, double eps) {
 Result<Polyhedron> round_to_grid_outward(const Polyhedron& body, double eps) {
     Result<Polyhedron> rounded = round_to_grid(body, eps);
     if (body.face_count() <= 2) return rounded;
+    if (rounded && rounded->vertices == body.vertices) return rounded;
     // Growth in steps of a grid step over the extent: most bodies need one or two.
     const double growth = Grid(body.vertices, eps).step / extent(body.vertices);
-    for (int n = 1; rounded && !contains(*rounded, body.vertices); ++n) {
-        if (n > outward_steps) {
-            return Result<Polyhedron>::failure(
-                message("the body cannot be held by a grid of 16 bits: grown by ", outward_steps,
-                        " steps it is still not contained; it is too thin for its length"));
-        }
+    for (int n = 1; rounded && n <= outward_steps + 1; ++n) {
+        if (contains(*rounded, body.vertices)) return rounded;
         rounded = grown(body, 1 + n * growth, eps);
     }
-    return rounded;
+    rounded = hull_of_boxes(body, eps);
+    if (rounded && contains(*rounded, body.vertices)) return rounded;
+    return Result<Polyhedron>::failure(
+        "the body cannot be held by a grid of 16 bits: rounded outward it is still not contained");
 }
 
 }  // namespace edgewise

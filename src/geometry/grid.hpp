@@ -32,16 +32,18 @@ struct Grid {
     }
 };
 
-/// How far round_to_grid_outward grows a body at most, in steps of the grid along its longest side.
+/// How far round_to_grid_outward grows a body at most before it takes boxes, in steps of the grid along its
+/// longest side.
 inline constexpr int outward_steps = 64;
 
 /// The body that a table on this grid really holds: the hull of its vertices moved to their nearest places.
 [[nodiscard]] Result<Polyhedron> round_to_grid(const Polyhedron& body, double eps);
 
 /// Likewise, but a body that contains the given one: grown about its middle before it is rounded, step by
-/// step, until every vertex is a vertex of the result or inside it by more than rounding. Flat bodies stay
-/// flat, and are contained but for half a step across. Fails where growth by outward_steps is not enough:
-/// on bodies so thin that growing them widens them less than rounding to the grid may narrow them.
+/// step, until every vertex is a vertex of the result or inside it by more than rounding. A body so thin that
+/// growing widens it less than rounding may narrow it becomes the hull of boxes around its vertices, two
+/// steps to each side. A body on its grid is returned as it is. Flat bodies stay flat, as
+/// round_to_grid has them: they are not contained.
 [[nodiscard]] Result<Polyhedron> round_to_grid_outward(const Polyhedron& body, double eps);
 
 }  // namespace edgewise

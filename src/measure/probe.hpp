@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "edgewise/measure/figure.hpp"
+#include "edgewise/measure/lines_touched.hpp"
+#include "edgewise/measure/memory_use.hpp"
 #include "edgewise/measure/round.hpp"
 
 namespace edgewise {
@@ -54,6 +56,9 @@ struct Subject {
     std::span<const CheckedAnswer> checked;
     AnswerCounts counts;
     std::span<const Round> rounds;
+    MemoryUse memory;  ///< of all tables of the cell
+    BuildTimes build;  ///< of the scene's first body
+    LinesTouched touched;
 };
 
 class Probe {

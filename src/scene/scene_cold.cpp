@@ -80,11 +80,13 @@ Result<Workload> make_cold(const SceneSetup& setup) {
     }
     Workload workload;
     workload.bodies.push_back(setup.shape);
+    workload.instances = {0, 0};
     const Vec3d centre = vertex_mean(setup.shape.vertices);
     PairMaker maker{setup, Rng(setup.seed), centre, extent(setup.shape.vertices),
                     reach(setup.shape.vertices, centre)};
     while (workload.queries.size() < setup.query_count) {
         workload.queries.push_back(maker.make(workload.pair_count++));
+        workload.queries.back().instance_b = 1;
     }
     return Result<Workload>::success(std::move(workload));
 }

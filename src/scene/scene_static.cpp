@@ -47,7 +47,8 @@ void add_queries(const Placement& placement, std::span<const BodyPair> pairs, st
     for (const BodyPair& pair : pairs) {
         if (workload.queries.size() == limit) return;
         workload.queries.push_back({pair.first % classes, pair.second % classes, workload.pair_count++,
-                                    placement.poses[pair.first], placement.poses[pair.second]});
+                                    placement.poses[pair.first], placement.poses[pair.second], pair.first,
+                                    pair.second});
     }
 }
 
@@ -68,6 +69,7 @@ Result<Workload> make_static(const SceneSetup& setup) {
     const std::size_t count = setup.count("bodies");
     double total = 0;
     for (std::size_t i = 0; i < count; ++i) {
+        workload.instances.push_back(static_cast<std::uint32_t>(i % size_classes.size()));
         const double factor = size_classes[i % size_classes.size()];
         total += factor * factor * factor * volume(setup.shape);
     }

@@ -55,7 +55,8 @@ class Population {
             const auto known = near_.find(pair);
             const std::uint32_t slot = known != near_.end() ? known->second : workload.pair_count++;
             near[pair] = slot;
-            workload.queries.push_back({0, 0, slot, poses[pair.first], poses[pair.second]});
+            workload.queries.push_back(
+                {0, 0, slot, poses[pair.first], poses[pair.second], pair.first, pair.second});
         }
         near_ = std::move(near);
         for (MovingBody& body : bodies_) advance(body, half_);
@@ -98,6 +99,7 @@ Result<Workload> make_tumble(const SceneSetup& setup) {
     Workload workload;
     workload.warm = true;
     workload.bodies.push_back(setup.shape);
+    workload.instances.assign(setup.count("bodies"), 0);
     const double total = static_cast<double>(setup.count("bodies")) * volume(setup.shape);
     const double half = box_half(total, setup["occupancy"]);
     Rng rng(setup.seed);

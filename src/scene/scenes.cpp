@@ -20,7 +20,11 @@ struct SceneEntry {
 };
 
 constexpr SceneEntry scenes[] = {
-    {describe_static, make_static}, {describe_cold, make_cold}, {describe_tumble, make_tumble}};
+    {describe_static, make_static},
+    {describe_cold, make_cold},
+    {describe_tumble, make_tumble},
+    {describe_pressure, make_pressure},
+};
 
 const SceneEntry* find_scene(std::string_view name) {
     for (const SceneEntry& entry : scenes) {

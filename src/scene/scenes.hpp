@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The scenes by name: what each is for, its parameters with their defaults and bounds, and how to make one.
-//   static  random populations in a box, every pair cold (the paper's static test)
-//   cold    independent random pairs at chosen distances
-//   tumble  coherent motion, pairs followed through time (the paper's dynamic tests)
+//   static    random populations in a box, every pair cold (the paper's static test)
+//   cold      independent random pairs at chosen distances
+//   tumble    coherent motion, pairs followed through time (the paper's dynamic tests)
+//   pressure  more tables than caches hold, a table for every instance (the paper's many primitives)
 //
 // A body's *size* is its extent (the diagonal of its axis-aligned box); its *centre* the mean of its
 // vertices, a point inside. Bodies turn about their centre, and boxes and walls hold the centres, so that a

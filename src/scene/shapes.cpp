@@ -11,6 +11,7 @@
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/sphere_points.hpp"
+#include "edgewise/scene/uv_sphere.hpp"
 
 namespace edgewise {
 namespace {
@@ -60,7 +61,8 @@ Result<Polyhedron> make_sphere(std::string_view name, std::size_t count) {
 }  // namespace
 
 std::vector<ShapeInfo> list_shapes() {
-    std::vector<ShapeInfo> shapes = {{"tetra4", 4, 6, 4}, {"cube8", 8, 12, 6}};
+    std::vector<ShapeInfo> shapes = {
+        {"tetra4", 4, 6, 4}, {"cube8", 8, 12, 6}, {"uv_sphere386", 386, 1152, 768}};
     for (const SphereSize& size : sphere_sizes()) {
         const std::size_t n = size.vertices();
         shapes.push_back({fmt::format("sphere{}", n), n, 3 * n - 6, 2 * n - 4});
@@ -71,9 +73,11 @@ std::vector<ShapeInfo> list_shapes() {
 Result<Polyhedron> make_shape(std::string_view name) {
     if (name == "tetra4") return convex_hull(tetra_points());
     if (name == "cube8") return convex_hull(cube_points());
+    if (name == "uv_sphere386") return convex_hull(uv_sphere_points());
     if (const auto count = sphere_count(name)) return make_sphere(name, *count);
     return Result<Polyhedron>::failure(
-        fmt::format("unknown shape '{}': known are tetra4, cube8 and sphereN with N = 4 k^2 + 2 or 6 k^2 + 2 "
+        fmt::format("unknown shape '{}': known are tetra4, cube8, uv_sphere386 and sphereN with N = 4 k^2 + "
+                    "2 or 6 k^2 + 2 "
                     "(sphere6, sphere8, sphere18, sphere26, sphere38 ... sphere386 ...)",
                     name));
 }

@@ -19,13 +19,16 @@ struct Query {
     std::uint32_t body_a, body_b;  ///< indices into Workload::bodies
     std::uint32_t pair;            ///< pair-cache slot; queries of one slot follow each other in time
     Pose pose_a, pose_b;
+    std::uint32_t instance_a = 0, instance_b = 0;  ///< indices into Workload::instances
 };
 
 struct Workload {
     std::vector<Polyhedron> bodies;
-    std::vector<Query> queries;  ///< pair by pair, each pair in time order
+    std::vector<Query> queries;            ///< a pair's in time order
+    std::vector<std::uint32_t> instances;  ///< what stands in the scene: which body each is
     std::uint32_t pair_count = 0;
-    bool warm = false;  ///< keep a pair's cache from query to query; else every query starts cold
+    bool warm = false;        ///< keep a pair's cache from query to query; else every query starts cold
+    bool table_each = false;  ///< the scene is about a table for each instance; else instances share
 };
 
 /// Distance of two posed bodies (0 when they overlap); how a scene places pairs at a wanted distance.

@@ -24,6 +24,27 @@ double read_tolerance(std::string_view entry, std::string_view value, double bel
     return number;
 }
 
+constexpr std::string_view order_values = "given|bfs|spatial", sharing_values = "shared|per_instance",
+                           allocator_values = "arena|jemalloc|libc";
+
+VertexOrder read_order(std::string_view entry, std::string_view value) {
+    const auto order = vertex_order_from(value);
+    if (!order) refuse(entry, fmt::format("wants {}", order_values));
+    return *order;
+}
+
+Sharing read_sharing(std::string_view entry, std::string_view value) {
+    if (value == "shared") return Sharing::shared;
+    if (value != "per_instance") refuse(entry, fmt::format("wants {}", sharing_values));
+    return Sharing::per_instance;
+}
+
+AllocatorKind read_allocator(std::string_view entry, std::string_view value) {
+    const auto allocator = allocator_from(value);
+    if (!allocator) refuse(entry, fmt::format("wants {}", allocator_values));
+    return *allocator;
+}
+
 void take(Axes& axes, std::string_view entry) {
     const std::size_t equals = entry.find('=');
     const std::string_view name = entry.substr(0, equals);
@@ -32,6 +53,12 @@ void take(Axes& axes, std::string_view entry) {
         axes.query.contact_tolerance = read_tolerance(entry, value, 1e60);
     } else if (name == "gap_tolerance") {
         axes.query.gap_tolerance = read_tolerance(entry, value, 1);
+    } else if (name == "order") {
+        axes.tables.order = read_order(entry, value);
+    } else if (name == "sharing") {
+        axes.tables.sharing = read_sharing(entry, value);
+    } else if (name == "allocator") {
+        axes.tables.allocator = read_allocator(entry, value);
     } else {
         std::vector<std::string> known;
         for (const AxisInfo& axis : axes_known())
@@ -46,6 +73,9 @@ const std::vector<AxisInfo>& axes_known() {
     static const std::vector<AxisInfo> known = {
         {"contact_tolerance", "LENGTH", "bodies as near as this or nearer are touching"},
         {"gap_tolerance", "RATIO", "GJK ends when the squared distance is known to this relative width"},
+        {"order", order_values, "how a body's vertices are numbered, and so what lies side by side"},
+        {"sharing", sharing_values, "one table a body, or one for each instance in the scene"},
+        {"allocator", allocator_values, "where tables take their memory from"},
     };
     return known;
 }
@@ -55,11 +85,18 @@ std::string Axes::text() const {
     if (query.contact_tolerance != 0)
         parts.push_back(fmt::format("contact_tolerance={}", query.contact_tolerance));
     if (query.gap_tolerance != 0) parts.push_back(fmt::format("gap_tolerance={}", query.gap_tolerance));
+    const TableOptions plain;
+    if (tables.order != plain.order) parts.push_back(fmt::format("order={}", to_string(tables.order)));
+    if (tables.sharing != plain.sharing)
+        parts.push_back(tables.sharing == Sharing::shared ? "sharing=shared" : "sharing=per_instance");
+    if (tables.allocator != plain.allocator)
+        parts.push_back(fmt::format("allocator={}", to_string(tables.allocator)));
     return fmt::format("{}", fmt::join(parts, "+"));
 }
 
 bool Axes::concerns(std::string_view algorithm) const {
-    return query.contact_tolerance != 0 || (query.gap_tolerance != 0 && algorithm == "gjk");
+    return tables != TableOptions{} || query.contact_tolerance != 0 ||
+           (query.gap_tolerance != 0 && algorithm == "gjk");
 }
 
 Axes parse_axes(std::string_view text) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The further axes of a cell, beyond scene, shape, algorithm and table type: what a query may give away. As
-// text, in plans, on the command line, in the store and in the report alike: "gap_tolerance=1e-06", several
-// joined by '+'. A sweep takes them one at a time around the plain cell, not their product.
+// The further axes of a cell, beyond scene, shape, algorithm and table type: what a query may give away, and
+// how tables are placed. As text, in plans, on the command line, in the store and in the report alike:
+// "gap_tolerance=1e-06", several joined by '+'. A sweep takes them one at a time around the plain cell, not
+// their product.
 #pragma once
 
 #include <string>
@@ -10,11 +11,13 @@
 #include <vector>
 
 #include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/sweep/table_options.hpp"
 
 namespace edgewise {
 
 struct Axes {
     QueryOptions query;
+    TableOptions tables;
 
     /// Canonical: what differs from the plain cell, in a fixed order; empty for the plain cell.
     [[nodiscard]] std::string text() const;

@@ -7,6 +7,9 @@ namespace edgewise {
 
 namespace {
 
+/// An odd number, for a median that was measured.
+constexpr int build_repetitions = 15;
+
 Parts parts_of(const std::string& algorithm) {
     for (const AlgorithmInfo& info : algorithms()) {
         if (info.name == algorithm) return info.parts;
@@ -19,6 +22,7 @@ Parts parts_of(const std::string& algorithm) {
 Contender::Contender(const TableType& type, std::string algorithm, const Axes& axes, CellRow row)
     : type_(type), axes_(axes), row_(std::move(row)), runner_(type.make_runner(algorithm)) {
     runner_->set_options(axes.query);
+    runner_->place_tables(axes.tables);
     row_.axes = axes.text();
     row_.algorithm = std::move(algorithm);
     row_.layout = type.layout;
@@ -27,12 +31,18 @@ Contender::Contender(const TableType& type, std::string algorithm, const Axes& a
 }
 
 void Contender::verify(Group& group) {
-    if (const std::string error = runner_->load(group.workload().bodies); !error.empty()) {
+    const Workload& workload = group.workload();
+    const bool table_each = axes_.tables.sharing == Sharing::per_instance ||
+                            (axes_.tables.sharing == Sharing::as_scene && workload.table_each);
+    const std::span<const std::uint32_t> instances =
+        table_each ? std::span<const std::uint32_t>(workload.instances) : std::span<const std::uint32_t>();
+    if (const std::string error = runner_->load(workload.bodies, instances); !error.empty()) {
         make_unavailable(error);
         return;
     }
-    const std::vector<Distance> answers = runner_->answer(group.workload());
+    const std::vector<Distance> answers = runner_->answer(workload);
     counts_ = count_answers(answers);
+    touched_ = runner_->lines_touched(workload, traced_queries);
     for (const Distance& answer : answers) in_contact_.push_back(answer.status != Status::separated);
     checked_ = check_answers(group, runner_->stored_bodies(), answers, type_.eps, axes_.query);
     row_.reason = what_is_wrong(group, checked_, type_.eps);
@@ -47,7 +57,11 @@ std::vector<FigureRow> Contender::figures(SizeFamily& sizes, std::span<const Rou
     std::vector<FigureRow> result;
     if (row_.status == "unavailable") return result;
     Subject subject;
-    subject.table = table_bytes(runner_->ledger(0), runner_->stored_bodies()[0]);
+    const BuildTimes build = runner_->build_times(build_repetitions);
+    subject.table = table_bytes(runner_->ledger(), runner_->stored_bodies()[0]);
+    subject.memory = runner_->memory();
+    subject.build = build;
+    subject.touched = touched_;
     subject.sizes = sizes.of(type_, parts_of(row_.algorithm));
     subject.checked = checked_;
     subject.counts = counts_;

@@ -48,6 +48,7 @@ class Contender {
     std::vector<std::uint8_t> in_contact_;
     std::vector<CheckedAnswer> checked_;
     AnswerCounts counts_;
+    LinesTouched touched_;
 };
 
 }  // namespace edgewise

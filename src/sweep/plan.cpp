@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
 
 #include "edgewise/sweep/registry.hpp"
@@ -21,22 +22,34 @@ namespace {
 /// hand, and an arm's wrist.
 constexpr const char* real_objects[] = {"atlas_foot.stl", "hubo_foot.stl", "atlas_hand.stl", "wam_wrist.stl"};
 
-/// Near relatives of a layout that is swept anyway; only `full` has them.
-constexpr std::array only_in_full = {"aos_padded", "aosoa",        "hot_cold",   "points_neighbours",
-                                     "ring",       "shared_plane", "soa_stagger"};
-
-/// All others of this program.
+/// Of this program, without those that hardly differ from another.
 std::vector<std::string> widely_different_layouts() {
     std::vector<std::string> names;
     for (const TableType& type : table_types()) {
-        const bool left_out =
-            std::find(only_in_full.begin(), only_in_full.end(), type.layout) != only_in_full.end();
-        if (!left_out && (names.empty() || names.back() != type.layout)) names.push_back(type.layout);
+        if (type.relative_of.empty() && (names.empty() || names.back() != type.layout))
+            names.push_back(type.layout);
     }
     return names;
 }
 
-/// Shared by all named plans: every layout and algorithm; tumble from nearly still to incoherent.
+/// A table for each of so many bodies, of the layouts whose size is the question: two steps, of which the
+/// second starts warm.
+SceneChoice pressure(double bodies, const std::vector<std::string>& layouts) {
+    SceneChoice scene{"pressure", {{"bodies", bodies}}};
+    scene.shapes = {"sphere386"};
+    for (const TableType& type : table_types()) {  // a program may have been built with some only
+        for (const std::string& wanted : layouts) {
+            if (wanted == type.layout || wanted == type.name) scene.layouts.push_back(type.name);
+        }
+    }
+    scene.algorithms = {"vclip"};
+    scene.queries = 2 * (static_cast<std::size_t>(bodies) - 1);
+    scene.plain = true;
+    return scene;
+}
+
+/// Shared by all named plans: the widely different layouts, every algorithm; tumble from nearly still to
+/// incoherent.
 Plan base(std::string name) {
     Plan plan;
     plan.name = std::move(name);
@@ -45,6 +58,10 @@ Plan base(std::string name) {
                    {"tumble", {{"rotation_step", 0.01}}},
                    {"tumble", {{"rotation_step", 0.1}}},
                    {"tumble", {{"rotation_step", 1}}}};
+    for (const SceneChoice& scene :
+         {pressure(600, {"aos", "lean", "quantised"}), pressure(6000, {"aos_f64", "lean_f64"})}) {
+        if (!scene.layouts.empty()) plan.scenes.push_back(scene);
+    }
     plan.shapes = {"tetra4", "cube8", "sphere38", "sphere386"};
     plan.meshes = default_meshes();
     plan.layouts = widely_different_layouts();
@@ -72,15 +89,17 @@ Plan paper() {
     return plan;
 }
 
-/// As paper, over more sizes and speeds.
+/// As paper, over all layouts, more sizes and speeds; further axes one at a time around the plain cells.
 Plan full() {
     Plan plan = paper();
     plan.name = "full";
     plan.layouts = {"all"};
-    plan.shapes = {"tetra4", "cube8", "sphere38", "sphere102", "sphere386", "sphere1538", "sphere6146"};
+    plan.shapes = {"tetra4",    "cube8",        "sphere38",   "sphere102",
+                   "sphere386", "uv_sphere386", "sphere1538", "sphere6146"};
     for (const double rotation : {0.001, 0.03, 0.3})
         plan.scenes.push_back({"tumble", {{"rotation_step", rotation}}});
-    plan.axes = {"contact_tolerance=0.001", "gap_tolerance=1e-06", "gap_tolerance=0.01"};
+    plan.axes = {"contact_tolerance=0.001", "gap_tolerance=1e-06",  "gap_tolerance=0.01", "order=bfs",
+                 "order=spatial",           "sharing=per_instance", "allocator=jemalloc", "allocator=libc"};
     return plan;
 }
 
@@ -93,12 +112,25 @@ constexpr std::array members = {"scenes", "shapes", "meshes",  "each_mesh", "lay
                                 "axes",   "seed",   "queries", "checked",   "rounds",  "stability"};
 
 /// A misspelt member would be ignored in silence.
-void refuse_unknown_members(const nlohmann::json& json) {
+void refuse_unknown_members(const nlohmann::json& json, std::span<const char* const> known) {
     for (const auto& [key, value] : json.items()) {
-        if (std::find(members.begin(), members.end(), key) != members.end()) continue;
+        if (std::find(known.begin(), known.end(), key) != known.end()) continue;
         throw std::invalid_argument(
-            fmt::format("unknown member '{}'; known: {}", key, fmt::join(members, ", ")));
+            fmt::format("unknown member '{}'; known: {}", key, fmt::join(known, ", ")));
     }
+}
+
+SceneChoice read_scene(const nlohmann::json& json) {
+    constexpr std::array known = {"name",       "parameters", "shapes", "layouts",
+                                  "algorithms", "queries",    "plain"};
+    refuse_unknown_members(json, known);
+    SceneChoice scene{json.at("name"), json.value("parameters", SceneParameters{})};
+    take(json, "shapes", scene.shapes);
+    take(json, "layouts", scene.layouts);
+    take(json, "algorithms", scene.algorithms);
+    take(json, "queries", scene.queries);
+    take(json, "plain", scene.plain);
+    return scene;
 }
 
 Plan read_plan(const std::string& file) {
@@ -111,12 +143,10 @@ Plan read_plan(const std::string& file) {
     plan.name = std::filesystem::path(file).stem().string();
     try {
         const auto json = nlohmann::json::parse(stream);
-        refuse_unknown_members(json);
+        refuse_unknown_members(json, members);
         if (json.contains("scenes")) {
             plan.scenes.clear();
-            for (const auto& scene : json.at("scenes")) {
-                plan.scenes.push_back({scene.at("name"), scene.value("parameters", SceneParameters{})});
-            }
+            for (const auto& scene : json.at("scenes")) plan.scenes.push_back(read_scene(scene));
         }
         take(json, "shapes", plan.shapes);
         take(json, "meshes", plan.meshes);

@@ -12,9 +12,14 @@
 
 namespace edgewise {
 
+/// A scene, and what of the plan it is for: of the plan's shapes, table types and algorithms only these, all
+/// where none are named.
 struct SceneChoice {
     std::string name;
-    SceneParameters parameters;  ///< those that differ from the scene's defaults
+    SceneParameters parameters = {};  ///< those that differ from the scene's defaults
+    std::vector<std::string> shapes = {}, layouts = {}, algorithms = {};
+    std::size_t queries = 0;  ///< a cell and round; 0: the plan's
+    bool plain = false;       ///< no further axes: a group's cells stand side by side, and these are large
 };
 
 struct Plan {

@@ -19,7 +19,9 @@ std::vector<const Item*> select(std::span<const Item> items, std::span<const std
         const auto stands_for = [&](const Item& item) { return matches(item, name); };
         if (name == "all" || std::any_of(items.begin(), items.end(), stands_for)) continue;
         std::vector<std::string> known;
-        for (const Item& item : items) known.push_back(name_of(item));
+        for (const Item& item : items) {
+            if (known.empty() || known.back() != name_of(item)) known.push_back(name_of(item));
+        }
         throw std::invalid_argument(
             fmt::format("unknown {} '{}'; known: all, {}", what, name, fmt::join(known, ", ")));
     }
@@ -44,11 +46,11 @@ std::span<const AlgorithmInfo> algorithms() {
 
 std::vector<const TableType*> select_table_types(std::span<const std::string> names) {
     return select<TableType>(
-        table_types(), names, "layout",
+        table_types(), names, "layout (or table type, as in aos_f64)",
         [](const TableType& type, const std::string& name) {
             return type.name == name || type.layout == name;
         },
-        [](const TableType& type) { return type.name; });
+        [](const TableType& type) { return type.layout; });
 }
 
 std::vector<std::string> select_algorithms(std::span<const std::string> names) {

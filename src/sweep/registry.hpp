@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "edgewise/sweep/runner.hpp"
+#include "edgewise/table/memory_map.hpp"
 #include "edgewise/table/needs.hpp"
 
 namespace edgewise {
@@ -21,6 +22,7 @@ struct TableType {
     std::string name;  ///< layout and precision: "aos_f64"
     std::string layout, precision;
     std::string stores, derives;          ///< one line each
+    std::string relative_of;              ///< a layout that it hardly differs from; empty: none
     std::vector<std::string> algorithms;  ///< those whose contract the layout meets
     std::string storage;                  ///< of bodies: "double", "single", or a lossy layout's own
     bool single_storage = false;          ///< holds bodies in the range of single precision
@@ -28,7 +30,14 @@ struct TableType {
     double eps = 0;                       ///< rounding step of what computes: 2^-52 or 2^-23
     std::function<std::unique_ptr<Runner>(std::string_view algorithm)> make_runner;
     std::function<Result<Polyhedron>(const Polyhedron&)> stored_body;  ///< what its tables hold of a body
+    /// a table that nobody asks anything: for its memory
+    std::function<std::shared_ptr<const void>(const Polyhedron&, Parts)> make_table;
     std::function<Ledger(const Polyhedron&, Parts)> ledger;  ///< of a table built from a body it can store
+    /// of such a table, where its memory comes from now (table_memory.hpp)
+    std::function<std::vector<MappedPiece>(const Polyhedron&, Parts)> memory_map;
+
+    /// All that any of its algorithms needs.
+    [[nodiscard]] Parts all_parts() const { return serves("vclip") ? Parts::features : Parts::support; }
 
     [[nodiscard]] bool serves(std::string_view algorithm) const {
         return std::find(algorithms.begin(), algorithms.end(), algorithm) != algorithms.end();

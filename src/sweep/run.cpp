@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/build_info.hpp"
 #include "edgewise/sweep/cell.hpp"
 #include "edgewise/sweep/contender.hpp"
+#include "edgewise/sweep/draw_layout.hpp"
 
 namespace edgewise {
 
@@ -18,6 +21,9 @@ namespace {
 
 /// What every ratio is against: the paper's algorithm on the paper's layout.
 const std::string baseline_algorithm = "vclip", baseline_table = "aos_f64";
+
+/// Small enough to be read, and every kind of feature is there.
+constexpr const char* drawn_shape = "cube8";
 
 class Sweep {
   public:
@@ -37,14 +43,18 @@ class Sweep {
         store_.set_meta("plan", plan_.name);
         store_.set_meta("seed", std::to_string(plan_.seed));
         store_.set_meta("baseline", fmt::format("{} x {}", baseline_algorithm_, baseline_.name));
+        store_.set_meta("tables",
+                        "in an arena from a multiple of 2 MiB on, the first at its start, one after "
+                        "the other; large pages declined; else as the axis allocator says");
+        store_drawings();
     }
 
     SweepSummary run() {
         listener_.on_start(work_.cells());
-        for (const SceneChoice& scene : plan_.scenes) {
-            for (const NamedShape& shape : work_.shapes) {
+        for (const SceneWork& scene : work_.scenes) {
+            for (const NamedShape* shape : scene.shapes) {
                 if (stop_) break;
-                run_group(scene, shape);
+                run_group(scene, *shape);
             }
         }
         summary_.stopped = stop_;
@@ -52,23 +62,35 @@ class Sweep {
     }
 
   private:
-    [[nodiscard]] CellRow row_for(const SceneChoice& scene, const NamedShape& shape) const {
+    /// One picture a layout, of its first precision.
+    void store_drawings() {
+        auto body = make_shape(drawn_shape);
+        if (!body) throw std::logic_error(body.error);
+        std::string last;
+        for (const TableType* type : work_.types) {
+            if (type->layout == last) continue;
+            last = type->layout;
+            store_.set_meta("drawing " + type->name, draw_layout(*type, drawn_shape, *body));
+        }
+    }
+
+    [[nodiscard]] CellRow row_for(const SceneWork& scene, const NamedShape& shape) const {
         CellRow row;
-        row.scene = scene.name;
-        row.scene_parameters = parameters_json(scene.parameters);
+        row.scene = scene.choice.name;
+        row.scene_parameters = parameters_json(scene.choice.parameters);
         row.shape = shape.name;
         row.shape_source = shape.source;
         row.vertices = shape.body.vertex_count();
         row.edges = shape.body.edge_count();
         row.faces = shape.body.face_count();
         row.seed = plan_.seed;
-        row.queries = plan_.queries;
+        row.queries = scene.queries;
         return row;
     }
 
-    void run_group(const SceneChoice& scene, const NamedShape& shape) {
+    void run_group(const SceneWork& scene, const NamedShape& shape) {
         std::vector<Contender> contenders = contenders_for(scene, shape);
-        const std::string what = scene.name + " " + shape.name;
+        const std::string what = scene.choice.name + " " + shape.name;
         if (!shape.error.empty()) {
             for (Contender& contender : contenders) give_up(contender, shape.error);
             listener_.on_done(contenders.size(), what);
@@ -78,7 +100,9 @@ class Sweep {
             listener_.on_done(contenders.size(), what);
             return;
         }
-        Group group(plan_, scene, shape);
+        Plan plan = plan_;
+        plan.queries = scene.queries;
+        Group group(plan, scene.choice, shape);
         for (Contender& contender : contenders) contender.verify(group);
         Contender baseline(baseline_, baseline_algorithm_, {}, row_for(scene, shape));
         baseline.verify(group);
@@ -88,10 +112,10 @@ class Sweep {
         listener_.on_done(contenders.size(), what);
     }
 
-    [[nodiscard]] std::vector<Contender> contenders_for(const SceneChoice& scene,
+    [[nodiscard]] std::vector<Contender> contenders_for(const SceneWork& scene,
                                                         const NamedShape& shape) const {
         std::vector<Contender> result;
-        work_.each_cell([&](const TableType& type, const std::string& algorithm, const Axes& axes) {
+        work_.each_cell(scene, [&](const TableType& type, const std::string& algorithm, const Axes& axes) {
             result.emplace_back(type, algorithm, axes, row_for(scene, shape));
             result.back().name(shape.body);
         });

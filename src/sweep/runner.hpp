@@ -14,8 +14,11 @@
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/geometry/feature.hpp"
 #include "edgewise/geometry/result.hpp"
+#include "edgewise/measure/lines_touched.hpp"
+#include "edgewise/measure/memory_use.hpp"
 #include "edgewise/measure/round.hpp"
 #include "edgewise/scene/workload.hpp"
+#include "edgewise/sweep/table_options.hpp"
 #include "edgewise/table/ledger.hpp"
 
 namespace edgewise {
@@ -42,11 +45,16 @@ class Runner {
     /// What later answers may give away; contact_tolerance in the given bodies' unit.
     virtual void set_options(const QueryOptions& options) = 0;
 
-    /// Builds one table for each body (rounded to what the table stores). An error line when a body cannot be
-    /// stored.
-    [[nodiscard]] virtual std::string load(std::span<const Polyhedron> bodies) = 0;
+    /// How tables loaded later are placed.
+    virtual void place_tables(const TableOptions& options) = 0;
 
-    /// The bodies that the tables really hold.
+    /// Builds one table for each body (rounded to what the table stores); with `instances`, one for each of
+    /// these, of the body that it says. An error line when a body cannot be stored.
+    [[nodiscard]] virtual std::string load(std::span<const Polyhedron> bodies,
+                                           std::span<const std::uint32_t> instances) = 0;
+    [[nodiscard]] std::string load(std::span<const Polyhedron> bodies) { return load(bodies, {}); }
+
+    /// The bodies that the tables really hold, in the tables' order.
     [[nodiscard]] virtual std::span<const Polyhedron> stored_bodies() const = 0;
 
     /// Every query of the workload in order, from cold pairs; points in A's frame. Bodies farther apart than
@@ -63,8 +71,18 @@ class Runner {
     [[nodiscard]] virtual Timing time(const Workload& workload, std::span<const std::uint8_t> in_contact,
                                       double clock_cost_ns) const = 0;
 
-    /// Bytes of the table of body i.
-    [[nodiscard]] virtual Ledger ledger(std::size_t body) const = 0;
+    /// Bytes of the first table.
+    [[nodiscard]] virtual Ledger ledger() const = 0;
+
+    /// What all tables take.
+    [[nodiscard]] virtual MemoryUse memory() const = 0;
+
+    /// Times of building a table of the first body anew, and of refitting one in place to the body deformed,
+    /// so often each, in turn.
+    [[nodiscard]] virtual BuildTimes build_times(int repetitions) const = 0;
+
+    /// What the first queries of the workload read, so many at most; of a warm scene, those that start warm.
+    [[nodiscard]] virtual LinesTouched lines_touched(const Workload& workload, std::size_t limit) const = 0;
 };
 
 }  // namespace edgewise

@@ -5,36 +5,58 @@
 #pragma once
 
 #include <cassert>
+#include <exception>
+#include <memory>
 #include <type_traits>
+#include <utility>
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/penetration.hpp"
 #include "edgewise/algorithms/penetration/start.hpp"
 #include "edgewise/algorithms/vclip.hpp"
+#include "edgewise/geometry/vertex_order.hpp"
 #include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/sweep/allocators.hpp"
+#include "edgewise/sweep/cold_starts.hpp"
 #include "edgewise/sweep/name_feature.hpp"
 #include "edgewise/sweep/runner.hpp"
+#include "edgewise/sweep/time_builds.hpp"
+#include "edgewise/sweep/trace_lines.hpp"
 #include "edgewise/sweep/unit.hpp"
 #include "edgewise/table/stored_body.hpp"
+#include "edgewise/table/table_memory.hpp"
 
 namespace edgewise {
 
-template <class Algorithm, class Table>
+/// TracedTable: the same layout with a loader that tells a LineSink.
+template <class Algorithm, class Table, class TracedTable>
 class RunnerFor final : public Runner {
   public:
     using Pair = typename Algorithm::template Pair<Table, Table>;
 
-    void set_options(const QueryOptions& options) override { options_ = options; }
+    using Runner::load;
 
-    [[nodiscard]] std::string load(std::span<const Polyhedron> bodies) override {
+    void set_options(const QueryOptions& options) override { options_ = options; }
+    void place_tables(const TableOptions& options) override { placing_ = options; }
+
+    [[nodiscard]] std::string load(std::span<const Polyhedron> bodies,
+                                   std::span<const std::uint32_t> instances) override {
         bodies_.clear();
+        in_tables_.clear();
         tables_.clear();
         unit_ = Unit(bodies);
         for (const Polyhedron& body : bodies) {
             auto stored = stored_body<Table>(unit_.into(body));
+            if (stored) stored = reordered(*stored, placing_.order);
             if (!stored) return stored.error;
-            tables_.emplace_back(*stored, Algorithm::parts);
             bodies_.push_back(unit_.back(*stored));
+            in_tables_.push_back(std::move(*stored));
+        }
+        table_each_ = !instances.empty();
+        try {
+            build_tables(instances);
+        } catch (const std::exception& problem) {  // an allocator that is not there, or has no more
+            return std::string("tables: ") + problem.what();
         }
         return {};
     }
@@ -54,8 +76,8 @@ class RunnerFor final : public Runner {
     [[nodiscard]] NamedAnswer answer(const Query& given) const override {
         const Query query = unit_.into(polished(given));
         if (!in_range(query)) return {};
-        const Table& a = tables_[query.body_a];
-        const Table& b = tables_[query.body_b];
+        const Table& a = table_a(query);
+        const Table& b = table_b(query);
         Pair pair(a, b);
         NamedAnswer result;
         const Distance distance = ask(query, pair);
@@ -78,13 +100,14 @@ class RunnerFor final : public Runner {
         std::vector<Pair> pairs = cold_pairs(workload);
         double sum = 0;  // of all distances: an answer nobody reads might not be computed
         const auto add = [&](std::size_t, const Distance& d) { sum += d.distance; };
+        const std::vector<std::uint8_t> cold = cold_starts(workload);
         for (std::size_t first = 0; first < in_contact.size();) {
-            if (starts_cold(workload, first)) {
+            if (cold[first]) {
                 run(workload, first, first + 1, pairs, add);
                 ++first;
                 continue;
             }
-            const std::size_t last = end_of_stretch(workload, in_contact, first);
+            const std::size_t last = end_of_stretch(cold, in_contact, first);
             const Stopwatch watch;
             run(workload, first, last, pairs, add);
             const double ns = std::max(0.0, watch.elapsed_ns() - clock_cost_ns);
@@ -97,9 +120,52 @@ class RunnerFor final : public Runner {
         return timing;
     }
 
-    [[nodiscard]] Ledger ledger(std::size_t body) const override { return tables_[body].ledger(); }
+    [[nodiscard]] Ledger ledger() const override { return tables_[0].ledger(); }
+
+    [[nodiscard]] MemoryUse memory() const override {
+        MemoryUse use;
+        use.tables = tables_.size();
+        use.requested = static_cast<double>(memory_->requested());
+        use.taken = static_cast<double>(memory_->taken());
+        if (const auto resident = memory_->resident()) use.resident = static_cast<double>(*resident);
+        if constexpr (requires { tables_[0].materialised(); }) {
+            use.materialised = 0;
+            for (const Table& table : tables_)
+                use.materialised += table.materialised() / static_cast<double>(tables_.size());
+        }
+        return use;
+    }
+
+    [[nodiscard]] BuildTimes build_times(int repetitions) const override {
+        const auto memory = make_allocator(placing_.allocator);
+        const TablesIn placed(*memory);
+        return time_builds<Table>(in_tables_[0], Algorithm::parts, repetitions);
+    }
+
+    [[nodiscard]] LinesTouched lines_touched(const Workload& given, std::size_t limit) const override {
+        Workload space;
+        return trace_lines<Algorithm, TracedTable>(
+            in_unit(given, space), limit, unit_.into(options_),
+            [this](const Query& query) { return std::pair(&table_a(query), &table_b(query)); });
+    }
 
   private:
+    /// Where the options say: one a body, or one an instance.
+    void build_tables(std::span<const std::uint32_t> instances) {
+        memory_ = make_allocator(placing_.allocator);
+        const TablesIn placed(*memory_);
+        for (const std::uint32_t body : instances) tables_.emplace_back(in_tables_[body], Algorithm::parts);
+        if (table_each_) return;
+        for (const Polyhedron& body : in_tables_) tables_.emplace_back(body, Algorithm::parts);
+    }
+
+    [[nodiscard]] const Table& table_a(const Query& query) const {
+        return tables_[table_each_ ? query.instance_a : query.body_a];
+    }
+    [[nodiscard]] const Table& table_b(const Query& query) const {
+        return tables_[table_each_ ? query.instance_b : query.body_b];
+    }
+
     [[nodiscard]] Query polished(Query query) const {
         query.pose_a = edgewise::polished(query.pose_a, bodies_[query.body_a].vertices[0]);
         query.pose_b = edgewise::polished(query.pose_b, bodies_[query.body_b].vertices[0]);
@@ -115,6 +181,7 @@ class RunnerFor final : public Runner {
         if (unit_.is_one() && std::all_of(given.queries.begin(), given.queries.end(), is_ready)) return given;
         space.pair_count = given.pair_count;
         space.warm = given.warm;
+        space.instances = given.instances;
         for (const Query& query : given.queries) space.queries.push_back(unit_.into(polished(query)));
         return space;
     }
@@ -130,15 +197,15 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] Distance ask(const Query& query, Pair& pair) const {
-        return Algorithm::query(tables_[query.body_a], tables_[query.body_b],
-                                relative_pose(query.pose_a, query.pose_b), pair, unit_.into(options_));
+        return Algorithm::query(table_a(query), table_b(query), relative_pose(query.pose_a, query.pose_b),
+                                pair, unit_.into(options_));
     }
 
     /// How deep, and with that whether it is more than a touch, to the rounding of coordinates.
     void settle_contact(const Query& query, const Pair& pair, const Distance& distance,
                         NamedAnswer& answer) const {
-        const Table& a = tables_[query.body_a];
-        const Table& b = tables_[query.body_b];
+        const Table& a = table_a(query);
+        const Table& b = table_b(query);
         const auto a_from_b = relative_pose(query.pose_a, query.pose_b);
         PenetrationSpace<Table, Table> space;
         const Penetration overlap = penetration(a, b, a_from_b, simplex_of(a, b, pair), space);
@@ -166,23 +233,17 @@ class RunnerFor final : public Runner {
         if (!workload.warm) return {};
         std::vector<Pair> pairs(workload.pair_count, Pair(tables_[0], tables_[0]));
         for (const Query& query : workload.queries) {
-            pairs[query.pair] = Pair(tables_[query.body_a], tables_[query.body_b]);
+            pairs[query.pair] = Pair(table_a(query), table_b(query));
         }
         return pairs;
     }
 
-    /// The first query of a pair in a warm scene.
-    [[nodiscard]] static bool starts_cold(const Workload& workload, std::size_t i) {
-        return workload.warm && (i == 0 || workload.queries[i].pair != workload.queries[i - 1].pair);
-    }
-
     /// Queries first .. end - 1 are of one class, with no cold start after the first.
-    [[nodiscard]] static std::size_t end_of_stretch(const Workload& workload,
+    [[nodiscard]] static std::size_t end_of_stretch(const std::vector<std::uint8_t>& cold,
                                                     std::span<const std::uint8_t> in_contact,
                                                     std::size_t first) {
         std::size_t end = first + 1;
-        while (end < in_contact.size() && in_contact[end] == in_contact[first] && !starts_cold(workload, end))
-            ++end;
+        while (end < in_contact.size() && in_contact[end] == in_contact[first] && !cold[end]) ++end;
         return end;
     }
 
@@ -193,7 +254,7 @@ class RunnerFor final : public Runner {
             if (workload.warm) {
                 use(i, ask(query, pairs[query.pair]));
             } else {
-                Pair pair(tables_[query.body_a], tables_[query.body_b]);
+                Pair pair(table_a(query), table_b(query));
                 use(i, ask(query, pair));
             }
         }
@@ -201,7 +262,11 @@ class RunnerFor final : public Runner {
 
     Unit unit_;
     QueryOptions options_;
-    std::vector<Polyhedron> bodies_;  ///< as stored, in the given unit
+    TableOptions placing_;
+    std::unique_ptr<TableAllocator> memory_;  ///< what the tables stand in
+    std::vector<Polyhedron> bodies_;          ///< as stored, in the given unit
+    std::vector<Polyhedron> in_tables_;       ///< the same in the unit: what the tables were built from
+    bool table_each_ = false;                 ///< one for each instance, not for each body
     std::vector<Table> tables_;
 };
 

@@ -20,7 +20,8 @@ TableBytes table_bytes(const Ledger& ledger, const Polyhedron& body) {
 }
 
 SizeFamily::SizeFamily() {
-    for (const char* name : {"sphere18", "sphere38", "sphere102", "sphere386", "sphere1538"}) {
+    for (const char* name : {"sphere8", "sphere18", "sphere38", "sphere66", "sphere102", "sphere218",
+                             "sphere386", "sphere1538"}) {
         auto body = make_shape(name);
         if (!body) throw std::logic_error(body.error);
         bodies_.push_back(std::move(*body));

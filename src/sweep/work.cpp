@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/sweep/work.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -8,19 +11,56 @@
 
 namespace edgewise {
 
-std::size_t SweepWork::cells_of_group() const {
+namespace {
+
+template <class Names>
+bool allows(const Names& names, const std::string& name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What the scene is for, of what the plan has.
+SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
+    SceneWork scene{choice, choice.queries > 0 ? choice.queries : work.plan.queries, {}, work.types, {}};
+    auto complete = complete_parameters(choice.name, choice.parameters);
+    if (!complete) throw std::invalid_argument(complete.error);
+    scene.choice.parameters = std::move(*complete);
+    for (const NamedShape& shape : work.shapes) {
+        if (allows(choice.shapes, shape.name)) scene.shapes.push_back(&shape);
+    }
+    for (const std::string& algorithm : work.algorithms) {
+        if (allows(choice.algorithms, algorithm)) scene.algorithms.push_back(algorithm);
+    }
+    if (!choice.algorithms.empty())
+        static_cast<void>(select_algorithms(choice.algorithms));  // names that are not
+    if (choice.layouts.empty()) return scene;
+    const std::vector<const TableType*> wanted = select_table_types(choice.layouts);
+    std::erase_if(scene.types, [&](const TableType* type) {
+        return std::find(wanted.begin(), wanted.end(), type) == wanted.end();
+    });
+    return scene;
+}
+
+}  // namespace
+
+std::size_t SweepWork::cells() const {
     std::size_t count = 0;
-    each_cell([&](const TableType&, const std::string&, const Axes&) { ++count; });
+    for (const SceneWork& scene : scenes) {
+        each_cell(scene,
+                  [&](const TableType&, const std::string&, const Axes&) { count += scene.shapes.size(); });
+    }
     return count;
 }
 
 void SweepWork::each_cell(
+    const SceneWork& scene,
     const std::function<void(const TableType&, const std::string& algorithm, const Axes&)>& use) const {
-    for (const TableType* type : types) {
-        for (const std::string& algorithm : algorithms) {
+    for (const TableType* type : scene.types) {
+        for (const std::string& algorithm : scene.algorithms) {
             if (!type->serves(algorithm)) continue;
             for (const Axes& chosen : axes) {
-                if (chosen.text().empty() || chosen.concerns(algorithm)) use(*type, algorithm, chosen);
+                const bool plain = chosen.text().empty();
+                if (plain || (!scene.choice.plain && chosen.concerns(algorithm)))
+                    use(*type, algorithm, chosen);
             }
         }
     }
@@ -33,12 +73,19 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     work.algorithms = select_algorithms(plan.algorithms);
     work.axes.emplace_back();
     for (const std::string& text : plan.axes) work.axes.push_back(parse_axes(text));
-    for (SceneChoice& scene : work.plan.scenes) {
-        auto complete = complete_parameters(scene.name, scene.parameters);
-        if (!complete) throw std::invalid_argument(complete.error);
-        scene.parameters = std::move(*complete);
+    for (const SceneChoice& scene : plan.scenes) {
+        const auto known = complete_parameters(scene.name, scene.parameters);
+        if (!known) throw std::invalid_argument(known.error);
     }
     work.shapes = shapes_of(plan, warn);
+    for (const SceneChoice& scene : plan.scenes) {
+        work.scenes.push_back(scene_work(scene, work));
+        const SceneWork& made = work.scenes.back();
+        if (made.shapes.empty() || made.types.empty() || made.algorithms.empty()) {
+            warn(fmt::format("scene {} has no cells here: it is for {}", scene.name,
+                             fmt::join(made.shapes.empty() ? scene.shapes : scene.layouts, ", ")));
+        }
+    }
     if (work.cells() == 0) {
         throw std::invalid_argument(
             "this plan has no cells: no layout serves the algorithms chosen, or no shape or scene is left");

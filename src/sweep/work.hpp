@@ -15,19 +15,35 @@
 
 namespace edgewise {
 
+/// A scene of the plan, with what of the plan it is for.
+struct SceneWork {
+    SceneChoice choice;  ///< with every parameter
+    std::size_t queries = 0;
+    std::vector<const NamedShape*> shapes;
+    std::vector<const TableType*> types;
+    std::vector<std::string> algorithms;
+};
+
 struct SweepWork {
-    Plan plan;  ///< with every scene parameter
+    Plan plan;
     std::vector<const TableType*> types;
     std::vector<std::string> algorithms;
     std::vector<Axes> axes;  ///< the plain cell first
     std::vector<NamedShape> shapes;
+    std::vector<SceneWork> scenes;
 
-    /// The cells of one scene and shape, each once.
+    SweepWork() = default;
+    SweepWork(SweepWork&&) = default;  ///< scenes point at shapes, which stay where they are
+    SweepWork(const SweepWork&) = delete;
+    SweepWork& operator=(const SweepWork&) = delete;
+    SweepWork& operator=(SweepWork&&) = delete;
+    ~SweepWork() = default;
+
+    /// The cells of a scene and any of its shapes, each once.
     void each_cell(
+        const SceneWork& scene,
         const std::function<void(const TableType&, const std::string& algorithm, const Axes&)>& use) const;
-    /// How many they are.
-    [[nodiscard]] std::size_t cells_of_group() const;
-    [[nodiscard]] std::size_t cells() const { return cells_of_group() * shapes.size() * plan.scenes.size(); }
+    [[nodiscard]] std::size_t cells() const;
 };
 
 /// Throws std::invalid_argument: what, where, what to do. `warn` hears of what is only a pity.

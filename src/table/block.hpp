@@ -7,21 +7,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <initializer_list>
 #include <memory>
 #include <new>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
-#include "edgewise/table/ledger.hpp"
+#include "edgewise/table/pieces.hpp"
+#include "edgewise/table/table_memory.hpp"
 
 namespace edgewise {
-
-/// How many bytes of one array element serve which component; the rest of the element is padding.
-struct Share {
-    Component component;
-    std::size_t bytes;
-};
 
 template <class Element>
 struct Slot {
@@ -35,57 +30,99 @@ class BlockPlan {
     static constexpr std::size_t alignment = 64;
 
     template <class Element>
-    Slot<Element> array(std::size_t count, std::initializer_list<Share> shares) {
+    Slot<Element> array(std::size_t count, const Shares& shares) {
         static_assert(std::is_trivially_destructible_v<Element> && alignof(Element) <= alignment);
         const std::size_t start = (size_ + alignment - 1) / alignment * alignment;
-        ledger_[Component::padding] += start - size_;
-        std::size_t spoken_for = 0;
-        for (const Share& share : shares) {
-            ledger_[share.component] += share.bytes * count;
-            spoken_for += share.bytes;
-        }
-        ledger_[Component::padding] += (sizeof(Element) - spoken_for) * count;
-        size_ = start + sizeof(Element) * count;
+        add_piece(1, start - size_, {});
+        add_piece(sizeof(Element), count, shares);
         return {start, count};
     }
 
+    /// One element right behind what is there, of any size: for records of several lengths. Returns where it
+    /// starts.
+    std::size_t append(std::size_t bytes, const Shares& shares) {
+        const std::size_t start = size_;
+        add_piece(bytes, 1, shares);
+        return start;
+    }
+
     [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] const Ledger& ledger() const { return ledger_; }
+    [[nodiscard]] Ledger ledger() const {
+        Ledger ledger;
+        for (const Piece& piece : pieces_) piece.add_to(ledger);
+        return ledger;
+    }
+    /// In memory order, without gaps; as they lie in a block that starts at `base`.
+    [[nodiscard]] std::vector<Piece> pieces(const std::byte* base) const {
+        std::vector<Piece> placed = pieces_;
+        for (Piece& piece : placed) {
+            piece.at = base;
+            base += piece.bytes();
+        }
+        return placed;
+    }
 
   private:
+    void add_piece(std::size_t stride, std::size_t count, const Shares& shares) {
+        size_ += stride * count;
+        if (count == 0) return;
+        if (!pieces_.empty() && pieces_.back().stride == stride && pieces_.back().shares == shares) {
+            pieces_.back().count += count;
+        } else {
+            pieces_.push_back({nullptr, stride, count, shares});
+        }
+    }
+
     std::size_t size_ = 0;
-    Ledger ledger_;
+    std::vector<Piece> pieces_;  // not placed yet
 };
 
-/// Shared: tables that differ only in their loader are views of one block.
+/// Shared: tables that differ only in their loader are views of one block. Nothing is written to memory that
+/// nobody asked to write: a page of planes that a lazy table never makes is never there.
 class Block {
   public:
     Block() = default;
-    explicit Block(const BlockPlan& plan) : ledger_(plan.ledger()) {
-        const std::align_val_t alignment{BlockPlan::alignment};
-        auto* raw = static_cast<std::byte*>(::operator new(plan.size(), alignment));
-        memory_ = std::shared_ptr<std::byte>(raw, [=](std::byte* p) { ::operator delete(p, alignment); });
-        std::memset(raw, 0, plan.size());
-    }
+    explicit Block(BlockPlan plan) : held_(std::make_shared<const Held>(std::move(plan))) {}
 
+    /// Begins the array: its elements are there, without a value yet, and no memory is written for it.
+    template <class Element>
+    [[nodiscard]] Element* start(Slot<Element> slot) const {
+        Element* const to = at(slot);
+        std::uninitialized_default_construct_n(to, slot.count);
+        return to;
+    }
+    /// An array that was begun.
     template <class Element>
     [[nodiscard]] Element* at(Slot<Element> slot) const {
-        return reinterpret_cast<Element*>(memory_.get() + slot.offset);
+        return reinterpret_cast<Element*>(held_->memory + slot.offset);
     }
     /// Builds every element of an array in place: element i is make(i).
     template <class Element, class Make>
-    const Element* fill(Slot<Element> slot, Make make) const {
+    Element* fill(Slot<Element> slot, Make make) const {
         Element* const to = at(slot);
         for (std::size_t i = 0; i < slot.count; ++i)
             new (to + i) Element(make(static_cast<std::uint32_t>(i)));
         return to;
     }
-    [[nodiscard]] const std::byte* base() const { return memory_.get(); }
-    [[nodiscard]] const Ledger& ledger() const { return ledger_; }
+    [[nodiscard]] std::byte* base() const { return held_->memory; }
+    [[nodiscard]] Ledger ledger() const { return held_ ? held_->plan.ledger() : Ledger{}; }
+    [[nodiscard]] std::vector<Piece> pieces() const { return held_->plan.pieces(held_->memory); }
 
   private:
-    std::shared_ptr<std::byte> memory_;
-    Ledger ledger_;
+    struct Held {
+        BlockPlan plan;
+        std::pmr::memory_resource& resource = table_memory();
+        std::byte* memory;
+
+        explicit Held(BlockPlan planned)
+            : plan(std::move(planned)),
+              memory(static_cast<std::byte*>(resource.allocate(plan.size(), BlockPlan::alignment))) {}
+        ~Held() { resource.deallocate(memory, plan.size(), BlockPlan::alignment); }
+        Held(const Held&) = delete;
+        Held& operator=(const Held&) = delete;
+    };
+
+    std::shared_ptr<const Held> held_;
 };
 
 }  // namespace edgewise

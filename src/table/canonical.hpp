@@ -28,6 +28,7 @@ class Canonical {
                            [body = body_](Index at) { return body->head(body->vertex_ring[at]); });
     }
     [[nodiscard]] Ledger ledger() const { return {}; }
+    [[nodiscard]] std::vector<Piece> pieces() const { return {}; }
 
   private:
     const Polyhedron* body_;

@@ -17,10 +17,12 @@
 #include <concepts>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/table/ledger.hpp"
 #include "edgewise/table/needs.hpp"
+#include "edgewise/table/pieces.hpp"
 #include "edgewise/table/precision.hpp"
 #include "edgewise/table/ring.hpp"
 
@@ -42,8 +44,17 @@ concept SupportTable = requires(const T& table, typename T::Vertex v) {
     /// position of the vertex in the canonical Polyhedron
     { table.index_of(v) } -> std::convertible_to<Index>;
     { table.ledger() } -> std::convertible_to<Ledger>;
+    /// all of its memory, and what each byte of it is for
+    { table.pieces() } -> std::convertible_to<std::vector<Piece>>;
     /// how a linear scan visits all vertices
     { *table.all_vertices().begin() } -> std::convertible_to<typename T::Vertex>;
+};
+
+/// A layout may store no neighbours and say so, by `static constexpr bool scans = true`; it is never strictly
+/// convex then, so that nobody climbs.
+template <class T>
+inline constexpr bool has_neighbours = !requires {
+    T::scans;
 };
 
 template <class T>

@@ -13,9 +13,7 @@
 
 #include <cstdint>
 
-#include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/table/body_facts.hpp"
-#include "edgewise/table/contract.hpp"
+#include "edgewise/table/block_table.hpp"
 #include "edgewise/table/narrow_rings.hpp"
 
 namespace edgewise {
@@ -50,25 +48,17 @@ struct DerivedFace {
 
 /// Table: the layout; it gives vertex(v).
 template <class Table, Precision P, class Loader>
-class DerivedTable {
+class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
+    using Base = BlockTable<P, Loader, typename P::Compute>;
+
   public:
-    using PrecisionType = P;
-    using Stored = typename P::Stored;
-    using Compute = typename P::Compute;
-    using Vertex = Index;
+    using typename Base::Compute;
+    using typename Base::Vertex;
     using Edge = DerivedEdge;
     using Face = DerivedFace;
 
     static constexpr bool derives_planes = true;
     static constexpr Face no_face = {0xffffffff, 0xffffffff};
-
-    [[nodiscard]] std::size_t vertex_count() const { return facts_.vertex_count; }
-    [[nodiscard]] Vertex first_vertex() const { return 0; }
-    [[nodiscard]] Index index_of(Vertex v) const { return v; }
-    [[nodiscard]] auto all_vertices() const { return index_range(facts_.vertex_count); }
-    [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
-    [[nodiscard]] double reach() const { return facts_.reach; }
-    [[nodiscard]] const Ledger& ledger() const { return block_.ledger(); }
 
     [[nodiscard]] auto neighbours(Vertex v) const {
         return IndexedRing(rings_.first(loader_, v), rings_.last(loader_, v),
@@ -130,14 +120,25 @@ class DerivedTable {
     template <class, Precision, class>
     friend class DerivedTable;
 
-    explicit DerivedTable(Loader loader) : loader_(loader) {}
+    explicit DerivedTable(Loader loader) : Base(loader) {}
     template <class OtherTable, class OtherLoader>
     DerivedTable(const DerivedTable<OtherTable, P, OtherLoader>& other, Loader loader)
-        : loader_(loader), block_(other.block_), facts_(other.facts_), rings_(other.rings_) {}
+        : Base(other, loader), rings_(other.rings_) {}
 
-    [[no_unique_address]] Loader loader_;
-    Block block_;
-    BodyFacts facts_;
+    /// Plans an array of what the layout keeps of a vertex, and the rings; allocates, and fills the rings.
+    template <class Coordinates>
+    [[nodiscard]] Coordinates* build(const Polyhedron& body, Parts parts) {
+        BlockPlan plan;
+        const auto vertices = plan.array<Coordinates>(body.vertex_count(),
+                                                      {{Component::vertex_coordinates, sizeof(Coordinates)}});
+        rings_ = NarrowRings(plan, body);
+        this->allocate(std::move(plan), body, parts);
+        rings_.fill(this->block_, body);
+        return this->block_.start(vertices);
+    }
+
+    using Base::facts_;
+    using Base::loader_;
     NarrowRings rings_;
 
   private:

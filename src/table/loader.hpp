@@ -18,6 +18,7 @@ enum class Field : std::uint8_t {
     vertex_ring,  ///< edges around a vertex, and where they start
     face_ring,    ///< edges around a face, and where they start
     neighbour,    ///< vertices around a vertex
+    edge_made,    ///< whether a lazy table has made an edge
 };
 
 struct Direct {

@@ -30,7 +30,7 @@ class NarrowArray {
     /// Writes make(i) at i for all.
     template <class Make>
     void fill(const Block& block, Make make) {
-        data_ = block.at(slot_);
+        data_ = block.start(slot_);
         for (std::size_t i = 0; i < count_; ++i) {
             const Index value = make(static_cast<Index>(i));
             if (width_ == 1) *(block.at(slot_) + i) = static_cast<std::byte>(value);

@@ -54,6 +54,93 @@ TEST(Bytes, GivesThePapersFigures) {
     expect_paper_bytes(rows[1], 4);
 }
 
+/// The row of this table type.
+const json& row_of(const json& ledger, const std::string& table) {
+    for (const json& row : ledger["rows"]) {
+        if (row["table"] == table) return row;
+    }
+    ADD_FAILURE() << table;
+    return ledger["rows"][0];
+}
+
+/// A support table has no planes, lean ones no topology to speak of, quantised ones hardly coordinates.
+TEST(Bytes, GivesTheFamilysFigures) {
+    const json ledger = json_of({"bytes", "--layouts", "lean_f64,lean_f32,quantised_f32", "--json"});
+    EXPECT_LE(ledger["rows"][0]["total_bytes_per_edge"], 13);
+    EXPECT_LE(ledger["rows"][1]["total_bytes_per_edge"], 9);
+    EXPECT_LE(ledger["rows"][2]["total_bytes_per_edge"], 7);
+    for (const json& row : ledger["rows"]) {
+        EXPECT_TRUE(row["paper_bytes_per_edge"].is_null());
+        EXPECT_FALSE(row.contains("slopes_by_index_width")) << "only when asked";
+        for (const json& entry : row["queries"]) {
+            EXPECT_GT(entry["lines_per_query"], 2);
+            EXPECT_EQ(entry["line_bytes_per_query"], 64 * entry["lines_per_query"].get<double>());
+        }
+    }
+}
+
+/// What is taken is at least what was asked for; jemalloc's statistics agree with the sum of its size
+/// classes.
+TEST(Bytes, SaysWhatAllocatorsTake) {
+    const json ledger = json_of({"bytes", "--layouts", "aos_f64,linked_f64", "--json"});
+    for (const json& row : ledger["rows"]) {
+        const json& allocators = row["allocators"];
+        ASSERT_EQ(allocators.size(), 3U);
+        for (const json& cost : allocators) {
+            if (cost["taken_bytes"].is_null()) {
+                EXPECT_TRUE(cost["reason"].is_string()) << cost;
+                continue;
+            }
+            EXPECT_GE(cost["taken_bytes"], row["table_bytes"]) << cost;
+            if (!cost["by_its_statistics"].is_null()) {
+                EXPECT_EQ(cost["by_its_statistics"], cost["taken_bytes"]);
+            }
+        }
+        EXPECT_GE(allocators[0]["resident_bytes"], row["table_bytes"]);
+    }
+    const auto slack = [](const json& row) {
+        return row["allocators"][2]["taken_bytes"].get<double>() / row["table_bytes"].get<double>();
+    };
+    EXPECT_LT(slack(row_of(ledger, "aos_f64")), 1.01) << "one block";
+    EXPECT_GT(slack(row_of(ledger, "linked_f64")), 1.05) << "a header a node";
+}
+
+TEST(Bytes, ShowsTheWaysTo168) {
+    const json ledger = json_of({"bytes", "--layouts", "aos_f64", "--shape", "cube8", "--json"});
+    int reach = 0, halve = 0;
+    for (const json& way : ledger["decompositions"]) {
+        reach += way["f64"] == 168;
+        halve += way["f64"] == 168 && way["f32"] == 84;
+    }
+    EXPECT_GE(reach, 6);
+    EXPECT_GE(halve, 3);
+    EXPECT_LT(halve, reach);
+}
+
+/// Wider indices cost more, and only where a layout has them.
+TEST(Bytes, FitsSlopesByIndexWidth) {
+    const json ledger = json_of({"bytes", "--layouts", "lean_f64,aos_f64", "--slopes", "--json"});
+    const auto slope = [&](const char* table, int range) {
+        return row_of(ledger, table)["slopes_by_index_width"][range]["bytes_per_edge"].get<double>();
+    };
+    EXPECT_NEAR(slope("lean_f64", 2), 8 + 2.0 / 3 + 4, 0.05)
+        << "coordinates, an offset a third, two neighbours";
+    EXPECT_NEAR(slope("lean_f64", 4), 8 + 4.0 / 3 + 8, 0.05);
+    EXPECT_NEAR(slope("aos_f64", 2), slope("aos_f64", 4), 0.05);
+}
+
+TEST(Draw, PaintsATableToScale) {
+    const Folder folder;
+    const Outcome outcome = run({"draw", "layout", "aos_f64"}, folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, testing::StartsWith("<svg "));
+    EXPECT_THAT(outcome.out, testing::HasSubstr("<title>aos_f64, cube8</title>"));
+    EXPECT_THAT(outcome.out, testing::HasSubstr("voronoi_planes 1536 B"));
+    const Outcome wrong = run({"draw", "layout", "nonesuch"}, folder);
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_THAT(wrong.err, testing::HasSubstr("lean"));
+}
+
 TEST(Bytes, ReadsAMeshFile) {
     const Folder folder;
     folder.write("corner.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");

@@ -105,7 +105,7 @@ TYPED_TEST(Planes, VoronoiPlanesAreTheDerivedOnes) {
 
 /// Square of the extent of a face over its area: how much rounding of corners turns a normal derived from
 /// them.
-double flatness(const Polyhedron& body, Index face) {
+[[maybe_unused]] double flatness(const Polyhedron& body, Index face) {
     std::vector<Vec3d> corners;
     for (const HalfEdge h : body.ring_of_face(face)) corners.push_back(body.vertices[body.tail(h)]);
     Vec3d area = Vec3d::Zero();

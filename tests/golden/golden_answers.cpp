@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// golden_answers FILE | --update FILE | --details
+// golden_answers [--some] FILE | --update FILE | --details
 //
 // One hash of all answers of each table type x algorithm to a fixed, seeded set of queries: every scene,
 // small and large bodies; status, distance, witness points, steps, fallbacks and refinements, bit by bit. And
 // one hash of the queries themselves for each scene. The same on every compiler and machine; a difference
-// means that a change moved some bits. If it was meant to, --update and commit the file with it.
+// means that a change moved some bits. If it was meant to, --update and commit the file with it. --some: this
+// program has only some layouts, and what the file has of others does not count.
 #include <fmt/core.h>
 
 #include <cstdio>
@@ -80,6 +81,7 @@ void add_answers(Prints& prints, const Workload& workload, const std::string& de
 Prints all_prints(bool details) {
     Prints prints;
     for (const SceneInfo& scene : list_scenes()) {
+        if (scene.name == "pressure") continue;  // the questions of tumble, to more tables
         for (const char* shape : shapes) {
             auto body = make_shape(shape);
             if (!body) throw std::runtime_error(body.error);
@@ -117,7 +119,7 @@ void write(std::FILE* to, const Lines& lines) {
 }
 
 /// How many lines differ, are missing or are too many; each is named.
-int differences(const Lines& found, const Lines& expected) {
+int differences(const Lines& found, const Lines& expected, bool some) {
     int count = 0;
     for (const auto& [what, hash] : found) {
         const auto place = expected.find(what);
@@ -127,7 +129,7 @@ int differences(const Lines& found, const Lines& expected) {
                    place == expected.end() ? "missing" : place->second);
     }
     for (const auto& [what, hash] : expected) {
-        if (found.count(what)) continue;
+        if (some || found.count(what)) continue;
         ++count;
         fmt::print(stderr, "{}: in the file, but not in this program\n", what);
     }
@@ -135,10 +137,11 @@ int differences(const Lines& found, const Lines& expected) {
 }
 
 int run(const std::vector<std::string>& arguments) {
+    const bool some = arguments.size() == 2 && arguments[0] == "--some";
     const bool update = arguments.size() == 2 && arguments[0] == "--update";
     const bool details = arguments.size() == 1 && arguments[0] == "--details";
-    if (arguments.size() != 1 && !update) {
-        fmt::print(stderr, "usage: golden_answers FILE | --update FILE | --details\n");
+    if (arguments.size() != 1 && !update && !some) {
+        fmt::print(stderr, "usage: golden_answers [--some] FILE | --update FILE | --details\n");
         return 2;
     }
     const Lines found = lines_of(all_prints(details));
@@ -152,9 +155,9 @@ int run(const std::vector<std::string>& arguments) {
         write(file, found);
         return std::fclose(file);
     }
-    const int count = differences(found, read_lines(arguments[0]));
+    const int count = differences(found, read_lines(arguments.back()), some);
     fmt::print("{} of {} hashes differ\n", count, found.size());
-    if (count > 0) fmt::print(stderr, "if this was meant: golden_answers --update {}\n", arguments[0]);
+    if (count > 0) fmt::print(stderr, "if this was meant: golden_answers --update {}\n", arguments.back());
     return count > 0 ? 1 : 0;
 }
 

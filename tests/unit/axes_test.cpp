@@ -21,13 +21,16 @@ std::string error_of(const char* text) {
 }
 
 TEST(Axes, ReadBackAsTheyAreWritten) {
-    for (const char* text : {"", "contact_tolerance=0.001", "gap_tolerance=1e-06",
-                             "contact_tolerance=1e+20+gap_tolerance=0.01"}) {
+    for (const char* text :
+         {"", "contact_tolerance=0.001", "gap_tolerance=1e-06", "contact_tolerance=1e+20+gap_tolerance=0.01",
+          "order=bfs", "order=spatial", "sharing=per_instance", "sharing=shared", "allocator=jemalloc",
+          "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
     }
     EXPECT_EQ(parse_axes("gap_tolerance=0.010+contact_tolerance=1").text(),
               "contact_tolerance=1+gap_tolerance=0.01");
     EXPECT_EQ(parse_axes("gap_tolerance=0").text(), "");
+    EXPECT_EQ(parse_axes("order=given+allocator=arena").text(), "");
 }
 
 TEST(Axes, ConcernOnlyWhatTheyChange) {
@@ -35,6 +38,8 @@ TEST(Axes, ConcernOnlyWhatTheyChange) {
     EXPECT_TRUE(parse_axes("gap_tolerance=0.1").concerns("gjk"));
     EXPECT_FALSE(parse_axes("gap_tolerance=0.1").concerns("vclip"));
     EXPECT_TRUE(parse_axes("contact_tolerance=0.1").concerns("vclip"));
+    EXPECT_TRUE(parse_axes("order=bfs").concerns("vclip"));
+    EXPECT_TRUE(parse_axes("allocator=libc").concerns("gjk"));
 }
 
 TEST(Axes, BadOnesAreOneClearLine) {
@@ -42,6 +47,9 @@ TEST(Axes, BadOnesAreOneClearLine) {
                              "gap_tolerance=nan", "gap_tolerance=0.1x", "contact_tolerance=inf"}) {
         EXPECT_NE(error_of(text).find("wants a number from 0"), std::string::npos) << text << error_of(text);
     }
+    EXPECT_NE(error_of("order=random").find("wants given|bfs|spatial"), std::string::npos);
+    EXPECT_NE(error_of("sharing").find("wants shared|per_instance"), std::string::npos);
+    EXPECT_NE(error_of("allocator=mine").find("wants arena|jemalloc|libc"), std::string::npos);
     EXPECT_NE(error_of("speed=3").find("unknown; known: "), std::string::npos);
 }
 

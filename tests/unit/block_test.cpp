@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include "edgewise/scene/rng.hpp"
@@ -59,7 +61,7 @@ TEST(BlockPlan, ArraysAreAlignedAndApartAndEveryByteIsBooked) {
     }
 }
 
-TEST(Block, FillsArraysInPlaceAndLeavesTheRestZero) {
+TEST(Block, FillsArraysInPlace) {
     BlockPlan plan;
     const auto bytes = plan.array<std::uint8_t>(3, {{Component::topology, 1}});
     const auto numbers = plan.array<double>(10, {{Component::face_planes, 8}});
@@ -70,9 +72,45 @@ TEST(Block, FillsArraysInPlaceAndLeavesTheRestZero) {
     const double* n = block.fill(numbers, [](std::uint32_t i) { return 0.5 * i; });
     for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(b[i], i + 1);
     for (std::uint32_t i = 0; i < 10; ++i) EXPECT_EQ(n[i], 0.5 * i);
-    for (std::size_t i = 3; i < numbers.offset; ++i) EXPECT_EQ(block.base()[i], std::byte{0});
     EXPECT_EQ(reinterpret_cast<const std::byte*>(n) - block.base(),
               static_cast<std::ptrdiff_t>(numbers.offset));
+}
+
+TEST(BlockPlan, RecordsOfSeveralLengthsFollowEachOtherAndEqualOnesAreOnePiece) {
+    BlockPlan plan;
+    EXPECT_EQ(plan.append(24, {{Component::vertex_coordinates, 16}, {Component::topology, 4}}), 0U);
+    EXPECT_EQ(plan.append(24, {{Component::vertex_coordinates, 16}, {Component::topology, 4}}), 24U);
+    EXPECT_EQ(plan.append(40, {{Component::vertex_coordinates, 16}, {Component::topology, 24}}), 48U);
+    EXPECT_EQ(plan.size(), 88U);
+    const Block block(plan);
+    const std::vector<Piece> pieces = block.pieces();
+    ASSERT_EQ(pieces.size(), 2U);
+    EXPECT_EQ(pieces[0].at, block.base());
+    EXPECT_EQ(pieces[0].count, 2U);
+    EXPECT_EQ(pieces[1].at, block.base() + 48);
+    EXPECT_EQ(plan.ledger()[Component::padding], 8U);
+    EXPECT_TRUE(pieces[1].holds(block.base() + 80, 8));
+    EXPECT_FALSE(pieces[1].holds(block.base() + 80, 9));
+    EXPECT_FALSE(pieces[1].holds(block.base() + 47, 8));
+}
+
+TEST(Block, TakesItsMemoryFromWhereItIsTold) {
+    BlockPlan plan;
+    const auto slot = plan.array<double>(20, {{Component::topology, sizeof(double)}});
+    std::array<std::byte, 256> place;
+    std::pmr::monotonic_buffer_resource resource(place.data(), place.size(),
+                                                 std::pmr::null_memory_resource());
+    const Block outside(plan);
+    {
+        const TablesIn placed(resource);
+        const Block inside(plan);
+        EXPECT_GE(inside.base(), place.data());
+        EXPECT_LT(inside.base(), place.data() + place.size());
+        EXPECT_THROW(Block{plan}, std::bad_alloc) << "one block of 256 bytes fits, a second may not";
+        static_cast<void>(inside.at(slot));
+    }
+    const Block after(plan);
+    EXPECT_TRUE(after.base() < place.data() || after.base() >= place.data() + place.size());
 }
 
 TEST(Block, CopiesShareOneMemory) {

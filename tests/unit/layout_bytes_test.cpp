@@ -1,119 +1,197 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes of narrow tables worked out by hand, the widths of indices at their limits, and the grid of
-// `quantised`: what rounding to it moves.
+// Bytes of every layout, component by component, beside sums worked out by hand from V vertices, E edges and
+// F faces of three bodies: arrays start on lines of 64 bytes, so what is short of a line is padding.
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
-#include "edgewise/geometry/grid.hpp"
-#include "edgewise/geometry/hull.hpp"
-#include "edgewise/geometry/single.hpp"
+#include "edgewise/layouts/aos.hpp"
+#include "edgewise/layouts/aos_padded.hpp"
+#include "edgewise/layouts/aosoa.hpp"
+#include "edgewise/layouts/hot_cold.hpp"
+#include "edgewise/layouts/lazy.hpp"
 #include "edgewise/layouts/lean.hpp"
+#include "edgewise/layouts/linked.hpp"
+#include "edgewise/layouts/points_neighbours.hpp"
+#include "edgewise/layouts/points_soa.hpp"
 #include "edgewise/layouts/quantised.hpp"
-#include "edgewise/scene/rng.hpp"
+#include "edgewise/layouts/quantised_outward.hpp"
+#include "edgewise/layouts/ring.hpp"
+#include "edgewise/layouts/shared_plane.hpp"
+#include "edgewise/layouts/soa.hpp"
+#include "edgewise/layouts/soa_stagger.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/table/stored_body.hpp"
 
 namespace edgewise {
 namespace {
 
-struct Expected {
-    const char* shape;
-    std::size_t coordinates, topology, padding;
+using Bytes = std::size_t;
+
+/// What the expectations are sums of.
+struct Counts {
+    Bytes v, e, f;
+    Bytes odd = 0;  ///< vertices with an odd number of neighbours
 };
 
-template <class Table>
-void expect_bytes(const Expected& expected) {
-    SCOPED_TRACE(std::string(Table::name) + " " + expected.shape);
-    const auto body = stored_body<Table>(*make_shape(expected.shape));
-    ASSERT_TRUE(body) << body.error;
-    const Ledger ledger = Table(*body, Parts::features).ledger();
-    EXPECT_EQ(ledger[Component::vertex_coordinates], expected.coordinates);
-    EXPECT_EQ(ledger[Component::topology], expected.topology);
-    EXPECT_EQ(ledger[Component::padding], expected.padding);
-    EXPECT_EQ(ledger.total(), expected.coordinates + expected.topology + expected.padding);
+constexpr Bytes to_line(Bytes bytes) { return (64 - bytes % 64) % 64; }
+
+/// Short of a line after each array but the last.
+Bytes between(const std::vector<Bytes>& arrays) {
+    Bytes sum = 0;
+    for (std::size_t i = 0; i + 1 < arrays.size(); ++i) sum += to_line(arrays[i]);
+    return sum;
 }
 
-// Coordinates; then V + 1 offsets and 2 E neighbours; each array from a new line of 64 bytes.
-TEST(LayoutBytes, OfThreeBodiesByHand) {
-    expect_bytes<lean<f64>>({"tetra4", 4 * 24, 5 + 12, (128 - 96) + (192 - 133)});
-    expect_bytes<lean<f64>>({"cube8", 8 * 24, 9 + 24, 256 - 201});
-    expect_bytes<lean<f64>>({"sphere386", 386 * 24, 387 * 2 + 2304 * 2, (9280 - 9264) + (10112 - 10054)});
-    expect_bytes<lean<f32>>({"tetra4", 4 * 12, 5 + 12, (64 - 48) + (128 - 69)});
-    expect_bytes<lean<f32>>({"cube8", 8 * 12, 9 + 24, (128 - 96) + (192 - 137)});
-    expect_bytes<lean<f32>>({"sphere386", 386 * 12, 387 * 2 + 2304 * 2, (4672 - 4632) + (5504 - 5446)});
-    expect_bytes<quantised<f64>>({"tetra4", 4 * 6, 5 + 12, (64 - 24) + (128 - 69)});
-    expect_bytes<quantised<f64>>({"cube8", 8 * 6, 9 + 24, (64 - 48) + (128 - 73)});
-    expect_bytes<quantised<f32>>({"sphere386", 386 * 6, 387 * 2 + 2304 * 2, (2368 - 2316) + (3200 - 3142)});
+/// The five arrays of rings: where a vertex's starts, neighbours, edges; where a face's starts, edges.
+std::vector<Bytes> with_rings(std::vector<Bytes> arrays, const Counts& n) {
+    for (const Bytes entries : {n.v + 1, 2 * n.e, 2 * n.e, n.f + 1, 2 * n.e}) arrays.push_back(4 * entries);
+    return arrays;
+}
+Bytes ring_bytes(const Counts& n) { return 4 * (n.v + 1 + n.f + 1 + 6 * n.e); }
+
+/// In the order of the ledger: Voronoi planes, edge geometry, coordinates, face planes, topology, padding.
+using Row = std::array<Bytes, 6>;
+
+template <class Table, class Expect>
+void expect_bytes(Expect expect) {
+    for (const char* shape : {"tetra4", "cube8", "sphere386"}) {
+        const auto body = stored_body<Table>(*make_shape(shape));
+        ASSERT_TRUE(body) << body.error;
+        Counts counts{body->vertex_count(), body->edge_count(), body->face_count()};
+        for (Index v = 0; v < body->vertex_count(); ++v) counts.odd += body->ring_of_vertex(v).size() % 2;
+        const Row expected = expect(counts);
+        EXPECT_EQ(Table(*body, Parts::features).ledger().bytes, expected) << Table::name << " " << shape;
+    }
 }
 
-TEST(LayoutBytes, IndicesWidenAtTheirLimits) {
-    const auto width = [](std::size_t largest) {
-        BlockPlan plan;
-        return NarrowArray(plan, 3, largest).width();
+TEST(LayoutBytes, OfAos) {
+    expect_bytes<aos<f64>>([](const Counts& n) {
+        const auto arrays = with_rings({24 * n.v, 176 * n.e, 32 * n.f}, n);
+        return Row{128 * n.e, 32 * n.e, 24 * n.v, 32 * n.f, 16 * n.e + ring_bytes(n), between(arrays)};
+    });
+    expect_bytes<aos<f32>>([](const Counts& n) {
+        const auto arrays = with_rings({12 * n.v, 96 * n.e, 16 * n.f}, n);
+        return Row{64 * n.e, 16 * n.e, 12 * n.v, 16 * n.f, 16 * n.e + ring_bytes(n), between(arrays)};
+    });
+    expect_bytes<aos_padded<f64>>([](const Counts& n) {
+        const auto arrays = with_rings({24 * n.v, 192 * n.e, 32 * n.f}, n);
+        return Row{
+            128 * n.e, 32 * n.e, 24 * n.v, 32 * n.f, 16 * n.e + ring_bytes(n), 16 * n.e + between(arrays)};
+    });
+    expect_bytes<aos_padded<f32>>([](const Counts& n) {
+        const auto arrays = with_rings({12 * n.v, 96 * n.e, 16 * n.f}, n);
+        return Row{64 * n.e, 16 * n.e, 12 * n.v, 16 * n.f, 16 * n.e + ring_bytes(n), between(arrays)};
+    });
+}
+
+/// A table of aos, and a bit an edge in words of 64.
+TEST(LayoutBytes, OfLazyAos) {
+    expect_bytes<lazy<f64>>([](const Counts& n) {
+        const auto arrays = with_rings({24 * n.v, 176 * n.e, 32 * n.f}, n);
+        const Bytes bits = 8 * (n.e / 64 + 1);
+        return Row{128 * n.e, 32 * n.e, 24 * n.v, 32 * n.f, 16 * n.e + ring_bytes(n) + bits, between(arrays)};
+    });
+}
+
+TEST(LayoutBytes, OfSplitAndShortenedRecords) {
+    expect_bytes<hot_cold<f64>>([](const Counts& n) {
+        const auto arrays = with_rings({24 * n.v, 128 * n.e, 48 * n.e, 32 * n.f}, n);
+        return Row{128 * n.e, 32 * n.e, 24 * n.v, 32 * n.f, 16 * n.e + ring_bytes(n), between(arrays)};
+    });
+    expect_bytes<shared_plane<f64>>([](const Counts& n) {  // two offsets and two planes; the direction
+        const auto arrays = with_rings({24 * n.v, 120 * n.e, 32 * n.f}, n);
+        return Row{80 * n.e, 24 * n.e, 24 * n.v, 32 * n.f, 16 * n.e + ring_bytes(n), between(arrays)};
+    });
+    expect_bytes<ring<f64>>([](const Counts& n) {  // ends and the places of four planes
+        const auto arrays = with_rings({24 * n.v, 64 * n.e, 64 * n.e, 64 * n.e, 32 * n.f}, n);
+        return Row{128 * n.e, 32 * n.e, 24 * n.v, 32 * n.f, 32 * n.e + ring_bytes(n), between(arrays)};
+    });
+}
+
+std::vector<Bytes> scalar_arrays(const Counts& n) {
+    std::vector<Bytes> arrays(3, 8 * n.v);
+    arrays.insert(arrays.end(), 20, 8 * n.e);
+    arrays.insert(arrays.end(), 4, 8 * n.f);
+    arrays.insert(arrays.end(), 4, 4 * n.e);
+    return arrays;
+}
+
+TEST(LayoutBytes, OfSoa) {
+    expect_bytes<soa<f64>>([](const Counts& n) {
+        const auto arrays = with_rings(scalar_arrays(n), n);
+        return Row{128 * n.e, 32 * n.e, 24 * n.v, 32 * n.f, 16 * n.e + ring_bytes(n), between(arrays)};
+    });
+    expect_bytes<soa_stagger<f64>>([](const Counts& n) {  // a line more where an array has an even number
+        Bytes gaps = 0;
+        for (const Bytes bytes : scalar_arrays(n)) gaps += (bytes + 63) / 64 % 2 == 0 ? 64 : 0;
+        const auto arrays = with_rings(scalar_arrays(n), n);
+        return Row{128 * n.e, 32 * n.e, 24 * n.v, 32 * n.f, 16 * n.e + ring_bytes(n), gaps + between(arrays)};
+    });
+}
+
+/// Lanes that the last block of 8 does not fill are padding: of 24 bytes a vertex, 176 an edge, 32 a face.
+TEST(LayoutBytes, OfAosoa) {
+    expect_bytes<aosoa<f64>>([](const Counts& n) {
+        const auto free = [](Bytes count) { return (8 - count % 8) % 8; };
+        const Bytes lanes = 24 * free(n.v) + 176 * free(n.e) + 32 * free(n.f);
+        return Row{128 * n.e,
+                   32 * n.e,
+                   24 * n.v,
+                   32 * n.f,
+                   16 * n.e + ring_bytes(n),
+                   lanes + between(with_rings({}, n))};
+    });
+}
+
+/// Pointers of 8 bytes: 8 in an edge, 2 x 3 in cones at its vertices, 2 x 2 in cones of its faces, 2 a vertex
+/// and its index, 2 a face.
+TEST(LayoutBytes, OfLinked) {
+    expect_bytes<linked<f64>>([](const Counts& n) {
+        return Row{128 * n.e, 32 * n.e, 24 * n.v, 32 * n.f, 144 * n.e + 20 * n.v + 16 * n.f, 4 * n.v};
+    });
+    expect_bytes<linked<f32>>([](const Counts& n) {
+        return Row{64 * n.e, 16 * n.e, 12 * n.v, 16 * n.f, 144 * n.e + 20 * n.v + 16 * n.f, 0};
+    });
+}
+
+Bytes width(Bytes largest) { return largest <= 0xff ? 1 : 2; }
+
+/// Coordinates; then V + 1 offsets and 2 E neighbours, as narrow as they can be.
+Row narrow(const Counts& n, Bytes of_vertex) {
+    const Bytes offsets = (n.v + 1) * width(2 * n.e), neighbours = 2 * n.e * width(n.v - 1);
+    return {0, 0, of_vertex * n.v, 0, offsets + neighbours, between({of_vertex * n.v, offsets, neighbours})};
+}
+
+TEST(LayoutBytes, OfDerivedTables) {
+    expect_bytes<lean<f64>>([](const Counts& n) { return narrow(n, 24); });
+    expect_bytes<lean<f32>>([](const Counts& n) { return narrow(n, 12); });
+    expect_bytes<quantised<f64>>([](const Counts& n) { return narrow(n, 6); });
+    expect_bytes<quantised<f32>>([](const Counts& n) { return narrow(n, 6); });
+    expect_bytes<quantised_outward<f64>>([](const Counts& n) { return narrow(n, 6); });
+}
+
+/// A record: coordinates, its index and its number of neighbours, four bytes a neighbour; in double a whole
+/// number of eights.
+TEST(LayoutBytes, OfPoints) {
+    expect_bytes<points_soa<f64>>([](const Counts& n) {
+        return Row{0, 0, 24 * n.v, 0, 0, between({8 * n.v, 8 * n.v, 8 * n.v})};
+    });
+    expect_bytes<points_neighbours<f64>>(
+        [](const Counts& n) { return Row{0, 0, 24 * n.v, 0, 8 * n.v + 8 * n.e, 4 * n.odd}; });
+    expect_bytes<points_neighbours<f32>>(
+        [](const Counts& n) { return Row{0, 0, 12 * n.v, 0, 8 * n.v + 8 * n.e, 0}; });
+}
+
+/// The paper's figures: 168 bytes an edge and half of it, in the limit where V/E is a third.
+TEST(LayoutBytes, APaperEdgeIs168BytesAndHalfInSingle) {
+    const Polyhedron small = *make_shape("sphere38"), large = *make_shape("sphere386");
+    const auto slope = [&]<class Table>(const Table* /*unused*/) {
+        const Bytes more = Table(large, Parts::features).ledger().paper_subtotal() -
+                           Table(small, Parts::features).ledger().paper_subtotal();
+        return static_cast<double>(more) / static_cast<double>(large.edge_count() - small.edge_count());
     };
-    EXPECT_EQ(width(255), 1U);
-    EXPECT_EQ(width(256), 2U);
-    EXPECT_EQ(width(65535), 2U);
-    EXPECT_EQ(width(65536), 4U);
-    for (const std::size_t largest : {255U, 256U, 65535U, 65536U}) {
-        BlockPlan plan;
-        NarrowArray array(plan, 2, largest);
-        const Block block(plan);
-        array.fill(block, [&](Index i) { return i == 0 ? static_cast<Index>(largest) : 7; });
-        EXPECT_EQ(array.read(Direct{}, 0, Field::neighbour), largest);
-        EXPECT_EQ(array.read(Direct{}, 1, Field::neighbour), 7U);
-    }
-}
-
-/// Points on a sphere, all of them corners of their hull.
-Polyhedron spiral(int count) {
-    std::vector<Vec3d> points;
-    Rng rng(1);
-    for (int i = 0; i < count; ++i) points.push_back(rng.on_sphere());
-    return *convex_hull(points);
-}
-
-TEST(LayoutBytes, NeighboursOf256VerticesTakeOneByteAndOf257Two) {
-    for (const int count : {256, 257}) {
-        const Polyhedron body = spiral(count);
-        ASSERT_EQ(body.vertex_count(), static_cast<std::size_t>(count));
-        const lean<f64> table(body, Parts::features);
-        const std::size_t bytes = count == 256 ? 1 : 2;
-        EXPECT_EQ(table.ledger()[Component::topology],
-                  2 * (body.vertex_count() + 1) + bytes * 2 * body.edge_count());
-        for (Index v = 0; v < body.vertex_count(); ++v) {
-            std::size_t at = 0;
-            for (const Index w : table.neighbours(v)) EXPECT_EQ(w, body.head(body.ring_of_vertex(v)[at++]));
-        }
-    }
-}
-
-TEST(Grid, MovesACoordinateByHalfAStepAtMostAndThenNoMore) {
-    Rng rng(2);
-    double worst = 0;
-    for (int i = 0; i < 100; ++i) {
-        const Vec3d far = 100 * rng.in_cube(1), size = Vec3d(1, 0.3, 0.01);
-        std::vector<Vec3d> points;
-        for (int k = 0; k < 40; ++k) points.push_back(far + rng.in_cube(1).cwiseProduct(size));
-        for (const double eps : {0x1p-52, 0x1p-23}) {
-            const Grid grid(points, eps);
-            std::vector<Vec3d> moved;
-            for (const Vec3d& p : points) {
-                moved.push_back(grid.at(grid.nearest(p)));
-                worst = std::max(worst, max_abs(Vec3d(moved.back() - p)) / grid.step);
-                if (eps > 1e-10) {
-                    EXPECT_EQ(moved.back(), to_single(moved.back()));
-                }
-            }
-            const Grid again(moved, eps);
-            for (const Vec3d& p : moved) EXPECT_EQ(again.at(again.nearest(p)), p);
-        }
-    }
-    std::printf("moved by %.3f steps at most\n", worst);
-    EXPECT_LE(worst, 0.5);
-    EXPECT_GT(worst, 0.4);
+    EXPECT_EQ(slope(static_cast<const aos<f64>*>(nullptr)), 168);
+    EXPECT_EQ(slope(static_cast<const aos<f32>*>(nullptr)), 84);
 }
 
 }  // namespace

@@ -50,6 +50,9 @@ class Probes : public ::testing::Test {
         subject_.checked = checked_;
         subject_.counts = {1000, 1500, 3, 2, 17, 5, 8};
         subject_.rounds = rounds_;
+        subject_.memory = {12, 12000, 12800, 16384.0, 0.25};
+        subject_.build = {{100, 300, 200}, {50, 60, 80}};
+        subject_.touched = {10, 400, 6400, 150};
     }
 
     /// The figures of a probe by name; none where this program has no such probe.
@@ -121,6 +124,40 @@ TEST_F(Probes, BytesAreSharesAndSlopes) {
     EXPECT_EQ(found["table_bytes"].value, 168 * 108 + 100);
     subject_.table.paper_subtotal = 0;
     EXPECT_FALSE(figures("bytes", subject_)["paper_bytes_per_edge"].value);
+}
+
+TEST_F(Probes, LinesAreMeansOverQueries) {
+    auto found = figures("lines", subject_);
+    if (found.empty()) GTEST_SKIP() << "no such probe";
+    EXPECT_EQ(found["lines_per_query"].value, 15);
+    EXPECT_EQ(found["line_bytes_per_query"].value, 15 * 64);
+    EXPECT_EQ(found["read_bytes_per_query"].value, 640);
+    EXPECT_EQ(found["reads_per_query"].value, 40);
+    subject_.touched = {};
+    EXPECT_FALSE(figures("lines", subject_)["lines_per_query"].value);
+}
+
+TEST_F(Probes, MemoryIsOfAllTables) {
+    auto found = figures("memory", subject_);
+    if (found.empty()) GTEST_SKIP() << "no such probe";
+    EXPECT_EQ(found["tables"].value, 12);
+    EXPECT_EQ(found["requested_bytes"].value, 12000);
+    EXPECT_EQ(found["taken_bytes"].value, 12800);
+    EXPECT_EQ(found["resident_bytes"].value, 16384);
+    EXPECT_EQ(found["materialised"].value, 0.25);
+    subject_.memory.resident = std::nullopt;
+    EXPECT_FALSE(figures("memory", subject_)["resident_bytes"].value);
+}
+
+TEST_F(Probes, BuildsAreMediansAndTheRatioIsOfPairs) {
+    auto found = figures("build", subject_);
+    if (found.empty()) GTEST_SKIP() << "no such probe";
+    EXPECT_EQ(found["build_ns"].value, 200);
+    EXPECT_EQ(found["refit_ns"].value, 60);
+    EXPECT_EQ(found["refit_over_build"].value, 0.4) << "of 0.5, 0.2 and 0.4";
+    subject_.build.refit_ns.clear();
+    EXPECT_FALSE(figures("build", subject_)["refit_ns"].value);
+    EXPECT_FALSE(figures("build", subject_)["refit_over_build"].value);
 }
 
 TEST_F(Probes, TimesAreMediansAndRatiosOfTheSameRound) {

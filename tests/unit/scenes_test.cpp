@@ -240,8 +240,10 @@ TEST(Tumble, APairThatReturnsGetsANewSlot) {
 
 TEST(Scenes, OneSeedOneWorkload) {
     const Polyhedron body = shape("sphere38");
-    const std::map<std::string, std::uint64_t> golden = {
-        {"static", 0x893bd2e00cc3aca7U}, {"cold", 0xcdc5428cd9779aa9U}, {"tumble", 0x64db073872c93f51U}};
+    const std::map<std::string, std::uint64_t> golden = {{"static", 0x893bd2e00cc3aca7U},
+                                                         {"cold", 0xcdc5428cd9779aa9U},
+                                                         {"tumble", 0x64db073872c93f51U},
+                                                         {"pressure", 0x4001d7fcbcf5fd18U}};
     for (const SceneInfo& info : list_scenes()) {
         const Workload w = scene(info.name.c_str(), body, 500, {}, 42);
         const std::uint64_t hash = hash_of(w);
@@ -249,7 +251,14 @@ TEST(Scenes, OneSeedOneWorkload) {
         EXPECT_EQ(hash, hash_of(scene(info.name.c_str(), body, 500, {}, 42)));
         EXPECT_NE(hash, hash_of(scene(info.name.c_str(), body, 500, {}, 43)));
         EXPECT_EQ(hash, golden.at(info.name)) << info.name;
-        EXPECT_EQ(info.warm, info.name == "tumble");
+        EXPECT_EQ(info.warm, info.name == "tumble" || info.name == "pressure");
+        EXPECT_EQ(w.table_each, info.name == "pressure");
+        for (const Query& q : w.queries) {
+            ASSERT_LT(std::max(q.instance_a, q.instance_b), w.instances.size()) << info.name;
+            EXPECT_EQ(w.instances[q.instance_a], q.body_a) << info.name;
+            EXPECT_EQ(w.instances[q.instance_b], q.body_b) << info.name;
+            EXPECT_NE(q.instance_a, q.instance_b) << info.name;
+        }
         EXPECT_EQ(info.warm, w.warm);
     }
 }
@@ -259,41 +268,6 @@ TEST(Scenes, ExactlyAsManyQueriesAsAsked) {
     for (const char* name : {"static", "cold", "tumble"}) {
         for (const std::size_t count : {1U, 2U, 37U}) expect_well_formed(scene(name, body, count), count);
     }
-}
-
-TEST(Scenes, DefaultsCompleteTheIdentity) {
-    const Result<SceneParameters> p = complete_parameters("tumble", {{"rotation_step", 0.5}});
-    ASSERT_TRUE(p) << p.error;
-    EXPECT_EQ(p->size(), 6U);
-    EXPECT_TRUE(p->at("rotation_step") == 0.5 && p->at("occupancy") == 0.1);
-}
-
-void expect_refusal(const char* name, const SceneParameters& given, std::size_t count,
-                    std::initializer_list<const char*> parts) {
-    const Result<Workload> w = make_scene(name, shape("cube8"), given, 1, count, brute_force_distance);
-    ASSERT_FALSE(w) << name;
-    for (const char* part : parts) EXPECT_NE(w.error.find(part), std::string::npos) << w.error;
-    EXPECT_EQ(w.error.find('\n'), std::string::npos);
-}
-
-TEST(Scenes, BadRequestsSayWhatIsRight) {
-    expect_refusal("boil", {}, 1, {"'boil'", "static", "cold", "tumble"});
-    expect_refusal("tumble", {{"speed", 1}}, 1, {"'speed'", "rotation_step", "translation_step"});
-    expect_refusal("tumble", {{"rotation_step", -1}}, 1, {"rotation_step", "-1", "rad"});
-    expect_refusal("tumble", {{"rotation_step", std::nan("")}}, 1, {"rotation_step", "nan"});
-    expect_refusal("tumble", {{"bodies", 2.5}}, 1, {"bodies", "2.5", "whole"});
-    expect_refusal("static", {{"occupancy", 0}}, 1, {"occupancy", "out of bounds"});
-    expect_refusal("cold", {}, 0, {"queries"});
-    const Result<Workload> w = make_scene("cold", shape("cube8"), {}, 1, 1, {});
-    ASSERT_FALSE(w);
-    EXPECT_NE(w.error.find("distance function"), std::string::npos);
-}
-
-TEST(Scenes, ABarrenSceneEndsWithAReason) {
-    expect_refusal(
-        "tumble",
-        {{"bodies", 2}, {"occupancy", 0.001}, {"margin", 0}, {"translation_step", 0}, {"steps", 1e6}}, 1,
-        {"raise occupancy"});
 }
 
 }  // namespace

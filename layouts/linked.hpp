@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+//
+// Nodes and pointers, as a program of 1998 would have held a body: a node a vertex, an edge and a face, and
+// at each vertex and each face a linked list of the planes that bound its Voronoi region, its cone. Vertex
+// and face tests walk a cone and never touch an edge unless they go there; an edge reaches its own four
+// planes through its cones' nodes, one hop farther than an array would need. Handles are pointers to nodes.
+//
+// Each node is asked for by itself, in the order in which a builder would: each vertex and its cone, then the
+// edges, then each face and its cone; where they end up is the allocator's affair, and its headers and size
+// classes come on top. A support table has vertices and spokes alone. The bytes: planes sit in the cones,
+// once each; all pointers are topology, eight bytes each, and 18 of them an edge, in its node and its four
+// cone nodes: 144 bytes beside 160 bytes of planes, direction and length in double, 80 in single.
+#pragma once
+
+#include <memory>
+
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/table/body_facts.hpp"
+#include "edgewise/table/contract.hpp"
+#include "edgewise/table/linked_builder.hpp"
+#include "edgewise/table/linked_list.hpp"
+#include "edgewise/table/loader.hpp"
+#include "edgewise/table/voronoi.hpp"
+
+namespace edgewise {
+
+template <Precision P, class Loader = Direct>
+class linked {
+    using Nodes = LinkedNodes<typename P::Stored>;
+    using Spoke = typename Nodes::Spoke;
+    using VertexCone = typename Nodes::VertexCone;
+    using FaceCone = typename Nodes::FaceCone;
+
+  public:
+    using PrecisionType = P;
+    using Stored = typename P::Stored;
+    using Compute = typename P::Compute;
+    using Vertex = const typename Nodes::Vertex*;
+    using Edge = const typename Nodes::Edge*;
+    using Face = const typename Nodes::Face*;
+
+    static constexpr Face no_face = nullptr;
+    static constexpr std::string_view name = "linked";
+    static constexpr std::string_view stores =
+        "nodes and pointers, planes in linked lists by vertex and face";
+    static constexpr std::string_view derives = "nothing";
+
+    linked(const Polyhedron& body, Parts parts, Loader loader = {})
+        : loader_(loader), parts_(parts), store_(std::make_shared<NodeStore>()) {
+        const LinkedBuilder<Stored> built(body, parts == Parts::features, *store_);
+        first_vertex_ = built.first_vertex();
+        first_face_ = built.first_face();
+        note_facts(body);
+        write_body(body);
+    }
+
+    /// The same memory seen through another loader.
+    template <class OtherLoader>
+    linked(const linked<P, OtherLoader>& other, Loader loader)
+        : loader_(loader),
+          parts_(other.parts_),
+          store_(other.store_),
+          facts_(other.facts_),
+          first_vertex_(other.first_vertex_),
+          first_face_(other.first_face_) {}
+
+    [[nodiscard]] std::size_t vertex_count() const { return facts_.vertex_count; }
+    [[nodiscard]] Vertex first_vertex() const { return first_vertex_; }
+    [[nodiscard]] Index index_of(Vertex v) const { return load(v->index, Field::vertex); }
+    [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
+    [[nodiscard]] double reach() const { return facts_.reach; }
+    [[nodiscard]] Ledger ledger() const { return store_->ledger(); }
+    [[nodiscard]] std::vector<Piece> pieces() const { return store_->pieces(); }
+
+    [[nodiscard]] auto all_vertices() const {
+        return LinkedList(loader_, Vertex{first_vertex_}, Field::vertex, [](Vertex v) { return v; });
+    }
+    [[nodiscard]] auto all_faces() const {
+        return LinkedList(loader_, Face{first_face_}, Field::face_plane, [](Face f) { return f; });
+    }
+    [[nodiscard]] auto neighbours(Vertex v) const {
+        const Spoke* const first = load(v->spokes, Field::neighbour);
+        return LinkedList(loader_, first, Field::neighbour,
+                          [this](const Spoke* s) { return load(s->neighbour, Field::neighbour); });
+    }
+    [[nodiscard]] auto ring_of_vertex(Vertex v) const {
+        const auto* const first = static_cast<const VertexCone*>(load(v->spokes, Field::vertex_ring));
+        return LinkedList(loader_, first, Field::vertex_ring, [this, v](const VertexCone* c) {
+            const Edge e = load(c->edge, Field::vertex_ring);
+            return RingEdge<Edge>{e, head(e) == v};
+        });
+    }
+    [[nodiscard]] auto ring_of_face(Face f) const {
+        const FaceCone* const first = load(f->cone, Field::face_ring);
+        return LinkedList(loader_, first, Field::face_ring, [this, f](const FaceCone* c) {
+            const Edge e = load(c->edge, Field::face_ring);
+            return RingEdge<Edge>{e, right(e) == f};
+        });
+    }
+
+    [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        return cast<Compute>(load(v->point, Field::vertex));
+    }
+    [[nodiscard]] Vertex tail(Edge e) const { return load(e->end[0], Field::edge_ends); }
+    [[nodiscard]] Vertex head(Edge e) const { return load(e->end[1], Field::edge_ends); }
+    [[nodiscard]] Face left(Edge e) const { return load(e->side[0], Field::edge_ends); }
+    [[nodiscard]] Face right(Edge e) const { return load(e->side[1], Field::edge_ends); }
+    [[nodiscard]] Vec3<Compute> direction(Edge e) const {
+        return cast<Compute>(load(e->direction, Field::edge_direction));
+    }
+
+    [[nodiscard]] Plane<Compute> vertex_edge_plane(Edge e, End end) const {
+        return plane(load(e->vertex_cone[static_cast<int>(end)], Field::edge_ends));
+    }
+    /// Negative everywhere on a side without a face.
+    [[nodiscard]] Plane<Compute> edge_face_plane(Edge e, Side side) const {
+        const FaceCone* const c = load(e->face_cone[static_cast<int>(side)], Field::edge_ends);
+        return c ? plane(c) : Plane<Compute>{Vec3<Compute>::Zero(), -1};
+    }
+    [[nodiscard]] Plane<Compute> face_plane(Face f) const {
+        return cast<Compute>(load(f->plane, Field::face_plane));
+    }
+
+    /// The facts of a body of the same topology, and its numbers (write_geometry.hpp): lists run in the
+    /// body's order, and an edge is met at its tail.
+    void note_facts(const Polyhedron& body) {
+        facts_ = BodyFacts(body, parts_, Tolerance<Stored>::strict_turn);
+    }
+    void write_body(const Polyhedron& body) {
+        auto* vertex = first_vertex_;
+        for (Index v = 0; vertex != nullptr; vertex = vertex->next, ++v) {
+            vertex->point = cast<Stored>(body.vertices[v]);
+            if (parts_ == Parts::features) write_edges_of(*vertex, body, v);
+        }
+        auto* face = first_face_;
+        for (Index f = 0; face != nullptr; face = face->next, ++f)
+            face->plane = cast<Stored>(body.face_planes[f]);
+    }
+
+  private:
+    template <Precision, class>
+    friend class linked;
+
+    void write_edges_of(typename Nodes::Vertex& tail, const Polyhedron& body, Index v) {
+        Spoke* spoke = tail.spokes;
+        for (const HalfEdge h : body.ring_of_vertex(v)) {
+            const bool leaves = (h & 1) == 0;
+            if (leaves) write_edge(*static_cast<VertexCone*>(spoke)->edge, edge_geometry(body, h >> 1));
+            spoke = spoke->next;
+        }
+    }
+    static void write_edge(typename Nodes::Edge& edge, const EdgeGeometry& g) {
+        edge.direction = cast<Stored>(g.direction);
+        edge.length = static_cast<Stored>(g.length);
+        edge.vertex_cone[0]->plane = cast<Stored>(g.tail_plane);
+        edge.vertex_cone[1]->plane = cast<Stored>(g.head_plane);
+        if (edge.face_cone[0]) edge.face_cone[0]->plane = cast<Stored>(g.left_plane);
+        if (edge.face_cone[1]) edge.face_cone[1]->plane = cast<Stored>(g.right_plane);
+    }
+
+    template <class Cone>
+    Plane<Compute> plane(const Cone* c) const {
+        return cast<Compute>(load(c->plane, Field::voronoi_plane));
+    }
+
+    template <class Value>
+    const Value& load(const Value& location, Field field) const {
+        return loader_.load(location, field);
+    }
+
+    [[no_unique_address]] Loader loader_;
+    Parts parts_;
+    std::shared_ptr<NodeStore> store_;
+    BodyFacts facts_;
+    typename Nodes::Vertex* first_vertex_ = nullptr;
+    typename Nodes::Face* first_face_ = nullptr;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// What a table costs to make: preprocessing, from the canonical body with its face planes, hull and planes
+// not counted; and again after a deformation that keeps the topology, refitted in place where the layout can.
+// Both are timed in turn, so that their ratio means more than either.
+#pragma once
+
+#include "edgewise/measure/probe.hpp"
+#include "edgewise/measure/statistics.hpp"
+
+namespace edgewise::probes {
+
+class build final : public Probe {
+  public:
+    [[nodiscard]] std::string_view name() const override { return "build"; }
+    [[nodiscard]] std::string_view summary() const override {
+        return "median time to build a table, and to refit it in place to the body deformed";
+    }
+
+    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
+        const BuildTimes& times = subject.build;
+        const char* const no_refit = "this layout cannot be refitted in place";
+        const std::vector<double> ratios =
+            times.refit_ns.empty() ? std::vector<double>{} : paired_ratios(times.refit_ns, times.build_ns);
+        return {of("build_ns", times.build_ns, "ns", "no table was built", "run the sweep again"),
+                of("refit_ns", times.refit_ns, "ns", no_refit, "build a new table"),
+                of("refit_over_build", ratios, "1", no_refit, "build a new table")};
+    }
+
+  private:
+    static Figure of(const char* name, const std::vector<double>& sample, const char* unit,
+                     const char* reason, const char* remedy) {
+        if (const auto middle = median(sample)) return {name, middle, unit};
+        return {name, std::nullopt, unit, reason, remedy};
+    }
+};
+
+}  // namespace edgewise::probes

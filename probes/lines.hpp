@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// Cache lines: how many distinct lines of 64 bytes a query reads of both tables, and what of their bytes it
+// asked for, over the first queries of the scene (the first warm ones where pairs are followed). Padding may
+// lower the first and raise the table's size: a cache pays for lines.
+#pragma once
+
+#include "edgewise/measure/probe.hpp"
+
+namespace edgewise::probes {
+
+class lines final : public Probe {
+  public:
+    [[nodiscard]] std::string_view name() const override { return "lines"; }
+    [[nodiscard]] std::string_view summary() const override {
+        return "distinct cache lines a query touches in both tables, and bytes and reads it asks for";
+    }
+
+    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
+        const LinesTouched& touched = subject.touched;
+        const auto mean = [&](const char* name, double sum, const char* unit) {
+            if (touched.queries == 0)
+                return Figure{name, std::nullopt, unit, "no query was traced", "ask for more queries"};
+            if (touched.reads == 0)
+                return Figure{name, std::nullopt, unit, "the layout does not tell its loader what it reads",
+                              "read through the loader"};
+            return Figure{name, sum / static_cast<double>(touched.queries), unit};
+        };
+        const auto touched_lines = static_cast<double>(touched.lines);
+        return {mean("lines_per_query", touched_lines, "lines"),
+                mean("line_bytes_per_query", touched_lines * static_cast<double>(cache_line), "B"),
+                mean("read_bytes_per_query", static_cast<double>(touched.bytes), "B"),
+                mean("reads_per_query", static_cast<double>(touched.reads), "reads")};
+    }
+};
+
+}  // namespace edgewise::probes

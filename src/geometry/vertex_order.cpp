@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// The Hilbert index is Skilling's ("Programming the Hilbert curve", AIP Conference Proceedings 707, 2004):
+// undo the excess turns bit by bit, then encode in Gray's way.
+#include "edgewise/geometry/vertex_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "edgewise/geometry/polyhedron_builder.hpp"
+
+namespace edgewise {
+namespace {
+
+constexpr std::array<std::string_view, 3> names = {"given", "bfs", "spatial"};
+
+constexpr unsigned curve_bits = 10;
+
+using Cell = std::array<std::uint32_t, 3>;
+
+/// From a cell to its transposed Hilbert index.
+void transpose(Cell& x) {
+    for (std::uint32_t bit = 1U << (curve_bits - 1); bit > 1; bit >>= 1) {
+        const std::uint32_t below = bit - 1;
+        for (std::uint32_t& axis : x) {
+            if (axis & bit) {
+                x[0] ^= below;
+            } else {
+                const std::uint32_t exchanged = (x[0] ^ axis) & below;
+                x[0] ^= exchanged;
+                axis ^= exchanged;
+            }
+        }
+    }
+    for (std::size_t i = 1; i < x.size(); ++i) x[i] ^= x[i - 1];
+    std::uint32_t turns = 0;
+    for (std::uint32_t bit = 1U << (curve_bits - 1); bit > 1; bit >>= 1) {
+        if (x[2] & bit) turns ^= bit - 1;
+    }
+    for (std::uint32_t& axis : x) axis ^= turns;
+}
+
+std::uint32_t hilbert_index(Cell cell) {
+    transpose(cell);
+    std::uint32_t index = 0;
+    for (unsigned bit = curve_bits; bit-- > 0;) {
+        for (const std::uint32_t axis : cell) index = index << 1 | (axis >> bit & 1);
+    }
+    return index;
+}
+
+std::vector<Index> along_curve(const Polyhedron& body) {
+    Vec3d low = body.vertices[0], high = low;
+    for (const Vec3d& v : body.vertices) {
+        low = low.cwiseMin(v);
+        high = high.cwiseMax(v);
+    }
+    const double side = max_abs(Vec3d(high - low));
+    const double cells = (1U << curve_bits) - 1;
+    std::vector<std::uint32_t> place;
+    for (const Vec3d& v : body.vertices) {
+        Cell cell{};
+        for (int k = 0; k < 3; ++k)
+            cell[k] = side > 0 ? static_cast<std::uint32_t>((v[k] - low[k]) / side * cells) : 0;
+        place.push_back(hilbert_index(cell));
+    }
+    std::vector<Index> order(body.vertex_count());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return place[a] < place[b]; });
+    return order;
+}
+
+std::vector<Index> breadth_first(const Polyhedron& body) {
+    std::vector<Index> order = {0};
+    std::vector<bool> met(body.vertex_count());
+    met[0] = true;
+    for (std::size_t next = 0; next < order.size(); ++next) {
+        for (const HalfEdge h : body.ring_of_vertex(order[next])) {
+            const Index v = body.head(h);
+            if (met[v]) continue;
+            met[v] = true;
+            order.push_back(v);
+        }
+    }
+    return order;
+}
+
+}  // namespace
+
+std::string_view to_string(VertexOrder order) { return names[static_cast<std::size_t>(order)]; }
+
+std::optional<VertexOrder> vertex_order_from(std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<VertexOrder>(found - names.begin());
+}
+
+std::vector<Index> order_of_vertices(const Polyhedron& body, VertexOrder order) {
+    if (order == VertexOrder::bfs) return breadth_first(body);
+    if (order == VertexOrder::spatial) return along_curve(body);
+    std::vector<Index> as_given(body.vertex_count());
+    std::iota(as_given.begin(), as_given.end(), 0U);
+    return as_given;
+}
+
+Result<Polyhedron> reordered(const Polyhedron& body, VertexOrder order) {
+    if (order == VertexOrder::given || body.face_count() <= 2) return Result<Polyhedron>::success(body);
+    FaceRings input;
+    std::vector<Index> place(body.vertex_count());
+    for (const Index v : order_of_vertices(body, order)) {
+        place[v] = static_cast<Index>(input.vertices.size());
+        input.vertices.push_back(body.vertices[v]);
+        input.input_index.push_back(body.input_index[v]);
+    }
+    for (Index f = 0; f < body.face_count(); ++f) {
+        auto& ring = input.rings.emplace_back();
+        for (const HalfEdge h : body.ring_of_face(f)) ring.push_back(place[body.tail(h)]);
+    }
+    return build_polyhedron(input);
+}
+
+}  // namespace edgewise

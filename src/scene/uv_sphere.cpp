@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// Angles by scene/angle.hpp, the same on every machine. The radius noise is a sixteenth of the squared
+// spacing next to the poles, where points are nearest to each other.
+#include "edgewise/scene/uv_sphere.hpp"
+
+#include <numbers>
+
+#include "edgewise/scene/angle.hpp"
+#include "edgewise/scene/rng.hpp"
+
+namespace edgewise {
+namespace {
+
+constexpr int parallels = 24, meridians = 16;
+
+double to_grid(double x) { return std::floor(x * 0x1p21 + 0.5) * 0x1p-21; }
+
+Vec3d on_grid(const Vec3d& p) { return {to_grid(p.x()), to_grid(p.y()), to_grid(p.z())}; }
+
+}  // namespace
+
+std::vector<Vec3d> uv_sphere_points() {
+    const double step = std::numbers::pi / (parallels + 1);
+    const double spacing = sine_cosine(step).sine * 2 * std::numbers::pi / meridians;
+    const double noise = spacing * spacing / 16;
+    Rng rng(parallels * meridians + 2);
+    std::vector<Vec3d> points = {{0, 0, -1}};
+    for (int i = 1; i <= parallels; ++i) {
+        const SineCosine polar = sine_cosine(step * i);
+        for (int k = 0; k < meridians; ++k) {
+            const SineCosine around = sine_cosine(2 * std::numbers::pi * k / meridians);
+            const double radius = 1 + rng.uniform(-noise, noise);
+            points.push_back(
+                on_grid(radius * Vec3d(polar.sine * around.cosine, polar.sine * around.sine, -polar.cosine)));
+        }
+    }
+    points.emplace_back(0, 0, 1);
+    return points;
+}
+
+}  // namespace edgewise

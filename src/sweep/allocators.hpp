@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// The allocators that tables may come from, side by side in one program and none in another's place: an
+// arena, jemalloc, and the C library. Each counts what was asked of it and what that really takes.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <memory_resource>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace edgewise {
+
+enum class AllocatorKind : std::uint8_t { arena, jemalloc, libc };
+
+[[nodiscard]] std::string_view to_string(AllocatorKind kind);
+/// Nothing for an unknown name.
+[[nodiscard]] std::optional<AllocatorKind> allocator_from(std::string_view name);
+
+/// Name and one line for each.
+struct AllocatorInfo {
+    std::string_view name, summary;
+};
+[[nodiscard]] const std::vector<AllocatorInfo>& allocators_known();
+
+class TableAllocator : public std::pmr::memory_resource {
+  public:
+    /// Bytes asked for and not given back.
+    [[nodiscard]] std::size_t requested() const { return requested_; }
+    /// Bytes that these take: size classes, headers and gaps included.
+    [[nodiscard]] virtual std::size_t taken() const { return taken_; }
+    /// Bytes of pages really in memory; nothing where that cannot be told from other memory.
+    [[nodiscard]] virtual std::optional<std::size_t> resident() const { return std::nullopt; }
+    /// The allocator's own count of what it has given out, where it keeps one.
+    [[nodiscard]] virtual std::optional<std::size_t> by_its_statistics() const { return std::nullopt; }
+
+  protected:
+    std::size_t requested_ = 0, taken_ = 0;
+
+  private:
+    [[nodiscard]] bool do_is_equal(const memory_resource& other) const noexcept override {
+        return this == &other;
+    }
+};
+
+/// Throws std::runtime_error, with a remedy, when this program was built without it.
+[[nodiscard]] std::unique_ptr<TableAllocator> make_allocator(AllocatorKind kind);
+
+}  // namespace edgewise

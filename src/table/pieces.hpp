@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// What a table declares of its memory: which bytes are there, and what each is for. The ledger adds them up,
+// a drawing paints them, and a contract test holds every traced read against them.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <initializer_list>
+#include <span>
+
+#include "edgewise/table/ledger.hpp"
+
+namespace edgewise {
+
+/// So many bytes of an element serve this component. Shares of an element stand in memory order; what is left
+/// of it is padding at its end, padding within is a share like others.
+struct Share {
+    Component component;
+    std::size_t bytes;
+};
+
+/// The shares of one kind of element.
+class Shares {
+  public:
+    static constexpr std::size_t most = 8;
+
+    Shares() = default;
+    Shares(std::initializer_list<Share> shares) {
+        for (const Share& share : shares) add(share);
+    }
+    void add(const Share& share) {
+        assert(count_ < most);
+        shares_[count_++] = share;
+    }
+    [[nodiscard]] const Share* begin() const { return shares_.data(); }
+    [[nodiscard]] const Share* end() const { return shares_.data() + count_; }
+    [[nodiscard]] std::size_t bytes() const {
+        std::size_t sum = 0;
+        for (const Share& share : *this) sum += share.bytes;
+        return sum;
+    }
+    [[nodiscard]] bool operator==(const Shares& other) const {
+        if (count_ != other.count_) return false;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Share &a = shares_[i], &b = other.shares_[i];
+            if (a.component != b.component || a.bytes != b.bytes) return false;
+        }
+        return true;
+    }
+
+  private:
+    std::array<Share, most> shares_{};
+    std::size_t count_ = 0;
+};
+
+/// `count` elements of one kind, `stride` bytes apart.
+struct Piece {
+    const std::byte* at = nullptr;
+    std::size_t stride = 0, count = 0;
+    Shares shares = {};
+
+    [[nodiscard]] std::size_t bytes() const { return stride * count; }
+    [[nodiscard]] bool holds(const void* address, std::size_t size) const {
+        const auto* const from = static_cast<const std::byte*>(address);
+        return from >= at && from + size <= at + bytes();
+    }
+    /// Books the piece's bytes.
+    void add_to(Ledger& ledger) const {
+        for (const Share& share : shares) ledger[share.component] += share.bytes * count;
+        ledger[Component::padding] += (stride - shares.bytes()) * count;
+    }
+};
+
+}  // namespace edgewise
