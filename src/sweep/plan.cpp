@@ -72,7 +72,7 @@ Plan base(std::string name) {
 /// Some minutes on two cores: enough to choose a layout by.
 Plan quick() {
     Plan plan = base("quick");
-    plan.queries = 4000;
+    plan.queries = 3000;
     plan.checked = 200;
     plan.rounds = 17;
     plan.stability = 20;
