@@ -42,14 +42,14 @@ inline nlohmann::json json_of(const Pose& pose) {
     std::abort();
 }
 
-template <class Algorithm, class Table>
+template <class Algorithm, class P>
 void fuzz_table(const Case& given) {
-    using Compute = typename Table::PrecisionType::Compute;
+    using Compute = typename P::Compute;
     // Planes stored in single keep V-Clip from the bounds of double even where double computes.
-    const bool as_single = std::is_same_v<typename Table::PrecisionType::Stored, float>;
-    RunnerFor<Algorithm, Table> runner;
+    const bool as_single = std::is_same_v<typename P::Stored, float>;
+    RunnerFor<Algorithm, aos<P>, aos<P, Traced<LineSink>>> runner;
     const JudgedCase judged = judge_case(runner, {Tolerance<Compute>::eps, as_single}, given);
-    if (!judged.complaints.empty()) report(given, judged, Table::PrecisionType::name);
+    if (!judged.complaints.empty()) report(given, judged, P::name);
 }
 
 /// What libFuzzer calls; -1: not worth keeping.
@@ -57,9 +57,9 @@ template <class Algorithm>
 int fuzz_pair(const std::uint8_t* data, std::size_t size) {
     const auto given = pair_from_bytes({data, size});
     if (!given) return -1;
-    fuzz_table<Algorithm, aos<f64>>(*given);
-    fuzz_table<Algorithm, aos<f32>>(*given);
-    fuzz_table<Algorithm, aos<mixed>>(*given);
+    fuzz_table<Algorithm, f64>(*given);
+    fuzz_table<Algorithm, f32>(*given);
+    fuzz_table<Algorithm, mixed>(*given);
     return 0;
 }
 
