@@ -35,6 +35,7 @@ struct Traced {
 
     template <class Value>
     const Value& load(const Value& location, Field field) const {
+        // Where nodes hold pointers, a pointer is what is read. NOLINTNEXTLINE(bugprone-sizeof-expression)
         sink->read(&location, sizeof(Value), field);
         return location;
     }
