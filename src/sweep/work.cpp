@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/sweep/work.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <stdexcept>
 
 #include "edgewise/scene/scenes.hpp"
+#include "edgewise/scene/shapes.hpp"
 
 namespace edgewise {
 
@@ -16,6 +14,17 @@ namespace {
 template <class Names>
 bool allows(const Names& names, const std::string& name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A misspelt name would leave a scene without cells in silence. Names of bodies that are not in the plan are
+/// right as long as there is such a body.
+void check_names(const SceneChoice& choice, const std::vector<const NamedShape*>& found) {
+    if (!choice.algorithms.empty()) static_cast<void>(select_algorithms(choice.algorithms));
+    for (const std::string& name : choice.shapes) {
+        const auto is_it = [&](const NamedShape* shape) { return shape->name == name; };
+        if (std::any_of(found.begin(), found.end(), is_it)) continue;
+        if (const auto body = make_shape(name); !body) throw std::invalid_argument(body.error);
+    }
 }
 
 /// What the scene is for, of what the plan has.
@@ -27,11 +36,10 @@ SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
     for (const NamedShape& shape : work.shapes) {
         if (allows(choice.shapes, shape.name)) scene.shapes.push_back(&shape);
     }
+    check_names(choice, scene.shapes);
     for (const std::string& algorithm : work.algorithms) {
         if (allows(choice.algorithms, algorithm)) scene.algorithms.push_back(algorithm);
     }
-    if (!choice.algorithms.empty())
-        static_cast<void>(select_algorithms(choice.algorithms));  // names that are not
     if (choice.layouts.empty()) return scene;
     const std::vector<const TableType*> wanted = select_table_types(choice.layouts);
     std::erase_if(scene.types, [&](const TableType* type) {
@@ -78,14 +86,7 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
         if (!known) throw std::invalid_argument(known.error);
     }
     work.shapes = shapes_of(plan, warn);
-    for (const SceneChoice& scene : plan.scenes) {
-        work.scenes.push_back(scene_work(scene, work));
-        const SceneWork& made = work.scenes.back();
-        if (made.shapes.empty() || made.types.empty() || made.algorithms.empty()) {
-            warn(fmt::format("scene {} has no cells here: it is for {}", scene.name,
-                             fmt::join(made.shapes.empty() ? scene.shapes : scene.layouts, ", ")));
-        }
-    }
+    for (const SceneChoice& scene : plan.scenes) work.scenes.push_back(scene_work(scene, work));
     if (work.cells() == 0) {
         throw std::invalid_argument(
             "this plan has no cells: no layout serves the algorithms chosen, or no shape or scene is left");
