@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// A vertex and its neighbours in one record: coordinates, then who is around. A hill-climbing step reads the
-// record it stands on and the coordinates of the records around it, and nothing else: no offsets, no rows in
-// another array. A neighbour is named by where its record starts, so a step goes straight there. Records are
-// as long as they need to be, one behind the other, in units of a stored scalar's alignment; a vertex of six
-// neighbours takes 56 bytes in double, 44 in single. For GJK only. The bytes: coordinates, and as topology
-// the vertex's own index, the number of neighbours and four bytes each; where their number is odd, a record
-// in double ends in four bytes of padding.
+// A vertex and its neighbours in one record: its coordinates, then those of all who are around, then where
+// their records are. A hill-climbing step reads the record it stands on and nothing else: two cache lines in
+// single for a vertex of six neighbours, four in double. A step up goes straight to the next record. For GJK
+// only.
+//
+// Records start on cache lines, as long as they need to be. Per record 20 bytes in single (32 in double):
+// coordinates, the vertex's own index and the number of neighbours; and 16 (28) a neighbour: a copy of its
+// coordinates and the line where its record starts. The price: every vertex is kept once for itself and once
+// for each neighbour, five to ten times the bytes of coordinates alone.
 #pragma once
 
 #include <vector>
@@ -15,20 +17,28 @@
 
 namespace edgewise {
 
-/// The start of a record; `count` neighbours follow, each the start of its record in units.
+/// A vertex as somebody found it: the line where its record starts, and the byte where coordinates of it are,
+/// its own or a neighbour's copy.
+struct PointHandle {
+    Index record, at;
+    [[nodiscard]] bool operator==(const PointHandle& other) const { return record == other.record; }
+};
+
+/// The start of a record; the coordinates of `count` neighbours follow, then the lines of their records.
 template <class Stored>
 struct PointRecord {
     Vec3<Stored> point;
     Index index;  ///< in the canonical body
     Index count;
 
-    static constexpr std::size_t unit = alignof(Stored);
+    static constexpr std::size_t line = BlockPlan::alignment;
 
-    [[nodiscard]] const Index* neighbours() const { return reinterpret_cast<const Index*>(this + 1); }
-    [[nodiscard]] Index* neighbours() { return reinterpret_cast<Index*>(this + 1); }
-    /// Units from one record to the next.
+    [[nodiscard]] Vec3<Stored>* around() { return reinterpret_cast<Vec3<Stored>*>(this + 1); }
+    [[nodiscard]] Index* starts() { return reinterpret_cast<Index*>(around() + count); }
+    /// Lines from one record to the next.
     [[nodiscard]] static Index length(std::size_t count) {
-        return static_cast<Index>((sizeof(PointRecord) + count * sizeof(Index) + unit - 1) / unit);
+        const std::size_t bytes = sizeof(PointRecord) + count * (sizeof(Vec3<Stored>) + sizeof(Index));
+        return static_cast<Index>((bytes + line - 1) / line);
     }
 };
 
@@ -38,17 +48,17 @@ class RecordWalk {
   public:
     class Iterator {
       public:
-        Iterator(const Table& table, Index at) : table_(&table), at_(at) {}
-        Index operator*() const { return at_; }
+        Iterator(const Table& table, Index record) : table_(&table), record_(record) {}
+        PointHandle operator*() const { return table_->own(record_); }
         Iterator& operator++() {
-            at_ = table_->next(at_);
+            record_ = table_->next(record_);
             return *this;
         }
-        bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+        bool operator!=(const Iterator& other) const { return record_ != other.record_; }
 
       private:
         const Table* table_;
-        Index at_;
+        Index record_;
     };
 
     RecordWalk(const Table& table, Index end) : table_(&table), end_(end) {}
@@ -69,12 +79,12 @@ class points_neighbours : public BlockTable<P, Loader> {
   public:
     using typename Base::Compute;
     using typename Base::Stored;
-    using typename Base::Vertex;  // where the record starts, in units
+    using Vertex = PointHandle;
 
     static constexpr std::string_view name = "points_neighbours";
     static constexpr std::string_view relative_of = "points_soa";
     static constexpr std::string_view stores =
-        "one record a vertex: coordinates and where its neighbours are";
+        "one record a vertex, on lines of its own: its coordinates and its neighbours'";
     static constexpr std::string_view derives = "nothing";
 
     /// Both kinds of parts are the same here: there is nothing to leave out.
@@ -84,19 +94,21 @@ class points_neighbours : public BlockTable<P, Loader> {
         for (Index v = 0; v < body.vertex_count(); ++v) {
             const std::size_t count = body.ring_of_vertex(v).size();
             start.push_back(
-                static_cast<Index>(plan.append(Record::length(count) * Record::unit,
+                static_cast<Index>(plan.append(Record::length(count) * Record::line,
                                                {{Component::vertex_coordinates, sizeof(Vec3<Stored>)},
-                                                {Component::topology, (2 + count) * sizeof(Index)}}) /
-                                   Record::unit));
+                                                {Component::topology, 2 * sizeof(Index)},
+                                                {Component::vertex_coordinates, count * sizeof(Vec3<Stored>)},
+                                                {Component::topology, count * sizeof(Index)}}) /
+                                   Record::line));
         }
-        end_ = static_cast<Index>(plan.size() / Record::unit);
+        end_ = static_cast<Index>(plan.size() / Record::line);
         this->allocate(std::move(plan), body, parts);
         for (Index v = 0; v < body.vertex_count(); ++v) {
             const auto ring = body.ring_of_vertex(v);
             Record& to = *new (&record(start[v])) Record;
             to.index = v;
             to.count = static_cast<Index>(ring.size());
-            for (std::size_t i = 0; i < ring.size(); ++i) to.neighbours()[i] = start[body.head(ring[i])];
+            for (std::size_t i = 0; i < ring.size(); ++i) to.starts()[i] = start[body.head(ring[i])];
         }
         write_body(body);
     }
@@ -106,24 +118,33 @@ class points_neighbours : public BlockTable<P, Loader> {
     points_neighbours(const points_neighbours<P, OtherLoader>& other, Loader loader)
         : Base(other, loader), end_(other.end_) {}
 
-    [[nodiscard]] Index index_of(Vertex v) const { return load(record(v).index, Field::vertex); }
+    [[nodiscard]] Vertex first_vertex() const { return own(0); }
+    [[nodiscard]] Index index_of(Vertex v) const { return load(record(v.record).index, Field::vertex); }
     [[nodiscard]] auto all_vertices() const { return RecordWalk<points_neighbours>(*this, end_); }
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
-        return cast<Compute>(load(record(v).point, Field::vertex));
+        const auto* const point = reinterpret_cast<const Vec3<Stored>*>(block_.base() + v.at);
+        return cast<Compute>(load(*point, Field::vertex));
     }
     [[nodiscard]] auto neighbours(Vertex v) const {
-        const Record& at = record(v);
-        return IndexedRing(0, count(at), [this, around = at.neighbours()](Index i) {
-            return load(around[i], Field::neighbour);
+        Record& from = record(v.record);
+        const auto around = static_cast<Index>(reinterpret_cast<std::byte*>(from.around()) - block_.base());
+        const Index count = load(from.count, Field::neighbour);
+        return IndexedRing(0, count, [this, around, starts = from.starts()](Index i) {
+            const Index start = load(starts[i], Field::neighbour);
+            return PointHandle{start, around + i * static_cast<Index>(sizeof(Vec3<Stored>))};
         });
     }
 
     /// Records lie in the order of the body's vertices.
     void write_body(const Polyhedron& body) {
-        Vertex at = 0;
-        for (const Vec3d& point : body.vertices) {
-            record(at).point = cast<Stored>(point);
-            at += Record::length(record(at).count);
+        Index start = 0;
+        for (Index v = 0; v < body.vertex_count(); ++v) {
+            Record& to = record(start);
+            to.point = cast<Stored>(body.vertices[v]);
+            const auto ring = body.ring_of_vertex(v);
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                to.around()[i] = cast<Stored>(body.vertices[body.head(ring[i])]);
+            start += Record::length(ring.size());
         }
     }
 
@@ -134,13 +155,16 @@ class points_neighbours : public BlockTable<P, Loader> {
 
     using Record = PointRecord<Stored>;
 
-    [[nodiscard]] Record& record(Vertex v) const {
-        return *reinterpret_cast<Record*>(block_.base() + std::size_t{v} * Record::unit);
+    [[nodiscard]] Record& record(Index start) const {
+        return *reinterpret_cast<Record*>(block_.base() + std::size_t{start} * Record::line);
     }
-    [[nodiscard]] Index count(const Record& at) const { return load(at.count, Field::neighbour); }
-    [[nodiscard]] Vertex next(Vertex v) const { return v + Record::length(count(record(v))); }
+    /// By its own coordinates, with which a record starts.
+    [[nodiscard]] static Vertex own(Index start) { return {start, start * static_cast<Index>(Record::line)}; }
+    [[nodiscard]] Index next(Index start) const {
+        return start + Record::length(load(record(start).count, Field::neighbour));
+    }
 
-    Index end_ = 0;  // of the last record
+    Index end_ = 0;  // of the last record, in lines
 };
 
 }  // namespace edgewise

@@ -69,9 +69,9 @@ std::vector<std::string> byte_components(const ReportData& data) {
     return order;
 }
 
-Grid bytes_grid(const ReportData& data, const std::string& shape) {
+TextGrid bytes_grid(const ReportData& data, const std::string& shape) {
     const std::vector<std::string> components = byte_components(data);
-    Grid grid{"Bytes per edge of the built tables" + (shape.empty() ? "" : ", " + shape), {}, {}};
+    TextGrid grid{"Bytes per edge of the built tables" + (shape.empty() ? "" : ", " + shape), {}, {}};
     if (shape.empty()) grid.columns = {{"shape"}, {"edges", true}};
     grid.columns.push_back({"algorithm"});
     grid.columns.push_back({"table type"});

@@ -14,7 +14,7 @@ std::vector<GridCell> problem_row(const ReportCell& cell) {
             {cell.algorithm}, {cell.table},       {cell.reason.empty() ? "no reason stored" : cell.reason}};
 }
 
-void add_status(Grid& grid, const ReportData& data, const std::string& status) {
+void add_status(TextGrid& grid, const ReportData& data, const std::string& status) {
     for (const ReportCell& cell : data.cells)
         if (cell.status == status) grid.rows.push_back(problem_row(cell));
     for (const ReportCell& row : data.stability)
@@ -33,8 +33,8 @@ std::vector<std::string> scene_labels(const ReportData& data) {
     return labels;
 }
 
-Grid scenes_grid(const ReportData& data) {
-    Grid grid{"", {{"scene"}, {"parameters"}, {"cells", true}, {"queries a cell", true}}, {}};
+TextGrid scenes_grid(const ReportData& data) {
+    TextGrid grid{"", {{"scene"}, {"parameters"}, {"cells", true}, {"queries a cell", true}}, {}};
     for (const std::string& label : scene_labels(data)) {
         std::size_t cells = 0;
         std::int64_t least = 0, most = 0;
@@ -53,28 +53,28 @@ Grid scenes_grid(const ReportData& data) {
     return grid;
 }
 
-Grid problems_grid(const ReportData& data) {
-    Grid grid{"", {{"status"}, {"scene"}, {"shape"}, {"algorithm"}, {"table type"}, {"reason"}}, {}};
+TextGrid problems_grid(const ReportData& data) {
+    TextGrid grid{"", {{"status"}, {"scene"}, {"shape"}, {"algorithm"}, {"table type"}, {"reason"}}, {}};
     add_status(grid, data, "failed");
     add_status(grid, data, "unavailable");
     return grid;
 }
 
-Grid cells_grid(const ReportData& data) {
-    Grid grid{"",
-              {{"scene"},
-               {"shape"},
-               {"source"},
-               {"V", true},
-               {"E", true},
-               {"F", true},
-               {"algorithm"},
-               {"table type"},
-               {"seed", true},
-               {"queries", true},
-               {"status"},
-               {"cell"}},
-              {}};
+TextGrid cells_grid(const ReportData& data) {
+    TextGrid grid{"",
+                  {{"scene"},
+                   {"shape"},
+                   {"source"},
+                   {"V", true},
+                   {"E", true},
+                   {"F", true},
+                   {"algorithm"},
+                   {"table type"},
+                   {"seed", true},
+                   {"queries", true},
+                   {"status"},
+                   {"cell"}},
+                  {}};
     for (const ReportCell& cell : data.cells)
         grid.rows.push_back({{cell.scene_label},
                              {cell.shape},

@@ -144,9 +144,9 @@ void Omissions::write(const std::string& noun, std::vector<std::string>& notes) 
         notes.push_back(fmt::format("Not measured, so not drawn: {} ({}).", plural(count, noun), reason));
 }
 
-Grid data_grid(const ChartJson& values, const std::vector<std::string>& fields) {
+TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fields) {
     constexpr std::size_t rows = 30;
-    Grid grid;
+    TextGrid grid;
     for (const std::string& field : fields)
         grid.columns.push_back({field, !values.empty() && values[0].value(field, ChartJson()).is_number()});
     for (std::size_t i = 0; i < std::min(rows, values.size()); ++i) {

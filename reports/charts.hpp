@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/reports/grid.hpp"
 #include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/text_grid.hpp"
 
 namespace edgewise {
 
@@ -23,7 +23,7 @@ struct Chart {
     std::string how_to_read;         ///< two or three sentences
     ChartJson spec;                  ///< null when there is nothing to draw
     std::vector<std::string> notes;  ///< what is not drawn, and why
-    Grid fallback;                   ///< the data as a small table, where no picture can be shown
+    TextGrid fallback;               ///< the data as a small table, where no picture can be shown
 };
 
 [[nodiscard]] Chart bytes_chart(const ReportData& data);
@@ -82,6 +82,6 @@ class Omissions {
     std::vector<std::pair<std::string, std::size_t>> counts_;
 };
 /// The first rows of a chart's data under the given fields.
-[[nodiscard]] Grid data_grid(const ChartJson& values, const std::vector<std::string>& fields);
+[[nodiscard]] TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fields);
 
 }  // namespace edgewise

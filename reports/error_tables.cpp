@@ -32,13 +32,13 @@ constexpr SummaryColumn columns[] = {{"checked", "checked", true},
 
 }  // namespace
 
-Grid error_summary_grid(const ReportData& data) {
+TextGrid error_summary_grid(const ReportData& data) {
     std::map<std::pair<std::string, std::string>, std::vector<const ReportCell*>> groups;
     for (const ReportCell& cell : data.cells)
         if (cell.verified()) groups[{cell.algorithm, cell.table}].push_back(&cell);
-    Grid grid{"Over all verified cells: sums of counts, worst of the rest",
-              {{"algorithm"}, {"table type"}, {"cells", true}},
-              {}};
+    TextGrid grid{"Over all verified cells: sums of counts, worst of the rest",
+                  {{"algorithm"}, {"table type"}, {"cells", true}},
+                  {}};
     for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
     for (const auto& [name, cells] : groups) {
         std::vector<GridCell> row{{name.first}, {name.second}, {std::to_string(cells.size())}};
@@ -48,8 +48,8 @@ Grid error_summary_grid(const ReportData& data) {
     return grid;
 }
 
-Grid error_grid(const ReportData& data) {
-    Grid grid{"Every cell", {{"scene"}, {"shape"}, {"algorithm"}, {"table type"}, {"status"}}, {}};
+TextGrid error_grid(const ReportData& data) {
+    TextGrid grid{"Every cell", {{"scene"}, {"shape"}, {"algorithm"}, {"table type"}, {"status"}}, {}};
     for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
     for (const ReportCell& cell : data.cells) {
         std::vector<GridCell> row{

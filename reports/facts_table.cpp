@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/reports/tables.hpp"
+#include "edgewise/sweep/schema.hpp"
 
 namespace edgewise {
 
@@ -84,7 +85,7 @@ std::string counters_in_words(const Json& counters) {
     return out;
 }
 
-void add(Grid& grid, const std::string& key, const std::string& value) {
+void add(TextGrid& grid, const std::string& key, const std::string& value) {
     grid.rows.push_back({{key}, value.empty() ? missing_cell("not stored") : GridCell{value}});
 }
 
@@ -102,7 +103,7 @@ std::string further_facts(const Json& machine) {
     return out;
 }
 
-void add_machine(Grid& grid, const std::string& machine_json) {
+void add_machine(TextGrid& grid, const std::string& machine_json) {
     const Json machine = Json::parse(machine_json, nullptr, false);
     const bool object = machine.is_object();
     add(grid, "CPU", object && machine.contains("cpu") ? in_words(machine["cpu"]) : "");
@@ -127,8 +128,8 @@ std::string seeds(const ReportData& data) {
 
 }  // namespace
 
-Grid facts_grid(const ReportData& data) {
-    Grid grid{"", {{"fact"}, {"value"}}, {}};
+TextGrid facts_grid(const ReportData& data) {
+    TextGrid grid{"", {{"fact"}, {"value"}}, {}};
     add_machine(grid, data.build.machine_json);
     add(grid, "compiler", data.build.compiler);
     add(grid, "flags", data.build.flags);
@@ -138,7 +139,7 @@ Grid facts_grid(const ReportData& data) {
     add(grid, "seed", seeds(data));
     bool plan = false;
     for (const auto& [key, value] : data.meta) {
-        if (key.compare(0, 8, "drawing ") == 0) continue;  // they have a place of their own
+        if (key.starts_with(drawing_key)) continue;  // they have a place of their own
         if (key == "build" || key == "seed") continue;
         plan = plan || key == "plan";
         add(grid, key, value);

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "edgewise/reports/tables.hpp"
+#include "edgewise/sweep/schema.hpp"
 
 namespace edgewise {
 
@@ -51,19 +52,19 @@ double lines_of(const ReportCell& cell) {
 
 }  // namespace
 
-Grid layout_cost_grid(const ReportData& data) {
+TextGrid layout_cost_grid(const ReportData& data) {
     const std::string scene = reference_scene(data), shape = reference_shape(data);
-    Grid grid{fmt::format("{}, {}, fewest lines first", scene, shape),
-              {{"algorithm"},
-               {"table type"},
-               {"lines a query", true},
-               {"their bytes", true},
-               {"bytes read", true},
-               {"build, us", true},
-               {"refit, us", true},
-               {"refit / build", true},
-               {"materialised", true}},
-              {}};
+    TextGrid grid{fmt::format("{}, {}, fewest lines first", scene, shape),
+                  {{"algorithm"},
+                   {"table type"},
+                   {"lines a query", true},
+                   {"their bytes", true},
+                   {"bytes read", true},
+                   {"build, us", true},
+                   {"refit, us", true},
+                   {"refit / build", true},
+                   {"materialised", true}},
+                  {}};
     std::vector<const ReportCell*> cells;
     for (const ReportCell& cell : data.cells)
         if (cell.verified() && cell.scene_label == scene && cell.shape == shape) cells.push_back(&cell);
@@ -74,19 +75,19 @@ Grid layout_cost_grid(const ReportData& data) {
     return grid;
 }
 
-Grid scene_memory_grid(const ReportData& data) {
-    Grid grid{"Cells with more than four tables",
-              {{"scene"},
-               {"shape"},
-               {"algorithm"},
-               {"table type"},
-               {"tables", true},
-               {"asked for, MiB", true},
-               {"taken, MiB", true},
-               {"resident, MiB", true},
-               {"ns a query", true},
-               {"ratio to baseline", true}},
-              {}};
+TextGrid scene_memory_grid(const ReportData& data) {
+    TextGrid grid{"Cells with more than four tables",
+                  {{"scene"},
+                   {"shape"},
+                   {"algorithm"},
+                   {"table type"},
+                   {"tables", true},
+                   {"asked for, MiB", true},
+                   {"taken, MiB", true},
+                   {"resident, MiB", true},
+                   {"ns a query", true},
+                   {"ratio to baseline", true}},
+                  {}};
     for (const ReportCell& cell : data.cells) {
         const StoredFigure tables = cell.figure("memory", "tables");
         const bool many = tables.value && *tables.value > 4;
@@ -106,10 +107,10 @@ Grid scene_memory_grid(const ReportData& data) {
 }
 
 std::vector<Drawing> drawings(const ReportData& data) {
-    constexpr std::string_view prefix = "drawing ";
+    constexpr std::string_view prefix = drawing_key;
     std::vector<Drawing> result;
     for (const auto& [key, value] : data.meta) {
-        if (key.compare(0, prefix.size(), prefix) == 0) result.push_back({key.substr(prefix.size()), value});
+        if (key.starts_with(prefix)) result.push_back({key.substr(prefix.size()), value});
     }
     return result;
 }

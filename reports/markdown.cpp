@@ -34,7 +34,7 @@ std::string times_markdown(const ReportData& data) {
     std::string out = section("Times", time_explanation());
     for (const std::string& scene : scene_labels(data))
         for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
-            const Grid grid = time_grid(data, scene, kind, "");
+            const TextGrid grid = time_grid(data, scene, kind, "");
             if (!grid.rows.empty()) out += grid_markdown(grid);
         }
     return out;
@@ -46,13 +46,13 @@ std::string report_markdown(const ReportData& data, const std::vector<Chart>& ch
                             const StaticFigures& figures) {
     std::string out =
         fmt::format("# Edgewise report\n\n{}\n\n**{}**\n\n", report_purpose(), verdict_line(data));
-    const Grid problems = problems_grid(data);
+    const TextGrid problems = problems_grid(data);
     if (!problems.rows.empty()) out += section("Failed and unavailable cells") + grid_markdown(problems);
     out += section("Machine and build") + grid_markdown(facts_grid(data)) + grid_markdown(scenes_grid(data));
     out += charts_markdown(charts, figures);
     out += section("Bytes per edge", bytes_explanation()) + grid_markdown(bytes_grid(data, ""));
     out += section("What layouts cost", layout_explanation()) + grid_markdown(layout_cost_grid(data));
-    const Grid memory = scene_memory_grid(data);
+    const TextGrid memory = scene_memory_grid(data);
     if (!memory.rows.empty()) out += grid_markdown(memory);
     out += times_markdown(data);
     out += section("Errors", error_explanation()) + grid_markdown(error_summary_grid(data));

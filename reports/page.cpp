@@ -92,9 +92,9 @@ std::string charts_html(const std::vector<Chart>& charts, const StaticFigures& f
 std::string scene_times_html(const ReportData& data, const std::string& scene) {
     std::string shown, all;
     for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
-        const Grid grid = time_grid(data, scene, kind, "");
+        const TextGrid grid = time_grid(data, scene, kind, "");
         if (grid.rows.empty()) continue;
-        const Grid reference = time_grid(data, scene, kind, reference_shape(data));
+        const TextGrid reference = time_grid(data, scene, kind, reference_shape(data));
         if (!reference.rows.empty()) shown += grid_html(reference);
         all += folded(fmt::format("{}, {} pairs, all shapes ({})", scene, pair_name(kind),
                                   plural(grid.rows.size(), "cell")),
@@ -121,7 +121,7 @@ std::string stability_html(const ReportData& data) {
 std::string layouts_html(const ReportData& data) {
     std::string out = heading("layouts", "What layouts cost") + paragraph(layout_explanation());
     out += grid_html(layout_cost_grid(data));
-    const Grid memory = scene_memory_grid(data);
+    const TextGrid memory = scene_memory_grid(data);
     if (!memory.rows.empty()) out += grid_html(memory);
     std::string pictures;
     for (const Drawing& drawing : drawings(data))

@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "edgewise/reports/query.hpp"
 #include "edgewise/reports/scene_label.hpp"
+#include "edgewise/reports/store_query.hpp"
 #include "edgewise/sweep/schema.hpp"
 
 namespace edgewise {
@@ -22,7 +22,7 @@ namespace {
 using CellIndex = std::map<std::string, std::size_t>;
 
 std::int64_t pragma(const ReadOnlyDatabase& database, const std::string& name) {
-    Query query(database, "pragma " + name);
+    StoreQuery query(database, "pragma " + name);
     return query.next() ? query.integer(0) : 0;
 }
 
@@ -38,26 +38,29 @@ void check_schema(const ReadOnlyDatabase& database) {
 }
 
 std::string latest_build(const ReadOnlyDatabase& database) {
-    Query named(database,
-                "select b.id from meta m join build b on b.id = m.value where m.key = 'build' and exists "
-                "(select 1 from cell c where c.build = b.id)");
+    StoreQuery named(
+        database,
+        "select b.id from meta m join build b on b.id = m.value where m.key = 'build' and exists "
+        "(select 1 from cell c where c.build = b.id)");
     if (named.next()) return named.text(0);
-    Query fullest(database, "select build from cell group by build order by count(*) desc, build limit 1");
+    StoreQuery fullest(database,
+                       "select build from cell group by build order by count(*) desc, build limit 1");
     if (fullest.next()) return fullest.text(0);
     throw std::runtime_error(
         fmt::format("the results store {} holds no cell: run a sweep first", database.path()));
 }
 
 ReportBuild read_build(const ReadOnlyDatabase& database, const std::string& id) {
-    Query query(database,
-                "select id, git_revision, compiler, flags, build_type, machine_json from build where id = ?");
+    StoreQuery query(
+        database,
+        "select id, git_revision, compiler, flags, build_type, machine_json from build where id = ?");
     query.bind(1, id);
     if (!query.next())
         throw std::runtime_error(fmt::format("the results store {} has no build {}", database.path(), id));
     return {query.text(0), query.text(1), query.text(2), query.text(3), query.text(4), query.text(5)};
 }
 
-ReportCell read_cell(const Query& row) {
+ReportCell read_cell(const StoreQuery& row) {
     ReportCell cell;
     cell.hash = row.text(0);
     cell.scene = row.text(1);
@@ -82,7 +85,7 @@ ReportCell read_cell(const Query& row) {
 }
 
 std::vector<ReportCell> read_cells(const ReadOnlyDatabase& database, const std::string& build) {
-    Query query(
+    StoreQuery query(
         database,
         "select hash, scene, scene_parameters, shape, shape_source, algorithm, layout, precision, "
         "table_type, vertices, edges, faces, seed, queries, status, reason, axes from cell where build = ?");
@@ -98,9 +101,9 @@ std::vector<ReportCell> read_cells(const ReadOnlyDatabase& database, const std::
 
 void read_figures(const ReadOnlyDatabase& database, const std::string& build, const CellIndex& index,
                   std::vector<ReportCell>& cells) {
-    Query query(database,
-                "select hash, probe, name, value, unit, reason, remedy from figure where build = ? "
-                "order by hash, probe, name");
+    StoreQuery query(database,
+                     "select hash, probe, name, value, unit, reason, remedy from figure where build = ? "
+                     "order by hash, probe, name");
     query.bind(1, build);
     while (query.next()) {
         const auto at = index.find(query.text(0));
@@ -116,7 +119,7 @@ void read_figures(const ReadOnlyDatabase& database, const std::string& build, co
     }
 }
 
-std::optional<double> ratio(const Query& row, int first) {
+std::optional<double> ratio(const StoreQuery& row, int first) {
     const double queries = row.real(first).value_or(0), ns = row.real(first + 1).value_or(0);
     const double base_queries = row.real(first + 2).value_or(0), base_ns = row.real(first + 3).value_or(0);
     if (queries <= 0 || base_queries <= 0 || ns <= 0 || base_ns <= 0) return std::nullopt;
@@ -125,10 +128,11 @@ std::optional<double> ratio(const Query& row, int first) {
 
 void read_rounds(const ReadOnlyDatabase& database, const std::string& build, const CellIndex& index,
                  std::vector<ReportCell>& cells) {
-    Query query(database,
-                "select hash, separated_queries, separated_ns, baseline_separated_queries, "
-                "baseline_separated_ns, overlapping_queries, overlapping_ns, baseline_overlapping_queries, "
-                "baseline_overlapping_ns from round where build = ? order by hash, number");
+    StoreQuery query(
+        database,
+        "select hash, separated_queries, separated_ns, baseline_separated_queries, "
+        "baseline_separated_ns, overlapping_queries, overlapping_ns, baseline_overlapping_queries, "
+        "baseline_overlapping_ns from round where build = ? order by hash, number");
     query.bind(1, build);
     while (query.next()) {
         const auto at = index.find(query.text(0));
@@ -159,14 +163,14 @@ bool ReportData::any_failed() const {
 
 ReportData read_report(const std::string& store, const std::string& build) {
     const ReadOnlyDatabase database(store);
-    Query begin(database, "begin");
+    StoreQuery begin(database, "begin");
     (void)begin.next();
     check_schema(database);
     ReportData data;
-    Query meta(database, "select key, value from meta order by key");
+    StoreQuery meta(database, "select key, value from meta order by key");
     while (meta.next()) data.meta.emplace_back(meta.text(0), meta.text(1));
     data.build = read_build(database, build.empty() ? latest_build(database) : build);
-    Query others(database, "select id from build where id <> ? order by id");
+    StoreQuery others(database, "select id from build where id <> ? order by id");
     others.bind(1, data.build.id);
     while (others.next()) data.other_builds.push_back(others.text(0));
     data.cells = read_cells(database, data.build.id);

@@ -37,12 +37,12 @@ constexpr SummaryColumn columns[] = {{"cases", "cases", true},
 
 }  // namespace
 
-Grid stability_summary_grid(const ReportData& data) {
+TextGrid stability_summary_grid(const ReportData& data) {
     std::map<std::pair<std::string, std::string>, std::vector<const ReportCell*>> groups;
     for (const ReportCell& row : data.stability) groups[{row.algorithm, row.table}].push_back(&row);
-    Grid grid{"Over all families: sums of counts, worst of the rest",
-              {{"algorithm"}, {"table type"}, {"families", true}, {"failed", true}},
-              {}};
+    TextGrid grid{"Over all families: sums of counts, worst of the rest",
+                  {{"algorithm"}, {"table type"}, {"families", true}, {"failed", true}},
+                  {}};
     for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
     for (const auto& [name, rows] : groups) {
         const auto failed = std::count_if(rows.begin(), rows.end(),
@@ -55,8 +55,8 @@ Grid stability_summary_grid(const ReportData& data) {
     return grid;
 }
 
-Grid stability_grid(const ReportData& data) {
-    Grid grid{"Family by family", {{"family"}, {"algorithm"}, {"table type"}, {"status"}}, {}};
+TextGrid stability_grid(const ReportData& data) {
+    TextGrid grid{"Family by family", {{"family"}, {"algorithm"}, {"table type"}, {"status"}}, {}};
     for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
     for (const ReportCell& row : data.stability) {
         std::vector<GridCell> cells{{row.shape}, {row.algorithm}, {row.table}, {row.status}};

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "edgewise/reports/grid.hpp"
 #include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/text_grid.hpp"
 
 namespace edgewise {
 

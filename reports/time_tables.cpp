@@ -55,20 +55,20 @@ double rank(const ReportCell& cell, PairKind kind) {
 
 }  // namespace
 
-Grid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
-               const std::string& shape) {
-    Grid grid{fmt::format("{}, {} pairs{}, fastest first", scene_label, pair_name(kind),
-                          shape.empty() ? ": by shape" : ", " + shape),
-              {{"shape"},
-               {"vertices", true},
-               {"algorithm"},
-               {"table type"},
-               {"ns a query", true},
-               {"95 % interval", true},
-               {"ratio to baseline", true},
-               {"95 % interval", true},
-               {"rounds", true}},
-              {}};
+TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
+                   const std::string& shape) {
+    TextGrid grid{fmt::format("{}, {} pairs{}, fastest first", scene_label, pair_name(kind),
+                              shape.empty() ? ": by shape" : ", " + shape),
+                  {{"shape"},
+                   {"vertices", true},
+                   {"algorithm"},
+                   {"table type"},
+                   {"ns a query", true},
+                   {"95 % interval", true},
+                   {"ratio to baseline", true},
+                   {"95 % interval", true},
+                   {"rounds", true}},
+                  {}};
     std::vector<std::pair<double, const ReportCell*>> cells;
     for (const ReportCell& cell : data.cells)
         if (cell.verified() && cell.scene_label == scene_label && (shape.empty() || cell.shape == shape))

@@ -12,6 +12,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <utility>
 
 #include "edgewise/geometry/vec.hpp"
 #include "edgewise/scene/quaternion.hpp"
@@ -51,6 +52,12 @@ class Rng {
             const std::uint64_t bits = next();
             if (bits >= surplus) return bits % n;
         }
+    }
+
+    /// Every order of the items equally likely (Fisher and Yates).
+    template <class Items>
+    void shuffle(Items& items) {
+        for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[below(i)]);
     }
 
     /// Uniform in the cube [-half, half]^3.

@@ -44,7 +44,7 @@ std::vector<MovingBody> turning_bodies(const SceneSetup& setup, double spacing, 
 std::vector<std::uint32_t> any_order(std::uint32_t count, Rng& rng) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < count; ++i) order.push_back(i);
-    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[rng.below(i)]);
+    rng.shuffle(order);
     return order;
 }
 

@@ -47,9 +47,12 @@ std::vector<Vec3d> cubic_nodes(int k) {
     return nodes;
 }
 
-double to_grid(double x) { return std::floor(x * 0x1p21 + 0.5) * 0x1p-21; }
-
 }  // namespace
+
+Vec3d on_sphere_grid(const Vec3d& point) {
+    const auto to_grid = [](double x) { return std::floor(x * 0x1p21 + 0.5) * 0x1p-21; };
+    return {to_grid(point.x()), to_grid(point.y()), to_grid(point.z())};
+}
 
 std::vector<SphereSize> sphere_sizes() {
     std::vector<SphereSize> sizes;
@@ -70,7 +73,7 @@ std::vector<Vec3d> sphere_points(SphereSize size) {
     for (Vec3d& point : points) {
         const double radius = 1 + rng.uniform(-noise, noise);
         const double factor = radius / norm(point);
-        for (int axis = 0; axis < 3; ++axis) point[axis] = to_grid(point[axis] * factor);
+        point = on_sphere_grid(point * factor);
     }
     return points;
 }

@@ -23,6 +23,9 @@
 
 namespace edgewise {
 
+/// To the nearest point whose coordinates are whole multiples of 2^-21.
+[[nodiscard]] Vec3d on_sphere_grid(const Vec3d& point);
+
 enum class SphereFamily : std::uint8_t { octahedral, cubic };
 
 struct SphereSize {

@@ -8,15 +8,12 @@
 
 #include "edgewise/scene/angle.hpp"
 #include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/sphere_points.hpp"
 
 namespace edgewise {
 namespace {
 
 constexpr int parallels = 24, meridians = 16;
-
-double to_grid(double x) { return std::floor(x * 0x1p21 + 0.5) * 0x1p-21; }
-
-Vec3d on_grid(const Vec3d& p) { return {to_grid(p.x()), to_grid(p.y()), to_grid(p.z())}; }
 
 }  // namespace
 
@@ -31,8 +28,8 @@ std::vector<Vec3d> uv_sphere_points() {
         for (int k = 0; k < meridians; ++k) {
             const SineCosine around = sine_cosine(2 * std::numbers::pi * k / meridians);
             const double radius = 1 + rng.uniform(-noise, noise);
-            points.push_back(
-                on_grid(radius * Vec3d(polar.sine * around.cosine, polar.sine * around.sine, -polar.cosine)));
+            points.push_back(on_sphere_grid(
+                radius * Vec3d(polar.sine * around.cosine, polar.sine * around.sine, -polar.cosine)));
         }
     }
     points.emplace_back(0, 0, 1);

@@ -14,6 +14,7 @@
 #include "edgewise/sweep/cell.hpp"
 #include "edgewise/sweep/contender.hpp"
 #include "edgewise/sweep/draw_layout.hpp"
+#include "edgewise/sweep/schema.hpp"
 
 namespace edgewise {
 
@@ -70,7 +71,7 @@ class Sweep {
         for (const TableType* type : work_.types) {
             if (type->layout == last) continue;
             last = type->layout;
-            store_.set_meta("drawing " + type->name, draw_layout(*type, drawn_shape, *body));
+            store_.set_meta(drawing_key + type->name, draw_layout(*type, drawn_shape, *body));
         }
     }
 
@@ -181,7 +182,7 @@ class Sweep {
                                                                         double clock_cost_ns) const {
         turn.push_back(&baseline);
         Rng rng(plan_.seed + static_cast<std::uint64_t>(number));
-        for (std::size_t i = turn.size(); i > 1; --i) std::swap(turn[i - 1], turn[rng.below(i)]);
+        rng.shuffle(turn);
         std::vector<std::pair<std::string, Round>> rounds;
         Timing baseline_timing;
         for (const Contender* contender : turn) {

@@ -9,6 +9,9 @@ namespace edgewise {
 inline constexpr int store_schema_version = 2;
 inline constexpr int store_application_id = 0x45644765;  ///< "EdGe", so that another program's file is known
 
+/// Keys of meta: this and a table type's name hold the picture of that table, as SVG.
+inline constexpr const char* drawing_key = "drawing ";
+
 inline constexpr const char* store_schema = R"sql(
 create table if not exists meta(key text primary key, value text not null) without rowid;
 

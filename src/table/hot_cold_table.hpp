@@ -5,7 +5,7 @@
 // layouts/hot_cold.hpp.
 #pragma once
 
-#include "edgewise/table/vertex_face_table.hpp"
+#include "edgewise/table/edge_records.hpp"
 
 namespace edgewise {
 
@@ -25,25 +25,16 @@ struct ColdEdge {
 };
 
 template <Precision P, class Loader>
-class HotColdTable : public VertexFaceTable<P, Loader> {
-    using Base = VertexFaceTable<P, Loader>;
+class HotColdTable : public EdgeRecords<P, Loader, ColdEdge<typename P::Stored>> {
+    using Base = EdgeRecords<P, Loader, ColdEdge<typename P::Stored>>;
     using Base::block_;
+    using Base::edges_;
     using Base::load;
 
   public:
     using typename Base::Compute;
     using typename Base::Edge;
-    using typename Base::Face;
     using typename Base::Stored;
-    using typename Base::Vertex;
-
-    [[nodiscard]] Vertex tail(Edge e) const { return load(cold_[e].ends.tail, Field::edge_ends); }
-    [[nodiscard]] Vertex head(Edge e) const { return load(cold_[e].ends.head, Field::edge_ends); }
-    [[nodiscard]] Face left(Edge e) const { return load(cold_[e].ends.left, Field::edge_ends); }
-    [[nodiscard]] Face right(Edge e) const { return load(cold_[e].ends.right, Field::edge_ends); }
-    [[nodiscard]] Vec3<Compute> direction(Edge e) const {
-        return cast<Compute>(load(cold_[e].direction, Field::edge_direction));
-    }
 
     [[nodiscard]] Plane<Compute> vertex_edge_plane(Edge e, End end) const {
         return cast<Compute>(load(hot_[e].vertex_edge[static_cast<int>(end)], Field::voronoi_plane));
@@ -55,8 +46,8 @@ class HotColdTable : public VertexFaceTable<P, Loader> {
     void write_edge(Index e, const EdgeGeometry& g) {
         hot_[e] = {{cast<Stored>(g.tail_plane), cast<Stored>(g.head_plane)},
                    {cast<Stored>(g.left_plane), cast<Stored>(g.right_plane)}};
-        cold_[e].direction = cast<Stored>(g.direction);
-        cold_[e].length = static_cast<Stored>(g.length);
+        edges_[e].direction = cast<Stored>(g.direction);
+        edges_[e].length = static_cast<Stored>(g.length);
     }
 
   protected:
@@ -73,22 +64,20 @@ class HotColdTable : public VertexFaceTable<P, Loader> {
                                             {Component::edge_geometry, 4 * sizeof(Stored)}});
         });
         hot_ = block_.start(hot);
-        cold_ = block_.start(cold);
-        for (std::size_t e = 0; e < count; ++e) cold_[e].ends = body.edges[e];
+        this->start_edges(cold, body);
         write_geometry(*this, body, write);
     }
 
     /// The same memory seen through another loader.
     template <class OtherLoader>
     HotColdTable(const HotColdTable<P, OtherLoader>& other, Loader loader)
-        : Base(other, loader), hot_(other.hot_), cold_(other.cold_) {}
+        : Base(other, loader), hot_(other.hot_) {}
 
   private:
     using Hot = HotEdge<Stored>;
     using Cold = ColdEdge<Stored>;
 
     Hot* hot_ = nullptr;
-    Cold* cold_ = nullptr;
 };
 
 }  // namespace edgewise

@@ -144,7 +144,7 @@ TEST(Draw, PaintsATableToScale) {
 TEST(Bytes, ReadsAMeshFile) {
     const Folder folder;
     folder.write("corner.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-    const Outcome outcome = run({"bytes", "--mesh", "corner.obj", "--json", "--layouts", "soa_f32"}, folder);
+    const Outcome outcome = run({"bytes", "--mesh", "corner.obj", "--json", "--layouts", "aos_f32"}, folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json row = json::parse(outcome.out)["rows"].at(0);
     EXPECT_EQ(row["vertices"], 4);

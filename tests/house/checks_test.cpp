@@ -125,5 +125,19 @@ TEST(FileRules, CatchPlantedViolations) {
     EXPECT_EQ(foreign_matter({source_file("src/x.hpp", "// fine\n")}).size(), 0u);
 }
 
+TEST(TypesNamedTwice, AreSeenAcrossHeadersOfOneNamespace) {
+    const auto header = [](const char* path, const std::string& text) {
+        return source_file(path, "namespace edgewise {\n" + text + "}\n");
+    };
+    const SourceFile first = header("src/a.hpp", "struct Grid {\n};\n");
+    EXPECT_EQ(to_text(types_named_twice({first, header("src/b.hpp", "class Grid final : A {\n};\n")})),
+              "src/b.hpp:2: edgewise::Grid is also in src/a.hpp\n");
+    EXPECT_TRUE(
+        types_named_twice({first, header("src/b.hpp", "struct Grid;\nstruct Grid<int> {\n};\n")}).empty());
+    EXPECT_TRUE(
+        types_named_twice({first, source_file("src/b.hpp", "namespace other {\nstruct Grid {\n};\n}\n")})
+            .empty());
+}
+
 }  // namespace
 }  // namespace edgewise::house

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <regex>
 #include <string_view>
 
 #include "function_spans.hpp"
@@ -112,6 +114,26 @@ std::vector<Violation> foreign_matter(const std::vector<SourceFile>& files) {
         for (std::size_t i = 0; i < file.lines.size(); ++i) {
             const std::string what = foreign_in(file.lines[i]);
             if (!what.empty()) found.push_back({file.path, i + 1, what});
+        }
+    }
+    return found;
+}
+
+std::vector<Violation> types_named_twice(const std::vector<SourceFile>& files) {
+    static const std::regex opens(R"(^namespace (\S+) \{.*)");
+    static const std::regex defines(R"(^(?:struct|class|union|enum(?: class)?) (\w+)(?![\w<])[^;]*$)");
+    std::vector<Violation> found;
+    std::map<std::string, std::string> places;  // of namespace::name
+    for (const SourceFile& file : files) {
+        if (!file.path.ends_with(".hpp") || file.path.starts_with("tests/")) continue;
+        std::string inside;
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            std::smatch match;
+            if (std::regex_match(file.lines[i], match, opens)) inside = match[1];
+            if (!std::regex_match(file.lines[i], match, defines)) continue;
+            const std::string name = inside + "::" + match[1].str();
+            const auto [place, is_new] = places.emplace(name, file.path);
+            if (!is_new) found.push_back({file.path, i + 1, name + " is also in " + place->second});
         }
     }
     return found;

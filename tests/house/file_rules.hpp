@@ -24,4 +24,8 @@ inline constexpr std::size_t longest_file = 300, longest_function = 40;
 /// lines).
 [[nodiscard]] std::vector<Violation> foreign_matter(const std::vector<SourceFile>& files);
 
+/// Types that two headers define under one name in one namespace: no compiler sees both, and the linker takes
+/// the functions of either for both.
+[[nodiscard]] std::vector<Violation> types_named_twice(const std::vector<SourceFile>& files);
+
 }  // namespace edgewise::house

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Every header compiles alone, and twice. One unit a header, checked but not compiled to code, by a target that only
-# the test asks for; a header that did not change, nor what it includes, is not checked again.
+# the test asks for; a header that did not change, nor what it includes, is not checked again. A header that its own
+# source includes before all others has been compiled alone by the build.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src/*.hpp
     ${PROJECT_SOURCE_DIR}/layouts/*.hpp ${PROJECT_SOURCE_DIR}/probes/*.hpp ${PROJECT_SOURCE_DIR}/reports/*.hpp)
 list(LENGTH headers count)
@@ -13,6 +14,18 @@ file(MAKE_DIRECTORY ${folder})
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 foreach(header IN LISTS headers)
     string(REGEX REPLACE "^src/" "" name ${header})
+    string(REGEX REPLACE "hpp$" "cpp" source ${PROJECT_SOURCE_DIR}/${header})
+    set(first "")
+    if(EXISTS ${source})
+        file(STRINGS ${source} first REGEX "^#include" LIMIT_COUNT 1)
+    endif()
+    file(STRINGS ${PROJECT_SOURCE_DIR}/${header} once REGEX "^#pragma once$")
+    if(once STREQUAL "")
+        message(FATAL_ERROR "house: ${header} lacks #pragma once")
+    endif()
+    if(first STREQUAL "#include \"edgewise/${name}\"")
+        continue()
+    endif()
     string(REPLACE / _ unit ${name})
     set(unit ${folder}/${unit})
     file(CONFIGURE OUTPUT ${unit}.cpp CONTENT "#include \"edgewise/${name}\"\n#include \"edgewise/${name}\"\n")

@@ -43,6 +43,8 @@ TEST(Files, BearTheLicence) { EXPECT_EQ(to_text(missing_licences(tree())), ""); 
 
 TEST(Files, AreShort) { EXPECT_EQ(to_text(long_files(tree())), ""); }
 
+TEST(Types, AreNamedOnce) { EXPECT_EQ(to_text(types_named_twice(tree())), ""); }
+
 TEST(Functions, AreShort) { EXPECT_EQ(to_text(long_functions(tree())), ""); }
 
 TEST(Files, HoldNothingForeign) { EXPECT_EQ(to_text(foreign_matter(tree())), ""); }

@@ -3,9 +3,8 @@
 // The widths of a narrow table's indices at their limits.
 #include <gtest/gtest.h>
 
-#include "edgewise/geometry/hull.hpp"
 #include "edgewise/layouts/lean.hpp"
-#include "edgewise/scene/rng.hpp"
+#include "round_body.hpp"
 
 namespace edgewise {
 namespace {
@@ -29,18 +28,10 @@ TEST(IndexWidth, IndicesWidenAtTheirLimits) {
     }
 }
 
-/// Points on a sphere, all of them corners of their hull.
-Polyhedron spiral(int count) {
-    std::vector<Vec3d> points;
-    Rng rng(1);
-    for (int i = 0; i < count; ++i) points.push_back(rng.on_sphere());
-    return *convex_hull(points);
-}
-
 TEST(IndexWidth, NeighboursOf256VerticesTakeOneByteAndOf257Two) {
-    for (const int count : {256, 257}) {
-        const Polyhedron body = spiral(count);
-        ASSERT_EQ(body.vertex_count(), static_cast<std::size_t>(count));
+    for (const std::size_t count : {256, 257}) {
+        const Polyhedron body = testing::round_body(count);
+        ASSERT_EQ(body.vertex_count(), count);
         const lean<f64> table(body, Parts::features);
         const std::size_t bytes = count == 256 ? 1 : 2;
         EXPECT_EQ(table.ledger()[Component::topology],

@@ -27,13 +27,20 @@ namespace {
 
 using Bytes = std::size_t;
 
+constexpr Bytes to_line(Bytes bytes) { return (64 - bytes % 64) % 64; }
+
 /// What the expectations are sums of.
 struct Counts {
     Bytes v, e, f;
-    Bytes odd = 0;  ///< vertices with an odd number of neighbours
-};
+    std::vector<Bytes> degrees = {};  ///< of the vertices
 
-constexpr Bytes to_line(Bytes bytes) { return (64 - bytes % 64) % 64; }
+    /// What records of a vertex lack of whole lines.
+    [[nodiscard]] Bytes short_of_lines(Bytes record, Bytes neighbour) const {
+        Bytes sum = 0;
+        for (const Bytes degree : degrees) sum += to_line(record + degree * neighbour);
+        return sum;
+    }
+};
 
 /// Short of a line after each array but the last.
 Bytes between(const std::vector<Bytes>& arrays) {
@@ -58,7 +65,8 @@ void expect_bytes(Expect expect) {
         const auto body = stored_body<Table>(*make_shape(shape));
         ASSERT_TRUE(body) << body.error;
         Counts counts{body->vertex_count(), body->edge_count(), body->face_count()};
-        for (Index v = 0; v < body->vertex_count(); ++v) counts.odd += body->ring_of_vertex(v).size() % 2;
+        for (Index v = 0; v < body->vertex_count(); ++v)
+            counts.degrees.push_back(body->ring_of_vertex(v).size());
         const Row expected = expect(counts);
         EXPECT_EQ(Table(*body, Parts::features).ledger().bytes, expected) << Table::name << " " << shape;
     }
@@ -98,9 +106,9 @@ TEST(LayoutBytes, OfSplitAndShortenedRecords) {
         const auto arrays = with_rings({24 * n.v, 128 * n.e, 48 * n.e, 32 * n.f}, n);
         return Row{128 * n.e, 32 * n.e, 24 * n.v, 32 * n.f, 16 * n.e + ring_bytes(n), between(arrays)};
     });
-    expect_bytes<shared_plane<f64>>([](const Counts& n) {  // two offsets and two planes; the direction
-        const auto arrays = with_rings({24 * n.v, 120 * n.e, 32 * n.f}, n);
-        return Row{80 * n.e, 24 * n.e, 24 * n.v, 32 * n.f, 16 * n.e + ring_bytes(n), between(arrays)};
+    expect_bytes<shared_plane<f64>>([](const Counts& n) {  // four offsets; the direction
+        const auto arrays = with_rings({24 * n.v, 72 * n.e, 32 * n.f}, n);
+        return Row{32 * n.e, 24 * n.e, 24 * n.v, 32 * n.f, 16 * n.e + ring_bytes(n), between(arrays)};
     });
     expect_bytes<ring<f64>>([](const Counts& n) {  // ends and the places of four planes
         const auto arrays = with_rings({24 * n.v, 64 * n.e, 64 * n.e, 64 * n.e, 32 * n.f}, n);
@@ -170,16 +178,18 @@ TEST(LayoutBytes, OfDerivedTables) {
     expect_bytes<quantised_outward<f64>>([](const Counts& n) { return narrow(n, 6); });
 }
 
-/// A record: coordinates, its index and its number of neighbours, four bytes a neighbour; in double a whole
-/// number of eights.
 TEST(LayoutBytes, OfPoints) {
     expect_bytes<points_soa<f64>>([](const Counts& n) {
         return Row{0, 0, 24 * n.v, 0, 0, between({8 * n.v, 8 * n.v, 8 * n.v})};
     });
-    expect_bytes<points_neighbours<f64>>(
-        [](const Counts& n) { return Row{0, 0, 24 * n.v, 0, 8 * n.v + 8 * n.e, 4 * n.odd}; });
-    expect_bytes<points_neighbours<f32>>(
-        [](const Counts& n) { return Row{0, 0, 12 * n.v, 0, 8 * n.v + 8 * n.e, 0}; });
+    // A record on lines of its own: coordinates, index, number of neighbours; a neighbour's coordinates and
+    // record.
+    expect_bytes<points_neighbours<f64>>([](const Counts& n) {
+        return Row{0, 0, 24 * n.v + 48 * n.e, 0, 8 * n.v + 8 * n.e, n.short_of_lines(32, 28)};
+    });
+    expect_bytes<points_neighbours<f32>>([](const Counts& n) {
+        return Row{0, 0, 12 * n.v + 24 * n.e, 0, 8 * n.v + 8 * n.e, n.short_of_lines(20, 16)};
+    });
 }
 
 /// The paper's figures: 168 bytes an edge and half of it, in the limit where V/E is a third.

@@ -88,7 +88,7 @@ TEST_F(Report, WhatWasNotMeasuredIsNeverANumber) {
             EXPECT_EQ(row[22], "no overlapping pair in this cell");
         }
     EXPECT_EQ(null_rows, 4);
-    const Grid grid =
+    const TextGrid grid =
         time_grid(read_report((directory_ / "store.db").string()), "tumble", PairKind::Overlapping, "");
     ASSERT_EQ(grid.rows.size(), 1u);
     for (std::size_t column = 4; column < 8; ++column) {
@@ -217,7 +217,7 @@ TEST_F(Report, BadStoresGiveOneClearLine) {
 }
 
 TEST_F(Report, BytesTableAsMarkdown) {
-    const Grid grid = bytes_grid(read_report(make_store()), "cube8");
+    const TextGrid grid = bytes_grid(read_report(make_store()), "cube8");
     EXPECT_EQ(
         grid_markdown(grid),
         "*Bytes per edge of the built tables, cube8*\n\n"
@@ -233,7 +233,7 @@ TEST_F(Report, BytesTableAsMarkdown) {
 
 TEST_F(Report, RatioIntervalsComeFromTheRounds) {
     const ReportData data = read_report(make_store());
-    const Grid grid = time_grid(data, "static", PairKind::Separated, "");
+    const TextGrid grid = time_grid(data, "static", PairKind::Separated, "");
     ASSERT_FALSE(grid.rows.empty());
     EXPECT_EQ(grid.rows[0][6].text, "1.000");
     EXPECT_EQ(grid.rows[0][7].text, "1.000 to 1.006");

@@ -12,11 +12,10 @@
 #include <cstdio>
 #include <set>
 
-#include "edgewise/geometry/hull.hpp"
 #include "edgewise/layouts/soa.hpp"
 #include "edgewise/layouts/soa_stagger.hpp"
-#include "edgewise/scene/rng.hpp"
 #include "edgewise/sweep/arena.hpp"
+#include "round_body.hpp"
 
 namespace edgewise {
 namespace {
@@ -47,14 +46,6 @@ class Cache {
     std::size_t reads_ = 0, misses_ = 0;
 };
 
-/// Points on a sphere, all of them corners: 3 V - 6 edges.
-Polyhedron round_body(std::size_t vertices) {
-    Rng rng(vertices);
-    std::vector<Vec3d> points;
-    while (points.size() < vertices) points.push_back(rng.on_sphere());
-    return *convex_hull(points);
-}
-
 template <template <class, class> class Layout>
 Cache walk(const Polyhedron& body) {
     Arena arena;
@@ -71,7 +62,7 @@ Cache walk(const Polyhedron& body) {
 }
 
 TEST(Stagger, ParallelArraysAStrideApartMissEveryTime) {
-    const Polyhedron body = round_body(172);
+    const Polyhedron body = testing::round_body(172);
     ASSERT_EQ(body.edge_count(), 510U) << "64 lines an array: a multiple of the stride of 4096 bytes";
     const Cache plain = walk<soa>(body), staggered = walk<soa_stagger>(body);
     std::printf("510 edges, %zu reads: soa misses %zu times, soa_stagger %zu, once a line is %zu\n",
@@ -85,7 +76,7 @@ TEST(Stagger, NeverMissesMoreThanOnceALineWhateverTheLength) {
     std::size_t trapped = 0;
     for (const std::size_t near : {44U, 87U, 129U, 172U, 257U, 342U}) {
         for (std::size_t vertices = near - 3; vertices <= near + 3; ++vertices) {
-            const Polyhedron body = round_body(vertices);
+            const Polyhedron body = testing::round_body(vertices);
             const Cache plain = walk<soa>(body), staggered = walk<soa_stagger>(body);
             trapped += plain.misses() > 2 * plain.compulsory();
             EXPECT_EQ(staggered.misses(), staggered.compulsory()) << vertices;

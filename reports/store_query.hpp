@@ -28,13 +28,13 @@ class ReadOnlyDatabase {
     sqlite3* handle_ = nullptr;
 };
 
-class Query {
+class StoreQuery {
   public:
     /// Throws std::runtime_error when the statement does not fit the file: then the store is foreign.
-    Query(const ReadOnlyDatabase& database, const std::string& sql);
-    ~Query();
-    Query(const Query&) = delete;
-    Query& operator=(const Query&) = delete;
+    StoreQuery(const ReadOnlyDatabase& database, const std::string& sql);
+    ~StoreQuery();
+    StoreQuery(const StoreQuery&) = delete;
+    StoreQuery& operator=(const StoreQuery&) = delete;
 
     void bind(int parameter, const std::string& value);
     [[nodiscard]] bool next();  ///< false at the end; throws when the file cannot be read on

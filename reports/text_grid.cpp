@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // See grid.hpp. Reasons are numbered under each table, so that they are read without a mouse and on paper.
-#include "edgewise/reports/grid.hpp"
+#include "edgewise/reports/text_grid.hpp"
 
 #include <fmt/core.h>
 
@@ -58,7 +58,7 @@ GridCell figure_cell(const StoredFigure& figure) {
     return missing_cell(figure.remedy.empty() ? figure.reason : figure.reason + " – " + figure.remedy);
 }
 
-std::string grid_html(const Grid& grid) {
+std::string grid_html(const TextGrid& grid) {
     Reasons reasons;
     std::string out = "<div class=\"wide\"><table>\n";
     if (!grid.caption.empty()) out += fmt::format("<caption>{}</caption>\n", html_text(grid.caption));
@@ -76,7 +76,7 @@ std::string grid_html(const Grid& grid) {
     return out + "</tbody></table></div>\n" + html_reasons(reasons);
 }
 
-std::string grid_markdown(const Grid& grid) {
+std::string grid_markdown(const TextGrid& grid) {
     Reasons reasons;
     std::string out = grid.caption.empty() ? "" : fmt::format("*{}*\n\n", markdown_text(grid.caption));
     std::string rule = "|";

@@ -20,7 +20,7 @@ struct GridColumn {
     bool number = false;  ///< set flush right
 };
 
-struct Grid {
+struct TextGrid {
     std::string caption;
     std::vector<GridColumn> columns;
     std::vector<std::vector<GridCell>> rows;
@@ -30,7 +30,7 @@ struct Grid {
 [[nodiscard]] GridCell figure_cell(const StoredFigure& figure);
 [[nodiscard]] GridCell missing_cell(const std::string& why);
 
-[[nodiscard]] std::string grid_html(const Grid& grid);
-[[nodiscard]] std::string grid_markdown(const Grid& grid);
+[[nodiscard]] std::string grid_html(const TextGrid& grid);
+[[nodiscard]] std::string grid_markdown(const TextGrid& grid);
 
 }  // namespace edgewise

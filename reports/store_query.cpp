@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// See query.hpp. Every failure becomes one line that names the file.
-#include "edgewise/reports/query.hpp"
+// See store_query.hpp. Every failure becomes one line that names the file.
+#include "edgewise/reports/store_query.hpp"
 
 #include <fmt/core.h>
 
@@ -26,20 +26,20 @@ ReadOnlyDatabase::ReadOnlyDatabase(const std::string& path) : path_(path) {
 
 ReadOnlyDatabase::~ReadOnlyDatabase() { sqlite3_close(handle_); }
 
-Query::Query(const ReadOnlyDatabase& database, const std::string& sql) : database_(database) {
+StoreQuery::StoreQuery(const ReadOnlyDatabase& database, const std::string& sql) : database_(database) {
     if (sqlite3_prepare_v2(database.handle(), sql.c_str(), -1, &statement_, nullptr) != SQLITE_OK)
         throw std::runtime_error(
             fmt::format("{} is not a results store of this version ({}): write a new one with a sweep",
                         database.path(), sqlite3_errmsg(database.handle())));
 }
 
-Query::~Query() { sqlite3_finalize(statement_); }
+StoreQuery::~StoreQuery() { sqlite3_finalize(statement_); }
 
-void Query::bind(int parameter, const std::string& value) {
+void StoreQuery::bind(int parameter, const std::string& value) {
     sqlite3_bind_text(statement_, parameter, value.c_str(), -1, SQLITE_TRANSIENT);
 }
 
-bool Query::next() {
+bool StoreQuery::next() {
     const int state = sqlite3_step(statement_);
     if (state == SQLITE_ROW) return true;
     if (state == SQLITE_DONE) return false;
@@ -50,14 +50,14 @@ bool Query::next() {
                                          sqlite3_errmsg(database_.handle())));
 }
 
-std::string Query::text(int column) const {
+std::string StoreQuery::text(int column) const {
     const auto* bytes = sqlite3_column_text(statement_, column);
     return bytes ? reinterpret_cast<const char*>(bytes) : "";
 }
 
-std::int64_t Query::integer(int column) const { return sqlite3_column_int64(statement_, column); }
+std::int64_t StoreQuery::integer(int column) const { return sqlite3_column_int64(statement_, column); }
 
-std::optional<double> Query::real(int column) const {
+std::optional<double> StoreQuery::real(int column) const {
     if (sqlite3_column_type(statement_, column) == SQLITE_NULL) return std::nullopt;
     return sqlite3_column_double(statement_, column);
 }
