@@ -27,6 +27,10 @@ add_library(edgewise_tool STATIC
     ${EDGEWISE_JEMALLOC_SOURCES}
     src/algorithms/moore_wilhelms.cpp
     src/cli/progress.cpp
+    ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp
+    src/measure/cache_level.cpp
+    src/measure/cache_machine.cpp
+    src/measure/cache_model.cpp
     src/measure/caches.cpp
     src/measure/counters.cpp
     src/measure/cpu.cpp
@@ -34,7 +38,10 @@ add_library(edgewise_tool STATIC
     src/measure/lines_touched.cpp
     src/measure/machine.cpp
     src/measure/machine_json.cpp
+    src/measure/miss_curve.cpp
     src/measure/perf_event.cpp
+    src/measure/reuse_distance.cpp
+    src/measure/scene_caches.cpp
     src/measure/statistics.cpp
     src/scene/case_file.cpp
     src/scene/hard/bodies.cpp
@@ -113,6 +120,5 @@ add_executable(edgewise_program
     src/cli/stability_run.cpp)
 set_target_properties(edgewise_program PROPERTIES OUTPUT_NAME edgewise RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_link_libraries(edgewise_program PRIVATE edgewise_tool edgewise_reports CLI11::CLI11 edgewise_tuned_flags)
-if(EDGEWISE_SANITIZE)  # a parser's templates: twice as long to compile when optimised, and nothing there takes time
-    target_compile_options(edgewise_program PRIVATE -O0)
-endif()
+# A parser's templates: twice as long to compile when optimised, and nothing there takes time.
+target_compile_options(edgewise_program PRIVATE $<IF:$<BOOL:${EDGEWISE_SANITIZE}>,-O0,-O1>)

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/measure/cache_machine.hpp"
 #include "edgewise/measure/probe.hpp"
 #include "edgewise/scene/hard/families.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -86,6 +87,28 @@ json list_families() {
     return result;
 }
 
+/// Each level as size, ways and latency, with what its source does not prove.
+json level_json(const LevelGeometry& level, const LevelOrigin& origin, std::uint32_t line) {
+    return {{"name", level.name},      {"bytes", std::uint64_t{level.sets} * level.ways * line},
+            {"ways", level.ways},      {"latency_cycles", origin.latency_cycles},
+            {"source", origin.source}, {"unverified", origin.unverified}};
+}
+
+json list_machines() {
+    json result = json::array();
+    for (const CacheMachine& machine : cache_machines()) {
+        json levels = json::array();
+        for (std::size_t i = 0; i < machine.origins.size(); ++i)
+            levels.push_back(
+                level_json(machine.caches.levels[i], machine.origins[i], machine.caches.line_bytes));
+        result.push_back({{"name", machine.name},
+                          {"what", machine.what},
+                          {"line_bytes", machine.caches.line_bytes},
+                          {"levels", levels}});
+    }
+    return result;
+}
+
 json list_axes() {
     json result = json::array();
     for (const AxisInfo& axis : axes_known())
@@ -117,7 +140,7 @@ const std::map<std::string, json (*)()>& lists() {
     static const std::map<std::string, json (*)()> known = {
         {"layouts", list_layouts},   {"probes", list_probes},    {"algorithms", list_algorithms},
         {"scenes", list_of_scenes},  {"shapes", list_of_shapes}, {"plans", list_plans},
-        {"families", list_families}, {"axes", list_axes}};
+        {"families", list_families}, {"axes", list_axes},        {"machines", list_machines}};
     return known;
 }
 

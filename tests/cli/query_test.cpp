@@ -138,7 +138,9 @@ TEST_P(Query, RefusesOffsetsThatThePrecisionCannotComputeWith) {
         EXPECT_TRUE(answers[0]["distance"].is_null() && answers[0]["certificate"].is_null());
         const bool single = std::string(layout) == "aos_f32";
         EXPECT_EQ(answers[1]["status"], single ? "failed" : "separated");
-        if (single) EXPECT_THAT(answers[1]["error"].get<std::string>(), HasSubstr("use f64"));
+        if (single) {
+            EXPECT_THAT(answers[1]["error"].get<std::string>(), HasSubstr("use f64"));
+        }
         EXPECT_EQ(answers[2]["distance"], 2.0) << layout;
     }
 }

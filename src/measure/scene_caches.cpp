@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/measure/scene_caches.hpp"
+
+#include <algorithm>
+
+namespace edgewise {
+
+namespace {
+
+constexpr std::uint32_t line_unit = 64, page_unit = 4096;
+
+/// The pieces of an access in units of so many bytes.
+template <class Use>
+void each_unit(const TracedAccess& access, std::uint32_t unit, Use use) {
+    const std::uint64_t end = access.address + access.bytes;
+    for (std::uint64_t at = access.address; at < end;) {
+        const std::uint64_t number = at / unit, stop = std::min(end, (number + 1) * unit);
+        use(number, at, static_cast<std::uint32_t>(stop - at));
+        at = stop;
+    }
+}
+
+}  // namespace
+
+/// Reuse distances of one unit, and the units of the query at hand.
+struct SceneCaches::Stack {
+    ReuseDistance reuse;
+    std::vector<std::uint64_t> of_query;
+    std::uint64_t touched = 0;
+};
+
+/// One hierarchy with what was missed and why.
+class SceneCaches::Modelled {
+  public:
+    Modelled(const CacheGeometry& geometry, std::size_t fields, std::size_t steps) : model_(geometry) {
+        std::uint64_t above = 0;
+        for (const LevelGeometry& level : geometry.levels) {
+            const std::uint64_t own = std::uint64_t{level.sets} * level.ways;
+            above = level.inclusion == Inclusion::exclusive ? above + own : own;
+            capacity_.push_back(above);
+            levels_.push_back(
+                {level.name, 0, {}, std::vector<std::uint64_t>(fields), std::vector<std::uint64_t>(steps)});
+        }
+    }
+
+    [[nodiscard]] std::uint32_t unit() const { return model_.geometry().line_bytes; }
+
+    /// Within one line, last used `distance` others ago.
+    void access(std::uint64_t address, std::uint32_t bytes, const TracedAccess& whole,
+                std::uint64_t distance) {
+        const std::size_t depth = model_.access(address, bytes, whole.kind);
+        for (std::size_t level = 0; level < depth; ++level) {
+            LevelMisses& missed = levels_[level];
+            MissKinds& kinds = missed.misses;
+            ++(distance == ReuseDistance::never ? kinds.compulsory
+               : distance >= capacity_[level]   ? kinds.capacity
+                                                : kinds.conflict);
+            ++missed.by_field[whole.field];
+            ++missed.by_step[whole.step];
+        }
+    }
+    [[nodiscard]] std::vector<LevelMisses> counted() const {
+        std::vector<LevelMisses> all = levels_;
+        for (std::size_t i = 0; i < all.size(); ++i) all[i].accesses = model_.counts(i).accesses;
+        return all;
+    }
+    [[nodiscard]] std::vector<LevelCounts> counts() const {
+        std::vector<LevelCounts> all;
+        for (std::size_t i = 0; i < levels_.size(); ++i) all.push_back(model_.counts(i));
+        return all;
+    }
+    [[nodiscard]] CacheModel::Fetched fetched() const { return model_.fetched(); }
+    void forget_counts() {
+        model_.forget_counts();
+        for (LevelMisses& level : levels_) {
+            level.misses = {};
+            std::fill(level.by_field.begin(), level.by_field.end(), 0);
+            std::fill(level.by_step.begin(), level.by_step.end(), 0);
+        }
+    }
+
+  private:
+    CacheModel model_;
+    std::vector<std::uint64_t> capacity_;
+    std::vector<LevelMisses> levels_;
+};
+
+/// A machine's two hierarchies.
+struct SceneCaches::Machine {
+    const CacheMachine* described;
+    Modelled caches;
+    std::optional<Modelled> tlbs;
+
+    [[nodiscard]] MachineMisses counted() const {
+        MachineMisses all;
+        all.caches = caches.counted();
+        if (tlbs) all.tlbs = tlbs->counted();
+        all.fetched = caches.fetched();
+        if (described->latencies_known()) all.memory_ns = described->memory_ns(caches.counts());
+        all.proved = described->latencies_proved();
+        return all;
+    }
+    void forget_counts() {
+        caches.forget_counts();
+        if (tlbs) tlbs->forget_counts();
+    }
+};
+
+SceneCaches::SceneCaches(std::span<const CacheMachine> machines, std::size_t fields, std::size_t steps)
+    : by_field_(fields) {
+    stacks_[line_unit];
+    stacks_[page_unit];
+    for (const CacheMachine& machine : machines) {
+        stacks_[machine.caches.line_bytes];
+        std::optional<Modelled> tlbs;
+        if (!machine.tlbs.levels.empty()) {
+            stacks_[machine.tlbs.line_bytes];
+            tlbs.emplace(machine.tlbs, fields, steps);
+        }
+        machines_.push_back({&machine, Modelled(machine.caches, fields, steps), std::move(tlbs)});
+    }
+}
+
+SceneCaches::~SceneCaches() = default;
+
+void SceneCaches::on_access(const TracedAccess& access) {
+    ++by_field_[access.field];
+    const std::uint64_t end = access.address + access.bytes;
+    if (end > touched_.size()) touched_.resize(std::max(end, 2 * touched_.size()), false);
+    std::fill(touched_.begin() + static_cast<std::ptrdiff_t>(access.address),
+              touched_.begin() + static_cast<std::ptrdiff_t>(end), true);
+    for (auto& [unit, stack] : stacks_) {
+        each_unit(
+            access, unit,
+            [&, size = unit, &used = stack](std::uint64_t number, std::uint64_t at, std::uint32_t bytes) {
+                const std::uint64_t distance = used.reuse.use(number);
+                used.of_query.push_back(number);
+                for (Machine& machine : machines_) {
+                    if (machine.caches.unit() == size) machine.caches.access(at, bytes, access, distance);
+                    if (machine.tlbs && machine.tlbs->unit() == size)
+                        machine.tlbs->access(at, bytes, access, distance);
+                }
+            });
+    }
+}
+
+void SceneCaches::on_query_end(bool /*counts*/) {
+    ++queries_;
+    for (auto& [unit, stack] : stacks_) {
+        std::vector<std::uint64_t>& of_query = stack.of_query;
+        std::sort(of_query.begin(), of_query.end());
+        stack.touched +=
+            static_cast<std::uint64_t>(std::unique(of_query.begin(), of_query.end()) - of_query.begin());
+        of_query.clear();
+    }
+}
+
+void SceneCaches::start_steady() {
+    first_ = counted();
+    queries_ = 0;
+    std::fill(by_field_.begin(), by_field_.end(), 0);
+    for (Machine& machine : machines_) machine.forget_counts();
+    for (auto& [unit, stack] : stacks_) {
+        stack.reuse.forget_curve();
+        stack.touched = 0;
+    }
+}
+
+std::vector<MachineMisses> SceneCaches::counted() const {
+    std::vector<MachineMisses> all;
+    for (const Machine& machine : machines_) all.push_back(machine.counted());
+    return all;
+}
+
+ReuseOf SceneCaches::reuse_of(std::uint32_t unit) const {
+    const Stack& stack = stacks_.at(unit);
+    return {unit, stack.reuse.lines(), stack.touched, stack.reuse.curve()};
+}
+
+ReuseOf SceneCaches::lines() const { return reuse_of(line_unit); }
+ReuseOf SceneCaches::pages() const { return reuse_of(page_unit); }
+
+std::uint64_t SceneCaches::bytes_touched() const {
+    return static_cast<std::uint64_t>(std::count(touched_.begin(), touched_.end(), true));
+}
+
+}  // namespace edgewise

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+//
+// The cache model beside Callgrind, which knows nothing of it: kernels whose accesses are all known, on
+// caches old and new. Callgrind also caches instructions and the stack in its last level, so a few misses
+// more there are its own.
+#include <gmock/gmock.h>
+
+#include <cstdio>
+#include <map>
+#include <ostream>
+#include <sstream>
+
+#include "crosscheck_paths.hpp"
+#include "program.hpp"
+
+namespace edgewise {
+namespace {
+
+using namespace cli_test;
+
+struct Geometry {
+    const char* name;
+    unsigned line, d1_bytes, d1_ways, ll_bytes, ll_ways;
+};
+
+void PrintTo(const Geometry& geometry, std::ostream* out) { *out << geometry.name; }
+
+/// What either counted of a kernel.
+struct Counted {
+    double accesses = 0, d1 = 0, ll = 0;
+};
+
+using Kernels = std::map<std::string, Counted>;
+
+Kernels modelled(const std::string& printed) {
+    Kernels kernels;
+    std::istringstream lines(printed);
+    std::string name;
+    for (Counted c; lines >> name >> c.accesses >> c.d1 >> c.ll;) kernels[name] = c;
+    return kernels;
+}
+
+/// One dump. A total leaves out zeros at its end: missing events are none.
+Counted counted_in(const std::string& dump) {
+    std::map<std::string, double> events;
+    std::vector<std::string> names;
+    for (const std::string& line : lines_of(dump)) {
+        std::istringstream words(line);
+        std::string word;
+        words >> word;
+        if (word == "events:") {
+            while (words >> word) names.push_back(word);
+        } else if (word == "totals:" || word == "summary:") {
+            double value = 0;
+            for (std::size_t i = 0; i < names.size() && words >> value; ++i) events[names[i]] = value;
+        }
+    }
+    EXPECT_THAT(names, testing::IsSupersetOf({"Dr", "Dw", "D1mr", "D1mw", "DLmr", "DLmw"}));
+    return {events["Dr"] + events["Dw"], events["D1mr"] + events["D1mw"], events["DLmr"] + events["DLmw"]};
+}
+
+/// By the label that the kernel gave its dump.
+Kernels counted(const Folder& folder) {
+    Kernels kernels;
+    for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
+        if (file.path().filename().string().rfind("callgrind.out", 0) != 0) continue;
+        const std::string dump = text_of(file.path());
+        const std::string mark = "desc: Trigger: Client Request: ";
+        const std::size_t at = dump.find(mark);
+        if (at == std::string::npos) continue;
+        const std::string label = dump.substr(at + mark.size(), dump.find('\n', at) - at - mark.size());
+        kernels[label] = counted_in(dump);
+    }
+    return kernels;
+}
+
+class Crosscheck : public testing::TestWithParam<Geometry> {};
+
+TEST_P(Crosscheck, TheModelMissesWhatCallgrindMisses) {
+    const Geometry& g = GetParam();
+    const Folder folder;
+    const auto option = [&](const char* name, unsigned bytes, unsigned ways) {
+        return std::string("--") + name + "=" + std::to_string(bytes) + "," + std::to_string(ways) + "," +
+               std::to_string(g.line);
+    };
+    const auto text = [](unsigned value) { return std::to_string(value); };
+    Process process(
+        valgrind,
+        {"--tool=callgrind", "--cache-sim=yes", option("I1", 32768, 8), option("D1", g.d1_bytes, g.d1_ways),
+         option("LL", g.ll_bytes, g.ll_ways), "--instr-atstart=no", "--callgrind-out-file=callgrind.out",
+         kernels_program, text(g.line), text(g.d1_bytes), text(g.d1_ways), text(g.ll_bytes), text(g.ll_ways)},
+        folder);
+    const Outcome outcome = process.wait();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Kernels ours = modelled(outcome.out), theirs = counted(folder);
+    ASSERT_EQ(ours.size(), 15U) << outcome.out;
+    double worst_d1 = 0, worst_ll = 0, most = 0;
+    for (const auto& [name, model] : ours) {
+        SCOPED_TRACE(name);
+        ASSERT_TRUE(theirs.count(name));
+        const Counted tool = theirs.at(name);
+        EXPECT_NEAR(model.accesses, tool.accesses, 10);
+        EXPECT_NEAR(model.d1, tool.d1, 10 + 1e-4 * model.d1);
+        EXPECT_NEAR(model.ll, tool.ll, 10 + 1e-4 * model.ll);
+        worst_d1 = std::max(worst_d1, std::abs(model.d1 - tool.d1));
+        worst_ll = std::max(worst_ll, std::abs(model.ll - tool.ll));
+        most = std::max(most, model.d1);
+    }
+    EXPECT_GT(most, 1000) << "no kernel misses: nothing was compared";
+    std::printf("%s: %zu kernels, to %.0f misses; D1 differs by %.0f at most, LL by %.0f\n", g.name,
+                ours.size(), most, worst_d1, worst_ll);
+}
+
+constexpr unsigned K = 1024, M = K * K;
+INSTANTIATE_TEST_SUITE_P(
+    On, Crosscheck,
+    testing::Values(Geometry{"PentiumIIIKatmai", 32, 16 * K, 4, 512 * K, 4},
+                    Geometry{"PentiumIIICoppermine", 32, 16 * K, 4, 256 * K, 8},
+                    Geometry{"Small", 64, 16 * K, 4, 256 * K, 8}, Geometry{"K7", 64, 64 * K, 2, 512 * K, 2},
+                    Geometry{"K7Thunderbird", 64, 64 * K, 2, 256 * K, 16},
+                    Geometry{"Skylake", 64, 32 * K, 8, M, 16}, Geometry{"Zen2", 64, 32 * K, 8, 512 * K, 8},
+                    Geometry{"Zen5", 64, 48 * K, 12, M, 16},
+                    Geometry{"SapphireRapids", 64, 48 * K, 12, 2 * M, 16},
+                    Geometry{"CortexA72", 64, 32 * K, 2, M, 16}, Geometry{"Direct", 64, 8 * K, 1, 128 * K, 1},
+                    Geometry{"LongLines", 128, 64 * K, 8, 512 * K, 8}),
+    [](const auto& geometry) { return std::string(geometry.param.name); });
+
+}  // namespace
+}  // namespace edgewise
