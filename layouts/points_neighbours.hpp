@@ -8,7 +8,7 @@
 // Records start on cache lines, as long as they need to be. Per record 20 bytes in single (32 in double):
 // coordinates, the vertex's own index and the number of neighbours; and 16 (28) a neighbour: a copy of its
 // coordinates and the line where its record starts. The price: every vertex is kept once for itself and once
-// for each neighbour, five to ten times the bytes of coordinates alone.
+// for each neighbour, ten times the bytes of coordinates alone.
 #pragma once
 
 #include <vector>

@@ -59,13 +59,13 @@ std::size_t CacheModel::fetch(std::uint64_t line, std::uint64_t used, bool dirti
 void CacheModel::put(std::size_t level, const CachedLine& entry) {
     auto gone = levels_[level].insert(entry);
     if (!gone) return;
-    if (level == 0) note_gone(*gone);
+    if (level == 0) add_to(gone_, *gone);
     if (geometry_.levels[level].inclusion == Inclusion::inclusive) {
         for (std::size_t above = 0; above < level; ++above) {
             const auto lost = levels_[above].take(gone->line);
             if (!lost) continue;
             gone->dirty |= lost->dirty;
-            if (above == 0) note_gone(*lost);
+            if (above == 0) add_to(gone_, *lost);
         }
     }
     const std::size_t below = level + 1;
@@ -87,18 +87,14 @@ void CacheModel::write_back(std::size_t level, const CachedLine& entry) {
     }
 }
 
-void CacheModel::note_gone(const CachedLine& entry) {
-    gone_.bytes += geometry_.line_bytes;
-    gone_.unused += (64 - static_cast<std::uint64_t>(std::popcount(entry.used))) * geometry_.line_bytes / 64;
+void CacheModel::add_to(Fetched& sum, const CachedLine& entry) const {
+    sum.bytes += geometry_.line_bytes;
+    sum.unused += (64 - static_cast<std::uint64_t>(std::popcount(entry.used))) * geometry_.line_bytes / 64;
 }
 
 CacheModel::Fetched CacheModel::fetched() const {
     Fetched all = gone_;
-    levels_[0].for_each([&](const CachedLine& entry) {
-        all.bytes += geometry_.line_bytes;
-        all.unused +=
-            (64 - static_cast<std::uint64_t>(std::popcount(entry.used))) * geometry_.line_bytes / 64;
-    });
+    levels_[0].for_each([&](const CachedLine& entry) { add_to(all, entry); });
     return all;
 }
 

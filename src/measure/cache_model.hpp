@@ -94,7 +94,7 @@ class CacheModel {
     std::size_t fetch(std::uint64_t line, std::uint64_t used, bool dirties);
     void put(std::size_t level, const CachedLine& entry);
     void write_back(std::size_t level, const CachedLine& entry);
-    void note_gone(const CachedLine& entry);
+    void add_to(Fetched& sum, const CachedLine& entry) const;
 
     void count(std::size_t depth) {
         ++counts_[0].accesses;

@@ -5,7 +5,6 @@
 // in every run; the caches of pairs follow behind the tables.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "edgewise/measure/cache_model.hpp"
@@ -30,31 +29,6 @@ class TraceListener {
     virtual void on_access(const TracedAccess& access) = 0;
     /// After each query; `counts` is false for the cold first query of a pair in a warm scene.
     virtual void on_query_end(bool counts) = 0;
-};
-
-/// Where a traced loader tells what it reads.
-class TraceSink {
-  public:
-    TraceSink(TraceListener& listener, std::uint8_t side) : listener_(&listener), side_(side) {}
-
-    void start_at(const void* base) { base_ = reinterpret_cast<std::uintptr_t>(base); }
-    void set_step(std::uint8_t step) { step_ = step; }
-
-    template <class Field>
-    void read(const void* address, std::size_t bytes, Field field) {
-        note(reinterpret_cast<std::uintptr_t>(address) - base_, bytes, AccessKind::read,
-             static_cast<std::uint8_t>(field));
-    }
-    /// Not to be inlined: query loops call it at every read.
-    [[gnu::noinline]] void note(std::uint64_t address, std::size_t bytes, AccessKind kind,
-                                std::uint8_t field) {
-        listener_->on_access({address, static_cast<std::uint32_t>(bytes), kind, field, step_, side_});
-    }
-
-  private:
-    TraceListener* listener_;
-    std::uintptr_t base_ = 0;
-    std::uint8_t step_ = 0, side_;
 };
 
 }  // namespace edgewise
