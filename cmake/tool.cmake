@@ -14,6 +14,7 @@ add_custom_target(edgewise_build_info BYPRODUCTS ${build_info}
             -P ${PROJECT_SOURCE_DIR}/cmake/write_build_info.cmake)
 
 include(jemalloc)
+include(libpfm)
 
 set(mesh_sources src/geometry/mesh_file_unavailable.cpp)
 if(assimp_FOUND)
@@ -25,6 +26,7 @@ add_library(edgewise_tool STATIC
     ${build_info}
     ${mesh_sources}
     ${EDGEWISE_JEMALLOC_SOURCES}
+    ${EDGEWISE_LIBPFM_SOURCES}
     src/algorithms/moore_wilhelms.cpp
     src/cli/progress.cpp
     ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp
@@ -32,17 +34,27 @@ add_library(edgewise_tool STATIC
     src/measure/cache_machine.cpp
     src/measure/cache_model.cpp
     src/measure/caches.cpp
+    src/measure/count_pass.cpp
+    src/measure/counter_arithmetic.cpp
+    src/measure/counter_group.cpp
     src/measure/counters.cpp
     src/measure/cpu.cpp
+    src/measure/event_choice.cpp
+    src/measure/event_table.cpp
     src/measure/fact.cpp
+    src/measure/generic_event.cpp
     src/measure/lines_touched.cpp
     src/measure/machine.cpp
     src/measure/machine_json.cpp
     src/measure/miss_curve.cpp
+    src/measure/perf_error.cpp
     src/measure/perf_event.cpp
+    src/measure/processor.cpp
     src/measure/reuse_distance.cpp
     src/measure/scene_caches.cpp
+    src/measure/software_watch.cpp
     src/measure/statistics.cpp
+    src/measure/thread_usage.cpp
     src/scene/case_file.cpp
     src/scene/hard/bodies.cpp
     src/scene/hard/contact.cpp
@@ -102,7 +114,7 @@ add_library(edgewise_tool STATIC
 add_dependencies(edgewise_tool edgewise_build_info)
 target_link_libraries(edgewise_tool
     PUBLIC edgewise_library nlohmann_json::nlohmann_json fmt::fmt ${GMPXX_LIBRARY} ${GMP_LIBRARY}
-    PRIVATE SQLite::SQLite3 edgewise_tuned_flags)
+    PRIVATE SQLite::SQLite3 ${EDGEWISE_LIBPFM_LIBRARY} edgewise_tuned_flags)
 if(assimp_FOUND)
     target_link_libraries(edgewise_tool PRIVATE assimp::assimp)
 endif()

@@ -12,14 +12,19 @@ namespace edgewise::cli {
 
 namespace {
 
-void print_counters(const nlohmann::json& counters) {
-    for (const auto& counter : counters) {
-        if (counter["status"] == "counted") {
-            fmt::print("  {:<24} counted\n", counter["event"].get<std::string>());
-        } else {
-            fmt::print("  {:<24} unavailable: {}. {}\n", counter["event"].get<std::string>(),
-                       counter.value("reason", ""), counter.value("remedy", ""));
-        }
+/// One event: what it counts and by which code, then its value, or why there is none and what to do.
+void print_counter(const nlohmann::json& counter) {
+    const auto text = [&](const char* key) {
+        return counter[key].is_string() ? counter[key].get<std::string>() : std::string("?");
+    };
+    fmt::print("  {:<20} {:<17} {}\n", text("event"), text("level"), text("meaning"));
+    fmt::print("    by {}: {}\n", text("by"), text("encoding"));
+    if (counter["status"] == "counted") {
+        fmt::print("    counted: {}{}\n", counter["value"].dump(), counter["unit"] == "ns" ? " ns" : "");
+    } else {
+        const std::string error =
+            counter["errno"].is_null() ? "" : fmt::format(" (errno {})", counter["errno"].dump());
+        fmt::print("    unavailable{}: {}. {}\n", error, text("reason"), text("remedy"));
     }
 }
 
@@ -33,7 +38,7 @@ int run(bool json) {
     machine.erase("counters");
     for (const auto& [key, value] : machine.items()) fmt::print("{}: {}\n", key, value.dump());
     fmt::print("counters:\n");
-    print_counters(counters);
+    for (const auto& counter : counters) print_counter(counter);
     return exit_done;
 }
 

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
 //
-// The generic events name different things on different processors; `level` says which, from the kernel's
-// tables (arch/x86/events/intel/core.c, amd/core.c, arm_pmuv3.c): "cache-misses" is the last level on Intel,
-// the second level on AMD and the first on Arm.
-//
 // Departure from "user mode only": context-switches and cpu-migrations happen inside the kernel, so that the
 // kernel filters every one of them out of a user-only count, which then is a perfect 0 without any error.
 #include "edgewise/measure/counters.hpp"
@@ -14,69 +10,58 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <ctime>
+#include <string>
 
+#include "edgewise/measure/perf_error.hpp"
 #include "edgewise/measure/perf_event.hpp"
 
 namespace edgewise {
 
 namespace {
 
-/// What an event counts, by maker; empty: nobody can say.
-struct Levels {
-    std::string_view intel, amd, arm, other;
-};
-
-struct Event {
+struct SoftwareEvent {
     std::string_view name;
     EventCode code;
-    Levels levels;
     bool must_happen;  ///< the reference work causes it for certain
+    std::string_view meaning;
     std::string_view unit = "1";
 };
 
-constexpr std::uint64_t read_misses(std::uint64_t cache) {
-    return cache | PERF_COUNT_HW_CACHE_OP_READ << 8 | PERF_COUNT_HW_CACHE_RESULT_MISS << 16;
-}
-
-constexpr Levels core{"core", "core", "core", "core"};
-constexpr Levels kernel{"kernel", "kernel", "kernel", "kernel"};
-constexpr Levels generic_cache{"LLC", "L2", "L1D", ""};
-constexpr Levels first_level{"L1D", "L1D", "L1D", "L1D"};
-constexpr Levels translation{"dTLB, page walks", "L1 dTLB", "L1 dTLB", ""};
-
-constexpr std::array<Event, 11> events{{
-    {"instructions", {PERF_TYPE_HARDWARE, PERF_COUNT_HW_INSTRUCTIONS}, core, true},
-    {"cycles", {PERF_TYPE_HARDWARE, PERF_COUNT_HW_CPU_CYCLES}, core, true},
-    {"cache-references", {PERF_TYPE_HARDWARE, PERF_COUNT_HW_CACHE_REFERENCES}, generic_cache, false},
-    {"cache-misses", {PERF_TYPE_HARDWARE, PERF_COUNT_HW_CACHE_MISSES}, generic_cache, false},
-    {"branch-misses", {PERF_TYPE_HARDWARE, PERF_COUNT_HW_BRANCH_MISSES}, core, false},
-    {"L1-dcache-load-misses", {PERF_TYPE_HW_CACHE, read_misses(PERF_COUNT_HW_CACHE_L1D)}, first_level, true},
-    {"dTLB-load-misses", {PERF_TYPE_HW_CACHE, read_misses(PERF_COUNT_HW_CACHE_DTLB)}, translation, false},
-    {"page-faults", {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_PAGE_FAULTS}, kernel, true},
-    {"context-switches", {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_CONTEXT_SWITCHES, true}, kernel, true},
-    {"cpu-migrations", {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_CPU_MIGRATIONS, true}, kernel, false},
-    {"task-clock", {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_TASK_CLOCK}, kernel, true, "ns"},
+constexpr std::array<SoftwareEvent, 6> software_events{{
+    {"page-faults",
+     {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_PAGE_FAULTS},
+     true,
+     "pages mapped in at a first touch"},
+    {"minor-faults",
+     {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_PAGE_FAULTS_MIN},
+     true,
+     "those without reading a disk"},
+    {"major-faults", {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_PAGE_FAULTS_MAJ}, false, "those read from a disk"},
+    {"context-switches",
+     {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_CONTEXT_SWITCHES, true},
+     true,
+     "times the thread left its processor"},
+    {"cpu-migrations",
+     {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_CPU_MIGRATIONS, true},
+     false,
+     "times the thread changed its processor"},
+    {"task-clock", {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_TASK_CLOCK}, true, "time on a processor", "ns"},
 }};
 
-std::string encoding(const EventCode& code) {
-    const char* const type = code.type == PERF_TYPE_HARDWARE   ? "PERF_TYPE_HARDWARE"
-                             : code.type == PERF_TYPE_HW_CACHE ? "PERF_TYPE_HW_CACHE"
-                                                               : "PERF_TYPE_SOFTWARE";
-    return fmt::format("{}:{:#x}{}", type, code.config, code.kernel_too ? "" : ":u");
-}
-
-std::optional<std::string> level(const Levels& levels, const Cpu& cpu) {
-    const std::string vendor = cpu.vendor.value.value_or("");
-    const std::string_view found = vendor == "GenuineIntel"   ? levels.intel
-                                   : vendor == "AuthenticAMD" ? levels.amd
-                                   : vendor == "HygonGenuine" ? levels.amd
-                                   : vendor.starts_with("0x") ? levels.arm
-                                                              : levels.other;
-    if (found.empty()) return std::nullopt;
-    return std::string(found);
+ChosenEvent choose_software(const SoftwareEvent& software, const Cpu& cpu) {
+    ChosenEvent event;
+    event.event = software.name;
+    event.by = "software";
+    event.encoding = encoding_text(software.code);
+    event.level = "kernel";
+    event.meaning = software.meaning;
+    event.unit = software.unit;
+    event.code = software.code;
+    event.must_happen = software.must_happen;
+    event.error = PerfEvent(software.code).error();
+    if (event.error != 0) event.refusal = explain_error(event.error, false, cpu);
+    return event;
 }
 
 /// See reference_work. False when the system gives no memory.
@@ -99,11 +84,10 @@ bool do_reference_work() {
 
 void set_unavailable(CounterRecord& record, std::string reason, std::string remedy) {
     record.value.reset();
-    record.reason = std::move(reason);
-    record.remedy = std::move(remedy);
+    record.refusal = {std::move(reason), std::move(remedy)};
 }
 
-void judge(CounterRecord& record, const EventCount& count, bool must_happen) {
+void judge(CounterRecord& record, const EventCount& count) {
     if (count.running_ns == 0) {
         set_unavailable(
             record, "opened, but it was never on a counter",
@@ -115,7 +99,7 @@ void judge(CounterRecord& record, const EventCount& count, bool must_happen) {
             fmt::format("on a counter for only {} of {} ns: it shared one, and a scaled count is a guess",
                         count.running_ns, count.enabled_ns),
             "end other users of the counters, also the NMI watchdog (sysctl kernel.nmi_watchdog=0)");
-    } else if (count.value == 0 && must_happen) {
+    } else if (count.value == 0 && record.must_happen) {
         set_unavailable(record, "counted 0 over work that must cause it: this counter does not work here",
                         "run outside the virtual machine or container");
     } else {
@@ -123,22 +107,14 @@ void judge(CounterRecord& record, const EventCount& count, bool must_happen) {
     }
 }
 
-CounterRecord read_counter(const Event& event, const Cpu& cpu) {
-    CounterRecord record;
-    record.event = event.name;
-    record.encoding = encoding(event.code);
-    record.level = level(event.levels, cpu);
-    record.unit = event.unit;
+CounterRecord read_counter(const ChosenEvent& event) {
+    CounterRecord record{event, std::nullopt};
+    if (!event.refusal.reason.empty()) return record;
     PerfEvent counter(event.code);
-    if (counter.error() != 0) {
-        record.error = counter.error();
-        explain_error(record, event.code.type != PERF_TYPE_SOFTWARE, cpu);
-        return record;
-    }
     const bool worked = counter.start() && do_reference_work();
     const std::optional<EventCount> count = counter.stop();
     if (worked && count) {
-        judge(record, *count, event.must_happen);
+        judge(record, *count);
     } else {
         set_unavailable(record, "opened, but the kernel gave no count", "try again");
     }
@@ -147,36 +123,12 @@ CounterRecord read_counter(const Event& event, const Cpu& cpu) {
 
 }  // namespace
 
-void explain_error(CounterRecord& record, bool hardware, const Cpu& cpu) {
-    const bool guest = cpu.hypervisor.value.value_or(false);
-    const std::string words = std::strerror(record.error);
-    const auto is_one_of = [&](auto... codes) { return ((record.error == codes) || ...); };
-    if (is_one_of(EACCES, EPERM)) {
-        set_unavailable(record, "no permission: " + words,
-                        "as root: sysctl kernel.perf_event_paranoid=1, or give the program CAP_PERFMON; "
-                        "in a container also allow perf_event_open in its seccomp profile");
-    } else if (is_one_of(ENOENT, EOPNOTSUPP, ENODEV) && hardware && guest) {
-        set_unavailable(
-            record, "this virtual machine has no performance counters for it: " + words,
-            "have the hypervisor pass the PMU through (KVM: -cpu host,pmu=on), or run on the bare machine");
-    } else if (is_one_of(ENOENT, EOPNOTSUPP, ENODEV, EINVAL)) {
-        set_unavailable(record, "this processor or kernel does not have the event: " + words,
-                        "use a kernel that knows the processor, or an event by its raw code");
-    } else if (record.error == ENOSYS) {
-        set_unavailable(
-            record, "the kernel has no perf_event_open: " + words,
-            "use a kernel with CONFIG_PERF_EVENTS, outside of a sandbox that emulates system calls");
-    } else if (is_one_of(EBUSY, EMFILE, ENOSPC)) {
-        set_unavailable(record, "no counter or file descriptor free: " + words,
-                        "end other users of the counters, or raise ulimit -n");
-    } else {
-        set_unavailable(record, words, "see man 2 perf_event_open");
-    }
-}
-
 std::vector<CounterRecord> read_counters(const Cpu& cpu) {
     std::vector<CounterRecord> records;
-    for (const Event& event : events) records.push_back(read_counter(event, cpu));
+    for (const MetricName& metric : metrics) records.push_back(read_counter(choose_event(metric, cpu)));
+    for (const SoftwareEvent& event : software_events) {
+        records.push_back(read_counter(choose_software(event, cpu)));
+    }
     return records;
 }
 

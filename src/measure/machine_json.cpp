@@ -80,13 +80,15 @@ json counter_json(const CounterRecord& record) {
     const bool counted = record.value.has_value();
     return {{"event", record.event},
             {"status", counted ? "counted" : "unavailable"},
+            {"by", record.by},
             {"encoding", record.encoding},
             {"level", or_null(record.level)},
+            {"meaning", record.meaning},
             {"unit", record.unit},
             {"value", or_null(record.value)},
             {"errno", record.error != 0 ? json(record.error) : json(nullptr)},
-            {"reason", counted ? json(nullptr) : json(record.reason)},
-            {"remedy", counted ? json(nullptr) : json(record.remedy)}};
+            {"reason", counted ? json(nullptr) : json(record.refusal.reason)},
+            {"remedy", counted ? json(nullptr) : json(record.refusal.remedy)}};
 }
 
 }  // namespace

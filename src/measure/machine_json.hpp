@@ -2,8 +2,9 @@
 //
 // The machine as JSON: what `edgewise machine --json` prints and what a store keeps with each build.
 //
-//     {"cpu":{...},"caches":[{...}],"page_bytes",...,"counters":[{"event","status","encoding","level","value",
-//      "errno","reason","remedy",...}],"counted_over":text,"unreadable":{"governor":"why it is null",...}}
+//     {"cpu":{...},"caches":[{...}],"page_bytes",...,"counters":[{"event","status","by","encoding","level",
+//      "meaning","unit","value","errno","reason","remedy"}],"counted_over":text,
+//      "unreadable":{"governor":"why it is null",...}}
 #pragma once
 
 #include <nlohmann/json.hpp>

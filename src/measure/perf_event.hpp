@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace edgewise {
 
@@ -13,6 +14,13 @@ struct EventCode {
     std::uint64_t config = 0;  ///< of that type
     bool kernel_too = false;   ///< else only what happens in user mode
 };
+
+/// "PERF_TYPE_RAW:0x8d1:u"; u: user mode only.
+[[nodiscard]] std::string encoding_text(const EventCode& code);
+
+/// What the system call takes for it: disabled, in user mode unless it says otherwise. Returns the
+/// descriptor, or -errno. `leader`: of the group to join, -1 for none.
+[[nodiscard]] int open_event(const EventCode& code, int leader, bool pinned, std::uint64_t read_format);
 
 struct EventCount {
     std::uint64_t value = 0;

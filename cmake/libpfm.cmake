@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: MIT
+# libpfm4 knows the processors' own names of their events. Without it events are asked for by raw or generic codes.
+find_path(LIBPFM_INCLUDE_DIR perfmon/pfmlib_perf_event.h)
+find_library(LIBPFM_LIBRARY pfm)
+if(LIBPFM_INCLUDE_DIR AND LIBPFM_LIBRARY)
+    set(EDGEWISE_LIBPFM_SOURCES src/measure/libpfm.cpp)
+    set(EDGEWISE_LIBPFM_LIBRARY ${LIBPFM_LIBRARY})
+else()
+    message(STATUS "edgewise: no libpfm, so events of the processor go by raw and generic codes (Debian: libpfm4-dev)")
+    set(EDGEWISE_LIBPFM_SOURCES src/measure/libpfm_unavailable.cpp)
+    set(EDGEWISE_LIBPFM_LIBRARY "")
+endif()
