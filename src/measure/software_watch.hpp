@@ -28,7 +28,7 @@ class SoftwareWatch {
   private:
     PassRecord migrations(std::size_t queries);
 
-    const Cpu& cpu_;
+    Cpu cpu_;
     PerfEvent migrations_;
     ThreadUsage before_;
 };

@@ -23,7 +23,8 @@ TEST(CounterGroup, CountsEachEventFromZeroEveryTime) {
         touch_pages(pages);
         const auto count = group.stop();
         ASSERT_TRUE(count.value) << count.refusal.reason;
-        EXPECT_EQ(count.value->values[1], static_cast<std::uint64_t>(pages));
+        EXPECT_GE(count.value->values[1], static_cast<std::uint64_t>(pages));
+        EXPECT_LE(count.value->values[1], static_cast<std::uint64_t>(pages) + 5);  // and what the system does
         EXPECT_GT(count.value->values[0], 0u);
         EXPECT_GT(count.value->enabled_ns, 0u);
         EXPECT_EQ(count.value->running_ns, count.value->enabled_ns);
@@ -40,7 +41,8 @@ TEST(CounterGroup, TakesOneToFourEvents) {
     touch_pages(7);
     const auto count = four.stop();
     ASSERT_TRUE(count.value) << count.refusal.reason;
-    for (const std::uint64_t value : count.value->values) EXPECT_EQ(value, 7u);
+    EXPECT_GE(count.value->values[0], 7u);
+    for (const std::uint64_t value : count.value->values) EXPECT_EQ(value, count.value->values[0]);
 }
 
 TEST(CounterGroup, OneEventThatDoesNotExistClosesTheGroup) {
