@@ -170,7 +170,7 @@ TEST(SoftwareWatch, SeesTheFaultsOfOnePass) {
     ASSERT_EQ(records.size(), 4u);
     EXPECT_EQ(records[0].event, "minor_faults");
     EXPECT_GE(records[0].value.value_or(0), 5.0);
-    EXPECT_LE(records[0].value.value_or(0), 8.0);  // the system may take away a page at any time
+    EXPECT_LE(records[0].value.value_or(0), 15.0);  // the sanitizers' own
     EXPECT_EQ(records[1].event, "major_faults");
     EXPECT_EQ(records[2].event, "context_switches");
     EXPECT_EQ(records[3].event, "cpu_migrations");
