@@ -21,6 +21,12 @@ if(assimp_FOUND)
     set(mesh_sources src/geometry/mesh_file.cpp src/geometry/mesh_parts.cpp src/geometry/mesh_volume.cpp)
 endif()
 
+set(callgrind_source src/measure/callgrind_region_unavailable.cpp)
+find_path(CALLGRIND_INCLUDE_DIR valgrind/callgrind.h)
+if(CALLGRIND_INCLUDE_DIR)
+    set(callgrind_source src/measure/callgrind_region.cpp)
+endif()
+
 add_library(edgewise_tool STATIC
     ${registry_units}
     ${build_info}
@@ -34,6 +40,11 @@ add_library(edgewise_tool STATIC
     src/measure/cache_machine.cpp
     src/measure/cache_model.cpp
     src/measure/caches.cpp
+    src/measure/calibration.cpp
+    src/measure/callgrind.cpp
+    ${callgrind_source}
+    src/measure/child_process.cpp
+    src/measure/cold_caches.cpp
     src/measure/count_pass.cpp
     src/measure/counter_arithmetic.cpp
     src/measure/counter_group.cpp
@@ -42,18 +53,25 @@ add_library(edgewise_tool STATIC
     src/measure/event_choice.cpp
     src/measure/event_table.cpp
     src/measure/fact.cpp
+    src/measure/heat_map.cpp
+    src/measure/host_machine.cpp
     src/measure/generic_event.cpp
     src/measure/lines_touched.cpp
     src/measure/machine.cpp
+    src/measure/machine_choice.cpp
     src/measure/machine_json.cpp
+    src/measure/memory_limit.cpp
     src/measure/miss_curve.cpp
+    src/measure/page_faults.cpp
     src/measure/perf_error.cpp
     src/measure/perf_event.cpp
     src/measure/processor.cpp
+    src/measure/random_chase.cpp
     src/measure/reuse_distance.cpp
     src/measure/scene_caches.cpp
     src/measure/software_watch.cpp
     src/measure/statistics.cpp
+    src/measure/touched_bytes.cpp
     src/measure/thread_usage.cpp
     src/scene/case_file.cpp
     src/scene/hard/bodies.cpp
@@ -67,6 +85,7 @@ add_library(edgewise_tool STATIC
     src/scene/motion.cpp
     src/scene/scene_cold.cpp
     src/scene/scene_pressure.cpp
+    src/scene/scene_proximity.cpp
     src/scene/scene_setup.cpp
     src/scene/scene_static.cpp
     src/scene/scene_tumble.cpp
@@ -77,16 +96,23 @@ add_library(edgewise_tool STATIC
     src/sweep/allocators.cpp
     src/sweep/arena.cpp
     src/sweep/axes.cpp
+    src/sweep/broad_phase_trace.cpp
     src/sweep/cell.cpp
     src/sweep/certificates.cpp
     src/sweep/contender.cpp
+    src/sweep/crosscheck.cpp
     src/sweep/decompositions.cpp
+    src/sweep/draw_heat.cpp
     src/sweep/draw_layout.cpp
     src/sweep/group.cpp
+    src/sweep/heap_of_cell.cpp
+    src/sweep/model_speed.cpp
+    src/sweep/paging.cpp
     src/sweep/plan.cpp
     src/sweep/registry.cpp
     src/sweep/run.cpp
     src/sweep/shapes_of.cpp
+    src/sweep/single_cell.cpp
     src/sweep/sqlite.cpp
     src/sweep/stability.cpp
     src/sweep/stability_cases.cpp
@@ -94,7 +120,11 @@ add_library(edgewise_tool STATIC
     src/sweep/stability_tally.cpp
     src/sweep/store.cpp
     src/sweep/table_bytes.cpp
+    src/sweep/table_mapping.cpp
     src/sweep/table_memory_cost.cpp
+    src/sweep/touched_tables.cpp
+    src/sweep/trace_names.cpp
+    src/sweep/trace_scene.cpp
     src/sweep/verify.cpp
     src/sweep/work.cpp
     src/truth/accuracy_band.cpp
@@ -120,10 +150,17 @@ if(assimp_FOUND)
 endif()
 
 add_executable(edgewise_program
+    src/cli/cell_options.cpp
+    src/cli/command_bench.cpp
     src/cli/command_bytes.cpp
+    src/cli/command_calibrate.cpp
+    src/cli/command_crosscheck.cpp
     src/cli/command_draw.cpp
+    src/cli/command_heat.cpp
     src/cli/command_list.cpp
     src/cli/command_machine.cpp
+    src/cli/command_paging.cpp
+    src/cli/command_pass.cpp
     src/cli/command_query.cpp
     src/cli/command_report.cpp
     src/cli/command_stability.cpp

@@ -97,13 +97,11 @@ Chart time_chart(const ReportData& data) {
     omitted.write("cell", chart.notes);
     thin(values, mark_limit / 3, chart.notes);
     if (values.empty()) return chart;
-    const ChartJson scene{
-        {"field", "scene"}, {"type", "nominal"}, {"title", nullptr}, {"sort", scene_labels(data)}};
     const ChartJson pairs{
         {"field", "pairs"}, {"type", "nominal"}, {"title", nullptr}, {"sort", {"separated", "overlapping"}}};
     chart.spec = {{"config", chart_config()},
                   {"data", {{"values", values}}},
-                  {"facet", {{"row", scene}, {"column", pairs}}},
+                  {"facet", {{"row", scene_rows(data)}, {"column", pairs}}},
                   {"spec",
                    {{"width", 400},
                     {"height", 300},

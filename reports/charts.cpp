@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <set>
 
+#include "edgewise/reports/cache_tables.hpp"
+#include "edgewise/reports/tables.hpp"
 #include "edgewise/reports/text.hpp"
 
 namespace edgewise {
@@ -37,6 +39,7 @@ std::vector<std::string> ordered_names(const ReportData& data, std::string Repor
 std::vector<Chart> all_charts(const ReportData& data) {
     std::vector<Chart> charts = {bytes_chart(data), time_chart(data), speed_error_chart(data),
                                  ratio_chart(data)};
+    if (!modelled_cells(data).empty()) charts.push_back(misses_chart(data));
     if (!data.stability.empty()) charts.insert(charts.end(), {tolerance_chart(data), gap_chart(data)});
     return charts;
 }
@@ -85,6 +88,15 @@ ChartJson equal_filter(const std::string& field, const std::string& value) {
 }
 
 ChartJson log_scale() { return {{"type", "log"}, {"nice", false}, {"padding", 12}}; }
+
+ChartJson scene_rows(const ReportData& data) {
+    return {{"field", "scene"},
+            {"type", "nominal"},
+            {"title", nullptr},
+            {"sort", scene_labels(data)},
+            {"header",
+             {{"labelAngle", 0}, {"labelOrient", "top"}, {"labelAnchor", "start"}, {"labelPadding", 4}}}};
+}
 
 ChartJson algorithm_shape(const ReportData& data) {
     const auto names = algorithm_names(data);

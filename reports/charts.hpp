@@ -29,6 +29,7 @@ struct Chart {
 [[nodiscard]] Chart bytes_chart(const ReportData& data);
 [[nodiscard]] Chart time_chart(const ReportData& data);
 [[nodiscard]] Chart speed_error_chart(const ReportData& data);
+[[nodiscard]] Chart misses_chart(const ReportData& data);
 [[nodiscard]] Chart ratio_chart(const ReportData& data);
 [[nodiscard]] Chart tolerance_chart(const ReportData& data);
 [[nodiscard]] Chart gap_chart(const ReportData& data);
@@ -66,6 +67,8 @@ struct StabilityFigure {
 [[nodiscard]] ChartJson equal_filter(const std::string& field, const std::string& value);
 /// A logarithmic scale that ends a little beyond the data, not at the next power of ten.
 [[nodiscard]] ChartJson log_scale();
+/// One row of panels a scene, in the order of the tables, its label above.
+[[nodiscard]] ChartJson scene_rows(const ReportData& data);
 /// A parameter that a click in the legend of `field` sets.
 [[nodiscard]] ChartJson legend_pick(const std::string& field);
 /// Opaque where all `fields` are picked (or none is), else faint.

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "edgewise/reports/cache_tables.hpp"
 #include "edgewise/reports/page.hpp"
 #include "edgewise/reports/tables.hpp"
 #include "edgewise/reports/text.hpp"
@@ -26,6 +27,21 @@ std::string charts_markdown(const std::vector<Chart>& charts, const StaticFigure
             out += fmt::format("![{}](figures/{}.svg)\n\n", chart.title, chart.name);
         for (const std::string& note : chart.notes) out += "- " + markdown_text(note) + "\n";
         if (!chart.notes.empty()) out += "\n";
+    }
+    return out;
+}
+
+std::string caches_markdown(const ReportData& data) {
+    std::string out = section("Caches", cache_explanation(data));
+    if (modelled_cells(data).empty()) return out;
+    out += grid_markdown(misses_grid(data)) + grid_markdown(working_sets_grid(data));
+    out += grid_markdown(policy_grid(data));
+    for (const std::string& machine : modelled_machines(data)) {
+        out += grid_markdown(causes_grid(data, machine));
+        for (const std::string& level : broken_down_levels(data, machine)) {
+            for (const char* by : {"field.", "step."})
+                out += grid_markdown(breakdown_grid(data, machine, level, by));
+        }
     }
     return out;
 }
@@ -54,6 +70,8 @@ std::string report_markdown(const ReportData& data, const std::vector<Chart>& ch
     out += section("What layouts cost", layout_explanation()) + grid_markdown(layout_cost_grid(data));
     const TextGrid memory = scene_memory_grid(data);
     if (!memory.rows.empty()) out += grid_markdown(memory);
+    out += caches_markdown(data);
+    out += section("Counters and heap", counter_explanation(data)) + grid_markdown(counters_grid(data));
     out += times_markdown(data);
     out += section("Errors", error_explanation()) + grid_markdown(error_summary_grid(data));
     out += grid_markdown(error_grid(data));

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "edgewise/reports/bundles.hpp"
+#include "edgewise/reports/cache_tables.hpp"
 #include "edgewise/reports/page_shell.hpp"
 #include "edgewise/reports/tables.hpp"
 #include "edgewise/reports/text.hpp"
@@ -46,7 +47,9 @@ std::string opening_html(const ReportData& data) {
     out +=
         "<nav><a href=\"#machine\">Machine and build</a><a href=\"#charts\">Charts</a><a "
         "href=\"#bytes\">Bytes "
-        "per edge</a><a href=\"#layouts\">Layouts</a><a href=\"#times\">Times</a><a "
+        "per edge</a><a href=\"#layouts\">Layouts</a><a href=\"#caches\">Caches</a><a "
+        "href=\"#counters\">Counters</a><a "
+        "href=\"#times\">Times</a><a "
         "href=\"#errors\">Errors</a><a "
         "href=\"#stability\">Stability</a><a href=\"#cells\">All "
         "cells</a></nav>\n";
@@ -130,12 +133,30 @@ std::string layouts_html(const ReportData& data) {
                             : out + folded("The layouts draw themselves: the table of a cube", pictures);
 }
 
+std::string caches_html(const ReportData& data) {
+    std::string out = heading("caches", "Caches") + paragraph(cache_explanation(data));
+    if (modelled_cells(data).empty()) return out;
+    out += grid_html(misses_grid(data)) + grid_html(working_sets_grid(data)) + grid_html(policy_grid(data));
+    for (const std::string& machine : modelled_machines(data)) {
+        std::string inside = grid_html(causes_grid(data, machine));
+        for (const std::string& level : broken_down_levels(data, machine)) {
+            for (const char* by : {"field.", "step."})
+                inside += grid_html(breakdown_grid(data, machine, level, by));
+        }
+        out += folded(machine + ": why, what and where", inside);
+    }
+    return out;
+}
+
 std::string tables_html(const ReportData& data) {
     const std::string shape = reference_shape(data);
     std::string out = heading("bytes", "Bytes per edge") + paragraph(bytes_explanation());
     out += "<h3>" + html_text(shape) + "</h3>\n" + grid_html(bytes_grid(data, shape));
     out += folded("All shapes", grid_html(bytes_grid(data, "")));
     out += layouts_html(data);
+    out += caches_html(data);
+    out += heading("counters", "Counters and heap") + paragraph(counter_explanation(data)) +
+           grid_html(counters_grid(data));
     out += times_html(data);
     out += heading("errors", "Errors") + paragraph(error_explanation()) + grid_html(error_summary_grid(data));
     out += folded(fmt::format("Every cell ({})", data.cells.size()), grid_html(error_grid(data)));

@@ -20,6 +20,8 @@ namespace edgewise {
 /// What the bytes table's columns mean.
 [[nodiscard]] std::string bytes_explanation();
 [[nodiscard]] std::string layout_explanation();
+[[nodiscard]] std::string cache_explanation(const ReportData& data);
+[[nodiscard]] std::string counter_explanation(const ReportData& data);
 [[nodiscard]] std::string time_explanation();
 [[nodiscard]] std::string error_explanation();
 [[nodiscard]] std::string stability_explanation(const ReportData& data);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "edgewise/reports/cache_tables.hpp"
 #include "edgewise/reports/page.hpp"
 #include "edgewise/reports/text.hpp"
 
@@ -65,6 +66,38 @@ std::string layout_explanation() {
            "are first asked for. Where a scene gives every body a table of its own, the second table shows "
            "what "
            "they take together, and what that does to the time of a query.";
+}
+
+std::string cache_explanation(const ReportData& data) {
+    if (modelled_cells(data).empty()) {
+        return "No cell of this store had its caches modelled: `edgewise sweep --caches all` does it.";
+    }
+    return "Every access of a cell's first queries (as many as the plan traces) to tables, pair caches and, "
+           "where the scene has one, the broad phase goes through models of these machines' caches and TLBs, "
+           "at addresses that are the same in every run and on every machine. Cold misses come from empty "
+           "caches before each query, tables alone; the warm pass starts empty and fills them as the scene "
+           "goes; the steady pass comes after it. A miss is compulsory (first touch), capacity (a fully "
+           "associative LRU cache of that size would miss it too) or conflict. Models have LRU and neither "
+           "prefetching nor waits that overlap; stack, queries' poses and instructions are not in them. "
+           "Memory time is that model's, with every miss waited for and hits in the first level free. The "
+           "knee is the smallest cache in which a query brings in again at most a tenth of the lines it "
+           "touches: below it the scene thrashes. \"Scene\" means what the traced queries touch.";
+}
+
+std::string counter_explanation(const ReportData& data) {
+    std::string why;
+    for (const ReportCell& cell : data.cells) {
+        const StoredFigure figure = cell.figure("counters", "instructions");
+        if (!cell.verified() || figure.value) continue;
+        why = " Not counted here: " + figure.reason + ".";
+        break;
+    }
+    return "What the processor counts of a pass over all queries (narrow phase) in the steady state, in "
+           "small "
+           "groups, a pass each, and what the kernel counts: page faults, context switches, migrations. The "
+           "heap columns are one table in jemalloc, in an arena of its own; slack is what its size classes "
+           "add." +
+           why;
 }
 
 std::string time_explanation() {

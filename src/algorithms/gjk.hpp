@@ -15,6 +15,7 @@
 
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/johnson.hpp"
+#include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/geometry/tolerance.hpp"
@@ -95,10 +96,12 @@ class GjkRun {
           contact_squared_(static_cast<Scalar>(options.contact_tolerance * options.contact_tolerance)),
           gap_(static_cast<Scalar>(options.gap_tolerance)) {}
 
-    [[nodiscard]] [[gnu::flatten]] Distance run(Pair& pair) {
+    template <class Observer = NoObserver>
+    [[nodiscard]] [[gnu::flatten]] Distance run(Pair& pair, Observer&& observer = {}) {
         start(pair);
         for (;;) {
             ++steps_;
+            observer.iterate();
             if (simplex_.count == 4) return finish(pair, Status::overlapping);
             const Scalar squared = squared_norm(closest_.point);
             if (squared == 0) return finish(pair, Status::touching);
@@ -259,11 +262,12 @@ struct Gjk {
 
     /// Distance of two bodies; `a_from_b` takes B's points into A's frame. `pair` is the start of this query
     /// and receives the start of the next.
-    template <SupportTable TableA, SupportTable TableB>
+    template <SupportTable TableA, SupportTable TableB, class Observer = NoObserver>
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
-                                        SimplexPair<TableA, TableB>& pair, const QueryOptions& options = {}) {
+                                        SimplexPair<TableA, TableB>& pair, const QueryOptions& options = {},
+                                        Observer&& observer = {}) {
         const auto transform = cast<ComputeOf<TableA>>(a_from_b);
-        return within(options, GjkRun<TableA, TableB>(a, b, transform, options).run(pair));
+        return within(options, GjkRun<TableA, TableB>(a, b, transform, options).run(pair, observer));
     }
 };
 

@@ -17,6 +17,7 @@
 #include <cassert>
 
 #include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/vclip/close.hpp"
 #include "edgewise/algorithms/vclip/closest_points.hpp"
@@ -41,11 +42,6 @@ struct FeaturePair {
     FeaturePair(const TableA& table_a, const TableB& table_b)
         : a(Feature<TableA>::of_vertex(table_a.first_vertex())),
           b(Feature<TableB>::of_vertex(table_b.first_vertex())) {}
-};
-
-/// Sees every state that a run visits; costs nothing.
-struct NoObserver {
-    static void visit(FeatureKind, FeatureKind) {}
 };
 
 namespace vclip {
@@ -137,7 +133,10 @@ template <class TableA, class TableB, class Observer>
         if (moved && !cycle) continue;
         Distance result = answer(a, b, last);
         const Trust verdict = cycle ? Trust::doubted : trust(result, a, b);
-        if (verdict != Trust::sound) result = answer_by_gjk(a, b);
+        if (verdict != Trust::sound) {
+            observer.settle();
+            result = answer_by_gjk(a, b);
+        }
         result.steps = steps;
         result.cycles = cycle;
         result.fallbacks = verdict == Trust::doubted;

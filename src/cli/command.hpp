@@ -25,10 +25,16 @@ inline CLI::App* add_command(CLI::App& app, Context& context, const std::string&
     return command;
 }
 
+void add_bench(CLI::App& app, Context& context);
 void add_bytes(CLI::App& app, Context& context);
+void add_calibrate(CLI::App& app, Context& context);
+void add_crosscheck(CLI::App& app, Context& context);
 void add_draw(CLI::App& app, Context& context);
+void add_heat(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 void add_machine(CLI::App& app, Context& context);
+void add_paging(CLI::App& app, Context& context);
+void add_pass(CLI::App& app, Context& context);
 void add_query(CLI::App& app, Context& context);
 void add_report(CLI::App& app, Context& context);
 void add_stability(CLI::App& app, Context& context);

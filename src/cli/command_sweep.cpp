@@ -26,7 +26,7 @@ struct Options {
     std::string plan = "quick";
     std::string store = default_store;
     std::string out;
-    std::vector<std::string> layouts, algorithms, axes, scenes, shapes, meshes;
+    std::vector<std::string> layouts, algorithms, axes, scenes, shapes, meshes, caches, machines;
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
     std::optional<std::size_t> stability;
@@ -76,6 +76,8 @@ Plan chosen_plan(const Options& options) {
         }
         plan.scenes = kept;
     }
+    replace(plan.machines, options.machines);
+    for (SceneChoice& scene : plan.scenes) replace(scene.caches, options.caches);
     plan.queries = options.queries.value_or(plan.queries);
     plan.checked = options.checked.value_or(plan.checked);
     plan.rounds = options.rounds.value_or(plan.rounds);
@@ -179,6 +181,8 @@ void add_sweep(CLI::App& app, Context& context) {
     list("--axes", options->axes, "these cells beside the plain ones, such as gap_tolerance=1e-06");
     list("--scenes", options->scenes, "only these scenes");
     list("--shapes", options->shapes, "these built-in shapes instead of the plan's bodies");
+    list("--caches", options->caches, "model caches for cells of these shapes, or all");
+    list("--machines", options->machines, "whose caches: names, host, or your own NAME.json");
     command->add_option("--mesh", options->meshes, "these mesh files instead of the plan's bodies");
     command->add_flag("--each-mesh", options->each_mesh,
                       "one body for each mesh of a file, not one for the file");

@@ -38,6 +38,12 @@ int main(int argc, char** argv) {
     add_draw(app, context);
     add_query(app, context);
     add_machine(app, context);
+    add_heat(app, context);
+    add_paging(app, context);
+    add_crosscheck(app, context);
+    add_calibrate(app, context);
+    add_bench(app, context);
+    add_pass(app, context);
     add_list(app, context);
     try {
         app.parse(argc, argv);

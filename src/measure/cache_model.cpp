@@ -92,15 +92,26 @@ void CacheModel::add_to(Fetched& sum, const CachedLine& entry) const {
     sum.unused += (64 - static_cast<std::uint64_t>(std::popcount(entry.used))) * geometry_.line_bytes / 64;
 }
 
-CacheModel::Fetched CacheModel::fetched() const {
-    Fetched all = gone_;
+CacheModel::Fetched CacheModel::standing() const {
+    Fetched all;
     levels_[0].for_each([&](const CachedLine& entry) { add_to(all, entry); });
     return all;
+}
+
+CacheModel::Fetched CacheModel::fetched() const {
+    const Fetched now = standing();
+    const auto less = [](std::uint64_t sum, std::uint64_t part) { return sum > part ? sum - part : 0; };
+    return {less(gone_.bytes + now.bytes, before_.bytes), less(gone_.unused + now.unused, before_.unused)};
 }
 
 void CacheModel::forget_counts() {
     std::fill(counts_.begin(), counts_.end(), LevelCounts{});
     gone_ = {};
+    before_ = standing();
+}
+
+void CacheModel::drop(std::uint64_t line) {
+    for (CacheLevel& level : levels_) static_cast<void>(level.take(line));
 }
 
 }  // namespace edgewise

@@ -21,13 +21,13 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/measure/access_kind.hpp"
 #include "edgewise/measure/cache_level.hpp"
 
 namespace edgewise {
 
 enum class Inclusion : std::uint8_t { non_inclusive, inclusive, exclusive };
 enum class LineCrossing : std::uint8_t { split, merge };
-enum class AccessKind : std::uint8_t { read, write, modify };
 
 struct LevelGeometry {
     std::string name;  ///< "L1D"
@@ -68,8 +68,9 @@ class CacheModel {
     [[nodiscard]] const CacheGeometry& geometry() const { return geometry_; }
     [[nodiscard]] const LevelCounts& counts(std::size_t level) const { return counts_[level]; }
 
-    /// Of the lines that the first level brought in: bytes, and those of them that were never asked for, to a
-    /// 64th of a line. Lines that are still there count as they stand.
+    /// Of the lines that the first level brought in since counts were last forgotten: bytes, and those of
+    /// them that were never asked for, to a 64th of a line. Lines that are still there count as they stand;
+    /// what lines from before had not been asked for by then, and are now, is taken off.
     struct Fetched {
         std::uint64_t bytes = 0, unused = 0;
     };
@@ -77,6 +78,9 @@ class CacheModel {
 
     /// Counts are zero again; what is cached stays.
     void forget_counts();
+
+    /// The line is in no level any more; nothing is counted.
+    void drop(std::uint64_t line);
 
   private:
     std::size_t access_lines(std::uint64_t address, std::uint32_t bytes, AccessKind kind);
@@ -95,6 +99,8 @@ class CacheModel {
     void put(std::size_t level, const CachedLine& entry);
     void write_back(std::size_t level, const CachedLine& entry);
     void add_to(Fetched& sum, const CachedLine& entry) const;
+    /// Lines in the first level, as they stand.
+    [[nodiscard]] Fetched standing() const;
 
     void count(std::size_t depth) {
         ++counts_[0].accesses;
@@ -116,7 +122,8 @@ class CacheModel {
     std::uint32_t line_shift_;
     std::vector<CacheLevel> levels_;
     std::vector<LevelCounts> counts_;
-    Fetched gone_;  ///< lines that left the first level
+    Fetched gone_;    ///< lines that left the first level
+    Fetched before_;  ///< lines that stood there when counts were forgotten
 };
 
 }  // namespace edgewise

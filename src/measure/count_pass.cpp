@@ -4,6 +4,8 @@
 // are free depends on the processor, on hyperthreading and on the watchdog.
 #include "edgewise/measure/count_pass.hpp"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <array>
 
@@ -65,6 +67,7 @@ Measured<PassCounter::Samples> PassCounter::count_passes(CounterGroup& group, st
     Samples samples;
     std::size_t good = 0;
     for (std::size_t i = 0; i < options_.most_passes && good < options_.samples; ++i) {
+        const int processor = sched_getcpu();
         const ThreadUsage before = thread_usage();
         const Measured<GroupCount> count = count_once(group, pass_);
         const ThreadUsage during = thread_usage() - before;
@@ -73,6 +76,7 @@ Measured<PassCounter::Samples> PassCounter::count_passes(CounterGroup& group, st
         CounterSample sample{0, count.value->enabled_ns, count.value->running_ns};
         sample.page_faults = during.minor_faults + during.major_faults;
         sample.context_switches = during.context_switches;
+        sample.migrations = sched_getcpu() != processor ? 1 : 0;
         if (!sample.is_disturbed()) ++good;
         for (std::size_t k = 0; k < events; ++k) {
             sample.count = count.value->values[k];

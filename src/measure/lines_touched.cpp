@@ -5,25 +5,25 @@
 
 namespace edgewise {
 
-void LineSink::read(const void* address, std::size_t size) {
-    const auto from = reinterpret_cast<std::uintptr_t>(address);
-    ++reads_;
-    bytes_ += size;
-    for (auto line = from / cache_line; line <= (from + size - 1) / cache_line; ++line)
-        lines_.push_back(line);
+void LineCounter::on_access(const TracedAccess& access) {
+    if (access.side == TraceSide::scene) return;
+    ++query_.reads;
+    query_.bytes += access.bytes;
+    const std::uint64_t last = (access.address + access.bytes - 1) / cache_line;
+    for (std::uint64_t line = access.address / cache_line; line <= last; ++line)
+        lines_.push_back(2 * line + static_cast<std::uint64_t>(access.side));
 }
 
-void LineSink::add_to(LinesTouched& sum) {
-    std::sort(lines_.begin(), lines_.end());
-    sum.lines += static_cast<std::uint64_t>(std::unique(lines_.begin(), lines_.end()) - lines_.begin());
-    sum.reads += reads_;
-    sum.bytes += bytes_;
-    forget();
-}
-
-void LineSink::forget() {
+void LineCounter::on_query_end(bool counts) {
+    if (counts) {
+        std::sort(lines_.begin(), lines_.end());
+        sums_.lines += static_cast<std::uint64_t>(std::unique(lines_.begin(), lines_.end()) - lines_.begin());
+        sums_.reads += query_.reads;
+        sums_.bytes += query_.bytes;
+        ++sums_.queries;
+    }
+    query_ = {};
     lines_.clear();
-    reads_ = bytes_ = 0;
 }
 
 }  // namespace edgewise

@@ -8,12 +8,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "edgewise/measure/trace.hpp"
+
 namespace edgewise {
 
 inline constexpr std::size_t cache_line = 64;
 
-/// How many queries are traced: the first ones of a scene, pair after pair; enough for a mean to a few
-/// percent.
+/// How many queries are traced: the first ones of a scene; enough for a mean to a few percent.
 inline constexpr std::size_t traced_queries = 1000;
 
 /// Sums over queries.
@@ -21,24 +22,17 @@ struct LinesTouched {
     std::uint64_t queries = 0, reads = 0, bytes = 0, lines = 0;
 };
 
-/// A sink of traced loaders that gathers one query's lines.
-class LineSink {
+/// Counts the reads of tables; the scene's own memory is left out.
+class LineCounter final : public TraceListener {
   public:
-    /// What of a table it is does not matter here.
-    template <class Field>
-    void read(const void* address, std::size_t size, Field /*field*/) {
-        read(address, size);
-    }
-    /// Not to be inlined: query loops call it at every read.
-    void read(const void* address, std::size_t size);
+    void on_access(const TracedAccess& access) override;
+    void on_query_end(bool counts) override;
 
-    /// Adds what was read since the last call; whether it counts as a query is the caller's.
-    void add_to(LinesTouched& sum);
-    void forget();
+    [[nodiscard]] const LinesTouched& sums() const { return sums_; }
 
   private:
-    std::vector<std::uintptr_t> lines_;
-    std::uint64_t reads_ = 0, bytes_ = 0;
+    LinesTouched sums_, query_;
+    std::vector<std::uint64_t> lines_;  ///< of this query: twice the line, and the side
 };
 
 }  // namespace edgewise

@@ -11,10 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "edgewise/measure/count_pass.hpp"
 #include "edgewise/measure/figure.hpp"
+#include "edgewise/measure/heap_use.hpp"
 #include "edgewise/measure/lines_touched.hpp"
 #include "edgewise/measure/memory_use.hpp"
 #include "edgewise/measure/round.hpp"
+#include "edgewise/measure/scene_trace.hpp"
 
 namespace edgewise {
 
@@ -59,6 +62,9 @@ struct Subject {
     MemoryUse memory;  ///< of all tables of the cell
     BuildTimes build;  ///< of the scene's first body
     LinesTouched touched;
+    const SceneTrace* trace = &no_trace();
+    HeapUse heap;
+    std::vector<PassRecord> counted;  ///< by the processor and the kernel, of a pass in the steady state
 };
 
 class Probe {

@@ -20,13 +20,49 @@ void each_unit(const TracedAccess& access, std::uint32_t unit, Use use) {
     }
 }
 
+/// How many distinct units each stretch of a trace touches, summed.
+class DistinctUnits {
+  public:
+    void touch(std::uint64_t unit) {
+        if (unit >= last_.size()) last_.resize(std::max(unit + 1, 2 * last_.size()), 0);
+        sum_ += last_[unit] != stretch_;
+        last_[unit] = stretch_;
+    }
+    void end_stretch() { ++stretch_; }
+    void forget_sum() { sum_ = 0; }
+
+    [[nodiscard]] std::uint64_t sum() const { return sum_; }
+    /// Units that were ever touched.
+    [[nodiscard]] std::uint64_t ever() const {
+        return last_.size() -
+               static_cast<std::uint64_t>(std::count(last_.begin(), last_.end(), std::uint32_t{0}));
+    }
+
+  private:
+    std::vector<std::uint32_t> last_;  ///< stretch that touched it last; 0: none
+    std::uint32_t stretch_ = 1;
+    std::uint64_t sum_ = 0;
+};
+
 }  // namespace
 
-/// Reuse distances of one unit, and the units of the query at hand.
+/// Reuse distances of one unit, and what queries and frames touch.
 struct SceneCaches::Stack {
     ReuseDistance reuse;
-    std::vector<std::uint64_t> of_query;
-    std::uint64_t touched = 0;
+    DistinctUnits of_queries, with_scene, of_frames;
+
+    std::uint64_t use(std::uint64_t number, TraceSide side, bool framed) {
+        if (framed) of_frames.touch(number);
+        with_scene.touch(number);
+        if (side != TraceSide::scene) of_queries.touch(number);
+        return reuse.use(number);
+    }
+    void start_steady() {
+        reuse.forget_curve();
+        of_queries.forget_sum();
+        with_scene.forget_sum();
+        of_frames.forget_sum();
+    }
 };
 
 /// One hierarchy with what was missed and why.
@@ -38,8 +74,12 @@ class SceneCaches::Modelled {
             const std::uint64_t own = std::uint64_t{level.sets} * level.ways;
             above = level.inclusion == Inclusion::exclusive ? above + own : own;
             capacity_.push_back(above);
-            levels_.push_back(
-                {level.name, 0, {}, std::vector<std::uint64_t>(fields), std::vector<std::uint64_t>(steps)});
+            levels_.push_back({level.name,
+                               0,
+                               0,
+                               {},
+                               std::vector<std::uint64_t>(fields),
+                               std::vector<std::uint64_t>(steps)});
         }
     }
 
@@ -49,6 +89,7 @@ class SceneCaches::Modelled {
     void access(std::uint64_t address, std::uint32_t bytes, const TracedAccess& whole,
                 std::uint64_t distance) {
         const std::size_t depth = model_.access(address, bytes, whole.kind);
+        first_touches_ += distance == ReuseDistance::never;
         for (std::size_t level = 0; level < depth; ++level) {
             LevelMisses& missed = levels_[level];
             MissKinds& kinds = missed.misses;
@@ -61,7 +102,10 @@ class SceneCaches::Modelled {
     }
     [[nodiscard]] std::vector<LevelMisses> counted() const {
         std::vector<LevelMisses> all = levels_;
-        for (std::size_t i = 0; i < all.size(); ++i) all[i].accesses = model_.counts(i).accesses;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i].accesses = model_.counts(i).accesses;
+            all[i].first_touches = first_touches_;
+        }
         return all;
     }
     [[nodiscard]] std::vector<LevelCounts> counts() const {
@@ -72,6 +116,7 @@ class SceneCaches::Modelled {
     [[nodiscard]] CacheModel::Fetched fetched() const { return model_.fetched(); }
     void forget_counts() {
         model_.forget_counts();
+        first_touches_ = 0;
         for (LevelMisses& level : levels_) {
             level.misses = {};
             std::fill(level.by_field.begin(), level.by_field.end(), 0);
@@ -83,6 +128,7 @@ class SceneCaches::Modelled {
     CacheModel model_;
     std::vector<std::uint64_t> capacity_;
     std::vector<LevelMisses> levels_;
+    std::uint64_t first_touches_ = 0;
 };
 
 /// A machine's two hierarchies.
@@ -106,8 +152,9 @@ struct SceneCaches::Machine {
     }
 };
 
-SceneCaches::SceneCaches(std::span<const CacheMachine> machines, std::size_t fields, std::size_t steps)
-    : by_field_(fields) {
+SceneCaches::SceneCaches(std::span<const CacheMachine> machines, std::size_t fields, std::size_t steps,
+                         bool framed)
+    : framed_(framed) {
     stacks_[line_unit];
     stacks_[page_unit];
     for (const CacheMachine& machine : machines) {
@@ -124,17 +171,11 @@ SceneCaches::SceneCaches(std::span<const CacheMachine> machines, std::size_t fie
 SceneCaches::~SceneCaches() = default;
 
 void SceneCaches::on_access(const TracedAccess& access) {
-    ++by_field_[access.field];
-    const std::uint64_t end = access.address + access.bytes;
-    if (end > touched_.size()) touched_.resize(std::max(end, 2 * touched_.size()), false);
-    std::fill(touched_.begin() + static_cast<std::ptrdiff_t>(access.address),
-              touched_.begin() + static_cast<std::ptrdiff_t>(end), true);
     for (auto& [unit, stack] : stacks_) {
         each_unit(
             access, unit,
             [&, size = unit, &used = stack](std::uint64_t number, std::uint64_t at, std::uint32_t bytes) {
-                const std::uint64_t distance = used.reuse.use(number);
-                used.of_query.push_back(number);
+                const std::uint64_t distance = used.use(number, access.side, framed_);
                 for (Machine& machine : machines_) {
                     if (machine.caches.unit() == size) machine.caches.access(at, bytes, access, distance);
                     if (machine.tlbs && machine.tlbs->unit() == size)
@@ -147,23 +188,21 @@ void SceneCaches::on_access(const TracedAccess& access) {
 void SceneCaches::on_query_end(bool /*counts*/) {
     ++queries_;
     for (auto& [unit, stack] : stacks_) {
-        std::vector<std::uint64_t>& of_query = stack.of_query;
-        std::sort(of_query.begin(), of_query.end());
-        stack.touched +=
-            static_cast<std::uint64_t>(std::unique(of_query.begin(), of_query.end()) - of_query.begin());
-        of_query.clear();
+        stack.of_queries.end_stretch();
+        stack.with_scene.end_stretch();
     }
+}
+
+void SceneCaches::on_frame_end() {
+    ++frames_;
+    for (auto& [unit, stack] : stacks_) stack.of_frames.end_stretch();
 }
 
 void SceneCaches::start_steady() {
     first_ = counted();
-    queries_ = 0;
-    std::fill(by_field_.begin(), by_field_.end(), 0);
+    queries_ = frames_ = 0;
     for (Machine& machine : machines_) machine.forget_counts();
-    for (auto& [unit, stack] : stacks_) {
-        stack.reuse.forget_curve();
-        stack.touched = 0;
-    }
+    for (auto& [unit, stack] : stacks_) stack.start_steady();
 }
 
 std::vector<MachineMisses> SceneCaches::counted() const {
@@ -174,14 +213,16 @@ std::vector<MachineMisses> SceneCaches::counted() const {
 
 ReuseOf SceneCaches::reuse_of(std::uint32_t unit) const {
     const Stack& stack = stacks_.at(unit);
-    return {unit, stack.reuse.lines(), stack.touched, stack.reuse.curve()};
+    return {unit,
+            stack.reuse.lines(),
+            stack.of_queries.ever(),
+            stack.of_queries.sum(),
+            stack.with_scene.sum(),
+            stack.of_frames.sum(),
+            stack.reuse.curve()};
 }
 
 ReuseOf SceneCaches::lines() const { return reuse_of(line_unit); }
 ReuseOf SceneCaches::pages() const { return reuse_of(page_unit); }
-
-std::uint64_t SceneCaches::bytes_touched() const {
-    return static_cast<std::uint64_t>(std::count(touched_.begin(), touched_.end(), true));
-}
 
 }  // namespace edgewise

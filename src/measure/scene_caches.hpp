@@ -34,6 +34,7 @@ struct MissKinds {
 struct LevelMisses {
     std::string level;
     std::uint64_t accesses = 0;
+    std::uint64_t first_touches = 0;  ///< of units that were never touched before
     MissKinds misses;
     std::vector<std::uint64_t> by_field, by_step;
 };
@@ -49,35 +50,38 @@ struct MachineMisses {
 /// Lines of 64 bytes, or pages of 4 KiB.
 struct ReuseOf {
     std::uint64_t unit_bytes = 0;
-    std::uint64_t distinct = 0;  ///< ever touched
-    std::uint64_t touched = 0;   ///< summed over queries: distinct ones of each
-    MissCurve steady;            ///< of the second pass
+    std::uint64_t distinct = 0;    ///< ever touched
+    std::uint64_t of_tables = 0;   ///< of them, those that tables are in
+    std::uint64_t touched = 0;     ///< summed over the second pass's queries: distinct ones of tables of each
+    std::uint64_t with_scene = 0;  ///< the same with the scene's own memory
+    std::uint64_t in_frames = 0;   ///< summed over its frames: distinct ones of each
+    MissCurve steady;              ///< of the second pass
 };
 
 class SceneCaches final : public TraceListener {
   public:
-    /// fields, steps: how many numbers of each there are.
-    SceneCaches(std::span<const CacheMachine> machines, std::size_t fields, std::size_t steps);
+    /// fields, steps: how many numbers of each there are. framed: whether the ends of frames will be told.
+    SceneCaches(std::span<const CacheMachine> machines, std::size_t fields, std::size_t steps,
+                bool framed = false);
     ~SceneCaches() override;
 
     void on_access(const TracedAccess& access) override;
     void on_query_end(bool counts) override;
+    void on_frame_end() override;
 
     /// From here on the second pass counts.
     void start_steady();
 
     /// Queries of a pass, the cold first ones of pairs included: caches see them all.
     [[nodiscard]] std::uint64_t queries() const { return queries_; }
+    /// Frames of a pass; 0 where the scene is not asked frame after frame.
+    [[nodiscard]] std::uint64_t frames() const { return frames_; }
     /// In the order of the machines; of the first pass, and of the second.
     [[nodiscard]] const std::vector<MachineMisses>& first() const { return first_; }
     [[nodiscard]] std::vector<MachineMisses> steady() const { return counted(); }
 
     [[nodiscard]] ReuseOf lines() const;
     [[nodiscard]] ReuseOf pages() const;
-
-    /// Accesses of the second pass by field, and bytes that were ever touched.
-    [[nodiscard]] const std::vector<std::uint64_t>& accesses_by_field() const { return by_field_; }
-    [[nodiscard]] std::uint64_t bytes_touched() const;
 
   private:
     class Modelled;
@@ -90,9 +94,8 @@ class SceneCaches final : public TraceListener {
     std::vector<Machine> machines_;
     std::map<std::uint32_t, Stack> stacks_;  ///< by unit: lines of every size in question, and pages
     std::vector<MachineMisses> first_;
-    std::vector<std::uint64_t> by_field_;
-    std::vector<bool> touched_;  ///< by byte
-    std::uint64_t queries_ = 0;
+    std::uint64_t queries_ = 0, frames_ = 0;
+    bool framed_;
 };
 
 }  // namespace edgewise

@@ -3,37 +3,14 @@
 // `cold`: independent random pairs. Both bodies turned uniformly at random, B moved away from A along a
 // random direction until their distance is the wanted one: uniform in 0 to 1 body size. About one pair in ten
 // overlaps instead: centres at 50 to 100 % of their distance at contact along that direction, uniformly.
-//
-// Along a ray through both centres the distance f(s) of convex bodies is convex, its slope at most 1. So s -
-// (f - target) never passes the root, and neither does a secant through two points beyond it: the search
-// comes down from far off, needs no bracket, and takes about five evaluations.
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/motion.hpp"
+#include "edgewise/scene/place_pair.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/scene_setup.hpp"
 
 namespace edgewise {
 namespace {
-
-constexpr int most_evaluations = 40;
-
-/// Where B's centre goes: `far` is a distance that surely leaves more than the target between the bodies.
-template <class DistanceAt>
-double find_offset(const DistanceAt& distance_at, double target, double far, double tolerance) {
-    double s = far;
-    double excess = distance_at(s) - target;
-    double slope = 1;
-    for (int i = 1; i < most_evaluations && excess > tolerance; ++i) {
-        const double next = s - excess / slope;
-        const double next_excess = distance_at(next) - target;
-        if (next_excess < -tolerance) break;  // a step too far, by rounding or by a wrong distance: keep s
-        slope = (excess - next_excess) / (s - next);
-        s = next;
-        excess = next_excess;
-        if (!(slope > 0)) break;  // the distance does not fall any more: only rounding is left
-    }
-    return s;
-}
 
 struct PairMaker {
     const SceneSetup& setup;

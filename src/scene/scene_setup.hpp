@@ -51,6 +51,8 @@ struct SceneSetup {
 [[nodiscard]] Result<Workload> make_cold(const SceneSetup& setup);
 [[nodiscard]] SceneInfo describe_tumble();
 [[nodiscard]] Result<Workload> make_tumble(const SceneSetup& setup);
+[[nodiscard]] SceneInfo describe_proximity();
+[[nodiscard]] Result<Workload> make_proximity(const SceneSetup& setup);
 [[nodiscard]] SceneInfo describe_pressure();
 [[nodiscard]] Result<Workload> make_pressure(const SceneSetup& setup);
 

@@ -8,6 +8,10 @@
 // older than one step; a pair that leaves and returns gets a new slot and starts cold. After `steps` steps
 // a new population begins, so that a run sees many arrangements. The margin is chosen so that most followed
 // pairs are separated: of spheres about one in six overlaps.
+//
+// Queries come pair after pair, each pair's in time order, so that a pair finds its tables where it left
+// them, and classes of answers come in long stretches to be timed; or, with in_time_order, frame after frame
+// as an engine asks them, where the other pairs of a frame come between.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -45,7 +49,9 @@ class Population {
     /// Asks this step's pairs, then moves everything one step on. Returns how many pairs there were.
     std::size_t step(Workload& workload) {
         std::vector<Pose> poses;
-        std::vector<Aabb> boxes;
+        std::vector<Aabb>& boxes =
+            workload.frames.emplace_back(Frame{workload.queries.size(), !begun_, {}}).boxes;
+        begun_ = true;
         for (const MovingBody& body : bodies_) {
             poses.push_back(pose_at(rotation_matrix(body.orientation), centre_, body.centre));
             boxes.push_back(world_box(setup_.shape, poses.back()).enlarged(margin_));
@@ -70,14 +76,23 @@ class Population {
     std::vector<MovingBody> bodies_;
     SweepAndPrune broad_phase_;
     std::map<BodyPair, std::uint32_t> near_;
+    bool begun_ = false;
 };
 
-/// From time order to pair by pair; slots were numbered in order of appearance, so none is lost by the cut.
-void group_by_pair(std::size_t query_count, Workload& workload) {
+/// Cuts off what is too much; slots were numbered in order of appearance, so none is lost between.
+void cut(std::size_t query_count, Workload& workload) {
     workload.queries.resize(query_count);
+    while (workload.frames.back().first_query >= query_count) workload.frames.pop_back();
+    workload.pair_count = 0;
+    for (const Query& query : workload.queries)
+        workload.pair_count = std::max(workload.pair_count, query.pair + 1);
+}
+
+/// From time order to pair by pair.
+void group_by_pair(Workload& workload) {
+    workload.frames.clear();
     std::stable_sort(workload.queries.begin(), workload.queries.end(),
                      [](const Query& a, const Query& b) { return a.pair < b.pair; });
-    workload.pair_count = workload.queries.back().pair + 1;
 }
 
 }  // namespace
@@ -92,7 +107,9 @@ SceneInfo describe_tumble() {
          {"bodies", "1", "bodies in one population", 12, 2, 10000, true},
          {"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
          {"margin", "body sizes", "by which a body's box is enlarged on all sides", 0.2, 0, 10, false},
-         {"steps", "1", "steps before a new population begins", 100, 1, 1000000, true}}};
+         {"steps", "1", "steps before a new population begins", 100, 1, 1000000, true},
+         {"in_time_order", "1", "1: frame after frame, as an engine asks; 0: pair after pair", 0, 0, 1,
+          true}}};
 }
 
 Result<Workload> make_tumble(const SceneSetup& setup) {
@@ -115,7 +132,8 @@ Result<Workload> make_tumble(const SceneSetup& setup) {
             }
         }
     }
-    group_by_pair(setup.query_count, workload);
+    cut(setup.query_count, workload);
+    if (setup.count("in_time_order") == 0) group_by_pair(workload);
     return Result<Workload>::success(std::move(workload));
 }
 

@@ -20,10 +20,8 @@ struct SceneEntry {
 };
 
 constexpr SceneEntry scenes[] = {
-    {describe_static, make_static},
-    {describe_cold, make_cold},
-    {describe_tumble, make_tumble},
-    {describe_pressure, make_pressure},
+    {describe_static, make_static},       {describe_cold, make_cold},         {describe_tumble, make_tumble},
+    {describe_proximity, make_proximity}, {describe_pressure, make_pressure},
 };
 
 const SceneEntry* find_scene(std::string_view name) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/algorithms/sweep_and_prune.hpp"
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/pose.hpp"
 
@@ -22,9 +23,17 @@ struct Query {
     std::uint32_t instance_a = 0, instance_b = 0;  ///< indices into Workload::instances
 };
 
+/// One step of a scene that is asked step after step, all its pairs each.
+struct Frame {
+    std::size_t first_query = 0;  ///< its queries go on to the next frame's first
+    bool starts_anew = false;     ///< other bodies than before: the broad phase knows nothing of them
+    std::vector<Aabb> boxes;      ///< what the broad phase is given; empty: the scene has none
+};
+
 struct Workload {
     std::vector<Polyhedron> bodies;
-    std::vector<Query> queries;            ///< a pair's in time order
+    std::vector<Query> queries;  ///< a pair's in time order
+    std::vector<Frame> frames;   ///< of a scene in time order; empty: pair after pair, or one query each
     std::vector<std::uint32_t> instances;  ///< what stands in the scene: which body each is
     std::uint32_t pair_count = 0;
     bool warm = false;        ///< keep a pair's cache from query to query; else every query starts cold

@@ -15,12 +15,17 @@
 namespace edgewise {
 namespace {
 
-constexpr std::array<std::string_view, 3> names = {"arena", "jemalloc", "libc"};
+constexpr std::array<std::string_view, 4> names = {"arena", "jemalloc", "libc", "file"};
 
 class ArenaAllocator final : public TableAllocator {
   public:
+    explicit ArenaAllocator(Backing backing) : arena_(backing) {}
+
     [[nodiscard]] std::size_t taken() const override { return arena_.used(); }
     [[nodiscard]] std::optional<std::size_t> resident() const override { return arena_.resident(); }
+    [[nodiscard]] const std::byte* base() const override { return arena_.base(); }
+    [[nodiscard]] bool evict() const override { return arena_.mapping().evict(arena_.used()); }
+    [[nodiscard]] bool keeps_recency() const override { return arena_.mapping().keeps_recency(); }
 
   private:
     void* do_allocate(std::size_t bytes, std::size_t alignment) override {
@@ -61,6 +66,7 @@ class LibcAllocator final : public TableAllocator {
 class JemallocAllocator final : public TableAllocator {
   public:
     [[nodiscard]] std::optional<std::size_t> by_its_statistics() const override { return arena_.allocated(); }
+    [[nodiscard]] std::optional<std::size_t> resident() const override { return arena_.resident(); }
 
   private:
     void* do_allocate(std::size_t bytes, std::size_t alignment) override {
@@ -93,6 +99,7 @@ const std::vector<AllocatorInfo>& allocators_known() {
         {names[0], "tables one behind the other from a multiple of 2 MiB"},
         {names[1], "jemalloc's size classes, in a jemalloc arena of its own"},
         {names[2], "the C library's malloc"},
+        {names[3], "as arena, in a temporary file on a disk: pages can leave memory and come back"},
     };
     return known;
 }
@@ -100,7 +107,9 @@ const std::vector<AllocatorInfo>& allocators_known() {
 std::unique_ptr<TableAllocator> make_allocator(AllocatorKind kind) {
     switch (kind) {
         case AllocatorKind::arena:
-            return std::make_unique<ArenaAllocator>();
+            return std::make_unique<ArenaAllocator>(Backing::memory);
+        case AllocatorKind::file:
+            return std::make_unique<ArenaAllocator>(Backing::file);
         case AllocatorKind::libc:
             return std::make_unique<LibcAllocator>();
         case AllocatorKind::jemalloc:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The allocators that tables may come from, side by side in one program and none in another's place: an
-// arena, jemalloc, and the C library. Each counts what was asked of it and what that really takes.
+// arena, jemalloc, the C library, and an arena in a file. Each counts what was asked of it and what that
+// really takes.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace edgewise {
 
-enum class AllocatorKind : std::uint8_t { arena, jemalloc, libc };
+enum class AllocatorKind : std::uint8_t { arena, jemalloc, libc, file };
 
 [[nodiscard]] std::string_view to_string(AllocatorKind kind);
 /// Nothing for an unknown name.
@@ -36,6 +37,12 @@ class TableAllocator : public std::pmr::memory_resource {
     [[nodiscard]] virtual std::optional<std::size_t> resident() const { return std::nullopt; }
     /// The allocator's own count of what it has given out, where it keeps one.
     [[nodiscard]] virtual std::optional<std::size_t> by_its_statistics() const { return std::nullopt; }
+    /// Where its memory starts, if it is one stretch: offsets from there are the same in every run.
+    [[nodiscard]] virtual const std::byte* base() const { return nullptr; }
+    /// Drops its pages from memory, their content kept; false where it cannot.
+    [[nodiscard]] virtual bool evict() const { return false; }
+    /// Whether pages are thrown out by when they were last used.
+    [[nodiscard]] virtual bool keeps_recency() const { return true; }
 
   protected:
     std::size_t requested_ = 0, taken_ = 0;

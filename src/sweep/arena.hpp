@@ -7,29 +7,23 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <memory_resource>
-#include <optional>
+
+#include "edgewise/sweep/table_mapping.hpp"
 
 namespace edgewise {
 
 class Arena final : public std::pmr::memory_resource {
   public:
-    /// Where the arena starts: the size of a large page. Large pages are declined all the same, so that what
-    /// is resident is what was written.
-    static constexpr std::size_t alignment = std::size_t{2} << 20;
+    /// Throws as TableMapping does.
+    explicit Arena(Backing backing = Backing::memory) : mapping_(backing) {}
 
-    /// Takes no memory yet, only addresses. Throws std::bad_alloc when there are not even those.
-    Arena();
-    ~Arena() override;
-    Arena(const Arena&) = delete;
-    Arena& operator=(const Arena&) = delete;
-
-    [[nodiscard]] const std::byte* base() const { return base_; }
+    [[nodiscard]] const TableMapping& mapping() const { return mapping_; }
+    [[nodiscard]] const std::byte* base() const { return mapping_.base(); }
     /// Bytes from the start that are taken, gaps for alignment included.
     [[nodiscard]] std::size_t used() const { return used_; }
     /// Bytes of pages that the operating system has really given to it; nothing when it does not say.
-    [[nodiscard]] std::optional<std::size_t> resident() const;
+    [[nodiscard]] std::optional<std::size_t> resident() const { return mapping_.resident(used_); }
 
   private:
     void* do_allocate(std::size_t bytes, std::size_t align) override;
@@ -38,8 +32,7 @@ class Arena final : public std::pmr::memory_resource {
         return this == &other;
     }
 
-    std::byte* reserved_;
-    std::byte* base_;
+    TableMapping mapping_;
     std::size_t used_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "edgewise/scene/workload.hpp"
@@ -20,6 +21,14 @@ namespace edgewise {
         known = 1;
     }
     return cold;
+}
+
+/// Queries first .. end - 1 are of one class, with no cold start after the first.
+[[nodiscard]] inline std::size_t end_of_stretch(const std::vector<std::uint8_t>& cold,
+                                                std::span<const std::uint8_t> in_contact, std::size_t first) {
+    std::size_t end = first + 1;
+    while (end < in_contact.size() && in_contact[end] == in_contact[first] && !cold[end]) ++end;
+    return end;
 }
 
 }  // namespace edgewise

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/sweep/contender.hpp"
 
+#include <fmt/format.h>
+
+#include "edgewise/measure/count_pass.hpp"
+#include "edgewise/measure/machine.hpp"
+#include "edgewise/measure/software_watch.hpp"
+#include "edgewise/sweep/heap_of_cell.hpp"
+#include "edgewise/sweep/trace_scene.hpp"
 #include "edgewise/sweep/verify.hpp"
 
 namespace edgewise {
@@ -42,18 +49,57 @@ void Contender::verify(Group& group) {
     }
     const std::vector<Distance> answers = runner_->answer(workload);
     counts_ = count_answers(answers);
-    touched_ = runner_->lines_touched(workload, traced_queries);
-    for (const Distance& answer : answers) in_contact_.push_back(answer.status != Status::separated);
+    LineCounter lines;
+    runner_->trace(workload, traced_queries, lines);
+    touched_ = lines.sums();
+    double sum = 0;
+    for (const Distance& answer : answers) {
+        in_contact_.push_back(answer.status != Status::separated);
+        distances_.push_back(sum += answer.distance);
+    }
     checked_ = check_answers(group, runner_->stored_bodies(), answers, type_.eps, axes_.query);
     row_.reason = what_is_wrong(group, checked_, type_.eps);
     row_.status = row_.reason.empty() ? "verified" : "failed";
+}
+
+void Contender::hold_against_answers(const PassSum& sum, const char* pass) {
+    if (sum.queries > 0 && distances_[sum.queries - 1] == sum.distances) return;
+    row_.status = "failed";
+    row_.reason = fmt::format("the {} pass gave other answers: distances add up to {}, not {}", pass,
+                              sum.distances, sum.queries > 0 ? distances_[sum.queries - 1] : 0);
+}
+
+void Contender::trace(const Group& group, std::size_t queries) {
+    if (!models_caches()) return;
+    if (!verified()) {
+        trace_.reason = "the cell was not verified";
+        trace_.remedy = "see the cell's own reason";
+        return;
+    }
+    trace_ = trace_scene(*runner_, group.workload(), queries, machines_);
+    if (trace_.traced()) hold_against_answers({trace_.answered, trace_.distances}, "traced");
+}
+
+/// In the steady state: tables and pairs were all used before.
+void Contender::count(const Group& group) {
+    if (!verified()) return;
+    static const Cpu cpu = read_machine().cpu;
+    const std::function<PassSum()> pass = runner_->prepared_pass(group.workload());
+    PassSum last = pass();
+    const std::function<void()> again = [&] { last = pass(); };
+    const std::size_t queries = group.workload().queries.size();
+    counted_ = count_software(again, queries, cpu);
+    const CountedPass hardware = count_pass(again, queries, cpu);
+    counted_.insert(counted_.end(), hardware.records.begin(), hardware.records.end());
+    hold_against_answers(last, "counted");
 }
 
 Timing Contender::time(const Group& group, double clock_cost_ns) const {
     return runner_->time(group.workload(), in_contact_, clock_cost_ns);
 }
 
-std::vector<FigureRow> Contender::figures(SizeFamily& sizes, std::span<const Round> rounds) const {
+std::vector<FigureRow> Contender::figures(const Group& group, SizeFamily& sizes,
+                                          std::span<const Round> rounds) const {
     std::vector<FigureRow> result;
     if (row_.status == "unavailable") return result;
     Subject subject;
@@ -62,10 +108,14 @@ std::vector<FigureRow> Contender::figures(SizeFamily& sizes, std::span<const Rou
     subject.memory = runner_->memory();
     subject.build = build;
     subject.touched = touched_;
+    subject.trace = &trace_;
+    subject.heap = heap_of_cell(type_, parts_of(row_.algorithm), runner_->stored_bodies()[0],
+                                group.workload(), runner_->pair_bytes());
     subject.sizes = sizes.of(type_, parts_of(row_.algorithm));
     subject.checked = checked_;
     subject.counts = counts_;
     subject.rounds = rounds;
+    subject.counted = counted_;
     for (const auto& probe : registered_probes()) {
         for (Figure& figure : probe->figures(subject)) {
             result.push_back({std::string(probe->name()), std::move(figure)});

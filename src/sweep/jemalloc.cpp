@@ -52,11 +52,20 @@ std::size_t JemallocArena::size_class(std::size_t bytes, std::size_t alignment) 
     return nallocx(bytes, flags(arena_, alignment));
 }
 
-std::size_t JemallocArena::allocated() const {
+namespace {
+
+/// One of an arena's numbers; jemalloc brings them up to date when the epoch is written.
+std::size_t statistic(unsigned arena, const char* name) {
     control<std::uint64_t>("epoch", 1, true);
-    const std::string prefix = "stats.arenas." + std::to_string(arena_);
-    return control<std::size_t>(prefix + ".small.allocated") +
-           control<std::size_t>(prefix + ".large.allocated");
+    return control<std::size_t>("stats.arenas." + std::to_string(arena) + name);
 }
+
+}  // namespace
+
+std::size_t JemallocArena::allocated() const {
+    return statistic(arena_, ".small.allocated") + statistic(arena_, ".large.allocated");
+}
+
+std::size_t JemallocArena::resident() const { return statistic(arena_, ".resident"); }
 
 }  // namespace edgewise

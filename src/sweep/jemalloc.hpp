@@ -27,6 +27,8 @@ class JemallocArena {
 
     /// Of this arena, by jemalloc's statistics: small and large.
     [[nodiscard]] std::size_t allocated() const;
+    /// Bytes of its pages in memory, its own books included.
+    [[nodiscard]] std::size_t resident() const;
 
   private:
     unsigned arena_ = 0;

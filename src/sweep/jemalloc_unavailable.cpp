@@ -12,5 +12,6 @@ void* JemallocArena::allocate(std::size_t /*bytes*/, std::size_t /*alignment*/) 
 void JemallocArena::deallocate(void* /*memory*/, std::size_t /*bytes*/, std::size_t /*alignment*/) {}
 std::size_t JemallocArena::size_class(std::size_t bytes, std::size_t /*alignment*/) const { return bytes; }
 std::size_t JemallocArena::allocated() const { return 0; }
+std::size_t JemallocArena::resident() const { return 0; }
 
 }  // namespace edgewise

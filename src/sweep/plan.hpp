@@ -20,6 +20,7 @@ struct SceneChoice {
     std::vector<std::string> shapes = {}, layouts = {}, algorithms = {};
     std::size_t queries = 0;  ///< a cell and round; 0: the plan's
     bool plain = false;       ///< no further axes: a group's cells stand side by side, and these are large
+    std::vector<std::string> caches = {};  ///< shapes whose cells have their caches modelled; "all" is all
 };
 
 struct Plan {
@@ -33,10 +34,12 @@ struct Plan {
     std::vector<std::string> algorithms;  ///< as for select_algorithms
     std::vector<std::string> axes;        ///< beside the plain cells, one at a time; as for parse_axes
     std::uint64_t seed = 1;
-    std::size_t queries = 0;    ///< a cell and round
-    std::size_t checked = 0;    ///< of them, against exact arithmetic
-    int rounds = 0;             ///< timed, interleaved
-    std::size_t stability = 0;  ///< hard cases a family; 0: no stability run
+    std::size_t queries = 0;            ///< a cell and round
+    std::size_t checked = 0;            ///< of them, against exact arithmetic
+    int rounds = 0;                     ///< timed, interleaved
+    std::size_t stability = 0;          ///< hard cases a family; 0: no stability run
+    std::size_t traced = 0;             ///< queries a cell whose caches are modelled; 0: all
+    std::vector<std::string> machines;  ///< to model the caches of; as for choose_machines
 };
 
 /// Names of the plans written in code.

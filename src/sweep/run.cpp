@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "edgewise/measure/stopwatch.hpp"
@@ -15,6 +17,7 @@
 #include "edgewise/sweep/contender.hpp"
 #include "edgewise/sweep/draw_layout.hpp"
 #include "edgewise/sweep/schema.hpp"
+#include "edgewise/sweep/trace_scene.hpp"
 
 namespace edgewise {
 
@@ -105,12 +108,27 @@ class Sweep {
         plan.queries = scene.queries;
         Group group(plan, scene.choice, shape);
         for (Contender& contender : contenders) contender.verify(group);
+        trace_all(group, contenders);
         Contender baseline(baseline_, baseline_algorithm_, {}, row_for(scene, shape));
         baseline.verify(group);
         time_rounds(group, contenders, baseline);
         if (stop_) return;
-        for (const Contender& contender : contenders) keep(contender);
+        for (Contender& contender : contenders) contender.count(group);
+        for (const Contender& contender : contenders) keep(contender, &group);
         listener_.on_done(contenders.size(), what);
+    }
+
+    /// On all processors: nothing is timed meanwhile, and traces do not depend on what runs beside them.
+    void trace_all(const Group& group, std::vector<Contender>& contenders) const {
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t i = next++; i < contenders.size() && !stop_; i = next++)
+                contenders[i].trace(group, plan_.traced);
+        };
+        std::vector<std::future<void>> workers;
+        for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
+            workers.push_back(std::async(std::launch::async, work));
+        for (std::future<void>& worker : workers) worker.get();
     }
 
     [[nodiscard]] std::vector<Contender> contenders_for(const SceneWork& scene,
@@ -119,6 +137,7 @@ class Sweep {
         work_.each_cell(scene, [&](const TableType& type, const std::string& algorithm, const Axes& axes) {
             result.emplace_back(type, algorithm, axes, row_for(scene, shape));
             result.back().name(shape.body);
+            if (scene.models_caches(shape)) result.back().model_caches(work_.machines);
         });
         return result;
     }
@@ -139,10 +158,21 @@ class Sweep {
             const auto row = store_.find_cell(build_, contender.row().hash);
             if (!row) return false;
             if (row->status == "verified" && rounds_missing(contender).size() > 0) return false;
+            if (row->status == "verified" && lacks_caches(contender)) return false;
             states.push_back(row->status);
         }
         for (const std::string& status : states) count(status);
         return true;
+    }
+
+    /// An earlier run may not have modelled these machines, or fewer queries.
+    [[nodiscard]] bool lacks_caches(const Contender& contender) const {
+        if (!contender.models_caches()) return false;
+        const double wanted = trace_identity(work_.machines, plan_.traced);
+        const std::vector<FigureRow> stored = store_.figures(build_, contender.row().hash);
+        return std::none_of(stored.begin(), stored.end(), [&](const FigureRow& row) {
+            return row.probe == "caches" && row.figure.name == "identity" && row.figure.value == wanted;
+        });
     }
 
     [[nodiscard]] std::vector<int> rounds_missing(const Contender& contender) const {
@@ -197,9 +227,11 @@ class Sweep {
         return rounds;
     }
 
-    void keep(const Contender& contender) {
-        const auto rounds = store_.rounds(build_, contender.row().hash);
-        store_.put_cell(build_, contender.row(), contender.figures(sizes_, rounds));
+    /// Without a group there was nothing to measure.
+    void keep(const Contender& contender, const Group* group) {
+        std::vector<FigureRow> figures;
+        if (group) figures = contender.figures(*group, sizes_, store_.rounds(build_, contender.row().hash));
+        store_.put_cell(build_, contender.row(), figures);
         count(contender.row().status);
         if (contender.row().status == "failed") {
             listener_.on_warning(fmt::format("failed: {} {} {} {}: {}", contender.row().scene,
@@ -210,7 +242,7 @@ class Sweep {
 
     void give_up(Contender& contender, const std::string& reason) {
         contender.make_unavailable(reason);
-        keep(contender);
+        keep(contender, nullptr);
     }
 
     void count(const std::string& status) {

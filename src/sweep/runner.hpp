@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,12 +15,13 @@
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/geometry/feature.hpp"
 #include "edgewise/geometry/result.hpp"
-#include "edgewise/measure/lines_touched.hpp"
 #include "edgewise/measure/memory_use.hpp"
 #include "edgewise/measure/round.hpp"
+#include "edgewise/measure/trace.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/sweep/table_options.hpp"
 #include "edgewise/table/ledger.hpp"
+#include "edgewise/table/memory_map.hpp"
 
 namespace edgewise {
 
@@ -33,6 +35,19 @@ struct NamedAnswer {
     Vec3d normal = Vec3d::Zero();  ///< in contact: B moved by depth * normal only touches A
     std::vector<Index> proof_a,
         proof_b;  ///< in contact: stored vertices whose hulls hold a common point, or nearly
+};
+
+/// What a pass beside the timed one answered, to be held against the answers: how many of the workload's
+/// first queries, and the sum of their distances in order, which is the same bits if they are.
+struct PassSum {
+    std::size_t queries = 0;
+    double distances = 0;
+};
+
+/// One table's memory, and how many features of each kind its body has.
+struct TableMap {
+    std::vector<MappedPiece> pieces;  ///< offsets from the allocator's base, where it has one
+    std::size_t vertices = 0, edges = 0, faces = 0;
 };
 
 class Runner {
@@ -81,8 +96,23 @@ class Runner {
     /// so often each, in turn.
     [[nodiscard]] virtual BuildTimes build_times(int repetitions) const = 0;
 
-    /// What the first queries of the workload read, so many at most; of a warm scene, those that start warm.
-    [[nodiscard]] virtual LinesTouched lines_touched(const Workload& workload, std::size_t limit) const = 0;
+    /// Tells of the accesses of the first queries of the workload, from cold pairs, until so many have
+    /// counted; of a warm scene, those that start warm count.
+    virtual PassSum trace(const Workload& workload, std::size_t limit, TraceListener& listener) const = 0;
+
+    /// A pass over the whole workload from cold pairs, ready to run as often as wanted, with nothing around
+    /// the queries but setting the pairs back; for counters that are read outside. Narrow phase only: no
+    /// broad phase. Not to outlive the runner nor the workload.
+    [[nodiscard]] virtual std::function<PassSum()> prepared_pass(const Workload& workload) const = 0;
+
+    /// Bytes of one pair's cache.
+    [[nodiscard]] virtual std::size_t pair_bytes() const = 0;
+
+    /// What the tables stand in. Only after load().
+    [[nodiscard]] virtual const TableAllocator& table_allocator() const = 0;
+
+    /// The memory of every table.
+    [[nodiscard]] virtual std::vector<TableMap> memory_maps() const = 0;
 };
 
 }  // namespace edgewise

@@ -21,14 +21,14 @@
 #include "edgewise/sweep/name_feature.hpp"
 #include "edgewise/sweep/runner.hpp"
 #include "edgewise/sweep/time_builds.hpp"
-#include "edgewise/sweep/trace_lines.hpp"
+#include "edgewise/sweep/trace_queries.hpp"
 #include "edgewise/sweep/unit.hpp"
 #include "edgewise/table/stored_body.hpp"
 #include "edgewise/table/table_memory.hpp"
 
 namespace edgewise {
 
-/// TracedTable: the same layout with a loader that tells a LineSink.
+/// TracedTable: the same layout with a loader that tells a TraceSink.
 template <class Algorithm, class Table, class TracedTable>
 class RunnerFor final : public Runner {
   public:
@@ -53,8 +53,9 @@ class RunnerFor final : public Runner {
             in_tables_.push_back(std::move(*stored));
         }
         table_each_ = !instances.empty();
+        instances_.assign(instances.begin(), instances.end());
         try {
-            build_tables(instances);
+            build_tables();
         } catch (const std::exception& problem) {  // an allocator that is not there, or has no more
             return std::string("tables: ") + problem.what();
         }
@@ -142,19 +143,49 @@ class RunnerFor final : public Runner {
         return time_builds<Table>(in_tables_[0], Algorithm::parts, repetitions);
     }
 
-    [[nodiscard]] LinesTouched lines_touched(const Workload& given, std::size_t limit) const override {
+    PassSum trace(const Workload& given, std::size_t limit, TraceListener& listener) const override {
         Workload space;
-        return trace_lines<Algorithm, TracedTable>(
-            in_unit(given, space), limit, unit_.into(options_),
-            [this](const Query& query) { return std::pair(&table_a(query), &table_b(query)); });
+        const Workload& workload = in_unit(given, space);
+        const TracePlaces places(memory_->base(), memory_->taken(), sizeof(Pair), workload.pair_count,
+                                 workload.instances.size());
+        return unit_.back(trace_queries<Algorithm, TracedTable>(
+            workload, limit, unit_.into(options_), places,
+            [this](const Query& query) { return std::pair(&table_a(query), &table_b(query)); }, listener));
+    }
+
+    [[nodiscard]] std::function<PassSum()> prepared_pass(const Workload& given) const override {
+        auto space = std::make_shared<Workload>();
+        const Workload* workload = &in_unit(given, *space);
+        const std::vector<Pair> cold = cold_pairs(*workload);
+        return [this, space, workload, cold, pairs = cold]() mutable {
+            std::copy(cold.begin(), cold.end(), pairs.begin());
+            PassSum sum{workload->queries.size(), 0};
+            run(*workload, 0, sum.queries, pairs,
+                [&](std::size_t, const Distance& d) { sum.distances += d.distance; });
+            return unit_.back(sum);
+        };
+    }
+
+    [[nodiscard]] std::size_t pair_bytes() const override { return sizeof(Pair); }
+
+    [[nodiscard]] const TableAllocator& table_allocator() const override { return *memory_; }
+
+    [[nodiscard]] std::vector<TableMap> memory_maps() const override {
+        std::vector<TableMap> maps;
+        for (std::size_t i = 0; i < tables_.size(); ++i) {
+            const Polyhedron& body = in_tables_[table_each_ ? instances_[i] : i];
+            maps.push_back({memory_map(tables_[i].pieces(), memory_->base()), body.vertex_count(),
+                            body.edge_count(), body.face_count()});
+        }
+        return maps;
     }
 
   private:
     /// Where the options say: one a body, or one an instance.
-    void build_tables(std::span<const std::uint32_t> instances) {
+    void build_tables() {
         memory_ = make_allocator(placing_.allocator);
         const TablesIn placed(*memory_);
-        for (const std::uint32_t body : instances) tables_.emplace_back(in_tables_[body], Algorithm::parts);
+        for (const std::uint32_t body : instances_) tables_.emplace_back(in_tables_[body], Algorithm::parts);
         if (table_each_) return;
         for (const Polyhedron& body : in_tables_) tables_.emplace_back(body, Algorithm::parts);
     }
@@ -182,6 +213,7 @@ class RunnerFor final : public Runner {
         space.pair_count = given.pair_count;
         space.warm = given.warm;
         space.instances = given.instances;
+        space.frames = given.frames;
         for (const Query& query : given.queries) space.queries.push_back(unit_.into(polished(query)));
         return space;
     }
@@ -238,15 +270,6 @@ class RunnerFor final : public Runner {
         return pairs;
     }
 
-    /// Queries first .. end - 1 are of one class, with no cold start after the first.
-    [[nodiscard]] static std::size_t end_of_stretch(const std::vector<std::uint8_t>& cold,
-                                                    std::span<const std::uint8_t> in_contact,
-                                                    std::size_t first) {
-        std::size_t end = first + 1;
-        while (end < in_contact.size() && in_contact[end] == in_contact[first] && !cold[end]) ++end;
-        return end;
-    }
-
     template <class Pairs, class Use>
     void run(const Workload& workload, std::size_t first, std::size_t last, Pairs&& pairs, Use use) const {
         for (std::size_t i = first; i < last; ++i) {
@@ -267,6 +290,7 @@ class RunnerFor final : public Runner {
     std::vector<Polyhedron> bodies_;          ///< as stored, in the given unit
     std::vector<Polyhedron> in_tables_;       ///< the same in the unit: what the tables were built from
     bool table_each_ = false;                 ///< one for each instance, not for each body
+    std::vector<std::uint32_t> instances_;    ///< then, the body of each
     std::vector<Table> tables_;
 };
 

@@ -42,6 +42,7 @@ const Polyhedron& sphere(std::size_t vertices) {
 std::vector<AllocatorCost> allocator_costs(const TableType& type, const Polyhedron& body, Parts parts) {
     std::vector<AllocatorCost> costs;
     for (const AllocatorInfo& info : allocators_known()) {
+        if (allocator_from(info.name) == AllocatorKind::file) continue;  // takes what the arena takes
         AllocatorCost& cost = costs.emplace_back();
         cost.allocator = info.name;
         try {
@@ -68,7 +69,9 @@ Result<LinesTouched> lines_in_tumble(const TableType& type, const std::string& a
     const auto runner = type.make_runner(algorithm);
     if (const std::string error = runner->load(workload->bodies); !error.empty())
         return Answer::failure(error);
-    const LinesTouched touched = runner->lines_touched(*workload, traced_queries);
+    LineCounter lines;
+    runner->trace(*workload, traced_queries, lines);
+    const LinesTouched& touched = lines.sums();
     if (touched.queries == 0 || touched.reads == 0)
         return Answer::failure("no read was traced: the layout does not tell its loader");
     return Answer::success(touched);

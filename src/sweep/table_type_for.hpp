@@ -55,7 +55,7 @@ void for_each_served(Use use) {
         Algorithms{});
 }
 
-/// TracedTable: the same with a loader that tells a LineSink.
+/// TracedTable: the same with a loader that tells a TraceSink.
 template <class Table, class TracedTable>
 [[nodiscard]] TableType table_type_for() {
     TableType type;

@@ -67,6 +67,10 @@ class Unit {
         answer.point_b /= factor_;
         return answer;
     }
+    [[nodiscard]] PassSum back(PassSum sum) const {
+        sum.distances /= factor_;
+        return sum;
+    }
     [[nodiscard]] NamedAnswer back(NamedAnswer answer) const {
         answer.distance = back(answer.distance);
         answer.depth /= factor_;

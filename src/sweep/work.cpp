@@ -20,7 +20,11 @@ bool allows(const Names& names, const std::string& name) {
 /// right as long as there is such a body.
 void check_names(const SceneChoice& choice, const std::vector<const NamedShape*>& found) {
     if (!choice.algorithms.empty()) static_cast<void>(select_algorithms(choice.algorithms));
-    for (const std::string& name : choice.shapes) {
+    std::vector<std::string> names = choice.shapes;
+    for (const std::string& name : choice.caches) {
+        if (name != "all") names.push_back(name);
+    }
+    for (const std::string& name : names) {
         const auto is_it = [&](const NamedShape* shape) { return shape->name == name; };
         if (std::any_of(found.begin(), found.end(), is_it)) continue;
         if (const auto body = make_shape(name); !body) throw std::invalid_argument(body.error);
@@ -49,6 +53,11 @@ SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
 }
 
 }  // namespace
+
+bool SceneWork::models_caches(const NamedShape& shape) const {
+    return std::any_of(choice.caches.begin(), choice.caches.end(),
+                       [&](const std::string& name) { return name == "all" || name == shape.name; });
+}
 
 std::size_t SweepWork::cells() const {
     std::size_t count = 0;
@@ -79,6 +88,7 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     work.plan = plan;
     work.types = select_table_types(plan.layouts);
     work.algorithms = select_algorithms(plan.algorithms);
+    work.machines = choose_machines(plan.machines);
     work.axes.emplace_back();
     for (const std::string& text : plan.axes) work.axes.push_back(parse_axes(text));
     for (const SceneChoice& scene : plan.scenes) {

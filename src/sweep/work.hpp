@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/measure/machine_choice.hpp"
 #include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
 #include "edgewise/sweep/registry.hpp"
@@ -22,13 +23,17 @@ struct SceneWork {
     std::vector<const NamedShape*> shapes;
     std::vector<const TableType*> types;
     std::vector<std::string> algorithms;
+
+    /// Whether the caches of this shape's cells are modelled.
+    [[nodiscard]] bool models_caches(const NamedShape& shape) const;
 };
 
 struct SweepWork {
     Plan plan;
     std::vector<const TableType*> types;
     std::vector<std::string> algorithms;
-    std::vector<Axes> axes;  ///< the plain cell first
+    std::vector<Axes> axes;               ///< the plain cell first
+    std::vector<MachineChoice> machines;  ///< to model the caches of
     std::vector<NamedShape> shapes;
     std::vector<SceneWork> scenes;
 

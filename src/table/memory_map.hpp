@@ -16,13 +16,14 @@ struct MappedPiece {
     Shares shares;
 };
 
-/// In order of offset; gaps between pieces belong to nobody.
-[[nodiscard]] inline std::vector<MappedPiece> memory_map(std::vector<Piece> pieces) {
+/// In order of offset, from `base` or else from the lowest address; gaps between pieces belong to nobody.
+[[nodiscard]] inline std::vector<MappedPiece> memory_map(std::vector<Piece> pieces,
+                                                         const std::byte* base = nullptr) {
     std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.at < b.at; });
     std::vector<MappedPiece> map;
     for (const Piece& piece : pieces) {
-        map.push_back({static_cast<std::size_t>(piece.at - pieces.front().at), piece.stride, piece.count,
-                       piece.shares});
+        const std::byte* const from = base ? base : pieces.front().at;
+        map.push_back({static_cast<std::size_t>(piece.at - from), piece.stride, piece.count, piece.shares});
     }
     return map;
 }

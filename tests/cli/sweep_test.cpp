@@ -29,14 +29,14 @@ TEST(Sweep, MeasuresEveryCellAndSaysSoInJson) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(lines_of(outcome.out).size(), 1u);
     const json summary = json::parse(outcome.out);
-    // quick has tumble three times; aos has three precisions; both algorithms walk it
-    EXPECT_EQ(summary["cells"], 3 * 3 * 2);
+    // quick has tumble four times; aos has three precisions; both algorithms walk it
+    EXPECT_EQ(summary["cells"], 4 * 3 * 2);
     EXPECT_EQ(summary["verified"], summary["cells"]);
     EXPECT_EQ(summary["failed"], 0);
     EXPECT_EQ(summary["unavailable"], 0);
     EXPECT_EQ(summary["store"], "reports/out/edgewise.db");
     EXPECT_EQ(summary["report"], "reports/out/index.html");
-    EXPECT_EQ(rounds_in(folder / "reports/out/edgewise.db").size(), 18u * 3);
+    EXPECT_EQ(rounds_in(folder / "reports/out/edgewise.db").size(), 24u * 3);
     for (const char* page : {"reports/out/index.html", "reports/out/report.md", "reports/out/results.csv"}) {
         EXPECT_GT(text_of(folder / page).size(), 500u) << page;
     }
@@ -48,7 +48,7 @@ TEST(Sweep, TakesFurtherAxesOneAtATimeBesideThePlainCells) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json summary = json::parse(outcome.out);
     // The gap is GJK's alone: three cells for V-Clip's two.
-    EXPECT_EQ(summary["cells"], 3 * 3 * (2 + 3));
+    EXPECT_EQ(summary["cells"], 4 * 3 * (2 + 3));
     EXPECT_EQ(summary["verified"], summary["cells"]);
     EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("aos_f32 gap_tolerance=0.001"));
 

@@ -28,7 +28,7 @@ constexpr int pairs_a_shape = 1500;
 constexpr bool stored_in_double = stored_eps <= Tolerance<double>::eps;
 
 /// The states that V-Clip was in: three kinds by three; face-face never is.
-struct States {
+struct States : NoObserver {
     std::bitset<9> visited;
     void visit(FeatureKind a, FeatureKind b) {
         visited.set(3 * static_cast<std::size_t>(a) + static_cast<std::size_t>(b));

@@ -47,7 +47,7 @@ void fuzz_table(const Case& given) {
     using Compute = typename P::Compute;
     // Planes stored in single keep V-Clip from the bounds of double even where double computes.
     const bool as_single = std::is_same_v<typename P::Stored, float>;
-    RunnerFor<Algorithm, aos<P>, aos<P, Traced<LineSink>>> runner;
+    RunnerFor<Algorithm, aos<P>, aos<P, Traced<TraceSink>>> runner;
     const JudgedCase judged = judge_case(runner, {Tolerance<Compute>::eps, as_single}, given);
     if (!judged.complaints.empty()) report(given, judged, P::name);
 }

@@ -69,7 +69,7 @@ edgewise_mutant(product_without_its_error algorithms/penetration/exact_sum.hpp [
     ExactSide.* ${unit}/exact_side_test.cpp)
 
 # Broad phase and the paper's referee
-edgewise_mutant(sweep_misses_touching algorithms/sweep_and_prune.cpp [[low[axis] > box.high[axis]) break;]] [[low[axis] >= box.high[axis]) break;]]
+edgewise_mutant(sweep_misses_touching algorithms/sweep_and_prune.hpp [[low[axis] > box.high[axis]) break;]] [[low[axis] >= box.high[axis]) break;]]
     SweepAndPrune.* ${unit}/sweep_and_prune_test.cpp)
 
 edgewise_mutant(referee_without_edges algorithms/moore_wilhelms.cpp [[return enter < leave;]] [[return false;]]

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "edgewise/measure/lines_touched.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/jemalloc.hpp"
@@ -32,7 +33,9 @@ Placed place(const TableType& type, const std::string& algorithm, const TableOpt
     const bool each = options.sharing == Sharing::per_instance;
     const auto& instances = tumble().instances;
     EXPECT_EQ(each ? runner->load(tumble().bodies, instances) : runner->load(tumble().bodies), "");
-    return {runner->answer(tumble()), runner->memory(), runner->lines_touched(tumble(), 100)};
+    LineCounter lines;
+    runner->trace(tumble(), 100, lines);
+    return {runner->answer(tumble()), runner->memory(), lines.sums()};
 }
 
 class Placement : public ::testing::TestWithParam<const char*> {

@@ -7,6 +7,10 @@
 
 #include <random>
 
+#include "edgewise/measure/cold_caches.hpp"
+#include "edgewise/measure/heat_map.hpp"
+#include "edgewise/measure/trace_fan_out.hpp"
+
 namespace edgewise {
 namespace {
 
@@ -25,7 +29,7 @@ CacheMachine small_machine() {
 
 TracedAccess read_of(std::uint64_t address, std::uint32_t bytes = 8, std::uint8_t field = 0,
                      std::uint8_t step = 0) {
-    return {address, bytes, AccessKind::read, field, step, 0};
+    return {address, bytes, AccessKind::read, field, step, TraceSide::table_a};
 }
 
 /// One query that reads the first bytes of these lines.
@@ -77,21 +81,72 @@ TEST(SceneCaches, ASecondPassFindsWhatTheFirstLeft) {
     EXPECT_EQ(caches.queries(), 1U);
 }
 
+/// Every line that a pass brings in is a miss of its own, whatever stood there before.
+TEST(SceneCaches, BringInALineForEachMiss) {
+    const CacheMachine machine = small_machine();
+    SceneCaches caches({&machine, 1}, 1, 1);
+    ask(caches, {1, 2, 3});
+    caches.start_steady();
+    ask(caches, {1, 2, 3});
+    EXPECT_EQ(caches.steady()[0].fetched.bytes, 0U) << "all was there";
+    EXPECT_EQ(caches.steady()[0].fetched.unused, 0U);
+    std::vector<std::uint64_t> many;
+    for (std::uint64_t line = 0; line < 48; ++line) many.push_back(line);
+    ask(caches, many);
+    ask(caches, many);
+    const MachineMisses steady = caches.steady()[0];
+    EXPECT_EQ(steady.fetched.bytes, 64 * steady.caches[0].misses.all());
+    EXPECT_EQ(steady.fetched.unused, 56 * steady.caches[0].misses.all()) << "eight bytes of each are used";
+}
+
+/// Empty caches before each query: its distinct lines, or more where a set is too small for them.
+TEST(ColdCaches, MissEveryQuerysOwnLines) {
+    const CacheMachine machine = small_machine();
+    ColdCaches cold({&machine, 1});
+    const auto ask_cold = [&](const std::vector<std::uint64_t>& lines) {
+        for (const std::uint64_t line : lines) cold.on_access(read_of(line * 64));
+        cold.on_query_end(true);
+    };
+    ask_cold({1, 2, 3, 1, 2, 3});
+    ask_cold({1, 2, 3});
+    EXPECT_EQ(cold.misses(0), (std::vector<std::uint64_t>{6, 6}));
+    ask_cold(
+        {0, 8, 16, 0, 8, 16});  // one set of two ways: six misses of the first level, three of the second
+    EXPECT_EQ(cold.misses(0), (std::vector<std::uint64_t>{12, 9}));
+    cold.on_access({0, 8, AccessKind::read, 0, 0, TraceSide::scene});
+    EXPECT_EQ(cold.misses(0)[0], 12U) << "tables alone";
+    EXPECT_EQ(cold.queries(), 3U);
+}
+
 TEST(SceneCaches, CountLinesPagesAndBytes) {
     const CacheMachine machine = small_machine();
-    SceneCaches caches({&machine, 1}, 3, 1);
-    caches.on_access(read_of(60, 8));        // two lines
-    caches.on_access(read_of(4090, 12, 2));  // two lines and two pages
-    caches.on_access({64, 8, AccessKind::write, 1, 0, 1});
-    caches.on_query_end(false);
-    EXPECT_EQ(caches.lines().touched, 4U);
-    EXPECT_EQ(caches.pages().touched, 2U);
-    EXPECT_EQ(caches.pages().distinct, 2U);
-    EXPECT_EQ(caches.bytes_touched(), 12 + 12U);
-    EXPECT_EQ(caches.accesses_by_field(), (std::vector<std::uint64_t>{1, 1, 1}));
-    EXPECT_EQ(caches.steady()[0].tlbs[0].misses.compulsory, 2U);
-    EXPECT_EQ(caches.steady()[0].caches[0].accesses, 5U);
-    EXPECT_EQ(caches.steady()[0].fetched.bytes, 4 * 64U);
+    SceneCaches caches({&machine, 1}, 3, 1, true);
+    HeatMap heat(3, 1);
+    TraceFanOut both({&caches, &heat});
+    both.on_access(read_of(60, 8));        // two lines
+    both.on_access(read_of(4090, 12, 2));  // two lines and two pages
+    both.on_access({64, 8, AccessKind::write, 1, 0, TraceSide::table_b});
+    both.on_query_end(false);
+    both.on_access(read_of(60, 4));
+    both.on_access({8192, 8, AccessKind::write, 1, 0, TraceSide::scene});
+    both.on_query_end(true);
+    both.on_frame_end();
+    EXPECT_EQ(caches.frames(), 1U);
+    EXPECT_EQ(caches.lines().touched, 4 + 1U) << "the scene's own memory is no table's";
+    EXPECT_EQ(caches.pages().touched, 2 + 1U);
+    EXPECT_EQ(caches.pages().distinct, 3U);
+    EXPECT_EQ(caches.pages().of_tables, 2U);
+    EXPECT_EQ(caches.lines().in_frames, 5U);
+    EXPECT_EQ(heat.touched().count(), 12 + 12 + 8U);
+    EXPECT_EQ(heat.touched().count(64, 100), 8U);
+    EXPECT_EQ(heat.touched().count(1 << 20, 100), 0U);
+    EXPECT_EQ(heat.accesses_by_field(), (std::vector<std::uint64_t>{2, 2, 1}));
+    EXPECT_EQ(heat.queries(), 2U);
+    EXPECT_EQ(heat.lines(), 5U);
+    EXPECT_EQ(heat.lines_taking(0.5), 2U) << "two lines of two accesses of seven";
+    EXPECT_EQ(caches.steady()[0].tlbs[0].misses.compulsory, 3U);
+    EXPECT_EQ(caches.steady()[0].caches[0].accesses, 7U);
+    EXPECT_EQ(caches.steady()[0].fetched.bytes, 5 * 64U);
 }
 
 /// Every machine at once gives what each gives alone, whatever its lines.

@@ -243,6 +243,7 @@ TEST(Scenes, OneSeedOneWorkload) {
     const std::map<std::string, std::uint64_t> golden = {{"static", 0x893bd2e00cc3aca7U},
                                                          {"cold", 0xcdc5428cd9779aa9U},
                                                          {"tumble", 0x64db073872c93f51U},
+                                                         {"proximity", 0xa9fd913d7cc1f7e5U},
                                                          {"pressure", 0x4001d7fcbcf5fd18U}};
     for (const SceneInfo& info : list_scenes()) {
         const Workload w = scene(info.name.c_str(), body, 500, {}, 42);
@@ -251,7 +252,7 @@ TEST(Scenes, OneSeedOneWorkload) {
         EXPECT_EQ(hash, hash_of(scene(info.name.c_str(), body, 500, {}, 42)));
         EXPECT_NE(hash, hash_of(scene(info.name.c_str(), body, 500, {}, 43)));
         EXPECT_EQ(hash, golden.at(info.name)) << info.name;
-        EXPECT_EQ(info.warm, info.name == "tumble" || info.name == "pressure");
+        EXPECT_EQ(info.warm, info.name != "static" && info.name != "cold");
         EXPECT_EQ(w.table_each, info.name == "pressure");
         for (const Query& q : w.queries) {
             ASSERT_LT(std::max(q.instance_a, q.instance_b), w.instances.size()) << info.name;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// Heap: what one table, the caches of all pairs and the broad phase's arrays take in jemalloc, each in an
+// arena of its own. Slack is what size classes add to what was asked for.
+#pragma once
+
+#include "edgewise/measure/probe.hpp"
+
+namespace edgewise::probes {
+
+class heap final : public Probe {
+  public:
+    [[nodiscard]] std::string_view name() const override { return "heap"; }
+    [[nodiscard]] std::string_view summary() const override {
+        return "one table, pair caches, broad phase in jemalloc: requested, size classes, slack, resident";
+    }
+
+    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
+        const HeapUse& use = subject.heap;
+        if (use.structures.empty()) {
+            return {{"table.requested_bytes", std::nullopt, "B",
+                     use.reason.empty() ? "no structure was built in the heap" : use.reason,
+                     use.remedy.empty() ? "sweep the cell again" : use.remedy}};
+        }
+        std::vector<Figure> all;
+        for (const HeapStructure& structure : use.structures) {
+            const auto requested = static_cast<double>(structure.requested),
+                       classes = static_cast<double>(structure.size_classes);
+            all.push_back({structure.name + ".requested_bytes", requested, "B"});
+            all.push_back({structure.name + ".size_class_bytes", classes, "B"});
+            all.push_back({structure.name + ".slack_bytes", classes - requested, "B"});
+            all.push_back({structure.name + ".resident_bytes", static_cast<double>(structure.resident), "B"});
+        }
+        return all;
+    }
+};
+
+}  // namespace edgewise::probes

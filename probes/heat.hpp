@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Heat: where accesses go by field, how few lines take most of them, and what of the tables' bytes, vertices,
+// edges and faces the scene ever touched: what it needs, against what was modelled.
+#pragma once
+
+#include "edgewise/measure/probe.hpp"
+
+namespace edgewise::probes {
+
+class heat final : public Probe {
+  public:
+    [[nodiscard]] std::string_view name() const override { return "heat"; }
+    [[nodiscard]] std::string_view summary() const override {
+        return "accesses by field, hottest lines, and the part of tables and features ever touched";
+    }
+
+    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
+        const SceneTrace& trace = *subject.trace;
+        if (!trace.traced()) return {{"touched_part", std::nullopt, "1", trace.reason, trace.remedy}};
+        const SceneHeat& found = trace.heat;
+        const TouchedTables& tables = found.tables;
+        std::vector<Figure> all = {
+            {"touched_part", static_cast<double>(tables.bytes) / static_cast<double>(tables.of_bytes), "1"},
+            {"touched_bytes", static_cast<double>(tables.bytes), "B"},
+            {"lines_of_half_the_accesses", static_cast<double>(found.lines_of_half), "lines"},
+            {"lines_of_most_accesses", static_cast<double>(found.lines_of_most), "lines"},
+            {"lines", static_cast<double>(found.lines), "lines"},
+            feature("touched_vertices", tables.vertices, "vertices"),
+            feature("touched_edges", tables.edges, "edges"),
+            feature("touched_faces", tables.faces, "faces")};
+        for (const auto& [component, part] : tables.by_component)
+            all.push_back({"touched_" + component, part, "1"});
+        for (std::size_t i = 0; i < trace.fields.size(); ++i) {
+            if (found.by_field[i] == 0) continue;
+            all.push_back({"accesses." + std::string(trace.fields[i]),
+                           static_cast<double>(found.by_field[i]) / static_cast<double>(found.queries),
+                           "accesses"});
+        }
+        return all;
+    }
+
+  private:
+    static Figure feature(const char* name, const std::optional<double>& part, const std::string& features) {
+        if (part) return {name, part, "1"};
+        return {name, std::nullopt, "1", "the layout stores nothing for " + features + " one by one",
+                "a layout that does"};
+    }
+};
+
+}  // namespace edgewise::probes

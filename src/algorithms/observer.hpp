@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Who watches an algorithm at work: told of every step before it is taken, so that what a step reads can be
+// booked under it. The default sees nothing and costs nothing.
+#pragma once
+
+#include "edgewise/geometry/feature.hpp"
+
+namespace edgewise {
+
+struct NoObserver {
+    /// V-Clip: the state on features of these kinds comes next.
+    static void visit(FeatureKind, FeatureKind) {}
+    /// V-Clip: its answer is not believed, GJK answers next.
+    static void settle() {}
+    /// GJK: an iteration comes next.
+    static void iterate() {}
+};
+
+}  // namespace edgewise

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/cli/cell_options.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace edgewise::cli {
+
+namespace {
+
+/// "rotation_step=0.1".
+void take_parameter(const std::string& text, SceneParameters& parameters) {
+    const std::size_t equals = text.find('=');
+    std::size_t used = 0;
+    try {
+        if (equals != std::string::npos)
+            parameters[text.substr(0, equals)] = std::stod(text.substr(equals + 1), &used);
+    } catch (const std::exception&) {
+        used = 0;
+    }
+    if (used == 0 || equals + 1 + used != text.size())
+        throw CLI::ValidationError(fmt::format("--parameter {}: wants NAME=NUMBER", text));
+}
+
+}  // namespace
+
+void add_cell_options(CLI::App& command, CellChoice& choice) {
+    command.add_option("--table", choice.table, "table type")->capture_default_str();
+    command.add_option("--algorithm", choice.algorithm, "vclip or gjk")->capture_default_str();
+    command.add_option("--scene", choice.scene, "scene")->capture_default_str();
+    command.add_option("--shape", choice.shape, "built-in shape")->capture_default_str();
+    command.add_option("--queries", choice.queries, "queries of a pass")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1'000'000'000));
+    command.add_option("--seed", choice.seed, "of the scene")->capture_default_str();
+    command.add_option_function<std::vector<std::string>>(
+        "--parameter",
+        [&choice](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) take_parameter(text, choice.parameters);
+        },
+        "of the scene, NAME=NUMBER");
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+//
+// What an access does to memory.
+#pragma once
+
+#include <cstdint>
+
+namespace edgewise {
+
+enum class AccessKind : std::uint8_t { read, write, modify };
+
+}  // namespace edgewise

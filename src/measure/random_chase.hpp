@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Loads at random, each address needing the value of the load before: what no prefetcher foresees and no
+// processor overlaps. Of N lines and a cache of C, N - C in N miss whatever the replacement policy, so it
+// tells a model's sizes from a machine's.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace edgewise {
+
+class RandomChase {
+  public:
+    static constexpr std::uint64_t line_bytes = 64;
+
+    /// Memory of so many bytes, whole lines, 2^32 of them at most. Throws std::bad_alloc.
+    explicit RandomChase(std::uint64_t bytes);
+
+    [[nodiscard]] std::uint64_t lines() const { return lines_; }
+
+    /// So many loads; goes on where the last call ended.
+    void run(std::uint64_t loads);
+
+    /// Tells use(line) of the lines that run() would load, without loading any; goes on likewise.
+    template <class Use>
+    void replay(std::uint64_t loads, Use use) {
+        for (; loads > 0; --loads) use(next(0));
+    }
+
+  private:
+    static constexpr std::uint64_t words_a_line = line_bytes / sizeof(std::uint64_t);
+
+    /// Marsaglia, "Xorshift RNGs" (2003); the loaded value is always 0, but the processor does not know.
+    std::uint64_t next(std::uint64_t loaded) {
+        state_ ^= state_ << 13;
+        state_ ^= state_ >> 7;
+        state_ ^= state_ << 17;
+        return (((state_ + loaded) >> 32) * lines()) >> 32;
+    }
+
+    std::uint64_t lines_;
+    std::vector<std::uint64_t> memory_;  ///< one line more than asked for, to begin at a line's start
+    std::uint64_t first_ = 0;            ///< word where the first line starts
+    std::uint64_t state_ = 88172645463325252;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// A stretch of addresses for an arena, from a multiple of 2 MiB on, that becomes memory page by page as it is
+// written to: of no file, or of a temporary one that is gone with the mapping. Pages of a file can be written
+// back and dropped, and read again one by one, so that memory can be too small for them without any swap.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+namespace edgewise {
+
+enum class Backing { memory, file };
+
+class TableMapping {
+  public:
+    /// Where it starts: the size of a large page. Large pages are declined all the same, so that what is
+    /// resident is what was written.
+    static constexpr std::size_t alignment = std::size_t{2} << 20;
+
+    /// Takes no memory yet, only addresses. Throws std::bad_alloc when there are not even those, and
+    /// std::runtime_error when no folder takes a file that is not kept in memory itself.
+    explicit TableMapping(Backing backing);
+    ~TableMapping();
+    TableMapping(const TableMapping&) = delete;
+    TableMapping& operator=(const TableMapping&) = delete;
+
+    [[nodiscard]] std::byte* base() const { return base_; }
+    [[nodiscard]] static std::size_t bytes();
+
+    /// Whether the system throws out the pages that were not used for longest, as it does with other memory;
+    /// else it may take any.
+    [[nodiscard]] bool keeps_recency() const { return keeps_recency_; }
+
+    /// Bytes, of so many from the start, whose pages are in memory; nothing when the system does not say.
+    [[nodiscard]] std::optional<std::size_t> resident(std::size_t used) const;
+
+    /// Writes the first bytes back to the file and drops their pages, in this process and in the system's
+    /// cache; false where that is not possible.
+    [[nodiscard]] bool evict(std::size_t used) const;
+
+  private:
+    int file_ = -1;
+    bool keeps_recency_ = true;
+    std::byte* reserved_ = nullptr;
+    std::byte* base_ = nullptr;
+};
+
+}  // namespace edgewise

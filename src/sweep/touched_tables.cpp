@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/sweep/touched_tables.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace edgewise {
+
+namespace {
+
+struct Part {
+    std::uint64_t touched = 0, all = 0;
+
+    void operator+=(const Part& other) {
+        touched += other.touched;
+        all += other.all;
+    }
+    [[nodiscard]] double fraction() const { return static_cast<double>(touched) / static_cast<double>(all); }
+};
+
+using Components = std::array<Part, component_names.size()>;
+
+/// Books the bytes of a piece's shares; what is left of an element is padding.
+void add_shares(const MappedPiece& piece, const TouchedBytes& touched, Components& components) {
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        std::size_t at = piece.offset + i * piece.stride;
+        const std::size_t end = at + piece.stride;
+        const auto book = [&](Component component, std::size_t bytes) {
+            components[static_cast<std::size_t>(component)] += {touched.count(at, bytes), bytes};
+            at += bytes;
+        };
+        for (const Share& share : piece.shares) book(share.component, share.bytes);
+        if (at < end) book(Component::padding, end - at);
+    }
+}
+
+bool belongs_to(FeatureKind kind, Component component) {
+    switch (kind) {
+        case FeatureKind::vertex:
+            return component == Component::vertex_coordinates;
+        case FeatureKind::edge:
+            return component == Component::voronoi_planes || component == Component::edge_geometry;
+        case FeatureKind::face:
+            return component == Component::face_planes;
+    }
+    return false;
+}
+
+bool serves(const MappedPiece& piece, FeatureKind kind) {
+    return piece.count > 0 && std::any_of(piece.shares.begin(), piece.shares.end(), [&](const Share& share) {
+               return share.bytes > 0 && belongs_to(kind, share.component);
+           });
+}
+
+std::size_t features_of(const TableMap& map, FeatureKind kind) {
+    return kind == FeatureKind::vertex ? map.vertices : kind == FeatureKind::edge ? map.edges : map.faces;
+}
+
+/// Marks the features whose elements in the piece were touched: element i is of feature i mod n.
+void mark(const MappedPiece& piece, const TouchedBytes& touched, std::vector<bool>& features) {
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        if (touched.count(piece.offset + i * piece.stride, piece.stride) > 0)
+            features[i % features.size()] = true;
+    }
+}
+
+std::optional<double> fraction_of(std::span<const TableMap> maps, const TouchedBytes& touched,
+                                  FeatureKind kind) {
+    Part sum;
+    for (const TableMap& map : maps) {
+        const auto features = touched_features(map, touched, kind);
+        if (!features) return std::nullopt;
+        sum += {features->size(), features_of(map, kind)};
+    }
+    if (sum.all == 0) return std::nullopt;
+    return sum.fraction();
+}
+
+}  // namespace
+
+/// Pieces of exactly one element a feature are believed first: others may be lists of something else (the
+/// planes of `linked`).
+std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map, const TouchedBytes& touched,
+                                                           FeatureKind kind) {
+    const std::size_t count = features_of(map, kind);
+    std::vector<const MappedPiece*> single, several;
+    for (const MappedPiece& piece : map.pieces) {
+        if (!serves(piece, kind)) continue;
+        if (count == 0 || piece.count % count != 0) return std::nullopt;
+        (piece.count == count ? single : several).push_back(&piece);
+    }
+    const auto& chosen = single.empty() ? several : single;
+    if (chosen.empty()) return std::nullopt;
+    std::vector<bool> is_touched(count, false);
+    for (const MappedPiece* piece : chosen) mark(*piece, touched, is_touched);
+    std::vector<std::uint32_t> features;
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (is_touched[i]) features.push_back(i);
+    return features;
+}
+
+TouchedTables touched_tables(std::span<const TableMap> maps, const TouchedBytes& touched) {
+    Components components;
+    for (const TableMap& map : maps) {
+        for (const MappedPiece& piece : map.pieces) add_shares(piece, touched, components);
+    }
+    TouchedTables result;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        result.bytes += components[i].touched;
+        result.of_bytes += components[i].all;
+        if (components[i].all > 0)
+            result.by_component[std::string(component_names[i])] = components[i].fraction();
+    }
+    result.vertices = fraction_of(maps, touched, FeatureKind::vertex);
+    result.edges = fraction_of(maps, touched, FeatureKind::edge);
+    result.faces = fraction_of(maps, touched, FeatureKind::face);
+    return result;
+}
+
+}  // namespace edgewise

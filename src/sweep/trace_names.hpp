@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// What the numbers of a trace mean: fields of tables (table/loader.hpp), then of what a scene keeps beside
+// its tables; and steps of algorithms.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "edgewise/geometry/feature.hpp"
+#include "edgewise/table/loader.hpp"
+
+namespace edgewise {
+
+/// Behind the fields of tables.
+inline constexpr std::uint8_t pair_cache_field = static_cast<std::uint8_t>(Field::edge_made) + 1;
+/// The first array of the broad phase; its other arrays follow.
+inline constexpr std::uint8_t broad_phase_field = pair_cache_field + 1;
+
+enum class TraceStep : std::uint8_t {
+    start,  ///< before the first state or iteration
+    vertex_vertex,
+    vertex_edge,
+    vertex_face,
+    edge_edge,
+    edge_face,
+    settle,  ///< V-Clip's answer is not believed: GJK on the same tables
+    gjk_iteration,
+    pair_cache,
+    broad_phase,
+};
+
+/// The state of V-Clip on features of these kinds, either way round. What follows the last state (points,
+/// proofs) counts as it.
+[[nodiscard]] constexpr TraceStep step_of(FeatureKind a, FeatureKind b) {
+    if (a > b) return step_of(b, a);
+    if (a == FeatureKind::vertex) {
+        if (b == FeatureKind::vertex) return TraceStep::vertex_vertex;
+        return b == FeatureKind::edge ? TraceStep::vertex_edge : TraceStep::vertex_face;
+    }
+    return b == FeatureKind::edge ? TraceStep::edge_edge : TraceStep::edge_face;
+}
+
+/// By number.
+[[nodiscard]] std::span<const std::string_view> field_names();
+[[nodiscard]] std::span<const std::string_view> step_names();
+
+}  // namespace edgewise

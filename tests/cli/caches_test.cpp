@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+//
+// What the commands say of caches and memory: modelled figures in a store, the same in every environment;
+// speeds, calibration and page faults.
+#include <gmock/gmock.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "cli_paths.hpp"
+#include "deterministic_figures.hpp"
+#include "program.hpp"
+#include "sweep_store.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+TEST(Caches, AreModelledForCellsThatAskForIt) {
+    const Folder folder;
+    folder.write("mine.json", R"({"what": "mine", "clock_mhz": 1000, "line_bytes": 64,
+        "levels": [{"name": "L1D", "bytes": 4096, "ways": 4, "latency_cycles": 4, "source": "me"}],
+        "memory": {"latency_cycles": 100, "source": "me"}})");
+    const Arguments arguments = {
+        "sweep",     "--scenes", "tumble,static", "--shapes",   "cube8,sphere38", "--layouts", "aos_f64",
+        "--queries", "200",      "--checked",     "20",         "--rounds",       "1",         "--caches",
+        "sphere38",  "--store",  "s.db",          "--machines", "zen5,mine.json"};
+    ASSERT_EQ(run(arguments, folder).exit_code, 0);
+    const std::string figure = "from figure join cell using (hash) where shape = ";
+    EXPECT_EQ(rows_of(folder / "s.db",
+                      "select value " + figure + "'sphere38' and name = 'zen5.L2.misses_per_query'")
+                  .size(),
+              10U);
+    const auto mine = rows_of(
+        folder / "s.db", "select value > 0 " + figure + "'sphere38' and name = 'mine.L1D.misses_per_query'");
+    EXPECT_THAT(mine, testing::AllOf(testing::SizeIs(10), testing::Contains("1").Times(testing::Ge(5))));
+    const auto others = rows_of(folder / "s.db", "select value is null and figure.reason <> '' " + figure +
+                                                     "'cube8' and name = 'misses_per_query'");
+    EXPECT_THAT(others, testing::AllOf(testing::SizeIs(10), testing::Each(HasSubstr("1"))));
+    EXPECT_THAT(text_of(folder / "report.md"), testing::AllOf(HasSubstr("zen5 L1D"), HasSubstr("mine L1D")));
+}
+
+TEST(Caches, OfAnUnknownMachineAreOneLineOfComplaint) {
+    const Folder folder;
+    const Outcome unknown = run({"sweep", "--scenes", "static", "--machines", "zen17"}, folder);
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_THAT(unknown.err, testing::AllOf(HasSubstr("zen17"), HasSubstr("known:"), HasSubstr("zen5")));
+    folder.write("bad.json", "{}");
+    const Outcome bad = run({"sweep", "--scenes", "static", "--machines", "bad.json"}, folder);
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_THAT(bad.err, HasSubstr("bad.json"));
+    const Outcome shape = run({"sweep", "--scenes", "static", "--caches", "blob"}, folder);
+    EXPECT_EQ(shape.exit_code, 2);
+    EXPECT_THAT(shape.err, HasSubstr("blob"));
+}
+
+TEST(Caches, AreTheSameInEveryEnvironment) {
+    const Folder here, there;
+    const Figures first = deterministic_figures(program_path, {}, here);
+    const Figures second = deterministic_figures(
+        program_path,
+        {"-i", "PATH=/usr/bin:/bin", "LC_ALL=POSIX", "TMPDIR=/tmp", "PADDING=" + std::string(3000, 'x')},
+        there);
+    EXPECT_GT(first.size(), 5000U);
+    EXPECT_EQ(first, second);
+    std::printf("%zu deterministic figures are the same in both environments\n", first.size());
+}
+
+TEST(Heat, SaysWhatWasTouched) {
+    const Folder folder;
+    const Arguments cell = {"heat", "--shape", "sphere38", "--queries", "100", "--parameter", "bodies=2"};
+    Arguments in_json = cell;
+    in_json.emplace_back("--json");
+    const json heat = json::parse(run(in_json, folder).out);
+    EXPECT_EQ(heat["queries"], 100);
+    const std::size_t vertices = heat["touched_of_first_table"]["vertices"].size();
+    EXPECT_GT(vertices, 1U);
+    EXPECT_NEAR(heat["touched_parts"]["vertices"].get<double>(), static_cast<double>(vertices) / 38, 1e-12);
+    EXPECT_LE(heat["touched_bytes"], heat["table_bytes"]);
+    Arguments picture = cell;
+    picture.emplace_back("--svg");
+    EXPECT_THAT(run(picture, folder).out, testing::AllOf(testing::StartsWith("<svg"), HasSubstr("</svg>")));
+    EXPECT_THAT(run(cell, folder).out, HasSubstr("voronoi_plane"));
+}
+
+TEST(Bench, PrintsTheModelsSpeed) {
+    const Folder folder;
+    const Outcome outcome =
+        run({"bench", "--json", "--shape", "sphere38", "--queries", "200", "--repetitions", "1"}, folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json rows = json::parse(outcome.out)["bench"];
+    EXPECT_EQ(rows.size(), 9U);
+    for (const json& row : rows) EXPECT_GT(row["accesses_per_second"].get<double>(), 0) << row;
+}
+
+TEST(Calibrate, SaysWhatItModelledAndCountedOrWhyNot) {
+    const Folder folder;
+    const Outcome outcome = run({"calibrate", "--json", "--times", "0.5,2", "--loads", "20000"}, folder);
+    if (outcome.exit_code == 2) {
+        EXPECT_THAT(outcome.err, HasSubstr("caches are not known"));
+        GTEST_SKIP() << outcome.err;
+    }
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json rows = json::parse(outcome.out)["calibration"];
+    ASSERT_GE(rows.size(), 2U);
+    for (const json& row : rows) EXPECT_NE(row["counted_per_load"].is_null(), row["reason"].is_null()) << row;
+    EXPECT_NEAR(rows[0]["modelled_per_load"].get<double>(), 0, 0.01);
+    EXPECT_NEAR(rows[1]["modelled_per_load"].get<double>(), 0.5, 0.05);
+}
+
+/// Limits far below and far above what the tables take.
+TEST(Paging, MeasuresFaultsAndPredictsThem) {
+    const Folder folder;
+    const Outcome outcome = run(
+        {"paging", "--json", "--layouts", "aos_f64", "--bodies", "100", "--steps", "2", "--limits", "6,64"},
+        folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json result = json::parse(outcome.out)["paging"][0];
+    EXPECT_GT(result["table_bytes"].get<double>(), 20e6);
+    ASSERT_EQ(result["rows"].size(), 2U);
+    const json &tight = result["rows"][0], &wide = result["rows"][1];
+    EXPECT_GT(tight["predicted_at_limit"].get<double>(), 1);
+    EXPECT_EQ(wide["predicted_at_limit"], 0);
+    if (!tight["reason"].is_null()) GTEST_SKIP() << "not measured: " << tight["reason"];
+    EXPECT_EQ(wide["faults_per_query"], 0);
+    EXPECT_EQ(wide["predicted_at_held"], 0);
+    EXPECT_GT(tight["faults_per_query"].get<double>(), 1);
+    const double ratio = tight["faults_per_query"].get<double>() / tight["predicted_at_held"].get<double>();
+    std::printf("faults over prediction at 6 MiB: %.3f\n", ratio);
+    if (!result["keeps_recency"].get<bool>())
+        GTEST_SKIP() << "pages are not thrown out by when they were used";
+    EXPECT_GT(ratio, 1 / 1.5);
+    EXPECT_LT(ratio, 1.5);
+}
+
+TEST(Crosscheck, SaysWhatItComparedOrWhyNot) {
+    const Folder folder;
+    const Outcome outcome = run({"crosscheck", "--json", "--shape", "cube8", "--queries", "50", "--machines",
+                                 "zen5,pentium3_coppermine"},
+                                folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json result = json::parse(outcome.out);
+    ASSERT_EQ(result["crosscheck"].size(), 2U);
+    for (const json& row : result["crosscheck"])
+        EXPECT_NE(row["reason"].is_null(), !row.contains("callgrind")) << row;
+    EXPECT_EQ(result["perf"].size(), 4U);
+    for (const json& count : result["perf"])
+        EXPECT_NE(count["value"].is_null(), count["reason"].is_null()) << count;
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test

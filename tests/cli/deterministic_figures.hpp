@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// The figures of a small sweep that must be the same bytes in every run, environment and build: bytes,
+// traces, modelled misses, reuse, heat, errors.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "program.hpp"
+#include "sweep_store.hpp"
+
+namespace edgewise::cli_test {
+
+using Figures = std::vector<std::string>;
+
+/// Of layouts that every preset has. `environment`: further variables, NAME=VALUE.
+[[nodiscard]] inline Figures deterministic_figures(const std::string& sweep_program,
+                                                   const Arguments& environment, const Folder& folder) {
+    Arguments arguments = environment;
+    arguments.insert(arguments.end(), {sweep_program, "sweep",
+                                       "--scenes",    "tumble,static,cold",
+                                       "--shapes",    "sphere38",
+                                       "--layouts",   "aos,lean,points_soa",
+                                       "--queries",   "200",
+                                       "--checked",   "20",
+                                       "--rounds",    "1",
+                                       "--caches",    "all",
+                                       "--stability", "0",
+                                       "--store",     "s.db",
+                                       "--axes",      "sharing=per_instance,order=bfs"});
+    const Outcome outcome = Process("/usr/bin/env", arguments, folder).wait();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return rows_of(folder / "s.db",
+                   "select scene, scene_parameters, shape, algorithm, table_type, probe, name, axes, "
+                   "printf('%!.17g', value), unit, figure.reason from figure join cell using (build, hash) "
+                   "where probe in ('bytes', 'lines', 'caches', 'reuse', 'heat', 'error') or name = "
+                   "'requested_bytes' order by 1, 2, 3, 4, 5, 6, 7, 8");
+}
+
+}  // namespace edgewise::cli_test

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// In a build that Valgrind can run: real cells beside Callgrind, and the deterministic figures of this build
+// beside those of the release build.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "cells_paths.hpp"
+#include "deterministic_figures.hpp"
+
+namespace edgewise {
+namespace {
+
+using namespace cli_test;
+using nlohmann::json;
+
+struct Cell {
+    const char *name, *table, *algorithm, *shape;
+    Arguments more;
+};
+void PrintTo(const Cell& cell, std::ostream* out) { *out << cell.name; }
+
+class CrosscheckCells : public testing::TestWithParam<Cell> {};
+
+constexpr const char* machines =
+    "pentium2_deschutes,pentium3_katmai,pentium3_coppermine,athlon_pluto,athlon_thunderbird,skylake_sp,zen2,"
+    "zen4,zen5,sapphire_rapids,raspberry_pi4";
+
+/// What the tool sees beyond tables, pair caches and poses is the stack, answers and instructions: so many
+/// lines a query and no more, twice as many where lines are 32 bytes. Less by a line or so, since a query's
+/// record is not read to its last byte.
+TEST_P(CrosscheckCells, AgreeButForTheStack) {
+    const Cell& cell = GetParam();
+    const Folder folder;
+    Arguments arguments = {"crosscheck", "--json",   "--table",   cell.table, "--algorithm", cell.algorithm,
+                           "--shape",    cell.shape, "--queries", "400",      "--machines",  machines};
+    arguments.insert(arguments.end(), cell.more.begin(), cell.more.end());
+    const Outcome outcome = Process(cells_program, arguments, folder).wait();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json rows = json::parse(outcome.out)["crosscheck"];
+    ASSERT_EQ(rows.size(), 11U);
+    double worst = 0, most = 0, worst_ll = 0;
+    for (const json& row : rows) {
+        ASSERT_TRUE(row["reason"].is_null()) << row;
+        const bool small_lines = row["machine"].get<std::string>().starts_with("pentium");
+        const json &ours = row["model_with_poses"], &theirs = row["callgrind"];
+        const double model = ours["d1_misses_per_query"], tool = theirs["d1_misses_per_query"];
+        EXPECT_GT(tool, model - (small_lines ? 1.6 : 0.8)) << row;
+        EXPECT_LT(tool, model + (small_lines ? 14 : 7.5)) << row;
+        EXPECT_TRUE(tool < 25 || model > 0.75 * tool) << row;
+        const double ll =
+            theirs["ll_misses_per_query"].get<double>() - ours["ll_misses_per_query"].get<double>();
+        EXPECT_LT(std::abs(ll), 0.75) << row;
+        worst = std::max(worst, std::abs(tool - model));
+        worst_ll = std::max(worst_ll, std::abs(ll));
+        most = std::max(most, model);
+    }
+    EXPECT_GT(most, 3) << "nothing was missed";
+    std::printf("%s: to %.1f D1 misses a query; %.2f a query apart at most, in the last level %.3f\n",
+                cell.name, most, worst, worst_ll);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, CrosscheckCells,
+    testing::Values(
+        Cell{"vclip_tumble", "aos_f64", "vclip", "sphere386", {"--parameter", "rotation_step=0.3"}},
+        Cell{"gjk_tumble", "points_soa_f64", "gjk", "sphere386", {"--parameter", "rotation_step=0.3"}},
+        Cell{"lean_static", "lean_f32", "vclip", "sphere38", {"--scene", "static"}},
+        Cell{"vclip_frames",
+             "aos_f32",
+             "vclip",
+             "sphere386",
+             {"--parameter", "in_time_order=1", "--parameter", "bodies=30"}}),
+    [](const auto& cell) { return std::string(cell.param.name); });
+
+TEST(Builds, GiveTheSameFigures) {
+    if (!std::filesystem::exists(release_program))
+        GTEST_SKIP() << release_program << " is not there to compare with: build the preset release first";
+    const Folder here, there;
+    const Figures ours = deterministic_figures(cells_program, {}, here);
+    const Figures theirs =
+        deterministic_figures(release_program, {"EDGEWISE_TEST_PADDING=" + std::string(1234, 'y')}, there);
+    EXPECT_GT(ours.size(), 5000U);
+    EXPECT_EQ(ours, theirs);
+    std::printf("%zu deterministic figures are the same in both builds\n", ours.size());
+}
+
+}  // namespace
+}  // namespace edgewise
