@@ -3,6 +3,8 @@
 // Time against vertices: log-log, one line an algorithm x table type, a row of panels a scene, separated
 // pairs left and overlapping pairs right. The interval layer comes first and holds the layout's parameter: a
 // composite error bar in its place would swallow legend clicks without a word.
+#include <set>
+
 #include "edgewise/reports/charts.hpp"
 #include "edgewise/reports/tables.hpp"
 
@@ -28,6 +30,24 @@ void add_row(const ReportCell& cell, PairKind kind, ChartJson& values, Omissions
     row["low"] = low.value && *low.value > 0 ? *low.value : *ns.value;
     row["high"] = high.value && *high.value > 0 ? *high.value : *ns.value;
     values.push_back(std::move(row));
+}
+
+/// Panels stand in rows and columns only if each has a row of data, if an empty one: else those that follow
+/// move up.
+void fill_panels(const ReportData& data, ChartJson& values) {
+    std::set<std::pair<std::string, std::string>> present;
+    std::set<std::string> scenes;
+    for (const ChartJson& row : values) {
+        present.emplace(row["scene"].get<std::string>(), row["pairs"].get<std::string>());
+        scenes.insert(row["scene"].get<std::string>());
+    }
+    for (const std::string& scene : scene_labels(data)) {
+        for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
+            if (scenes.count(scene) && !present.count({scene, pair_name(kind)}))
+                values.push_back(
+                    ChartJson::object({{"scene", scene}, {"pairs", pair_name(kind)}, {"ns", nullptr}}));
+        }
+    }
 }
 
 ChartJson tooltip() {
@@ -97,6 +117,9 @@ Chart time_chart(const ReportData& data) {
     omitted.write("cell", chart.notes);
     thin(values, mark_limit / 3, chart.notes);
     if (values.empty()) return chart;
+    chart.fallback =
+        data_grid(values, {"scene", "pairs", "shape", "vertices", "algorithm", "table", "ns", "low", "high"});
+    fill_panels(data, values);
     const ChartJson pairs{
         {"field", "pairs"}, {"type", "nominal"}, {"title", nullptr}, {"sort", {"separated", "overlapping"}}};
     chart.spec = {{"config", chart_config()},
@@ -107,8 +130,6 @@ Chart time_chart(const ReportData& data) {
                     {"height", 300},
                     {"encoding", shared_encoding(data)},
                     {"layer", ChartJson::array({interval_layer(), line_layer(data), point_layer(data)})}}}};
-    chart.fallback =
-        data_grid(values, {"scene", "pairs", "shape", "vertices", "algorithm", "table", "ns", "low", "high"});
     return chart;
 }
 

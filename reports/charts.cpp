@@ -94,8 +94,11 @@ ChartJson scene_rows(const ReportData& data) {
             {"type", "nominal"},
             {"title", nullptr},
             {"sort", scene_labels(data)},
+            // The parameters on a line of their own: together they are longer than a panel is high.
             {"header",
-             {{"labelAngle", 0}, {"labelOrient", "top"}, {"labelAnchor", "start"}, {"labelPadding", 4}}}};
+             {{"labelExpr", "split(replace(datum.label, ')', ''), ' (')"},
+              {"labelFontSize", 10},
+              {"labelLimit", 420}}}};
 }
 
 ChartJson algorithm_shape(const ReportData& data) {

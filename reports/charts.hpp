@@ -67,7 +67,7 @@ struct StabilityFigure {
 [[nodiscard]] ChartJson equal_filter(const std::string& field, const std::string& value);
 /// A logarithmic scale that ends a little beyond the data, not at the next power of ten.
 [[nodiscard]] ChartJson log_scale();
-/// One row of panels a scene, in the order of the tables, its label above.
+/// One row of panels a scene, in the order of the tables.
 [[nodiscard]] ChartJson scene_rows(const ReportData& data);
 /// A parameter that a click in the legend of `field` sets.
 [[nodiscard]] ChartJson legend_pick(const std::string& field);

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "edgewise/reports/charts.hpp"
 #include "edgewise/reports/ratio_interval.hpp"
 #include "edgewise/reports/text.hpp"
+#include "report_store.hpp"
 
 namespace edgewise {
 namespace {
@@ -70,6 +72,19 @@ TEST(Charts, LayoutsKeepTheirColourWhateverElseIsThere) {
     EXPECT_EQ(scale["domain"], (ChartJson{"aos", "soa", "lean"}));
     data.cells.erase(data.cells.begin() + 1);
     EXPECT_EQ(layout_colour(data)["scale"]["range"][1], scale["range"][1]);
+}
+
+/// A panel without any row would let the next one move into its place, under a wrong name.
+TEST_F(Report, TimesHaveARowForEveryPanel) {
+    // Its scene tumble has no overlapping pair.
+    const ChartJson values = time_chart(read_report(make_store())).spec["data"]["values"];
+    std::set<std::string> scenes, panels;
+    for (const ChartJson& row : values) {
+        scenes.insert(row["scene"].get<std::string>());
+        panels.insert(row["scene"].get<std::string>() + "/" + row["pairs"].get<std::string>());
+    }
+    EXPECT_EQ(scenes.size(), 2U);
+    EXPECT_EQ(panels.size(), 4U);
 }
 
 TEST(Charts, MarksAreCappedAndSaidSo) {

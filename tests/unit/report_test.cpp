@@ -106,6 +106,7 @@ TEST_F(Report, ChartsLeaveOutWhatWasNotMeasuredAndSaySo) {
     const Chart chart = time_chart(data);
     std::size_t rows = 0;
     for (const auto& row : chart.spec["data"]["values"]) {
+        if (row["ns"].is_null()) continue;  // keeps a panel's place, draws nothing
         EXPECT_GT(row["ns"], 0.0);
         ++rows;
     }
