@@ -19,10 +19,10 @@ namespace {
 struct Options {
     std::vector<std::string> layouts = {"aos_f64", "lean_f64"};
     std::string algorithm = "vclip", shape = "sphere386";
-    std::size_t bodies = 600, steps = 4;
+    std::size_t bodies = 600, steps = 6;
     double rotation_step = 0.1;
     bool same_order = false;
-    std::vector<double> limits = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 80, 96};
+    std::vector<double> limits = {2, 4, 5, 6, 7, 12, 16, 24, 32, 48, 64, 80, 96};
     std::uint64_t seed = 1;
 };
 

@@ -26,19 +26,23 @@ struct Counted {
     double ns = 0;
 };
 
-/// In the child: waits to be put under the limit, fills memory, counts a pass, tells, and waits to be let go,
-/// since what it holds is looked at from outside.
+/// How the kernel throws pages out varies from pass to pass, most of all where nearly all fits.
+constexpr int counted_passes = 3;
+
+/// In the child: fills memory once it is put under the limit, then counts passes, tells of each, and waits
+/// before the next, since what it holds is looked at from outside.
 [[noreturn]] void run_child(const std::function<PassSum()>& pass, const Pipe& to_child,
                             const Pipe& to_parent) {
     to_child.close_writing();
     if (!to_child.receive<char>()) _exit(1);
     pass();
-    const PageFaults before = page_faults();
-    const Stopwatch watch;
-    pass();
-    const Counted counted{page_faults().since(before).major, watch.elapsed_ns()};
-    to_parent.send(counted);
-    static_cast<void>(to_child.receive<char>());
+    do {
+        const PageFaults before = page_faults();
+        const Stopwatch watch;
+        pass();
+        const Counted counted{page_faults().since(before).major, watch.elapsed_ns()};
+        to_parent.send(counted);
+    } while (to_child.receive<char>());
     _exit(0);
 }
 
@@ -60,32 +64,47 @@ class Child {
     pid_t id_;
 };
 
+/// One pass of the child: counts it and looks at what the tables hold after it. False when the child is gone.
+bool count_pass_of(const Pipe& to_child, const Pipe& to_parent, const TableAllocator& tables,
+                   const PageReuse& reuse, PagingRow& row) {
+    to_child.send('g');
+    const std::optional<Counted> counted = to_parent.receive<Counted>();
+    const std::optional<std::size_t> resident = tables.resident();
+    if (!counted || !resident) return false;
+    const std::uint64_t held = *resident / page_bytes();
+    row.table_pages_held = row.table_pages_held.value_or(0) + held;
+    row.predicted_at_held += reuse.fetches_per_query(held);
+    row.faults_per_query += static_cast<double>(counted->major);
+    row.ns_per_query += counted->ns;
+    return true;
+}
+
+/// Means over passes of `queries` queries.
+void take_means(PagingRow& row, std::uint64_t queries) {
+    row.table_pages_held = *row.table_pages_held / counted_passes;
+    row.predicted_at_held /= counted_passes;
+    row.faults_per_query /= counted_passes * static_cast<double>(queries);
+    row.ns_per_query /= counted_passes * static_cast<double>(queries);
+}
+
 /// Empty, or why there is no measurement.
 std::string measure_under(const MemoryLimit& group, const Runner& runner,
-                          const std::function<PassSum()>& pass, PagingRow& row, std::uint64_t queries) {
+                          const std::function<PassSum()>& pass, const PageReuse& reuse, PagingRow& row) {
     const TableAllocator& tables = runner.table_allocator();
     if (!tables.evict() || tables.resident() != std::size_t{0})
         return "the tables' pages could not be dropped from memory";
     if (std::string error = group.set_bytes(row.limit_bytes); !error.empty()) return error;
     const Pipe to_child, to_parent;
-    std::optional<Counted> counted;
-    {
-        const Child child(pass, to_child, to_parent);
-        if (child.id() < 0) return "no process could be made";
-        to_parent.close_writing();
-        const std::string error = group.take_in(child.id());
-        if (error.empty()) {
-            to_child.send('g');
-            counted = to_parent.receive<Counted>();
-        }
-        if (const auto resident = tables.resident()) row.table_pages_held = *resident / page_bytes();
-        to_child.close_writing();
-        if (!error.empty()) return error;
+    const Child child(pass, to_child, to_parent);
+    if (child.id() < 0) return "no process could be made";
+    to_parent.close_writing();
+    std::string error = group.take_in(child.id());
+    for (int i = 0; i < counted_passes && error.empty(); ++i) {
+        if (!count_pass_of(to_child, to_parent, tables, reuse, row))
+            error = "the process under the limit ended early: the limit leaves it no room";
     }
-    if (!counted) return "the process under the limit ended early: the limit leaves it no room";
-    row.faults_per_query = static_cast<double>(counted->major) / static_cast<double>(queries);
-    row.ns_per_query = counted->ns / static_cast<double>(queries);
-    return {};
+    to_child.close_writing();
+    return error;
 }
 
 /// Two passes, as the process under the limit runs them; the second counts.
@@ -119,11 +138,9 @@ PagingResult measure_paging(const TableType& type, const std::string& algorithm,
         PagingRow& row = result.rows.emplace_back();
         row.limit_bytes = limit;
         row.predicted_at_limit = reuse.fetches_per_query(limit > 0 ? limit / page_bytes() : reuse.pages());
-        row.reason = group.value ? measure_under(**group.value, *runner, pass, row, result.queries)
+        row.reason = group.value ? measure_under(**group.value, *runner, pass, reuse, row)
                                  : "no memory limit: " + group.reason;
-        if (row.reason.empty() && !row.table_pages_held)
-            row.reason = "the system does not tell which pages are in memory";
-        if (row.table_pages_held) row.predicted_at_held = reuse.fetches_per_query(*row.table_pages_held);
+        if (row.reason.empty()) take_means(row, result.queries);
     }
     return result;
 }

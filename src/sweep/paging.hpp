@@ -22,7 +22,7 @@ struct PagingRow {
     std::uint64_t limit_bytes = 0;
     double predicted_at_limit =
         0;  ///< faults a query by reuse distance, were all of the limit for the tables
-    std::optional<std::uint64_t> table_pages_held;  ///< in memory at the end: what the limit left the tables
+    std::optional<std::uint64_t> table_pages_held;  ///< in memory after a pass: what the limit left them
     double predicted_at_held = 0;                   ///< the same prediction in that memory
     double faults_per_query = 0;                    ///< major, measured
     double ns_per_query = 0;
@@ -38,7 +38,7 @@ struct PagingResult {
 };
 
 /// The workload's tables, one for each instance, of one type. Limits in bytes; 0: none. Each runs one pass
-/// over the workload to fill memory, then one that is counted.
+/// over the workload to fill memory, then three that are counted; figures are their means.
 [[nodiscard]] PagingResult measure_paging(const TableType& type, const std::string& algorithm,
                                           const Workload& workload, std::span<const std::uint64_t> limits);
 
