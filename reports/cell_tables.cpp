@@ -15,10 +15,10 @@ std::vector<GridCell> problem_row(const ReportCell& cell) {
 }
 
 void add_status(TextGrid& grid, const ReportData& data, const std::string& status) {
-    for (const ReportCell& cell : data.cells)
-        if (cell.status == status) grid.rows.push_back(problem_row(cell));
-    for (const ReportCell& row : data.stability)
-        if (row.status == status) grid.rows.push_back(problem_row(row));
+    for (const auto* rows : {&data.cells, &data.from_files, &data.stability, &data.paging}) {
+        for (const ReportCell& row : *rows)
+            if (row.status == status) grid.rows.push_back(problem_row(row));
+    }
 }
 
 }  // namespace

@@ -57,6 +57,19 @@ std::vector<std::string> figure_fields(const StoredFigure& figure) {
             figure.remedy};
 }
 
+std::string rows_of(const ReportData& data, const ReportCell& cell) {
+    std::string out;
+    std::vector<StoredFigure> figures = cell.figures;
+    if (figures.empty()) figures.push_back({"", "", std::nullopt, "", "no figure is stored", ""});
+    for (const StoredFigure& figure : figures) {
+        std::vector<std::string> fields = cell_fields(data, cell);
+        const std::vector<std::string> rest = figure_fields(figure);
+        fields.insert(fields.end(), rest.begin(), rest.end());
+        out += row(fields);
+    }
+    return out;
+}
+
 }  // namespace
 
 std::string results_csv(const ReportData& data) {
@@ -66,15 +79,8 @@ std::string results_csv(const ReportData& data) {
                            "faces",         "seed",         "queries",   "status",
                            "status_reason", "probe",        "figure",    "state",
                            "value",         "unit",         "reason",    "remedy"});
-    for (const ReportCell& cell : data.cells) {
-        std::vector<StoredFigure> figures = cell.figures;
-        if (figures.empty()) figures.push_back({"", "", std::nullopt, "", "no figure is stored", ""});
-        for (const StoredFigure& figure : figures) {
-            std::vector<std::string> fields = cell_fields(data, cell);
-            const std::vector<std::string> rest = figure_fields(figure);
-            fields.insert(fields.end(), rest.begin(), rest.end());
-            out += row(fields);
-        }
+    for (const auto* cells : {&data.cells, &data.from_files, &data.paging}) {
+        for (const ReportCell& cell : *cells) out += rows_of(data, cell);
     }
     return out;
 }

@@ -116,7 +116,9 @@ void add_machine(TextGrid& grid, const std::string& machine_json) {
 
 std::string seeds(const ReportData& data) {
     std::map<std::uint64_t, std::size_t> distinct;
-    for (const ReportCell& cell : data.cells) ++distinct[cell.seed];
+    for (const auto* cells : {&data.cells, &data.from_files}) {
+        for (const ReportCell& cell : *cells) ++distinct[cell.seed];
+    }
     std::string out;
     std::size_t shown = 0;
     for (const auto& [seed, cells] : distinct) {
@@ -139,7 +141,7 @@ TextGrid facts_grid(const ReportData& data) {
     add(grid, "seed", seeds(data));
     bool plan = false;
     for (const auto& [key, value] : data.meta) {
-        if (key.starts_with(drawing_key)) continue;  // they have a place of their own
+        if (key.starts_with(drawing_key) || key.starts_with(scene_file_key)) continue;  // in places of their own
         if (key == "build" || key == "seed") continue;
         plan = plan || key == "plan";
         add(grid, key, value);

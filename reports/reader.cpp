@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 
@@ -140,6 +142,35 @@ void read_rounds(const ReadOnlyDatabase& database, const std::string& build, con
     }
 }
 
+/// Moves the cells of which `is_one` is true.
+template <class IsOne>
+std::vector<ReportCell> take_out(std::vector<ReportCell>& cells, IsOne is_one) {
+    std::vector<ReportCell> taken;
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(taken), is_one);
+    std::erase_if(cells, is_one);
+    label_scenes(taken);
+    return taken;
+}
+
+/// Scenes by name, the rows of other runs, and the cells of scenes from files.
+void sort_out(ReportData& data) {
+    const std::string prefix = scene_file_key;
+    std::set<std::string> names;
+    for (const auto& [key, value] : data.meta) {
+        if (key.rfind(prefix, 0) != 0) continue;
+        data.scene_files.emplace_back(key.substr(prefix.size()), value);
+        names.insert(data.scene_files.back().first);
+    }
+    const auto of_scene = [](const char* name) {
+        return [name](const ReportCell& cell) { return cell.scene == name; };
+    };
+    data.stability = take_out(data.cells, of_scene("stability"));
+    data.paging = take_out(data.cells, of_scene("paging"));
+    data.from_files =
+        take_out(data.cells, [&](const ReportCell& cell) { return names.contains(cell.scene); });
+    label_scenes(data.cells);
+}
+
 }  // namespace
 
 StoredFigure ReportCell::figure(const std::string& probe, const std::string& name) const {
@@ -151,14 +182,14 @@ StoredFigure ReportCell::figure(const std::string& probe, const std::string& nam
 }
 
 std::size_t ReportData::count(const std::string& status) const {
-    return static_cast<std::size_t>(std::count_if(
-        cells.begin(), cells.end(), [&](const ReportCell& cell) { return cell.status == status; }));
+    const auto has_it = [&](const ReportCell& cell) { return cell.status == status; };
+    return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), has_it) +
+                                    std::count_if(from_files.begin(), from_files.end(), has_it));
 }
 
 bool ReportData::any_failed() const {
     const auto failed = [](const ReportCell& row) { return row.status == "failed"; };
-    return std::any_of(cells.begin(), cells.end(), failed) ||
-           std::any_of(stability.begin(), stability.end(), failed);
+    return count("failed") > 0 || std::any_of(stability.begin(), stability.end(), failed);
 }
 
 ReportData read_report(const std::string& store, const std::string& build) {
@@ -178,11 +209,7 @@ ReportData read_report(const std::string& store, const std::string& build) {
     for (std::size_t i = 0; i < data.cells.size(); ++i) index[data.cells[i].hash] = i;
     read_figures(database, data.build.id, index, data.cells);
     read_rounds(database, data.build.id, index, data.cells);
-    const auto is_stability = [](const ReportCell& cell) { return cell.scene == "stability"; };
-    std::copy_if(data.cells.begin(), data.cells.end(), std::back_inserter(data.stability), is_stability);
-    std::erase_if(data.cells, is_stability);
-    label_scenes(data.cells);
-    label_scenes(data.stability);
+    sort_out(data);
     return data;
 }
 

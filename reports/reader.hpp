@@ -50,10 +50,14 @@ struct ReportData {
     ReportBuild build;                                      ///< whose cells these are
     std::vector<std::string> other_builds;                  ///< ids of builds in the store that are not shown
     std::vector<ReportCell> cells;  ///< by scene, parameters, vertices, shape, algorithm, table type, hash
+    std::vector<ReportCell> from_files;  ///< cells of scenes that are files, which vary a number; likewise
     std::vector<ReportCell>
         stability;  ///< rows of the stability run: the shape is the family; order likewise
+    std::vector<ReportCell> paging;  ///< rows of the paging run; likewise
+    std::vector<std::pair<std::string, std::string>> scene_files;  ///< name and text (JSON), by name
 
-    [[nodiscard]] std::size_t count(const std::string& status) const;  ///< of cells
+    [[nodiscard]] std::size_t cell_count() const { return cells.size() + from_files.size(); }
+    [[nodiscard]] std::size_t count(const std::string& status) const;  ///< of all cells
     [[nodiscard]] bool any_failed() const;                             ///< cell or stability row
 };
 

@@ -29,7 +29,7 @@ void make_directory(const std::filesystem::path& out) {
 ReportSummary summary(const ReportData& data, const StaticFigures& figures, bool charts,
                       const std::filesystem::path& page) {
     ReportSummary result;
-    result.cells = data.cells.size();
+    result.cells = data.cell_count();
     result.verified = data.count("verified");
     result.failed = data.count("failed");
     result.unavailable = data.count("unavailable");

@@ -29,7 +29,7 @@ std::string verdict_line(const ReportData& data) {
                             ? fmt::format("All {} verified.", plural(verified, "cell"))
                             : fmt::format("{} verified, {} failed, {} unavailable.", plural(verified, "cell"),
                                           failed, unavailable);
-    if (data.cells.empty()) cells = "No cells.";
+    if (data.cell_count() == 0) cells = "No cells.";
     return cells + stability_line(data);
 }
 
