@@ -73,6 +73,7 @@ add_library(edgewise_tool STATIC
     src/measure/statistics.cpp
     src/measure/touched_bytes.cpp
     src/measure/thread_usage.cpp
+    ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp
     src/scene/case_file.cpp
     src/scene/hard/bodies.cpp
     src/scene/hard/contact.cpp
@@ -84,10 +85,12 @@ add_library(edgewise_tool STATIC
     src/scene/hard/size.cpp
     src/scene/motion.cpp
     src/scene/scene_cold.cpp
+    src/scene/scene_file.cpp
     src/scene/scene_pressure.cpp
     src/scene/scene_proximity.cpp
     src/scene/scene_setup.cpp
     src/scene/scene_static.cpp
+    src/scene/scene_texts.cpp
     src/scene/scene_tumble.cpp
     src/scene/scenes.cpp
     src/scene/shapes.cpp
@@ -106,8 +109,11 @@ add_library(edgewise_tool STATIC
     src/sweep/draw_layout.cpp
     src/sweep/group.cpp
     src/sweep/heap_of_cell.cpp
+    src/sweep/measure_steps.cpp
     src/sweep/model_speed.cpp
     src/sweep/paging.cpp
+    src/sweep/paging_rows.cpp
+    src/sweep/paper_plan.cpp
     src/sweep/plan.cpp
     src/sweep/registry.cpp
     src/sweep/run.cpp
@@ -126,6 +132,7 @@ add_library(edgewise_tool STATIC
     src/sweep/trace_names.cpp
     src/sweep/trace_scene.cpp
     src/sweep/verify.cpp
+    src/sweep/watch_algorithm.cpp
     src/sweep/work.cpp
     src/truth/accuracy_band.cpp
     src/truth/brute_force.cpp

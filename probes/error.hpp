@@ -30,7 +30,7 @@ class error final : public Probe {
         const double touching = count([](Answer a) { return a.touching; });
         const double checked = static_cast<double>(subject.checked.size());
         const AnswerCounts& counts = subject.counts;
-        return {
+        std::vector<Figure> all = {
             {"checked", checked, "queries"},
             worst("worst_error_stored", subject, &CheckedAnswer::error_stored),
             worst("worst_error_given", subject, &CheckedAnswer::error_given),
@@ -48,9 +48,30 @@ class error final : public Probe {
             mean_steps(counts),
             {"max_steps", static_cast<double>(counts.max_steps), "steps"},
         };
+        add_control(subject, all);
+        return all;
     }
 
   private:
+    /// How often the paper's control disagrees: of checked answers, and of these outside the band.
+    static void add_control(const Subject& subject, std::vector<Figure>& all) {
+        double asked = 0, disagrees = 0, outside = 0;
+        for (const CheckedAnswer& answer : subject.checked) {
+            if (!answer.control_disagrees) continue;
+            ++asked;
+            disagrees += *answer.control_disagrees;
+            outside += *answer.control_disagrees && !answer.in_band;
+        }
+        const auto add = [&](const char* name, double count) {
+            if (asked > 0) return all.push_back({name, count, "queries"});
+            all.push_back({name, std::nullopt, "queries", "the control was not asked",
+                           "a plan with control, such as paper"});
+        };
+        add("control_checked", asked);
+        add("control_disagreements", disagrees);
+        add("control_disagreements_outside_band", outside);
+    }
+
     static std::vector<double> column(const Subject& subject, double CheckedAnswer::*error) {
         std::vector<double> result;
         for (const CheckedAnswer& answer : subject.checked) result.push_back(answer.*error);

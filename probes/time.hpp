@@ -20,11 +20,29 @@ class time final : public Probe {
         std::vector<Figure> result;
         add(result, "separated", subject, &Timing::separated_ns, &Timing::separated_queries);
         add(result, "overlapping", subject, &Timing::overlapping_ns, &Timing::overlapping_queries);
+        add_all(result, subject);
         result.push_back({"rounds", static_cast<double>(subject.rounds.size()), "rounds"});
         return result;
     }
 
   private:
+    static double queries(const Timing& timing) {
+        return static_cast<double>(timing.separated_queries + timing.overlapping_queries);
+    }
+
+    /// Pairs of both kinds as they come, as the paper has them.
+    static void add_all(std::vector<Figure>& result, const Subject& subject) {
+        std::vector<double> each, baseline;
+        for (const Round& round : subject.rounds) {
+            const double timed = queries(round.timing), beside = queries(round.baseline);
+            if (timed == 0 || beside == 0) continue;
+            each.push_back((round.timing.separated_ns + round.timing.overlapping_ns) / timed);
+            baseline.push_back((round.baseline.separated_ns + round.baseline.overlapping_ns) / beside);
+        }
+        add_times(result, "all", each, baseline,
+                  subject.rounds.empty() ? "no round was timed" : "no query was timed");
+    }
+
     using Total = double Timing::*;
     using Count = std::uint64_t Timing::*;
 
@@ -36,12 +54,17 @@ class time final : public Probe {
             each.push_back(round.timing.*total / static_cast<double>(round.timing.*count));
             baseline.push_back(round.baseline.*total / static_cast<double>(round.baseline.*count));
         }
-        const std::string reason = subject.rounds.empty() ? "no round was timed"
-                                   : each.empty()         ? "the cell has no " + kind + " pair"
-                                                          : "too few rounds for an interval";
-        const std::string remedy = subject.rounds.empty() ? "run the sweep again, it resumes"
-                                   : each.empty()         ? "ask for more queries"
-                                                          : "ask for more rounds";
+        add_times(result, kind, each, baseline,
+                  subject.rounds.empty() ? "no round was timed" : "the cell has no " + kind + " pair");
+    }
+
+    /// `none`: why there is no time at all.
+    static void add_times(std::vector<Figure>& result, const std::string& kind,
+                          const std::vector<double>& each, const std::vector<double>& baseline,
+                          const std::string& none) {
+        const std::string reason = each.empty() ? none : "too few rounds for an interval";
+        const std::string remedy =
+            each.empty() ? "ask for more queries, or run the sweep again: it resumes" : "ask for more rounds";
         const auto figure = [&](const std::string& name, std::optional<double> value, const char* unit) {
             result.push_back(value ? Figure{kind + name, value, unit}
                                    : Figure{kind + name, std::nullopt, unit, reason, remedy});

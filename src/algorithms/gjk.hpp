@@ -94,14 +94,15 @@ class GjkRun {
           b_(b),
           a_from_b_(a_from_b),
           contact_squared_(static_cast<Scalar>(options.contact_tolerance * options.contact_tolerance)),
-          gap_(static_cast<Scalar>(options.gap_tolerance)) {}
+          gap_(static_cast<Scalar>(options.gap_tolerance)),
+          verdict_only_(options.verdict_only) {}
 
     template <class Observer = NoObserver>
     [[nodiscard]] [[gnu::flatten]] Distance run(Pair& pair, Observer&& observer = {}) {
         start(pair);
         for (;;) {
             ++steps_;
-            observer.iterate();
+            observer.iterate(closest_.members);
             if (simplex_.count == 4) return finish(pair, Status::overlapping);
             const Scalar squared = squared_norm(closest_.point);
             if (squared == 0) return finish(pair, Status::touching);
@@ -168,6 +169,7 @@ class GjkRun {
         const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex_.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
+        if (separates_ && verdict_only_) return false;
         if (simplex_.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
             return false;
 
@@ -245,6 +247,7 @@ class GjkRun {
     Simplex<TableA, TableB> simplex_;
     typename Johnson<Scalar>::Closest closest_;
     Scalar contact_squared_, gap_;  ///< QueryOptions
+    bool verdict_only_;
     Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
     int steps_ = 0;
     bool separates_ = false;     ///< beyond rounding

@@ -4,6 +4,8 @@
 // booked under it. The default sees nothing and costs nothing.
 #pragma once
 
+#include <cstdint>
+
 #include "edgewise/geometry/feature.hpp"
 
 namespace edgewise {
@@ -13,8 +15,8 @@ struct NoObserver {
     static void visit(FeatureKind, FeatureKind) {}
     /// V-Clip: its answer is not believed, GJK answers next.
     static void settle() {}
-    /// GJK: an iteration comes next.
-    static void iterate() {}
+    /// GJK: an iteration comes next, on the members (bit i: point i) of the simplex that were accepted last.
+    static void iterate(std::uint8_t /*members*/) {}
 };
 
 }  // namespace edgewise

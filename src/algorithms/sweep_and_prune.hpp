@@ -71,6 +71,8 @@ class SweepAndPrune {
 
     /// Places that insertion sort moved in the last update, over all axes: the cost of lost coherence.
     [[nodiscard]] std::size_t moves() const { return moves_; }
+    /// Pairs of boxes whose ends the last update compared on the axis it swept.
+    [[nodiscard]] std::size_t tests() const { return tests_; }
 
   private:
     template <class Touches>
@@ -96,7 +98,7 @@ class SweepAndPrune {
 
     std::array<std::vector<std::uint32_t>, 3> order_;  ///< bodies by low end, per axis
     std::vector<BodyPair> pairs_;
-    std::size_t moves_ = 0;
+    std::size_t moves_ = 0, tests_ = 0;
 };
 
 template <class Touches>
@@ -175,10 +177,12 @@ void SweepAndPrune::sweep_axis(int axis, std::span<const Aabb> boxes, Touches& t
         return boxes[order[i]];
     };
     pairs_.clear();
+    tests_ = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Aabb& box = box_at(i, whole_box);
         for (std::size_t j = i + 1; j < order.size(); ++j) {
             const Aabb& other = box_at(j, low_end(axis));
+            ++tests_;
             if (other.low[axis] > box.high[axis]) break;
             touches.read(BroadPhaseArray::boxes, order[j], whole_box);
             if (!box.overlaps(other)) continue;

@@ -15,7 +15,9 @@
 #include "edgewise/cli/stop.hpp"
 #include "edgewise/cli/store_path.hpp"
 #include "edgewise/reports/report.hpp"
+#include "edgewise/scene/scene_texts.hpp"
 #include "edgewise/sweep/build_info.hpp"
+#include "edgewise/sweep/paging_rows.hpp"
 #include "edgewise/sweep/run.hpp"
 
 namespace edgewise::cli {
@@ -57,6 +59,9 @@ Plan chosen_plan(const Options& options) {
         if (!from.empty()) to = from;
     };
     replace(plan.layouts, options.layouts);
+    for (SceneChoice& scene : plan.scenes) {
+        if (find_scene_file(scene.name)) replace(scene.layouts, options.layouts);
+    }
     replace(plan.algorithms, options.algorithms);
     replace(plan.axes, options.axes);
     if (!options.shapes.empty() || !options.meshes.empty()) {
@@ -82,6 +87,7 @@ Plan chosen_plan(const Options& options) {
     plan.checked = options.checked.value_or(plan.checked);
     plan.rounds = options.rounds.value_or(plan.rounds);
     plan.stability = options.stability.value_or(narrowed(options) ? 0 : plan.stability);
+    if (narrowed(options)) plan.paging = 0;
     plan.seed = options.seed.value_or(plan.seed);
     return plan;
 }
@@ -113,6 +119,20 @@ StabilitySummary run_stability_of(const SweepWork& work, Store& store, bool& sto
     const StabilitySummary summary = store_stability(plan, store, rows, {});
     stopped = summary.rows < rows;
     return summary;
+}
+
+/// Under memory limits, if the plan has it.
+void run_paging_of(const Plan& of, Store& store, bool& stopped) {
+    if (of.paging == 0) return;
+    PagingPlan plan;
+    plan.bodies = of.paging;
+    plan.seed = of.seed;
+    Progress progress("paging", paging_rows());
+    stopped =
+        run_paging(
+            plan, this_build().id, store,
+            [&](const CellRow& row) { progress.advance(1, row.shape + " " + row.table); }, stop_on_signals())
+            .stopped;
 }
 
 void print_summary(const SweepSummary& summary, const StabilitySummary& stability, const std::string& store,
@@ -148,6 +168,7 @@ int run(const Options& options, bool json) {
         Store store(options.store);
         summary = run_with_progress(work, store);
         if (!summary.stopped) stability = run_stability_of(work, store, summary.stopped);
+        if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
     }
     if (summary.stopped) {
         fmt::print(stderr,
@@ -179,7 +200,7 @@ void add_sweep(CLI::App& app, Context& context) {
     list("--layouts", options->layouts, "only these layouts or table types");
     list("--algorithms", options->algorithms, "only these algorithms");
     list("--axes", options->axes, "these cells beside the plain ones, such as gap_tolerance=1e-06");
-    list("--scenes", options->scenes, "only these scenes");
+    list("--scenes", options->scenes, "only these scenes: kinds, scene files, or your own NAME.json");
     list("--shapes", options->shapes, "these built-in shapes instead of the plan's bodies");
     list("--caches", options->caches, "model caches for cells of these shapes, or all");
     list("--machines", options->machines, "whose caches: names, host, or your own NAME.json");

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "edgewise/measure/algorithm_work.hpp"
 #include "edgewise/measure/count_pass.hpp"
 #include "edgewise/measure/figure.hpp"
 #include "edgewise/measure/heap_use.hpp"
@@ -18,6 +19,7 @@
 #include "edgewise/measure/memory_use.hpp"
 #include "edgewise/measure/round.hpp"
 #include "edgewise/measure/scene_trace.hpp"
+#include "edgewise/measure/step_costs.hpp"
 
 namespace edgewise {
 
@@ -43,6 +45,9 @@ struct CheckedAnswer {
     double given_away = 0;     ///< what of it was allowed as a tolerance
     double error_given = 0;    ///< the same, d* of the bodies as given
     double witness_error = 0;  ///< | |p_a - p_b| - d | / scale; separated answers only
+    /// Whether the verdict is another than the paper's control gives; nothing where it was not asked or has
+    /// no answer.
+    std::optional<bool> control_disagrees;
 };
 
 /// What was counted over all queries of the cell.
@@ -50,6 +55,7 @@ struct AnswerCounts {
     std::uint64_t queries = 0, steps = 0, fallbacks = 0, cycles = 0;
     int max_steps = 0;
     std::uint64_t refinements = 0, escapes = 0;
+    std::uint64_t warm = 0, unchanged = 0;  ///< started warm; and of these ended where they started
 };
 
 /// A cell as probes see it.
@@ -64,6 +70,8 @@ struct Subject {
     LinesTouched touched;
     const SceneTrace* trace = &no_trace();
     HeapUse heap;
+    StepCosts costs;                  ///< of the scene's steps
+    AlgorithmWork work;
     std::vector<PassRecord> counted;  ///< by the processor and the kernel, of a pass in the steady state
 };
 

@@ -3,8 +3,10 @@
 // Small measures of bodies that several scenes take.
 #include "edgewise/scene/scene_setup.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace edgewise {
 
@@ -19,6 +21,17 @@ double reach(std::span<const Vec3d> vertices, const Vec3d& from) {
     double most = 0;
     for (const Vec3d& vertex : vertices) most = std::max(most, norm(Vec3d(vertex - from)));
     return most;
+}
+
+double smallest_dimension(std::span<const Vec3d> vertices) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto [low, high] =
+            std::minmax_element(vertices.begin(), vertices.end(),
+                                [axis](const Vec3d& a, const Vec3d& b) { return a[axis] < b[axis]; });
+        least = std::min(least, (*high)[axis] - (*low)[axis]);
+    }
+    return least;
 }
 
 Aabb world_box(const Polyhedron& body, const Pose& pose) {
@@ -40,8 +53,8 @@ double coarse(double x) {
     return std::ldexp(std::floor(mantissa * 0x1p24 + 0.5), exponent - 24);
 }
 
-/// Cube root by Newton's method on + - * /: libm's cbrt is not the same everywhere.
-static double cube_root(double x) {
+/// By Newton's method.
+double cube_root(double x) {
     assert(x > 0);
     int exponent = 0;
     const double mantissa = std::frexp(x, &exponent);

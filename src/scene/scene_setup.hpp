@@ -35,12 +35,18 @@ struct SceneSetup {
 /// Largest distance of a vertex from a point.
 [[nodiscard]] double reach(std::span<const Vec3d> vertices, const Vec3d& from);
 
+/// Shortest side of the vertices' box along x, y and z.
+[[nodiscard]] double smallest_dimension(std::span<const Vec3d> vertices);
+
 /// Box of a posed body in world axes, by a full scan of the vertices.
 [[nodiscard]] Aabb world_box(const Polyhedron& body, const Pose& pose);
 
 /// The number cut to 24 leading bits. Lengths that come from sums over a body (its volume) or from a distance
 /// algorithm go through this, so that their last bits cannot move a pose.
 [[nodiscard]] double coarse(double x);
+
+/// Of a positive number, in IEEE + - * / only: libm's is not the same everywhere.
+[[nodiscard]] double cube_root(double x);
 
 /// Half the side of the cube in which bodies of this total volume have this occupancy.
 [[nodiscard]] double box_half(double total_volume, double occupancy);

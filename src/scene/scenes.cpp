@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "edgewise/scene/scene_setup.hpp"
+#include "edgewise/scene/scene_texts.hpp"
 
 namespace edgewise {
 namespace {
@@ -51,7 +52,10 @@ std::string check_value(std::string_view scene, const ParameterInfo& info, doubl
 }
 
 std::string unknown_scene(std::string_view scene) {
-    return fmt::format("unknown scene '{}': known are {}", scene, names_of(list_scenes()));
+    std::vector<std::string_view> files;
+    for (const SceneText& text : scene_texts()) files.push_back(text.name);
+    return fmt::format("unknown scene '{}': known are {}; of files {}, or the path of one that ends in .json",
+                       scene, names_of(list_scenes()), fmt::join(files, ", "));
 }
 
 }  // namespace

@@ -25,9 +25,11 @@ struct Query {
 
 /// One step of a scene that is asked step after step, all its pairs each.
 struct Frame {
-    std::size_t first_query = 0;  ///< its queries go on to the next frame's first
-    bool starts_anew = false;     ///< other bodies than before: the broad phase knows nothing of them
-    std::vector<Aabb> boxes;      ///< what the broad phase is given; empty: the scene has none
+    std::size_t first_query = 0;   ///< its queries go on to the next frame's first
+    bool starts_anew = false;      ///< other bodies than before: the broad phase knows nothing of them
+    std::vector<Aabb> boxes;       ///< what the broad phase is given; empty: the scene has none
+    std::vector<Pose> poses = {};  ///< of the instances in whose boxes they stand; as many
+    double margin = 0;             ///< by which a box is larger than its body, on all sides
 };
 
 struct Workload {

@@ -25,7 +25,8 @@ double read_tolerance(std::string_view entry, std::string_view value, double bel
 }
 
 constexpr std::string_view order_values = "given|bfs|spatial", sharing_values = "shared|per_instance",
-                           allocator_values = "arena|jemalloc|libc";
+                           allocator_values = "arena|jemalloc|libc",
+                           needs_values = "verdict|distance|witnesses|features|depth|certificate";
 
 VertexOrder read_order(std::string_view entry, std::string_view value) {
     const auto order = vertex_order_from(value);
@@ -45,6 +46,12 @@ AllocatorKind read_allocator(std::string_view entry, std::string_view value) {
     return *allocator;
 }
 
+Needs read_needs(std::string_view entry, std::string_view value) {
+    const auto needs = needs_from(value);
+    if (!needs) refuse(entry, fmt::format("wants {}", needs_values));
+    return *needs;
+}
+
 void take(Axes& axes, std::string_view entry) {
     const std::size_t equals = entry.find('=');
     const std::string_view name = entry.substr(0, equals);
@@ -59,6 +66,8 @@ void take(Axes& axes, std::string_view entry) {
         axes.tables.sharing = read_sharing(entry, value);
     } else if (name == "allocator") {
         axes.tables.allocator = read_allocator(entry, value);
+    } else if (name == "needs") {
+        axes.set_needs(read_needs(entry, value));
     } else {
         std::vector<std::string> known;
         for (const AxisInfo& axis : axes_known())
@@ -76,6 +85,7 @@ const std::vector<AxisInfo>& axes_known() {
         {"order", order_values, "how a body's vertices are numbered, and so what lies side by side"},
         {"sharing", sharing_values, "one table a body, or one for each instance in the scene"},
         {"allocator", allocator_values, "where tables take their memory from"},
+        {"needs", needs_values, "what the scene asks of every answer, and pays for"},
     };
     return known;
 }
@@ -91,11 +101,12 @@ std::string Axes::text() const {
         parts.push_back(tables.sharing == Sharing::shared ? "sharing=shared" : "sharing=per_instance");
     if (tables.allocator != plain.allocator)
         parts.push_back(fmt::format("allocator={}", to_string(tables.allocator)));
+    if (needs != Needs::witnesses) parts.push_back(fmt::format("needs={}", to_string(needs)));
     return fmt::format("{}", fmt::join(parts, "+"));
 }
 
 bool Axes::concerns(std::string_view algorithm) const {
-    return tables != TableOptions{} || query.contact_tolerance != 0 ||
+    return tables != TableOptions{} || needs != Needs::witnesses || query.contact_tolerance != 0 ||
            (query.gap_tolerance != 0 && algorithm == "gjk");
 }
 

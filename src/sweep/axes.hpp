@@ -12,12 +12,19 @@
 
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/sweep/table_options.hpp"
+#include "edgewise/table/needs.hpp"
 
 namespace edgewise {
 
 struct Axes {
     QueryOptions query;
+    Needs needs = Needs::witnesses;  ///< what timed and counted passes ask of every answer
     TableOptions tables;
+
+    void set_needs(Needs wanted) {
+        needs = wanted;
+        query.verdict_only = wanted == Needs::verdict;
+    }
 
     /// Canonical: what differs from the plain cell, in a fixed order; empty for the plain cell.
     [[nodiscard]] std::string text() const;

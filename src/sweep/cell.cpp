@@ -38,6 +38,7 @@ void name_cell(CellRow& cell, const Polyhedron& body) {
         .add(cell.algorithm)
         .add(cell.table)
         .add(cell.axes);
+    if (!cell.scene_kind.empty()) print.add(cell.scene_kind);
     cell.hash = print.add(cell.seed).add(cell.queries).add(body).hex();
 }
 

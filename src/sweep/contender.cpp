@@ -6,9 +6,12 @@
 #include "edgewise/measure/count_pass.hpp"
 #include "edgewise/measure/machine.hpp"
 #include "edgewise/measure/software_watch.hpp"
+#include "edgewise/sweep/cold_starts.hpp"
 #include "edgewise/sweep/heap_of_cell.hpp"
+#include "edgewise/sweep/measure_steps.hpp"
 #include "edgewise/sweep/trace_scene.hpp"
 #include "edgewise/sweep/verify.hpp"
+#include "edgewise/sweep/watch_algorithm.hpp"
 
 namespace edgewise {
 
@@ -29,6 +32,7 @@ Parts parts_of(const std::string& algorithm) {
 Contender::Contender(const TableType& type, std::string algorithm, const Axes& axes, CellRow row)
     : type_(type), axes_(axes), row_(std::move(row)), runner_(type.make_runner(algorithm)) {
     runner_->set_options(axes.query);
+    runner_->set_needs(axes.needs);
     runner_->place_tables(axes.tables);
     row_.axes = axes.text();
     row_.algorithm = std::move(algorithm);
@@ -48,7 +52,7 @@ void Contender::verify(Group& group) {
         return;
     }
     const std::vector<Distance> answers = runner_->answer(workload);
-    counts_ = count_answers(answers);
+    counts_ = count_answers(answers, workload.warm ? cold_starts(workload) : std::vector<std::uint8_t>{});
     LineCounter lines;
     runner_->trace(workload, traced_queries, lines);
     touched_ = lines.sums();
@@ -94,6 +98,16 @@ void Contender::count(const Group& group) {
     hold_against_answers(last, "counted");
 }
 
+void Contender::study(const Group& group) {
+    if (!verified()) return;
+    if (!row_.axes.empty()) {
+        costs_.reason = work_.reason = "measured for the cell without further axes";
+        return;
+    }
+    costs_ = step_costs(*runner_, group.workload());
+    work_ = algorithm_work(row_.algorithm, type_, group);
+}
+
 Timing Contender::time(const Group& group, double clock_cost_ns) const {
     return runner_->time(group.workload(), in_contact_, clock_cost_ns);
 }
@@ -116,6 +130,8 @@ std::vector<FigureRow> Contender::figures(const Group& group, SizeFamily& sizes,
     subject.counts = counts_;
     subject.rounds = rounds;
     subject.counted = counted_;
+    subject.costs = costs_;
+    subject.work = work_;
     for (const auto& probe : registered_probes()) {
         for (Figure& figure : probe->figures(subject)) {
             result.push_back({std::string(probe->name()), std::move(figure)});

@@ -45,6 +45,9 @@ class Contender {
     /// After verify(): what the processor and the kernel count of a pass. As above.
     void count(const Group& group);
 
+    /// After verify(): what a step of the scene costs by part, and what the algorithm does inside.
+    void study(const Group& group);
+
     [[nodiscard]] bool verified() const { return row_.status == "verified"; }
     [[nodiscard]] const CellRow& row() const { return row_; }
 
@@ -71,6 +74,8 @@ class Contender {
     std::span<const MachineChoice> machines_;
     SceneTrace trace_;
     std::vector<PassRecord> counted_;
+    StepCosts costs_;
+    AlgorithmWork work_;
 };
 
 }  // namespace edgewise

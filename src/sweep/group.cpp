@@ -4,8 +4,10 @@
 #include <stdexcept>
 
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/moore_wilhelms.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/sweep/cell.hpp"
+#include "edgewise/sweep/parallel.hpp"
 #include "edgewise/table/canonical.hpp"
 
 namespace edgewise {
@@ -18,9 +20,16 @@ double placing_distance(const Polyhedron& a, const Pose& pose_a, const Polyhedro
     return Gjk::query(Canonical(a), Canonical(b), relative_pose(pose_a, pose_b), cold).distance;
 }
 
+std::string print_of(std::span<const Polyhedron> bodies) {
+    Fingerprint print;
+    for (const Polyhedron& body : bodies) print.add(body);
+    return print.hex();
+}
+
 }  // namespace
 
-Group::Group(const Plan& plan, const SceneChoice& scene, const NamedShape& shape) {
+Group::Group(const Plan& plan, const SceneChoice& scene, const NamedShape& shape)
+    : asks_control_(plan.control) {
     auto parameters = complete_parameters(scene.name, scene.parameters);
     if (!parameters) throw std::invalid_argument(parameters.error);
     parameters_ = std::move(*parameters);
@@ -33,18 +42,34 @@ Group::Group(const Plan& plan, const SceneChoice& scene, const NamedShape& shape
 }
 
 const std::vector<ExactDistance>& Group::exact(std::span<const Polyhedron> bodies) {
-    Fingerprint print;
-    for (const Polyhedron& body : bodies) print.add(body);
-    auto [place, is_new] = exact_.try_emplace(print.hex());
-    if (!is_new) return place->second;
-    for (const std::size_t i : checked_) {
-        const Query& query = workload_.queries[i];
+    auto [place, is_new] = exact_.try_emplace(print_of(bodies));
+    if (is_new) place->second = work_out(bodies);
+    return place->second;
+}
+
+std::vector<ExactDistance> Group::work_out(std::span<const Polyhedron> bodies) const {
+    std::vector<ExactDistance> answers(checked_.size());
+    for_each_index(checked_.size(), [&](std::size_t k) {
+        const Query& query = workload_.queries[checked_[k]];
         const auto answer = exact_distance(bodies[query.body_a].vertices, query.pose_a,
                                            bodies[query.body_b].vertices, query.pose_b);
         if (!answer) throw std::logic_error(answer.error);
-        place->second.push_back(*answer);
-    }
-    return place->second;
+        answers[k] = *answer;
+    });
+    return answers;
+}
+
+const std::vector<std::optional<bool>>& Group::control(std::span<const Polyhedron> bodies) {
+    auto [place, is_new] = control_.try_emplace(print_of(bodies));
+    if (!is_new || !asks_control_) return place->second;
+    std::vector<std::optional<bool>>& says = place->second;
+    says.resize(checked_.size());
+    for_each_index(checked_.size(), [&](std::size_t k) {
+        const Query& query = workload_.queries[checked_[k]];
+        says[k] = moore_wilhelms(bodies[query.body_a], bodies[query.body_b],
+                                 relative_pose(query.pose_a, query.pose_b));
+    });
+    return says;
 }
 
 }  // namespace edgewise

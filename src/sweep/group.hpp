@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,19 @@ class Group {
     /// Exact answers of the checked queries for these bodies, in the order of checked().
     [[nodiscard]] const std::vector<ExactDistance>& exact(std::span<const Polyhedron> bodies);
 
+    /// What the paper's control says of them, in contact or not (algorithms/moore_wilhelms.hpp); empty where
+    /// the plan does not ask it.
+    [[nodiscard]] const std::vector<std::optional<bool>>& control(std::span<const Polyhedron> bodies);
+
   private:
+    [[nodiscard]] std::vector<ExactDistance> work_out(std::span<const Polyhedron> bodies) const;
+
+    bool asks_control_;
     SceneParameters parameters_;
     Workload workload_;
     std::vector<std::size_t> checked_;
     std::map<std::string, std::vector<ExactDistance>> exact_;  // by the bodies' fingerprint
+    std::map<std::string, std::vector<std::optional<bool>>> control_;
 };
 
 }  // namespace edgewise

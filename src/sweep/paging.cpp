@@ -118,7 +118,7 @@ void trace_pages(const Runner& runner, const Workload& workload, PageReuse& reus
 }  // namespace
 
 PagingResult measure_paging(const TableType& type, const std::string& algorithm, const Workload& workload,
-                            std::span<const std::uint64_t> limits) {
+                            const PagingLimits& limits) {
     PagingResult result;
     result.table = type.name;
     result.algorithm = algorithm;
@@ -134,7 +134,7 @@ PagingResult measure_paging(const TableType& type, const std::string& algorithm,
     result.pages_touched = reuse.pages();
     const auto group = MemoryLimit::make();
     const std::function<PassSum()> pass = runner->prepared_pass(workload);
-    for (const std::uint64_t limit : limits) {
+    for (const std::uint64_t limit : limits(reuse.pages() * page_bytes())) {
         PagingRow& row = result.rows.emplace_back();
         row.limit_bytes = limit;
         row.predicted_at_limit = reuse.fetches_per_query(limit > 0 ? limit / page_bytes() : reuse.pages());

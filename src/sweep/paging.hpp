@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,9 +38,12 @@ struct PagingResult {
     std::string reason;  ///< why there are none
 };
 
-/// The workload's tables, one for each instance, of one type. Limits in bytes; 0: none. Each runs one pass
-/// over the workload to fill memory, then three that are counted; figures are their means.
+/// Limits in bytes, for tables of which so many bytes are touched; 0: none.
+using PagingLimits = std::function<std::vector<std::uint64_t>(std::uint64_t touched_bytes)>;
+
+/// The workload's tables, one for each instance, of one type. Each limit runs one pass over the workload to
+/// fill memory, then three that are counted; figures are their means.
 [[nodiscard]] PagingResult measure_paging(const TableType& type, const std::string& algorithm,
-                                          const Workload& workload, std::span<const std::uint64_t> limits);
+                                          const Workload& workload, const PagingLimits& limits);
 
 }  // namespace edgewise

@@ -12,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "edgewise/sweep/paper_plan.hpp"
 #include "edgewise/sweep/registry.hpp"
 
 namespace edgewise {
@@ -98,22 +99,35 @@ Plan quick() {
     return plan;
 }
 
-/// The paper's sample size (30 000 queries a sample point) and exact checks to match.
+/// The paper's own scenes (paper_plan.cpp), its sample size (30 000 queries a sample point) and control,
+/// exact checks to match; and the widely different layouts on coherent motion and on independent pairs.
 Plan paper() {
     Plan plan = base("paper");
+    plan.scenes = paper_scenes();
+    for (const char* name : {"tumble", "cold"}) {
+        plan.scenes.push_back({name, {}, {"sphere38", "sphere386"}});
+        plan.scenes.back().queries = 3000;
+    }
+    plan.queries = 30000;
+    plan.checked = 2000;
+    plan.control = true;
+    plan.rounds = 15;
+    plan.stability = 100;
+    plan.traced = 3000;
+    plan.paging = 600;
+    plan.machines = {"pentium3_coppermine", "athlon_thunderbird", "zen5", "host"};
+    return plan;
+}
+
+/// Over all layouts, more sizes and speeds; further axes one at a time around the plain cells.
+Plan full() {
+    Plan plan = base("full");
     plan.queries = 30000;
     plan.checked = 2000;
     plan.rounds = 25;
     plan.stability = 200;
     plan.traced = 3000;
     model_caches(plan, {"cube8", "sphere38", "sphere386"}, [](const SceneChoice&) { return true; });
-    return plan;
-}
-
-/// As paper, over all layouts, more sizes and speeds; further axes one at a time around the plain cells.
-Plan full() {
-    Plan plan = paper();
-    plan.name = "full";
     plan.layouts = {"all"};
     plan.shapes = {"tetra4",    "cube8",        "sphere38",   "sphere102",
                    "sphere386", "uv_sphere386", "sphere1538", "sphere6146"};
@@ -129,9 +143,9 @@ void take(const nlohmann::json& from, const char* key, Value& to) {
     if (from.contains(key)) to = from.at(key).get<Value>();
 }
 
-constexpr std::array members = {"scenes",     "shapes",    "meshes", "each_mesh", "layouts",
-                                "algorithms", "axes",      "seed",   "queries",   "checked",
-                                "rounds",     "stability", "traced", "machines"};
+constexpr std::array members = {"scenes", "shapes",   "meshes",  "each_mesh", "layouts", "algorithms",
+                                "axes",   "seed",     "queries", "checked",   "rounds",  "stability",
+                                "traced", "machines", "control", "paging"};
 
 /// A misspelt member would be ignored in silence.
 void refuse_unknown_members(const nlohmann::json& json, std::span<const char* const> known) {
@@ -143,8 +157,8 @@ void refuse_unknown_members(const nlohmann::json& json, std::span<const char* co
 }
 
 SceneChoice read_scene(const nlohmann::json& json) {
-    constexpr std::array known = {"name",       "parameters", "shapes", "layouts",
-                                  "algorithms", "queries",    "plain",  "caches"};
+    constexpr std::array known = {"name",    "parameters", "shapes", "layouts", "algorithms",
+                                  "queries", "plain",      "axes",   "caches"};
     refuse_unknown_members(json, known);
     SceneChoice scene{json.at("name"), json.value("parameters", SceneParameters{})};
     take(json, "shapes", scene.shapes);
@@ -152,6 +166,7 @@ SceneChoice read_scene(const nlohmann::json& json) {
     take(json, "algorithms", scene.algorithms);
     take(json, "queries", scene.queries);
     take(json, "plain", scene.plain);
+    take(json, "axes", scene.axes);
     take(json, "caches", scene.caches);
     return scene;
 }
@@ -184,6 +199,8 @@ Plan read_plan(const std::string& file) {
         take(json, "rounds", plan.rounds);
         take(json, "stability", plan.stability);
         take(json, "traced", plan.traced);
+        take(json, "control", plan.control);
+        take(json, "paging", plan.paging);
         take(json, "machines", plan.machines);
     } catch (const std::exception& problem) {
         throw std::invalid_argument(fmt::format("plan {}: {}", file, problem.what()));

@@ -13,13 +13,15 @@
 namespace edgewise {
 
 /// A scene, and what of the plan it is for: of the plan's shapes, table types and algorithms only these, all
-/// where none are named.
+/// where none are named. A scene file has its own shapes, parameters and queries, and is for all table types
+/// of the program that are named.
 struct SceneChoice {
-    std::string name;
+    std::string name;                 ///< of a kind of scene or a scene file, or the path of one (.json)
     SceneParameters parameters = {};  ///< those that differ from the scene's defaults
     std::vector<std::string> shapes = {}, layouts = {}, algorithms = {};
     std::size_t queries = 0;  ///< a cell and round; 0: the plan's
     bool plain = false;       ///< no further axes: a group's cells stand side by side, and these are large
+    std::vector<std::string> axes = {};    ///< instead of the plan's
     std::vector<std::string> caches = {};  ///< shapes whose cells have their caches modelled; "all" is all
 };
 
@@ -36,6 +38,8 @@ struct Plan {
     std::uint64_t seed = 1;
     std::size_t queries = 0;            ///< a cell and round
     std::size_t checked = 0;            ///< of them, against exact arithmetic
+    bool control = false;               ///< of these, against Moore and Wilhelms too, the paper's control
+    std::size_t paging = 0;             ///< bodies of the paging run; 0: none
     int rounds = 0;                     ///< timed, interleaved
     std::size_t stability = 0;          ///< hard cases a family; 0: no stability run
     std::size_t traced = 0;             ///< queries a cell whose caches are modelled; 0: all

@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <future>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "edgewise/measure/stopwatch.hpp"
@@ -16,6 +14,7 @@
 #include "edgewise/sweep/cell.hpp"
 #include "edgewise/sweep/contender.hpp"
 #include "edgewise/sweep/draw_layout.hpp"
+#include "edgewise/sweep/parallel.hpp"
 #include "edgewise/sweep/schema.hpp"
 #include "edgewise/sweep/trace_scene.hpp"
 
@@ -50,6 +49,9 @@ class Sweep {
         store_.set_meta("tables",
                         "in an arena from a multiple of 2 MiB on, the first at its start, one after "
                         "the other; large pages declined; else as the axis allocator says");
+        for (const SceneWork& scene : work_.scenes) {
+            if (!scene.text.empty()) store_.set_meta(scene_file_key + scene.choice.name, scene.text);
+        }
         store_drawings();
     }
 
@@ -81,6 +83,7 @@ class Sweep {
     [[nodiscard]] CellRow row_for(const SceneWork& scene, const NamedShape& shape) const {
         CellRow row;
         row.scene = scene.choice.name;
+        row.scene_kind = scene.kind;
         row.scene_parameters = parameters_json(scene.choice.parameters);
         row.shape = shape.name;
         row.shape_source = shape.source;
@@ -106,29 +109,28 @@ class Sweep {
         }
         Plan plan = plan_;
         plan.queries = scene.queries;
-        Group group(plan, scene.choice, shape);
+        SceneChoice made = scene.choice;
+        if (!scene.kind.empty()) made.name = scene.kind;
+        Group group(plan, made, shape);
         for (Contender& contender : contenders) contender.verify(group);
         trace_all(group, contenders);
         Contender baseline(baseline_, baseline_algorithm_, {}, row_for(scene, shape));
         baseline.verify(group);
         time_rounds(group, contenders, baseline);
         if (stop_) return;
-        for (Contender& contender : contenders) contender.count(group);
+        for (Contender& contender : contenders) {
+            contender.count(group);
+            contender.study(group);
+        }
         for (const Contender& contender : contenders) keep(contender, &group);
         listener_.on_done(contenders.size(), what);
     }
 
     /// On all processors: nothing is timed meanwhile, and traces do not depend on what runs beside them.
     void trace_all(const Group& group, std::vector<Contender>& contenders) const {
-        std::atomic<std::size_t> next = 0;
-        const auto work = [&] {
-            for (std::size_t i = next++; i < contenders.size() && !stop_; i = next++)
-                contenders[i].trace(group, plan_.traced);
-        };
-        std::vector<std::future<void>> workers;
-        for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-            workers.push_back(std::async(std::launch::async, work));
-        for (std::future<void>& worker : workers) worker.get();
+        for_each_index(contenders.size(), [&](std::size_t i) {
+            if (!stop_) contenders[i].trace(group, plan_.traced);
+        });
     }
 
     [[nodiscard]] std::vector<Contender> contenders_for(const SceneWork& scene,

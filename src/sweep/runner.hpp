@@ -22,6 +22,7 @@
 #include "edgewise/sweep/table_options.hpp"
 #include "edgewise/table/ledger.hpp"
 #include "edgewise/table/memory_map.hpp"
+#include "edgewise/table/needs.hpp"
 
 namespace edgewise {
 
@@ -59,6 +60,10 @@ class Runner {
 
     /// What later answers may give away; contact_tolerance in the given bodies' unit.
     virtual void set_options(const QueryOptions& options) = 0;
+
+    /// What later passes and timings ask of every answer, and pay for; witnesses at first, which comes with
+    /// the distance. Answers themselves stay as they are, but for the verdict alone: query_options.hpp.
+    virtual void set_needs(Needs needs) = 0;
 
     /// How tables loaded later are placed.
     virtual void place_tables(const TableOptions& options) = 0;
@@ -104,6 +109,11 @@ class Runner {
     /// the queries but setting the pairs back; for counters that are read outside. Narrow phase only: no
     /// broad phase. Not to outlive the runner nor the workload.
     [[nodiscard]] virtual std::function<PassSum()> prepared_pass(const Workload& workload) const = 0;
+
+    /// As prepared_pass, but for queries first .. last - 1, as often and far as the caller goes: pairs go on
+    /// where the last call left them, and are set back where first is 0. Returns the sum of distances.
+    using RangePass = std::function<double(std::size_t first, std::size_t last)>;
+    [[nodiscard]] virtual RangePass prepared_range(const Workload& workload) const = 0;
 
     /// Bytes of one pair's cache.
     [[nodiscard]] virtual std::size_t pair_bytes() const = 0;

@@ -17,6 +17,7 @@
 #include "edgewise/geometry/vertex_order.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/sweep/allocators.hpp"
+#include "edgewise/sweep/certificates.hpp"
 #include "edgewise/sweep/cold_starts.hpp"
 #include "edgewise/sweep/name_feature.hpp"
 #include "edgewise/sweep/runner.hpp"
@@ -36,7 +37,14 @@ class RunnerFor final : public Runner {
 
     using Runner::load;
 
-    void set_options(const QueryOptions& options) override { options_ = options; }
+    void set_options(const QueryOptions& options) override {
+        options_ = options;
+        options_.verdict_only = needs_ == Needs::verdict;
+    }
+    void set_needs(Needs needs) override {
+        needs_ = needs;
+        options_.verdict_only = needs == Needs::verdict;
+    }
     void place_tables(const TableOptions& options) override { placing_ = options; }
 
     [[nodiscard]] std::string load(std::span<const Polyhedron> bodies,
@@ -81,14 +89,7 @@ class RunnerFor final : public Runner {
         const Table& b = table_b(query);
         Pair pair(a, b);
         NamedAnswer result;
-        const Distance distance = ask(query, pair);
-        if (distance.status == Status::separated || distance.distance > 0) {
-            result.distance = to_world(distance, query.pose_a);
-        } else {
-            settle_contact(query, pair, distance, result);
-        }
-        std::tie(result.feature_a, result.feature_b) =
-            name_features(pair, a, bodies_[query.body_a], b, bodies_[query.body_b]);
+        tell_more(query, pair, ask_plain(query, pair), Needs::depth, result);
         return unit_.back(std::move(result));
     }
 
@@ -166,6 +167,18 @@ class RunnerFor final : public Runner {
         };
     }
 
+    [[nodiscard]] RangePass prepared_range(const Workload& given) const override {
+        auto space = std::make_shared<Workload>();
+        const Workload* workload = &in_unit(given, *space);
+        const std::vector<Pair> cold = cold_pairs(*workload);
+        return [this, space, workload, cold, pairs = cold](std::size_t first, std::size_t last) mutable {
+            if (first == 0) std::copy(cold.begin(), cold.end(), pairs.begin());
+            double sum = 0;
+            run(*workload, first, last, pairs, [&](std::size_t, const Distance& d) { sum += d.distance; });
+            return sum;
+        };
+    }
+
     [[nodiscard]] std::size_t pair_bytes() const override { return sizeof(Pair); }
 
     [[nodiscard]] const TableAllocator& table_allocator() const override { return *memory_; }
@@ -228,9 +241,38 @@ class RunnerFor final : public Runner {
                (size == 0 || size >= (single ? smallest_extent_single : smallest_extent));
     }
 
-    [[nodiscard]] Distance ask(const Query& query, Pair& pair) const {
+    [[nodiscard]] Distance ask_plain(const Query& query, Pair& pair) const {
         return Algorithm::query(table_a(query), table_b(query), relative_pose(query.pose_a, query.pose_b),
                                 pair, unit_.into(options_));
+    }
+
+    [[nodiscard]] Distance ask(const Query& query, Pair& pair) const {
+        const Distance answer = ask_plain(query, pair);
+        if (needs_ > Needs::witnesses) pay_for_more(query, pair, answer);
+        return answer;
+    }
+
+    /// What is asked beyond distance and witnesses, worked out and thrown away.
+    [[gnu::noinline]] void pay_for_more(const Query& query, const Pair& pair, const Distance& answer) const {
+        NamedAnswer more;
+        tell_more(query, pair, answer, needs_, more);
+        volatile double sink = more.depth;
+        if (needs_ == Needs::certificate) sink = certified_width(more, query);
+        static_cast<void>(sink);
+    }
+
+    [[nodiscard]] double certified_width(const NamedAnswer& answer, const Query& query) const {
+        const auto certificates = certificates_of(answer, query, in_tables_, in_tables_);
+        return certificates ? certificates->stored.width() : 0;
+    }
+
+    void tell_more(const Query& query, const Pair& pair, const Distance& distance, Needs needs,
+                   NamedAnswer& result) const {
+        result.distance = to_world(distance, query.pose_a);
+        const bool apart = distance.status == Status::separated || distance.distance > 0;
+        if (!apart && needs >= Needs::depth) settle_contact(query, pair, distance, result);
+        std::tie(result.feature_a, result.feature_b) =
+            name_features(pair, table_a(query), bodies_[query.body_a], table_b(query), bodies_[query.body_b]);
     }
 
     /// How deep, and with that whether it is more than a touch, to the rounding of coordinates.
@@ -285,6 +327,7 @@ class RunnerFor final : public Runner {
 
     Unit unit_;
     QueryOptions options_;
+    Needs needs_ = Needs::witnesses;
     TableOptions placing_;
     std::unique_ptr<TableAllocator> memory_;  ///< what the tables stand in
     std::vector<Polyhedron> bodies_;          ///< as stored, in the given unit

@@ -35,9 +35,10 @@ struct CellRow {
     std::string algorithm, layout, precision, table;
     std::uint64_t vertices = 0, edges = 0, faces = 0;
     std::uint64_t seed = 0, queries = 0;
-    std::string status;  ///< verified | failed | unavailable
-    std::string reason;  ///< why failed or unavailable
-    std::string axes;    ///< further axes, as in sweep/axes.hpp; empty for the plain cell
+    std::string status;           ///< verified | failed | unavailable
+    std::string reason;           ///< why failed or unavailable
+    std::string axes;             ///< further axes, as in sweep/axes.hpp; empty for the plain cell
+    std::string scene_kind = {};  ///< of a scene file: part of the hash, and no column
 };
 
 struct FigureRow {

@@ -44,6 +44,7 @@ CheckedAnswer check(const Distance& answer, ExactDistance stored, ExactDistance 
     result.verdict_wrong = on_stored.verdict_wrong || answer.status == Status::failed;
     result.in_band = on_stored.in_band;
     result.given_away = given_away;
+    if (options.verdict_only) return result;  // the distance is a bound, and no witness was asked for
     result.error_stored = on_stored.error_over_scale;
     result.error_given = judge(judged, given, band).error_over_scale;
     result.witness_error = witness_error(answer, band);
@@ -57,6 +58,7 @@ std::vector<CheckedAnswer> check_answers(Group& group, std::span<const Polyhedro
                                          const QueryOptions& options) {
     const auto& exact_stored = group.exact(stored);
     const auto& exact_given = group.exact(group.workload().bodies);
+    const auto& control = group.control(stored);
     std::vector<CheckedAnswer> result;
     for (std::size_t k = 0; k < group.checked().size(); ++k) {
         const std::size_t i = group.checked()[k];
@@ -64,6 +66,8 @@ std::vector<CheckedAnswer> check_answers(Group& group, std::span<const Polyhedro
         const AccuracyBand band = accuracy_band(stored[query.body_a].vertices, query.pose_a,
                                                 stored[query.body_b].vertices, query.pose_b, eps);
         result.push_back(check(answers[i], exact_stored[k], exact_given[k], band, options));
+        if (k < control.size() && control[k])
+            result.back().control_disagrees = *control[k] != (answers[i].status != Status::separated);
     }
     return result;
 }
@@ -85,9 +89,13 @@ std::string what_is_wrong(const Group& group, std::span<const CheckedAnswer> che
         bound);
 }
 
-AnswerCounts count_answers(std::span<const Distance> answers) {
+AnswerCounts count_answers(std::span<const Distance> answers, std::span<const std::uint8_t> cold) {
     AnswerCounts counts;
     counts.queries = answers.size();
+    for (std::size_t i = 0; i < cold.size(); ++i) {
+        counts.warm += !cold[i];
+        counts.unchanged += !cold[i] && answers[i].steps == 1;
+    }
     for (const Distance& answer : answers) {
         counts.steps += static_cast<std::uint64_t>(answer.steps);
         counts.fallbacks += static_cast<std::uint64_t>(answer.fallbacks);

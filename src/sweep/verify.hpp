@@ -24,6 +24,8 @@ namespace edgewise {
 [[nodiscard]] std::string what_is_wrong(const Group& group, std::span<const CheckedAnswer> checked,
                                         double eps);
 
-[[nodiscard]] AnswerCounts count_answers(std::span<const Distance> answers);
+/// `cold`: a flag a query, as cold_starts says; of a scene without warm pairs all count as cold.
+[[nodiscard]] AnswerCounts count_answers(std::span<const Distance> answers,
+                                         std::span<const std::uint8_t> cold = {});
 
 }  // namespace edgewise

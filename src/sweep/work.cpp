@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "edgewise/scene/scene_texts.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 
@@ -31,9 +32,31 @@ void check_names(const SceneChoice& choice, const std::vector<const NamedShape*>
     }
 }
 
+/// The plain cell, then the scene's own axes or the plan's.
+std::vector<Axes> axes_of(const SceneChoice& choice, const Plan& plan) {
+    std::vector<Axes> all(1);
+    if (choice.plain) return all;
+    for (const std::string& text : choice.axes.empty() ? plan.axes : choice.axes)
+        all.push_back(parse_axes(text));
+    return all;
+}
+
+/// What a scene is for, whatever its shapes and parameters are.
+SceneWork unplaced_work(const SceneChoice& choice, const SweepWork& work) {
+    SceneWork scene;
+    scene.choice = choice;
+    scene.queries = choice.queries > 0 ? choice.queries : work.plan.queries;
+    scene.types = work.types;
+    scene.axes = axes_of(choice, work.plan);
+    for (const std::string& algorithm : work.algorithms) {
+        if (allows(choice.algorithms, algorithm)) scene.algorithms.push_back(algorithm);
+    }
+    return scene;
+}
+
 /// What the scene is for, of what the plan has.
 SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
-    SceneWork scene{choice, choice.queries > 0 ? choice.queries : work.plan.queries, {}, work.types, {}};
+    SceneWork scene = unplaced_work(choice, work);
     auto complete = complete_parameters(choice.name, choice.parameters);
     if (!complete) throw std::invalid_argument(complete.error);
     scene.choice.parameters = std::move(*complete);
@@ -41,15 +64,52 @@ SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
         if (allows(choice.shapes, shape.name)) scene.shapes.push_back(&shape);
     }
     check_names(choice, scene.shapes);
-    for (const std::string& algorithm : work.algorithms) {
-        if (allows(choice.algorithms, algorithm)) scene.algorithms.push_back(algorithm);
-    }
     if (choice.layouts.empty()) return scene;
     const std::vector<const TableType*> wanted = select_table_types(choice.layouts);
     std::erase_if(scene.types, [&](const TableType* type) {
         return std::find(wanted.begin(), wanted.end(), type) == wanted.end();
     });
     return scene;
+}
+
+const NamedShape* file_shape(const std::string& name, SweepWork& work) {
+    for (const NamedShape& known : work.file_shapes) {
+        if (known.name == name) return &known;
+    }
+    auto body = make_shape(name);
+    if (!body) throw std::invalid_argument(body.error);
+    return &work.file_shapes.emplace_back(NamedShape{name, "built-in", std::move(*body), {}});
+}
+
+/// One scene for each point of the file.
+void add_scene_file(const SceneFile& file, const SceneChoice& choice, SweepWork& work) {
+    check_names(choice, {});
+    SceneWork scene = unplaced_work(choice, work);
+    scene.choice.name = file.name;
+    scene.kind = file.kind;
+    scene.text = file.text;
+    if (file.queries > 0 && choice.queries == 0) scene.queries = file.queries;
+    if (!choice.layouts.empty()) scene.types = select_table_types(choice.layouts);
+    for (Axes& axes : scene.axes) {
+        if (axes.needs == Needs::witnesses) axes.set_needs(file.needs);
+    }
+    for (const ScenePoint& point : file.points) {
+        if (!allows(choice.shapes, point.shape)) continue;
+        scene.choice.parameters = point.parameters;
+        scene.shapes = {file_shape(point.shape, work)};
+        work.scenes.push_back(scene);
+    }
+}
+
+/// Whether it is a scene file, whose points are added then.
+bool add_if_file(const SceneChoice& choice, SweepWork& work) {
+    const auto file = find_scene_file(choice.name);
+    if (!file) return false;
+    if (!*file) throw std::invalid_argument(file->error);
+    if (!choice.parameters.empty())
+        throw std::invalid_argument("scene file " + choice.name + ": its parameters are in the file");
+    add_scene_file(**file, choice, work);
+    return true;
 }
 
 }  // namespace
@@ -74,10 +134,8 @@ void SweepWork::each_cell(
     for (const TableType* type : scene.types) {
         for (const std::string& algorithm : scene.algorithms) {
             if (!type->serves(algorithm)) continue;
-            for (const Axes& chosen : axes) {
-                const bool plain = chosen.text().empty();
-                if (plain || (!scene.choice.plain && chosen.concerns(algorithm)))
-                    use(*type, algorithm, chosen);
+            for (std::size_t i = 0; i < scene.axes.size(); ++i) {
+                if (i == 0 || scene.axes[i].concerns(algorithm)) use(*type, algorithm, scene.axes[i]);
             }
         }
     }
@@ -89,14 +147,15 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     work.types = select_table_types(plan.layouts);
     work.algorithms = select_algorithms(plan.algorithms);
     work.machines = choose_machines(plan.machines);
-    work.axes.emplace_back();
-    for (const std::string& text : plan.axes) work.axes.push_back(parse_axes(text));
     for (const SceneChoice& scene : plan.scenes) {
+        if (find_scene_file(scene.name)) continue;
         const auto known = complete_parameters(scene.name, scene.parameters);
         if (!known) throw std::invalid_argument(known.error);
     }
     work.shapes = shapes_of(plan, warn);
-    for (const SceneChoice& scene : plan.scenes) work.scenes.push_back(scene_work(scene, work));
+    for (const SceneChoice& scene : plan.scenes) {
+        if (!add_if_file(scene, work)) work.scenes.push_back(scene_work(scene, work));
+    }
     if (work.cells() == 0) {
         throw std::invalid_argument(
             "this plan has no cells: no layout serves the algorithms chosen, or no shape or scene is left");

@@ -4,6 +4,7 @@
 // plan is wrong here, before a store is opened.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,13 +17,15 @@
 
 namespace edgewise {
 
-/// A scene of the plan, with what of the plan it is for.
+/// A scene of the plan, with what of the plan it is for; of a scene file one of its points.
 struct SceneWork {
-    SceneChoice choice;  ///< with every parameter
+    SceneChoice choice;      ///< with every parameter
+    std::string kind, text;  ///< of a scene file: its kind of scene, and its JSON; else empty
     std::size_t queries = 0;
     std::vector<const NamedShape*> shapes;
     std::vector<const TableType*> types;
     std::vector<std::string> algorithms;
+    std::vector<Axes> axes;  ///< the plain cell first
 
     /// Whether the caches of this shape's cells are modelled.
     [[nodiscard]] bool models_caches(const NamedShape& shape) const;
@@ -32,9 +35,9 @@ struct SweepWork {
     Plan plan;
     std::vector<const TableType*> types;
     std::vector<std::string> algorithms;
-    std::vector<Axes> axes;               ///< the plain cell first
     std::vector<MachineChoice> machines;  ///< to model the caches of
     std::vector<NamedShape> shapes;
+    std::deque<NamedShape> file_shapes;  ///< of scene files
     std::vector<SceneWork> scenes;
 
     SweepWork() = default;

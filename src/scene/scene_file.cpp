@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+//
+// JSON by nlohmann-json; this file checks what stands in it. Inside, the first fault is thrown as a Fault and
+// caught once: checks then read as plain statements.
+#include "edgewise/scene/scene_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "edgewise/scene/physical_motion.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/scene/shapes.hpp"
+
+namespace edgewise {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Fault {
+    std::string what;
+};
+
+constexpr std::array members = {"scene",      "shapes", "time_step", "needs", "sharing",
+                                "parameters", "vary",   "queries",   "note"};
+
+constexpr double usual_time_step = 1.0 / 60;  ///< s: a step a frame of a screen
+constexpr double longest_time_step = 1000;    ///< s
+constexpr double most_queries = 1e8;          ///< of one point: poses take 224 bytes each
+
+/// The member as that type, or the standard value when it is absent.
+template <class Value>
+Value member(const Json& json, const char* key, const Value& standard, const char* wanted) {
+    if (!json.contains(key)) return standard;
+    try {
+        return json.at(key).get<Value>();
+    } catch (const Json::exception&) {
+        throw Fault{fmt::format("{} wants {}", key, wanted)};
+    }
+}
+
+void check_members(const Json& json) {
+    if (!json.is_object()) throw Fault{"wants one object: {\"scene\": ..., \"shapes\": [...], ...}"};
+    for (const auto& [key, value] : json.items()) {
+        if (std::find(members.begin(), members.end(), key) == members.end())
+            throw Fault{fmt::format("unknown member '{}'; known: {}", key, fmt::join(members, ", "))};
+    }
+    for (const char* key : {"scene", "shapes"}) {
+        if (!json.contains(key)) throw Fault{fmt::format("{} is missing", key)};
+    }
+}
+
+/// One parameter of a point, into those of its kind.
+void set_parameter(const std::string& name, const Json& value, const MotionUnits& units,
+                   SceneParameters& to) {
+    if (value.is_string() && value.get<std::string>() == random_turn && is_turn(name)) {
+        to["random_orientation"] = 1;
+        to["rotation_step"] = 0;
+        return;
+    }
+    if (!value.is_number()) {
+        throw Fault{fmt::format("{} = {} wants a number{}", name, value.dump(),
+                                is_turn(name) ? " or \"random\"" : "")};
+    }
+    const auto [parameter, number] = in_steps(name, value.get<double>(), units);
+    to[parameter] = number;
+}
+
+const Json& object_at(const Json& json, const char* key) {
+    static const Json empty = Json::object();
+    if (!json.contains(key)) return empty;
+    if (!json.at(key).is_object()) throw Fault{fmt::format("{} wants an object of numbers by name", key)};
+    return json.at(key);
+}
+
+/// The varied parameter and its values; nothing where none is.
+std::vector<std::pair<std::string, Json>> varied(const Json& json) {
+    std::vector<std::pair<std::string, Json>> values;
+    const Json& vary = object_at(json, "vary");
+    if (vary.size() > 1) throw Fault{"vary wants one parameter; write a file for each of the others"};
+    for (const auto& [name, list] : vary.items()) {
+        if (!list.is_array() || list.empty())
+            throw Fault{fmt::format("vary.{} wants a list of values", name)};
+        for (const Json& value : list) values.emplace_back(name, value);
+    }
+    return values;
+}
+
+ScenePoint make_point(const Json& json, const SceneFile& file, const std::string& shape,
+                      const Polyhedron& body, const std::pair<std::string, Json>* varied_value) {
+    const MotionUnits units{file.time_step, extent(body.vertices)};
+    SceneParameters given;
+    if (member<std::string>(json, "sharing", "shared", "shared or per_instance") == "per_instance")
+        given["own_tables"] = 1;
+    for (const auto& [name, value] : object_at(json, "parameters").items())
+        set_parameter(name, value, units, given);
+    if (varied_value) set_parameter(varied_value->first, varied_value->second, units, given);
+    const auto complete = complete_parameters(file.kind, given);
+    if (!complete) throw Fault{complete.error};
+    return {shape, *complete};
+}
+
+void add_points(const Json& json, SceneFile& file) {
+    const auto values = varied(json);
+    for (const std::string& shape : file.shapes) {
+        const auto body = make_shape(shape);
+        if (!body) throw Fault{"shapes: " + body.error};
+        if (values.empty()) file.points.push_back(make_point(json, file, shape, *body, nullptr));
+        for (const auto& value : values) file.points.push_back(make_point(json, file, shape, *body, &value));
+    }
+}
+
+Needs needs_of(const Json& json) {
+    const auto name = member<std::string>(json, "needs", "witnesses", "one of the needs' names");
+    const auto needs = needs_from(name);
+    if (!needs)
+        throw Fault{fmt::format("needs = '{}' is unknown; known: {}", name, fmt::join(needs_names, ", "))};
+    return *needs;
+}
+
+void check_sharing(const Json& json) {
+    const auto sharing = member<std::string>(json, "sharing", "shared", "shared or per_instance");
+    if (sharing != "shared" && sharing != "per_instance")
+        throw Fault{fmt::format("sharing = '{}' is unknown; known: shared, per_instance", sharing)};
+}
+
+std::size_t queries_of(const Json& json) {
+    const auto queries = member<double>(json, "queries", 0, "a whole number");
+    if (!(queries >= 0 && queries <= most_queries) || queries != std::floor(queries))
+        throw Fault{fmt::format("queries = {} wants a whole number up to {:.0f}", queries, most_queries)};
+    return static_cast<std::size_t>(queries);
+}
+
+SceneFile read(const std::string& name, const Json& json) {
+    check_members(json);
+    SceneFile file;
+    file.name = name;
+    file.text = json.dump();
+    file.kind = member<std::string>(json, "scene", "", "the name of a scene");
+    file.shapes = member<std::vector<std::string>>(json, "shapes", {}, "a list of shapes' names");
+    if (file.shapes.empty()) throw Fault{"shapes wants at least one name"};
+    file.time_step = member(json, "time_step", usual_time_step, "a number of seconds");
+    if (!(file.time_step > 0 && file.time_step <= longest_time_step))
+        throw Fault{fmt::format("time_step = {} is out of bounds; choose above 0, to {} s", file.time_step,
+                                longest_time_step)};
+    file.needs = needs_of(json);
+    check_sharing(json);
+    file.queries = queries_of(json);
+    file.note = member<std::string>(json, "note", "", "a text");
+    add_points(json, file);
+    return file;
+}
+
+}  // namespace
+
+Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text) {
+    using Failure = Result<SceneFile>;
+    try {
+        return Failure::success(read(name, Json::parse(text)));
+    } catch (const Fault& fault) {
+        return Failure::failure(fmt::format("scene file {}: {}", name, fault.what));
+    } catch (const Json::exception& problem) {
+        return Failure::failure(fmt::format("scene file {}: no JSON: {}", name, problem.what()));
+    }
+}
+
+Result<SceneFile> read_scene_file(const std::string& path) {
+    std::ifstream stream(path);
+    if (!stream) {
+        return Result<SceneFile>::failure(
+            fmt::format("scene file {}: cannot be read; name a JSON file", path));
+    }
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return parse_scene_file(std::filesystem::path(path).stem().string(), text.str());
+}
+
+}  // namespace edgewise

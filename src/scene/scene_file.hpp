@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// A scene as a small JSON file that users can write: which kind of scene, of which bodies, how they move, and
+// what is asked of every answer. One number may be varied: each of its values is a point of the scene.
+//
+//     {"scene": "tumble", "shapes": ["sphere386"], "time_step": 0.0166667,
+//      "needs": "distance", "sharing": "per_instance",
+//      "parameters": {"bodies": 200, "occupancy": 0.1, "angular_velocity": 1.0},
+//      "vary": {"angular_velocity": [0.5, 1, 2, 4, "random"]}, "queries": 30000, "note": "what it is for"}
+//
+// Only what detection needs is modelled: no gravity, no contact response, no solver. Parameters are the
+// kind's own (`edgewise list scenes`), and of scenes that move bodies these, which the time step turns into
+// the kind's: angular_velocity (rad/s), linear_velocity (m/s). "random" as a turn: every body turned at
+// random in every step, where no coherence is left.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "edgewise/geometry/result.hpp"
+#include "edgewise/scene/workload.hpp"
+#include "edgewise/table/needs.hpp"
+
+namespace edgewise {
+
+/// One point of a scene file: a scene on a body.
+struct ScenePoint {
+    std::string shape;
+    SceneParameters parameters;  ///< complete
+};
+
+struct SceneFile {
+    std::string name;                 ///< of the file, without its ending
+    std::string kind;                 ///< static, tumble ...
+    std::vector<std::string> shapes;  ///< built-in
+    double time_step = 0;             ///< s
+    Needs needs = Needs::witnesses;
+    std::size_t queries = 0;  ///< of every point; 0: as the plan says
+    std::string note;
+    std::vector<ScenePoint> points;  ///< shapes x varied values
+    std::string text;                ///< the file as JSON in one line, for the store
+};
+
+/// Fails with one line: the file, the place in it, what is allowed there.
+[[nodiscard]] Result<SceneFile> read_scene_file(const std::string& path);
+/// Likewise from its text, under a name.
+[[nodiscard]] Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text);
+
+}  // namespace edgewise

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// Independent work on all processors. Nothing is timed meanwhile.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <future>
+#include <thread>
+#include <vector>
+
+namespace edgewise {
+
+/// work(0) ... work(count - 1), in any order, several at a time. The first exception is passed on.
+template <class Work>
+void for_each_index(std::size_t count, const Work& work) {
+    std::atomic<std::size_t> next = 0;
+    const auto run = [&] {
+        for (std::size_t i = next++; i < count; i = next++) work(i);
+    };
+    std::vector<std::future<void>> workers;
+    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
+        workers.push_back(std::async(std::launch::async, run));
+    for (std::future<void>& worker : workers) worker.wait();
+    for (std::future<void>& worker : workers) worker.get();
+}
+
+}  // namespace edgewise

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/sweep/watch_algorithm.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/sweep/watched_body.hpp"
+
+namespace edgewise {
+
+namespace {
+
+using Pair = SimplexPair<WatchedBody, WatchedBody>;
+
+constexpr std::size_t most_queries = 10000;  ///< looked at; a share of them is known to a hundredth
+constexpr std::size_t most_compared = 500;   ///< beside V-Clip's features, each from a cold start
+
+/// Johnson's order, and the whole, which is asked last (algorithms/johnson.hpp).
+constexpr std::array<std::uint8_t, 15> ascending = {1, 2, 4, 8, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14, 15};
+
+/// Hears which subset every sub-distance accepted, and so how many were tried before it.
+class SubsetWatch {
+  public:
+    SubsetWatch(AlgorithmWork& work, std::uint32_t cached)
+        : work_(work), points_(std::max(1, static_cast<int>(cached))), is_first_(true) {}
+
+    void iterate(std::uint8_t members) {
+        ++work_.sub_distances;
+        ++work_.accepted[static_cast<std::size_t>(std::popcount(members)) - 1];
+        // A cached tetrahedron is first asked whether it still holds the origin.
+        const bool at_once = is_first_ && points_ == 4 && members == 15;
+        work_.subsets_tried += at_once ? 1 : tried_until(members);
+        points_ = std::min(4, std::popcount(members) + 1);
+        is_first_ = false;
+    }
+
+  private:
+    [[nodiscard]] std::uint64_t tried_until(std::uint8_t members) const {
+        std::uint64_t tried = 0;
+        for (const std::uint8_t mask : ascending) {
+            tried += mask >> points_ == 0;
+            if (mask == members) break;
+        }
+        return tried;
+    }
+
+    AlgorithmWork& work_;
+    int points_;
+    bool is_first_;
+};
+
+/// How many of the simplex's vertices on one body were in the last one, or beside it.
+void compare_vertices(const WatchedBody& body, std::span<const Index> now, std::span<const Index> before,
+                      AlgorithmWork& work) {
+    for (const Index v : now) {
+        const bool kept = std::find(before.begin(), before.end(), v) != before.end();
+        const bool near = kept || std::any_of(before.begin(), before.end(),
+                                              [&](Index old) { return body.are_neighbours(old, v); });
+        ++work.kept_of;
+        work.kept += kept;
+        work.near += near;
+    }
+}
+
+class GjkWatch {
+  public:
+    GjkWatch(const Workload& workload, AlgorithmWork& work) : workload_(workload), work_(work) {
+        for (const Polyhedron& body : workload.bodies) bodies_.emplace_back(body, counts_);
+        for (std::uint32_t i = 0; i < workload.pair_count; ++i) pairs_.emplace_back();
+    }
+
+    void watch(const Query& query) {
+        const WatchedBody &a = bodies_[query.body_a], &b = bodies_[query.body_b];
+        Pair cold;
+        Pair& pair = workload_.warm ? pairs_[query.pair] : cold;
+        const Pair before = pair;
+        const ClimbCounts counts_before = counts_;
+        SubsetWatch subsets(work_, before.count);
+        static_cast<void>(Gjk::query(a, b, relative_pose(query.pose_a, query.pose_b), pair, {}, subsets));
+        ++work_.queries;
+        book_climbs(counts_before, std::max(1U, before.count));
+        if (before.count == 0) return;
+        compare_vertices(a, std::span(pair.vertex_a).first(pair.count),
+                         std::span(before.vertex_a).first(before.count), work_);
+        compare_vertices(b, std::span(pair.vertex_b).first(pair.count),
+                         std::span(before.vertex_b).first(before.count), work_);
+    }
+
+  private:
+    /// Of the vertices looked at, those of the cached simplex are no climb's; each climb ends with a round
+    /// that finds nothing higher.
+    void book_climbs(const ClimbCounts& before, std::uint32_t cached) {
+        const std::uint64_t rounds = counts_.rounds - before.rounds;
+        const std::uint64_t supports = counts_.supports - before.supports;
+        if (rounds < supports) return;  // scanned, not climbed
+        work_.supports += supports;
+        work_.hops += rounds - supports;
+        work_.vertices += counts_.vertices - before.vertices - 2 * std::uint64_t{cached};
+    }
+
+    const Workload& workload_;
+    AlgorithmWork& work_;
+    ClimbCounts counts_;
+    std::vector<WatchedBody> bodies_;
+    std::vector<Pair> pairs_;
+};
+
+bool same(NamedFeature a, NamedFeature b) {
+    std::sort(a.vertices.begin(), a.vertices.end());
+    std::sort(b.vertices.begin(), b.vertices.end());
+    return a.kind == b.kind && a.vertices == b.vertices;
+}
+
+/// Of checked queries that are separated: does GJK's simplex name the features that V-Clip ends on?
+void compare_features(const TableType& type, const Group& group, AlgorithmWork& work) {
+    const Workload& workload = group.workload();
+    const auto gjk = type.make_runner("gjk"), vclip = type.make_runner("vclip");
+    if (!gjk->load(workload.bodies).empty() || !vclip->load(workload.bodies).empty()) return;
+    for (const std::size_t i : group.checked()) {
+        if (work.compared == most_compared) return;
+        const NamedAnswer by_gjk = gjk->answer(workload.queries[i]);
+        if (by_gjk.distance.status != Status::separated) continue;
+        const NamedAnswer by_vclip = vclip->answer(workload.queries[i]);
+        ++work.compared;
+        work.same_features +=
+            same(by_gjk.feature_a, by_vclip.feature_a) && same(by_gjk.feature_b, by_vclip.feature_b);
+    }
+}
+
+}  // namespace
+
+AlgorithmWork algorithm_work(const std::string& algorithm, const TableType& type, const Group& group) {
+    AlgorithmWork work;
+    if (algorithm != "gjk") {
+        work.reason = "only GJK has support points and sub-distances";
+        return work;
+    }
+    if (type.name != "aos_f64") {
+        work.reason = "the same for every layout: see aos_f64";
+        return work;
+    }
+    const Workload& workload = group.workload();
+    GjkWatch watch(workload, work);
+    for (std::size_t i = 0; i < std::min(most_queries, workload.queries.size()); ++i)
+        watch.watch(workload.queries[i]);
+    compare_features(type, group, work);
+    return work;
+}
+
+}  // namespace edgewise
