@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/sweep/measure_steps.hpp"
 
+#include <array>
 #include <optional>
 
 #include "edgewise/measure/statistics.hpp"
@@ -11,7 +12,8 @@ namespace edgewise {
 
 namespace {
 
-constexpr int passes = 5;  ///< an odd number, for a median that was measured
+constexpr int passes = 3;  ///< an odd number, for a median that was measured
+constexpr std::size_t enough_queries = 10000, fewest_steps = 4;  ///< of a pass
 
 /// Which parts of a step a pass takes.
 struct Parts {
@@ -21,12 +23,16 @@ struct Parts {
 class StepWatch {
   public:
     StepWatch(const Runner& runner, const Workload& workload)
-        : workload_(workload), narrow_phase_(runner.prepared_range(workload)) {}
+        : workload_(workload), narrow_phase_(runner.prepared_range(workload)) {
+        // The last step may have been cut short.
+        const std::size_t whole = workload.frames.size() - 1;
+        while (steps_ < whole && (steps_ < fewest_steps || end_of(steps_ - 1) < enough_queries)) ++steps_;
+    }
 
     /// One pass over all steps, with these parts of each; ns of those that count.
     double pass(Parts parts) {
         double ns = 0;
-        for (std::size_t i = 0; i < workload_.frames.size(); ++i) {
+        for (std::size_t i = 0; i < steps_; ++i) {
             const Stopwatch watch;
             take(i, parts);
             if (counts(i)) ns += watch.elapsed_ns();
@@ -38,7 +44,7 @@ class StepWatch {
     [[nodiscard]] StepCosts count() {
         StepCosts costs;
         std::size_t tests = 0, moves = 0, pairs = 0, bodies = 0;
-        for (std::size_t i = 0; i < workload_.frames.size(); ++i) {
+        for (std::size_t i = 0; i < steps_; ++i) {
             take(i, {true, true, false});
             if (!counts(i)) continue;
             ++costs.steps;
@@ -76,10 +82,8 @@ class StepWatch {
         }
     }
 
-    /// The last step may have been cut short, and the first of a population knows no other.
-    [[nodiscard]] bool counts(std::size_t i) const {
-        return !workload_.frames[i].starts_anew && i + 1 < workload_.frames.size();
-    }
+    /// The first step of a population knows no other.
+    [[nodiscard]] bool counts(std::size_t i) const { return !workload_.frames[i].starts_anew; }
 
     [[nodiscard]] std::size_t end_of(std::size_t i) const {
         return i + 1 < workload_.frames.size() ? workload_.frames[i + 1].first_query
@@ -90,14 +94,21 @@ class StepWatch {
     Runner::RangePass narrow_phase_;
     std::optional<SweepAndPrune> broad_phase_;
     std::vector<Aabb> boxes_;
+    std::size_t steps_ = 0;  ///< of a pass
     volatile std::size_t found_ = 0;  ///< what nobody reads might not be worked out
     volatile double sum_ = 0;
 };
 
-double median_of(StepWatch& watch, Parts parts) {
-    std::vector<double> times;
-    for (int i = 0; i < passes; ++i) times.push_back(watch.pass(parts));
-    return *median(times);
+/// ns of the whole, then of boxes, broad phase and queries alone: medians of passes taken in turn, so that
+/// what slows the machine for a while slows all of them.
+std::array<double, 4> times_of(StepWatch& watch) {
+    constexpr std::array<Parts, 4> what = {
+        {{true, true, true}, {true, false, false}, {false, true, false}, {false, false, true}}};
+    std::array<std::vector<double>, 4> times;
+    for (int i = 0; i < passes; ++i) {
+        for (std::size_t k = 0; k < what.size(); ++k) times[k].push_back(watch.pass(what[k]));
+    }
+    return {*median(times[0]), *median(times[1]), *median(times[2]), *median(times[3])};
 }
 
 bool has_steps(const Workload& workload) {
@@ -118,11 +129,11 @@ StepCosts step_costs(const Runner& runner, const Workload& workload) {
     if (counted.steps == 0) return costs;
     costs = counted;
     const auto steps = static_cast<double>(costs.steps);
-    costs.step_ns = median_of(watch, {true, true, true}) / steps;
-    costs.update_ns = median_of(watch, {true, false, false}) / steps / costs.bodies;
-    if (costs.box_tests > 0)
-        costs.box_test_ns = median_of(watch, {false, true, false}) / steps / costs.box_tests;
-    if (costs.pairs > 0) costs.pair_ns = median_of(watch, {false, false, true}) / steps / costs.pairs;
+    const auto [whole, boxes, broad_phase, queries] = times_of(watch);
+    costs.step_ns = whole / steps;
+    costs.update_ns = boxes / steps / costs.bodies;
+    if (costs.box_tests > 0) costs.box_test_ns = broad_phase / steps / costs.box_tests;
+    if (costs.pairs > 0) costs.pair_ns = queries / steps / costs.pairs;
     return costs;
 }
 

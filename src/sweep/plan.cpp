@@ -111,7 +111,7 @@ Plan paper() {
     plan.queries = 30000;
     plan.checked = 2000;
     plan.control = true;
-    plan.rounds = 15;
+    plan.rounds = 11;
     plan.stability = 100;
     plan.traced = 3000;
     plan.paging = 600;

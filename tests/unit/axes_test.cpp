@@ -24,6 +24,7 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
     for (const char* text :
          {"", "contact_tolerance=0.001", "gap_tolerance=1e-06", "contact_tolerance=1e+20+gap_tolerance=0.01",
           "order=bfs", "order=spatial", "sharing=per_instance", "sharing=shared", "allocator=jemalloc",
+          "needs=verdict", "needs=certificate",
           "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
     }
@@ -31,6 +32,9 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
               "contact_tolerance=1+gap_tolerance=0.01");
     EXPECT_EQ(parse_axes("gap_tolerance=0").text(), "");
     EXPECT_EQ(parse_axes("order=given+allocator=arena").text(), "");
+    EXPECT_EQ(parse_axes("needs=witnesses").text(), "");
+    EXPECT_TRUE(parse_axes("needs=verdict").query.verdict_only);
+    EXPECT_FALSE(parse_axes("needs=depth").query.verdict_only);
 }
 
 TEST(Axes, ConcernOnlyWhatTheyChange) {

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "edgewise/scene/scene_texts.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/registry.hpp"
@@ -66,6 +67,10 @@ TEST(Plan, EveryNamedPlanAsksForWhatThereIs) {
         EXPECT_FALSE(select_table_types(plan.layouts).empty());
         EXPECT_FALSE(select_algorithms(plan.algorithms).empty());
         for (const SceneChoice& scene : plan.scenes) {
+            if (const auto file = find_scene_file(scene.name)) {
+                EXPECT_TRUE(*file) << name << ": " << file->error;
+                continue;
+            }
             const auto complete = complete_parameters(scene.name, scene.parameters);
             EXPECT_TRUE(complete) << name << ": " << complete.error;
         }

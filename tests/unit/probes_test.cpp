@@ -192,5 +192,52 @@ TEST_F(Probes, ErrorsAreTheWorstAndVerdictsAreCounted) {
     EXPECT_EQ(found["max_steps"].value, 17);
 }
 
+TEST_F(Probes, TimesOfAllPairsAreTheBothTogether) {
+    const auto time = figures("time", subject_);
+    if (time.empty()) GTEST_SKIP();
+    // 10 separated at 104 ns and 5 overlapping at twice that, a median round of the nine.
+    EXPECT_NEAR(*time.at("all_ns").value, (10 * 104.0 + 5 * 208.0) / 15, 1e-9);
+    EXPECT_LE(*time.at("all_ns_low").value, *time.at("all_ns").value);
+    EXPECT_GE(*time.at("all_ns_high").value, *time.at("all_ns").value);
+    EXPECT_NEAR(*time.at("all_ratio").value, 0.5, 1e-9);
+}
+
+TEST_F(Probes, ControlIsCountedOrSaidNotToBeAsked) {
+    EXPECT_FALSE(figures("error", subject_).at("control_disagreements").value);
+    checked_[4].control_disagrees = true;  // in the band
+    checked_[5].control_disagrees = true;
+    checked_[6].control_disagrees = false;
+    const auto error = figures("error", subject_);
+    EXPECT_EQ(error.at("control_checked").value, 3);
+    EXPECT_EQ(error.at("control_disagreements").value, 2);
+    EXPECT_EQ(error.at("control_disagreements_outside_band").value, 1);
+}
+
+TEST_F(Probes, CostFunctionsAreSumsOfTheirTerms) {
+    EXPECT_FALSE(figures("cost", subject_).at("step_ns").value);
+    subject_.costs = {10, 100, 300, 50, 7, 20, 2, 400, 25000, "", ""};
+    const auto cost = figures("cost", subject_);
+    EXPECT_EQ(cost.at("equation_1_ns").value, 300 * 2 + 50 * 400);
+    EXPECT_EQ(cost.at("equation_2_ns").value, 300 * 2 + 50 * 400 + 100 * 20);
+    EXPECT_EQ(cost.at("all_pairs").value, 4950);
+    EXPECT_NEAR(*cost.at("equation_2_ratio").value, 22600.0 / 25000, 1e-12);
+}
+
+TEST_F(Probes, WorkIsSharesOfWhatWasLookedAt) {
+    subject_.counts.warm = 800;
+    subject_.counts.unchanged = 200;
+    EXPECT_EQ(figures("work", subject_).at("unchanged").value, 0.25);
+    EXPECT_FALSE(figures("work", subject_).at("support_unchanged").value);
+    subject_.work = {100, 50, 25, 400, 80, 60, 72, 200, 500, {20, 60, 100, 20}, 40, 30, "", ""};
+    const auto work = figures("work", subject_);
+    EXPECT_EQ(work.at("support_unchanged").value, 0.75);
+    EXPECT_EQ(work.at("support_near").value, 0.9);
+    EXPECT_EQ(work.at("hops_per_support").value, 0.5);
+    EXPECT_EQ(work.at("vertices_per_support").value, 8);
+    EXPECT_EQ(work.at("subsets_tried").value, 2.5);
+    EXPECT_EQ(work.at("accepted_3").value, 0.5);
+    EXPECT_EQ(work.at("features_agree").value, 0.75);
+}
+
 }  // namespace
 }  // namespace edgewise

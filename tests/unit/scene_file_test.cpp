@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+//
+// Scene files: every one that comes along makes its scenes; units, varied values and random turns come out as
+// the file says; and each kind of mistake is answered with its place and what is allowed there.
+#include "edgewise/scene/scene_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <set>
+
+#include "edgewise/scene/scene_texts.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/truth/brute_force.hpp"
+
+namespace edgewise {
+namespace {
+
+using ::testing::HasSubstr;
+
+SceneFile parsed(const std::string& text) {
+    auto file = parse_scene_file("mine", text);
+    EXPECT_TRUE(file) << file.error;
+    return file ? std::move(*file) : SceneFile{};
+}
+
+TEST(SceneFile, ThatComesAlongMakesItsScenes) {
+    ASSERT_GE(scene_texts().size(), 15U);
+    for (const SceneText& text : scene_texts()) {
+        const auto file = find_scene_file(std::string(text.name));
+        ASSERT_TRUE(file && *file) << text.name << ": " << (file ? file->error : "not found");
+        EXPECT_FALSE((*file)->note.empty()) << text.name;
+        const ScenePoint& point = (*file)->points.front();
+        const auto made = make_scene((*file)->kind, *make_shape(point.shape), point.parameters, 1, 40,
+                                     brute_force_distance);
+        EXPECT_TRUE(made) << text.name << ": " << made.error;
+    }
+}
+
+/// The paper's sweeps over velocity have at least twelve points, from none or little to the most there is.
+TEST(SceneFile, OfThePaperVariesFarEnough) {
+    const auto linear = **find_scene_file("paper_linear_8");
+    EXPECT_GE(linear.points.size(), 12U);
+    EXPECT_EQ(linear.points.back().parameters.at("step_in_dimensions"), 0.5);
+    for (const char* name : {"paper_angular_8", "paper_angular_38", "paper_angular_386"}) {
+        const auto angular = **find_scene_file(name);
+        EXPECT_GE(angular.points.size(), 12U) << name;
+        EXPECT_EQ(angular.points.back().parameters.at("random_orientation"), 1) << name;
+        EXPECT_NEAR(angular.points[angular.points.size() - 2].parameters.at("rotation_step"), 2 * M_PI, 1e-6);
+        EXPECT_EQ(angular.points.front().parameters.at("own_tables"), 1) << "the paper's way";
+    }
+    EXPECT_EQ((**find_scene_file("paper_bodies")).points.back().parameters.at("bodies"), 10000);
+}
+
+TEST(SceneFile, TurnsVelocitiesIntoSteps) {
+    const SceneFile file = parsed(
+        R"({"scene": "tumble", "shapes": ["cube8", "sphere38"], "time_step": 0.5, "needs": "depth",
+            "sharing": "per_instance", "queries": 77, "parameters": {"linear_velocity": 1.5},
+            "vary": {"angular_velocity": [2, 4, "random"]}})");
+    ASSERT_EQ(file.points.size(), 6U) << "shapes x values";
+    EXPECT_EQ(file.name, "mine");
+    EXPECT_EQ(file.needs, Needs::depth);
+    EXPECT_EQ(file.queries, 77U);
+    const SceneParameters& first = file.points[0].parameters;
+    EXPECT_EQ(first.at("rotation_step"), 1);
+    EXPECT_EQ(first.at("own_tables"), 1);
+    EXPECT_DOUBLE_EQ(first.at("translation_step"), 0.75 / extent(make_shape("cube8")->vertices));
+    EXPECT_EQ(file.points[2].parameters.at("random_orientation"), 1);
+    EXPECT_EQ(file.points[2].parameters.at("rotation_step"), 0);
+    EXPECT_EQ(file.points[3].shape, "sphere38");
+    EXPECT_EQ(parsed(file.text).points.size(), 6U) << "its text reads back";
+}
+
+struct BadFile {
+    const char *text, *place, *allowed;
+};
+
+class BadSceneFile : public testing::TestWithParam<BadFile> {};
+
+TEST_P(BadSceneFile, SaysWhereAndWhatIsAllowed) {
+    const auto file = parse_scene_file("mine", GetParam().text);
+    ASSERT_FALSE(file) << GetParam().text;
+    EXPECT_THAT(file.error, HasSubstr("scene file mine: "));
+    EXPECT_THAT(file.error, HasSubstr(GetParam().place));
+    EXPECT_THAT(file.error, HasSubstr(GetParam().allowed));
+    EXPECT_EQ(file.error.find('\n'), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mistakes, BadSceneFile,
+    testing::Values(
+        BadFile{"{", "no JSON", "column"}, BadFile{"[1]", "wants one object", "shapes"},
+        BadFile{R"({"shapes": ["cube8"]})", "scene is missing", ""},
+        BadFile{R"({"scene": "tumble"})", "shapes is missing", ""},
+        BadFile{R"({"scene": "tumble", "shapes": []})", "shapes", "at least one"},
+        BadFile{R"({"scene": "tumble", "shapes": "cube8"})", "shapes", "a list"},
+        BadFile{R"({"scene": "tumbel", "shapes": ["cube8"]})", "'tumbel'", "tumble"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube9"]})", "shapes", "cube8"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "gravity": 9.81})", "'gravity'", "time_step"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "time_step": 0})", "time_step", "above 0"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "needs": "all"})", "'all'", "certificate"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "sharing": "no"})", "'no'", "per_instance"},
+        BadFile{R"({"scene": "static", "shapes": ["cube8"], "sharing": "per_instance"})", "own_tables",
+                "occupancy"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "queries": 1.5})", "queries", "whole"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "parameters": {"bodies": 1}})", "bodies = 1",
+                "2 to 10000"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "parameters": {"speed": 1}})", "'speed'",
+                "rotation_step"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "parameters": {"bodies": "ten"}})", "bodies",
+                "a number"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "vary": {"bodies": []}})", "vary.bodies",
+                "a list"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "vary": {"bodies": [2], "margin": [1]}})", "vary",
+                "one parameter"}));
+
+TEST(SceneFile, ThatCannotBeReadIsNamed) {
+    const auto file = find_scene_file("no/such.json");
+    ASSERT_TRUE(file);
+    EXPECT_THAT(file->error, HasSubstr("no/such.json"));
+    EXPECT_FALSE(find_scene_file("tumble")) << "a kind of scene is no file";
+}
+
+}  // namespace
+}  // namespace edgewise
