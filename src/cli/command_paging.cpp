@@ -98,7 +98,8 @@ int run(const Options& options, bool json) {
     for (const TableType* type : select_table_types(options.layouts)) {
         if (!type->serves(options.algorithm))
             throw std::invalid_argument(fmt::format("{} does not serve {}", type->name, options.algorithm));
-        const PagingResult result = measure_paging(*type, options.algorithm, workload, [&](std::uint64_t) { return limits; });
+        const PagingResult result =
+            measure_paging(*type, options.algorithm, workload, [&](std::uint64_t) { return limits; });
         if (json) {
             results.push_back(json_of(result));
         } else {

@@ -70,7 +70,7 @@ struct Subject {
     LinesTouched touched;
     const SceneTrace* trace = &no_trace();
     HeapUse heap;
-    StepCosts costs;                  ///< of the scene's steps
+    StepCosts costs;  ///< of the scene's steps
     AlgorithmWork work;
     std::vector<PassRecord> counted;  ///< by the processor and the kernel, of a pass in the steady state
 };

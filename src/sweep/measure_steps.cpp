@@ -94,7 +94,7 @@ class StepWatch {
     Runner::RangePass narrow_phase_;
     std::optional<SweepAndPrune> broad_phase_;
     std::vector<Aabb> boxes_;
-    std::size_t steps_ = 0;  ///< of a pass
+    std::size_t steps_ = 0;           ///< of a pass
     volatile std::size_t found_ = 0;  ///< what nobody reads might not be worked out
     volatile double sum_ = 0;
 };

@@ -11,15 +11,13 @@
 #include <utility>
 
 #include "edgewise/algorithms/gjk.hpp"
-#include "edgewise/algorithms/penetration.hpp"
-#include "edgewise/algorithms/penetration/start.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/geometry/vertex_order.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/sweep/allocators.hpp"
 #include "edgewise/sweep/certificates.hpp"
 #include "edgewise/sweep/cold_starts.hpp"
-#include "edgewise/sweep/name_feature.hpp"
+#include "edgewise/sweep/name_answer.hpp"
 #include "edgewise/sweep/runner.hpp"
 #include "edgewise/sweep/time_builds.hpp"
 #include "edgewise/sweep/trace_queries.hpp"
@@ -268,38 +266,9 @@ class RunnerFor final : public Runner {
 
     void tell_more(const Query& query, const Pair& pair, const Distance& distance, Needs needs,
                    NamedAnswer& result) const {
-        result.distance = to_world(distance, query.pose_a);
-        const bool apart = distance.status == Status::separated || distance.distance > 0;
-        if (!apart && needs >= Needs::depth) settle_contact(query, pair, distance, result);
-        std::tie(result.feature_a, result.feature_b) =
-            name_features(pair, table_a(query), bodies_[query.body_a], table_b(query), bodies_[query.body_b]);
-    }
-
-    /// How deep, and with that whether it is more than a touch, to the rounding of coordinates.
-    void settle_contact(const Query& query, const Pair& pair, const Distance& distance,
-                        NamedAnswer& answer) const {
-        const Table& a = table_a(query);
-        const Table& b = table_b(query);
-        const auto a_from_b = relative_pose(query.pose_a, query.pose_b);
-        PenetrationSpace<Table, Table> space;
-        const Penetration overlap = penetration(a, b, a_from_b, simplex_of(a, b, pair), space);
-        const double size =
-            std::max({max_abs(overlap.point_a), max_abs(overlap.point_b), max_abs(a_from_b.translation)});
-        const double noise = static_cast<double>(Tolerance<ComputeOf<Table>>::contact_noise) * size;
-        auto simplex = simplex_of(a, b, pair);
-        static_cast<void>(GjkRun<Table, Table>(a, b, cast<ComputeOf<Table>>(a_from_b)).run(simplex));
-        for (std::uint32_t i = 0; i < simplex.count; ++i) {
-            answer.proof_a.push_back(a.index_of(simplex.vertex_a[i]));
-            answer.proof_b.push_back(b.index_of(simplex.vertex_b[i]));
-        }
-        Distance settled = distance;
-        settled.status = overlap.depth > noise ? Status::overlapping : Status::touching;
-        settled.point_a = overlap.point_a;
-        settled.point_b = overlap.point_b;
-        answer.distance = to_world(settled, query.pose_a);
-        answer.depth = overlap.depth;
-        answer.depth_cut_short = !overlap.converged;
-        answer.normal = query.pose_a.rotation * overlap.normal;
+        name_answer(AskedPair<Table>{table_a(query), table_b(query), bodies_[query.body_a],
+                                     bodies_[query.body_b], query},
+                    pair, distance, needs, result);
     }
 
     /// One cache for each pair of a warm scene, each on its own bodies' tables.
