@@ -10,6 +10,7 @@
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/penetration.hpp"
 #include "edgewise/algorithms/penetration/start.hpp"
+#include "edgewise/sweep/certificates.hpp"
 #include "edgewise/sweep/name_feature.hpp"
 #include "edgewise/sweep/runner.hpp"
 #include "edgewise/table/needs.hpp"
@@ -61,6 +62,13 @@ void name_answer(const AskedPair<Table>& asked, const Pair& pair, const Distance
     if (!apart && needs >= Needs::depth) settle_contact(asked, pair, distance, answer);
     std::tie(answer.feature_a, answer.feature_b) =
         name_features(pair, asked.a, asked.body_a, asked.b, asked.body_b);
+}
+
+/// Of the certificate for bodies as stored; 0 where none can be made.
+[[nodiscard]] inline double certified_width(const NamedAnswer& answer, const Query& query,
+                                            std::span<const Polyhedron> stored) {
+    const auto certificates = certificates_of(answer, query, stored, stored);
+    return certificates ? certificates->stored.width() : 0;
 }
 
 }  // namespace edgewise

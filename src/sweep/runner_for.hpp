@@ -15,7 +15,6 @@
 #include "edgewise/geometry/vertex_order.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/sweep/allocators.hpp"
-#include "edgewise/sweep/certificates.hpp"
 #include "edgewise/sweep/cold_starts.hpp"
 #include "edgewise/sweep/name_answer.hpp"
 #include "edgewise/sweep/runner.hpp"
@@ -255,13 +254,8 @@ class RunnerFor final : public Runner {
         NamedAnswer more;
         tell_more(query, pair, answer, needs_, more);
         volatile double sink = more.depth;
-        if (needs_ == Needs::certificate) sink = certified_width(more, query);
+        if (needs_ == Needs::certificate) sink = certified_width(more, query, in_tables_);
         static_cast<void>(sink);
-    }
-
-    [[nodiscard]] double certified_width(const NamedAnswer& answer, const Query& query) const {
-        const auto certificates = certificates_of(answer, query, in_tables_, in_tables_);
-        return certificates ? certificates->stored.width() : 0;
     }
 
     void tell_more(const Query& query, const Pair& pair, const Distance& distance, Needs needs,
