@@ -86,7 +86,7 @@ Rows families(const ReportData& data, const std::function<bool(const ReportCell&
 
 /// Over the rows that have it, whatever their status: a failed cell's failures count.
 Evidence total(const Rows& rows, const std::string& probe, const std::string& name) {
-    if (rows.empty()) return no_evidence("no V-Clip or GJK cell is stored");
+    if (rows.empty()) return no_evidence("nothing of V-Clip and GJK is stored");
     Evidence all = no_evidence(rows.front()->figure(probe, name).reason);
     for (const ReportCell* row : rows)
         if (const auto value = row->figure(probe, name).value)
