@@ -161,6 +161,7 @@ add_executable(edgewise_program
     src/cli/command_bench.cpp
     src/cli/command_bytes.cpp
     src/cli/command_calibrate.cpp
+    src/cli/command_claims.cpp
     src/cli/command_crosscheck.cpp
     src/cli/command_draw.cpp
     src/cli/command_heat.cpp

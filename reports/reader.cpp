@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <map>
 #include <set>
@@ -121,9 +122,15 @@ void read_figures(const ReadOnlyDatabase& database, const std::string& build, co
     }
 }
 
-std::optional<double> ratio(const StoreQuery& row, int first) {
-    const double queries = row.real(first).value_or(0), ns = row.real(first + 1).value_or(0);
-    const double base_queries = row.real(first + 2).value_or(0), base_ns = row.real(first + 3).value_or(0);
+/// Of the pairs whose four columns begin at each of `firsts`, together.
+std::optional<double> ratio(const StoreQuery& row, std::initializer_list<int> firsts) {
+    double queries = 0, ns = 0, base_queries = 0, base_ns = 0;
+    for (const int first : firsts) {
+        queries += row.real(first).value_or(0);
+        ns += row.real(first + 1).value_or(0);
+        base_queries += row.real(first + 2).value_or(0);
+        base_ns += row.real(first + 3).value_or(0);
+    }
     if (queries <= 0 || base_queries <= 0 || ns <= 0 || base_ns <= 0) return std::nullopt;
     return (ns / queries) / (base_ns / base_queries);
 }
@@ -138,7 +145,8 @@ void read_rounds(const ReadOnlyDatabase& database, const std::string& build, con
     query.bind(1, build);
     while (query.next()) {
         const auto at = index.find(query.text(0));
-        if (at != index.end()) cells[at->second].rounds.push_back({ratio(query, 1), ratio(query, 5)});
+        if (at == index.end()) continue;
+        cells[at->second].rounds.push_back({ratio(query, {1}), ratio(query, {5}), ratio(query, {1, 5})});
     }
 }
 

@@ -22,6 +22,7 @@ struct StoredFigure {
 /// Ratios of one round: nanoseconds a query of the cell over those of the baseline timed beside it.
 struct StoredRound {
     std::optional<double> separated_ratio, overlapping_ratio;  ///< null: no such query in this round
+    std::optional<double> all_ratio = {};                      ///< both kinds together, as they come
 };
 
 struct ReportCell {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise sweep` and `edgewise report` on plans of a second: what they print, leave behind and end with.
+// `edgewise sweep`, `edgewise report` and `edgewise claims` on plans of a second: what they print, leave
+// behind and end with.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -143,6 +144,27 @@ TEST(Report, IsWrittenAnewFromAStore) {
     EXPECT_GT(text_of(folder / "again/index.html").size(), 500u);
     of_report["report"] = of_sweep["report"];
     EXPECT_EQ(of_report, of_sweep);
+}
+
+/// A sweep of two bodies reproduces little; that is a finding, not an error.
+TEST(Claims, AreJudgedFromAnyStore) {
+    const Folder folder;
+    ASSERT_EQ(run(with(tiny, {"--store", "s.db"}), folder).exit_code, 0);
+    const Outcome outcome = run({"claims", "s.db", "--json"}, folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json all = json::parse(outcome.out);
+    EXPECT_TRUE(all["machine"].is_object());
+    EXPECT_GT(all["claims"].size(), 25u);
+    for (const json& claim : all["claims"]) {
+        for (const char* key :
+             {"id", "section", "claim", "paper", "ours", "unit", "verdict", "reason", "rule"})
+            EXPECT_TRUE(claim[key].is_string()) << key;
+        EXPECT_TRUE(claim["deterministic"].is_boolean());
+    }
+    const Outcome table = run({"claims", "s.db"}, folder);
+    EXPECT_EQ(table.exit_code, 0) << table.err;
+    EXPECT_THAT(lines_of(table.out).back(), HasSubstr(" not measured"));
+    EXPECT_THAT(table.out, HasSubstr("bytes_per_edge_double"));
 }
 
 }  // namespace

@@ -80,6 +80,8 @@ const std::vector<Slip> bad_files = {
     {"folder_for_cases", {"query", "."}, {"directory"}},
     {"no_store", {"report", "missing.db"}, {"missing.db", "sweep"}},
     {"report_of_no_store", {"report", "not_a_store.db"}, {"not_a_store.db"}},
+    {"claims_of_missing_store", {"claims", "missing.db"}, {"missing.db", "sweep"}},
+    {"claims_of_no_store", {"claims", "not_a_store.db", "--json"}, {"not_a_store.db"}},
     {"sweep_into_no_store", {"sweep", "--store", "not_a_store.db", "--shapes", "cube8"}, {"not_a_store.db"}},
 };
 

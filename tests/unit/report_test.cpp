@@ -50,6 +50,23 @@ TEST_F(Report, SummaryCountsTheLatestBuildOnly) {
               std::string::npos);
 }
 
+/// Separated pairs alone have been timed: all pairs together are these.
+TEST_F(Report, RoundsHaveRatiosByKindAndOfAllPairs) {
+    const ReportData data = read_report(make_store(
+        store_sql() + "insert into round values('b2','h-null',0,10,1000,10,5000,10,1000,30,3000);"));
+    for (const ReportCell& cell : data.cells) {
+        if (cell.hash == "h-full") {
+            ASSERT_EQ(cell.rounds.size(), 7u);
+            EXPECT_EQ(cell.rounds[5].all_ratio, cell.rounds[5].separated_ratio);
+            EXPECT_DOUBLE_EQ(cell.rounds[5].all_ratio.value_or(0), 1.005);
+            EXPECT_FALSE(cell.rounds[5].overlapping_ratio);
+        }
+        if (cell.hash == "h-null") {
+            EXPECT_DOUBLE_EQ(cell.rounds.at(0).all_ratio.value_or(0), 3);
+        }
+    }
+}
+
 TEST_F(Report, EveryCellAndFigureIsInTheCsv) {
     (void)write_report(make_store(), (directory_ / "out").string(), "");
     const auto rows = parse_csv(text("out/results.csv"));
