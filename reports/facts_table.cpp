@@ -141,7 +141,8 @@ TextGrid facts_grid(const ReportData& data) {
     add(grid, "seed", seeds(data));
     bool plan = false;
     for (const auto& [key, value] : data.meta) {
-        if (key.starts_with(drawing_key) || key.starts_with(scene_file_key)) continue;  // in places of their own
+        if (key.starts_with(drawing_key) || key.starts_with(scene_file_key))
+            continue;  // in places of their own
         if (key == "build" || key == "seed") continue;
         plan = plan || key == "plan";
         add(grid, key, value);

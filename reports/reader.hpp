@@ -52,7 +52,7 @@ struct ReportData {
     std::vector<ReportCell> cells;  ///< by scene, parameters, vertices, shape, algorithm, table type, hash
     std::vector<ReportCell> from_files;  ///< cells of scenes that are files, which vary a number; likewise
     std::vector<ReportCell>
-        stability;  ///< rows of the stability run: the shape is the family; order likewise
+        stability;                   ///< rows of the stability run: the shape is the family; order likewise
     std::vector<ReportCell> paging;  ///< rows of the paging run; likewise
     std::vector<std::pair<std::string, std::string>> scene_files;  ///< name and text (JSON), by name
 
