@@ -7,6 +7,7 @@
 
 #include "edgewise/reports/cache_tables.hpp"
 #include "edgewise/reports/page.hpp"
+#include "edgewise/reports/page_parts.hpp"
 #include "edgewise/reports/tables.hpp"
 #include "edgewise/reports/text.hpp"
 
@@ -21,13 +22,8 @@ std::string section(const std::string& title, const std::string& words = {}) {
 std::string charts_markdown(const std::vector<Chart>& charts, const StaticFigures& figures) {
     std::string out = section("Charts");
     if (!figures.note.empty()) out += figures.note + "\n\n";
-    for (const Chart& chart : charts) {
-        out += fmt::format("### {}\n\n{}\n\n", chart.title, chart.how_to_read);
-        if (figures.svg.count(chart.name))
-            out += fmt::format("![{}](figures/{}.svg)\n\n", chart.title, chart.name);
-        for (const std::string& note : chart.notes) out += "- " + markdown_text(note) + "\n";
-        if (!chart.notes.empty()) out += "\n";
-    }
+    for (const Chart& chart : charts)
+        if (chart.section.empty()) out += markdown_chart(chart, figures, "###");
     return out;
 }
 
