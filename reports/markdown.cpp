@@ -8,6 +8,7 @@
 #include "edgewise/reports/cache_tables.hpp"
 #include "edgewise/reports/page.hpp"
 #include "edgewise/reports/page_parts.hpp"
+#include "edgewise/reports/paper_chapter.hpp"
 #include "edgewise/reports/tables.hpp"
 #include "edgewise/reports/text.hpp"
 
@@ -61,7 +62,7 @@ std::string report_markdown(const ReportData& data, const std::vector<Chart>& ch
     const TextGrid problems = problems_grid(data);
     if (!problems.rows.empty()) out += section("Failed and unavailable cells") + grid_markdown(problems);
     out += section("Machine and build") + grid_markdown(facts_grid(data)) + grid_markdown(scenes_grid(data));
-    out += charts_markdown(charts, figures);
+    out += charts_markdown(charts, figures) + paper_chapter_markdown(data, charts, figures);
     out += section("Bytes per edge", bytes_explanation()) + grid_markdown(bytes_grid(data, ""));
     out += section("What layouts cost", layout_explanation()) + grid_markdown(layout_cost_grid(data));
     const TextGrid memory = scene_memory_grid(data);

@@ -8,6 +8,7 @@
 #include "edgewise/reports/cache_tables.hpp"
 #include "edgewise/reports/page_parts.hpp"
 #include "edgewise/reports/page_shell.hpp"
+#include "edgewise/reports/paper_chapter.hpp"
 #include "edgewise/reports/tables.hpp"
 #include "edgewise/reports/text.hpp"
 
@@ -33,6 +34,7 @@ std::string opening_html(const ReportData& data) {
         out += grid_html(problems_grid(data));
     }
     out += "<nav><a href=\"#machine\">Machine and build</a><a href=\"#charts\">Charts</a>";
+    if (has_paper_chapter(data)) out += "<a href=\"#paper\">" + html_text(paper_chapter_title(data)) + "</a>";
     out +=
         "<a "
         "href=\"#bytes\">Bytes "
@@ -145,7 +147,7 @@ std::string page_html(const ReportData& data, const std::vector<Chart>& charts, 
                       const std::string& scripts) {
     const bool alive = !scripts.empty();
     std::string out = head_html() + opening_html(data) + charts_html(charts, figures, alive);
-    out += tables_html(data);
+    out += paper_chapter_html(data, charts, figures, alive) + tables_html(data);
     out += "</main>\n";
     if (alive) out += scripts + "<script>" + page_script + "</script>\n";
     return out + "</body>\n</html>\n";
