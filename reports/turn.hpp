@@ -4,6 +4,7 @@
 // and one beyond half a turn is a smaller one the other way round: coherence knows the folded angle only.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
