@@ -9,6 +9,7 @@
 #include "edgewise/reports/curves.hpp"
 #include "edgewise/reports/paper_charts.hpp"
 #include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/thrash_scenes.hpp"
 
 namespace edgewise {
 
@@ -31,20 +32,41 @@ ChartJson times_of(const SceneFile& scene, Omissions& omitted) {
     return values;
 }
 
-ChartJson knees_of(const SceneFile& scene, Omissions& omitted) {
+/// The knee of the cell; where none was traced, that of the same table in the scene of the thrash, at the
+/// same angle a step, in proportion to the bodies.
+std::optional<double> knee_of(const ReportData& data, const ReportCell& cell, double bodies,
+                              bool& estimated) {
+    const StoredFigure own = cell.figure("reuse", "line_knee_bytes");
+    if (own.value) return own.value;
+    const ReportCell* like =
+        nearest_cell(scene_file(data, "paper_thrash_386"), cell.algorithm, cell.table, thrash_turn);
+    if (!like) return std::nullopt;
+    const StoredFigure knee = like->figure("reuse", "line_knee_bytes");
+    const auto traced = scene_number(*like, "bodies");
+    if (!knee.value || !traced || *traced <= 0) return std::nullopt;
+    estimated = true;
+    return *knee.value * bodies / *traced;
+}
+
+ChartJson knees_of(const ReportData& data, const SceneFile& scene, std::vector<std::string>& notes) {
     ChartJson values = ChartJson::array();
+    bool estimated = false;
     for (const ReportCell* cell : scene.cells) {
         const auto bodies = scene_number(*cell, "bodies");
-        const StoredFigure knee = cell->figure("reuse", "line_knee_bytes");
-        if (!bodies || !cell->verified() || !knee.value || *knee.value <= 0) {
-            omitted.add("the knee: " + knee.reason);
-            continue;
-        }
+        if (!bodies || !cell->verified()) continue;
+        const auto knee = knee_of(data, *cell, *bodies, estimated);
+        if (!knee || *knee <= 0) continue;
         ChartJson row = curve_json(*cell);
         row["bodies"] = *bodies;
-        row["knee"] = *knee.value;
+        row["knee"] = *knee;
         values.push_back(std::move(row));
     }
+    if (estimated)
+        notes.emplace_back(
+            "Knees of cells whose reuse distances were not traced are those of paper_thrash_386 with the "
+            "same "
+            "table at 7/60 rad a step, in proportion to the number of bodies.");
+    if (values.empty()) notes.emplace_back("No knee is drawn: no reuse distances were traced.");
     return values;
 }
 
@@ -102,7 +124,7 @@ Chart paper_here_chart(const ReportData& data) {
         "paper_thrash_here",
         "The thrash on this machine",
         "Left: median time of a query with its 95 % interval against the number of bodies, 386 vertices, "
-        "tables of their own. Right, where reuse distances were traced: the knee, the smallest cache in "
+        "tables of their own. Right: the knee of the reuse distances, the smallest cache in "
         "which a query brings in again at most a tenth of the lines it touches, beside this machine's "
         "caches. Where a knee passes a cache, the times to its left rise.",
         nullptr,
@@ -113,7 +135,7 @@ Chart paper_here_chart(const ReportData& data) {
     const SceneFile scene = scene_file(data, scene_name);
     const ChartJson times = times_of(scene, omitted);
     if (times.empty()) return chart;
-    const ChartJson knees = knees_of(scene, omitted);
+    const ChartJson knees = knees_of(data, scene, chart.notes);
     omitted.write("cell", chart.notes);
     ChartJson panels = ChartJson::array({time_panel(data, times)});
     if (!knees.empty()) panels.push_back(knee_panel(data, knees));

@@ -156,7 +156,7 @@ std::string page_sentence(const ReportData& data) {
 /// Of one row of the paging run: the largest memory that faulted.
 std::string measured_text(const ReportCell& row) {
     std::optional<double> memory, faults;
-    std::string why = "no limit was measured";
+    std::string why = row.verified() ? "no limit was measured" : row.reason;
     bool any = false;
     for (const PagingLimit& limit : paging_limits(row)) {
         if (!limit.faults.value || !limit.held.value) {

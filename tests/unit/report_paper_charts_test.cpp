@@ -170,6 +170,22 @@ TEST(PaperCharts, ThisMachineHasItsCachesBesideTheKnees) {
     EXPECT_THAT(spec["hconcat"][1].dump(), HasSubstr("L2 of this machine"));
 }
 
+/// 300 bodies need 3 MB; 75 of the same need a quarter of it.
+TEST(PaperCharts, KneesThatWereNotTracedAreThoseOfTheThrashInProportion) {
+    ReportData data;
+    add_scene(data, "paper_caches_here", "bodies");
+    add_both(data, "paper_caches_here", R"({"bodies":75})", times(100));
+    EXPECT_EQ(paper_here_chart(data).spec["hconcat"].size(), 1U);
+    add_scene(data, "paper_thrash_386", "rotation_step");
+    add_both(data, "paper_thrash_386", R"({"bodies":300,"rotation_step":0.1166667})",
+             {{"reuse.line_knee_bytes", 3e6}});
+    const Chart chart = paper_here_chart(data);
+    ASSERT_EQ(chart.spec["hconcat"].size(), 2U);
+    EXPECT_EQ(chart.spec["hconcat"][1]["data"]["values"][0]["knee"], 7.5e5);
+    ASSERT_EQ(chart.notes.size(), 1U);
+    EXPECT_THAT(chart.notes[0], HasSubstr("in proportion"));
+}
+
 TEST(PaperCharts, AUsersSceneHasAChartOverWhatItVaries) {
     ReportData data;
     add_scene(data, "mine<1>", "margin");
