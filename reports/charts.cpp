@@ -9,6 +9,7 @@
 #include <set>
 
 #include "edgewise/reports/cache_tables.hpp"
+#include "edgewise/reports/paper_charts.hpp"
 #include "edgewise/reports/tables.hpp"
 #include "edgewise/reports/text.hpp"
 
@@ -25,8 +26,8 @@ const char* const palette[] = {"#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7
 std::vector<std::string> ordered_names(const ReportData& data, std::string ReportCell::*member,
                                        const std::vector<std::string>& first) {
     std::set<std::string> present;
-    for (const ReportCell& cell : data.cells) present.insert(cell.*member);
-    for (const ReportCell& row : data.stability) present.insert(row.*member);
+    for (const auto* rows : {&data.cells, &data.stability, &data.from_files, &data.paging})
+        for (const ReportCell& row : *rows) present.insert(row.*member);
     std::vector<std::string> names;
     for (const std::string& name : first)
         if (present.erase(name)) names.push_back(name);
@@ -41,6 +42,7 @@ std::vector<Chart> all_charts(const ReportData& data) {
                                  ratio_chart(data)};
     if (!modelled_cells(data).empty()) charts.push_back(misses_chart(data));
     if (!data.stability.empty()) charts.insert(charts.end(), {tolerance_chart(data), gap_chart(data)});
+    for (Chart& chart : chapter_charts(data)) charts.push_back(std::move(chart));
     return charts;
 }
 

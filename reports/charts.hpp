@@ -24,6 +24,7 @@ struct Chart {
     ChartJson spec;                  ///< null when there is nothing to draw
     std::vector<std::string> notes;  ///< what is not drawn, and why
     TextGrid fallback;               ///< the data as a small table, where no picture can be shown
+    std::string section = {};  ///< of the chapter on the paper's figures; empty: among the page's charts
 };
 
 [[nodiscard]] Chart bytes_chart(const ReportData& data);

@@ -7,6 +7,8 @@
 
 #include "edgewise/reports/cache_tables.hpp"
 #include "edgewise/reports/page.hpp"
+#include "edgewise/reports/page_parts.hpp"
+#include "edgewise/reports/paper_chapter.hpp"
 #include "edgewise/reports/tables.hpp"
 #include "edgewise/reports/text.hpp"
 
@@ -21,13 +23,8 @@ std::string section(const std::string& title, const std::string& words = {}) {
 std::string charts_markdown(const std::vector<Chart>& charts, const StaticFigures& figures) {
     std::string out = section("Charts");
     if (!figures.note.empty()) out += figures.note + "\n\n";
-    for (const Chart& chart : charts) {
-        out += fmt::format("### {}\n\n{}\n\n", chart.title, chart.how_to_read);
-        if (figures.svg.count(chart.name))
-            out += fmt::format("![{}](figures/{}.svg)\n\n", chart.title, chart.name);
-        for (const std::string& note : chart.notes) out += "- " + markdown_text(note) + "\n";
-        if (!chart.notes.empty()) out += "\n";
-    }
+    for (const Chart& chart : charts)
+        if (chart.section.empty()) out += markdown_chart(chart, figures, "###");
     return out;
 }
 
@@ -65,7 +62,7 @@ std::string report_markdown(const ReportData& data, const std::vector<Chart>& ch
     const TextGrid problems = problems_grid(data);
     if (!problems.rows.empty()) out += section("Failed and unavailable cells") + grid_markdown(problems);
     out += section("Machine and build") + grid_markdown(facts_grid(data)) + grid_markdown(scenes_grid(data));
-    out += charts_markdown(charts, figures);
+    out += charts_markdown(charts, figures) + paper_chapter_markdown(data, charts, figures);
     out += section("Bytes per edge", bytes_explanation()) + grid_markdown(bytes_grid(data, ""));
     out += section("What layouts cost", layout_explanation()) + grid_markdown(layout_cost_grid(data));
     const TextGrid memory = scene_memory_grid(data);

@@ -17,6 +17,7 @@ main { max-width: 1240px; margin: 0 auto; padding: 2rem 1.5rem 4rem; }
 h1 { font-size: 1.75rem; margin: 0 0 .5rem; letter-spacing: -.01em; }
 h2 { font-size: 1.25rem; margin: 2.75rem 0 .5rem; padding-bottom: .25rem; border-bottom: 1px solid #dfe3e8; }
 h3 { font-size: 1rem; margin: 1.5rem 0 .4rem; }
+h4 { font-size: .9375rem; margin: 1.25rem 0 .3rem; color: #3d444d; }
 p { max-width: 75ch; margin: .4rem 0 .8rem; }
 nav a { margin-right: 1rem; }
 a { color: #1a5fa8; }

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Scenes that are files: what each varies, its cells, and their numbers. The store holds a scene's text as
+// JSON under its name, and its numbers in every cell's scene parameters.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/reader.hpp"
+
+namespace edgewise {
+
+struct SceneFile {
+    std::string name, kind;  ///< "paper_angular_8", "tumble"
+    std::string varied;      ///< the number that it varies; empty: its cells differ in their shapes
+    std::string note;        ///< what its author says of it
+    std::vector<const ReportCell*> cells;
+
+    /// What its cells stand at on an axis: the varied number, else the vertices.
+    [[nodiscard]] std::optional<double> place(const ReportCell& cell) const;
+    [[nodiscard]] std::string axis_title() const;  ///< in words
+};
+
+/// All of them, by name; a text that is no JSON gives a scene that varies nothing.
+[[nodiscard]] std::vector<SceneFile> scene_files(const ReportData& data);
+/// One by its name; without cells when the store has none.
+[[nodiscard]] SceneFile scene_file(const ReportData& data, const std::string& name);
+/// The scenes that follow the paper have names that begin so; all others are a user's own.
+[[nodiscard]] bool is_of_paper(const std::string& scene);
+
+/// A number of the cell's scene parameters; null when they do not name it.
+[[nodiscard]] std::optional<double> scene_number(const ReportCell& cell, const std::string& name);
+/// The verified cell of this algorithm and table type that stands nearest to a wanted place; null when there
+/// is none.
+[[nodiscard]] const ReportCell* nearest_cell(const SceneFile& scene, const std::string& algorithm,
+                                             const std::string& table, double wanted);
+
+}  // namespace edgewise

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// What the store knows of the thrash at 386 vertices: V-Clip on the paper's record (aos_f64), tables of its
+// own for every body, against the caches and memories of 2001. The rules that make a cause of it are here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edgewise/reports/reader.hpp"
+
+namespace edgewise {
+
+/// A number, or the reason why there is none.
+struct Evidence {
+    std::optional<double> value;
+    std::string missing;
+};
+
+/// Cells of paper_thrash_N by angle a step, rising: one algorithm on one table type.
+[[nodiscard]] std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData& data,
+                                                                             int vertices,
+                                                                             const std::string& algorithm,
+                                                                             const std::string& table);
+/// V-Clip on aos_f64: a figure at the slowest or the fastest turn.
+[[nodiscard]] Evidence thrash_figure(const ReportData& data, int vertices, bool fastest,
+                                     const std::string& probe, const std::string& name);
+/// The angle a step, and the bodies, of those cells.
+[[nodiscard]] Evidence thrash_step(const ReportData& data, int vertices, bool fastest);
+[[nodiscard]] Evidence thrash_bodies(const ReportData& data, int vertices);
+/// The larger of a figure at the slowest and at the fastest turn.
+[[nodiscard]] Evidence worst_figure(const ReportData& data, int vertices, const std::string& probe,
+                                    const std::string& name);
+/// How many bodies it takes, in proportion, until the worst knee passes `bytes`.
+[[nodiscard]] Evidence bodies_to_fill(const ReportData& data, int vertices, const std::string& knee,
+                                      double bytes);
+/// Modelled memory time at 386 vertices over that at 38; infinite where 38 vertices never wait.
+[[nodiscard]] Evidence memory_factor(const ReportData& data, const std::string& machine, bool fastest);
+
+/// Whether a row of the paging run is such a measurement, and what it says: V-Clip on aos_f64, 386 vertices,
+/// hundreds of bodies, a limit that leaves the tables as much as a memory of the time.
+[[nodiscard]] std::optional<bool> faults_in_old_memory(const ReportCell& row);
+/// Whether the cache makes figure 8: on some machine, at some speed, the modelled memory time grows by the
+/// paper's factor from 38 to 386 vertices, and is no less than a tenth of what the paper's axis grows by.
+/// Null when nothing was modelled.
+[[nodiscard]] std::optional<bool> cache_is_a_cause(const ReportData& data);
+/// Whether paging does: hundreds of bodies of 386 vertices turn over more pages than the smallest memory of
+/// the time holds, and those of 38 do not; or with that memory and more they were measured to fault often
+/// enough. Null when neither reuse distances of pages nor such a measurement are stored.
+[[nodiscard]] std::optional<bool> paging_is_a_cause(const ReportData& data);
+
+}  // namespace edgewise
