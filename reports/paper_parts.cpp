@@ -3,6 +3,7 @@
 // What the chapter on the paper's figures consists of; see paper_chapter.hpp. One function a part.
 #include <algorithm>
 
+#include "edgewise/reports/claims.hpp"
 #include "edgewise/reports/paper_chapter.hpp"
 #include "edgewise/reports/paper_charts.hpp"
 #include "edgewise/reports/paper_tables.hpp"
@@ -122,7 +123,7 @@ std::string paper_chapter_title(const ReportData& data) {
     return has_paper_scene(data) ? "The paper's figures" : "Scenes from files";
 }
 
-std::vector<TextGrid> opening_grids(const ReportData&) { return {}; }
+std::vector<TextGrid> opening_grids(const ReportData& data) { return {claims_grid(data)}; }
 
 std::vector<ChapterPart> chapter_parts(const ReportData& data) {
     std::vector<ChapterPart> parts;

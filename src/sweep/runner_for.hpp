@@ -152,15 +152,8 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] std::function<PassSum()> prepared_pass(const Workload& given) const override {
-        auto space = std::make_shared<Workload>();
-        const Workload* workload = &in_unit(given, *space);
-        const std::vector<Pair> cold = cold_pairs(*workload);
-        return [this, space, workload, cold, pairs = cold]() mutable {
-            std::copy(cold.begin(), cold.end(), pairs.begin());
-            PassSum sum{workload->queries.size(), 0};
-            run(*workload, 0, sum.queries, pairs,
-                [&](std::size_t, const Distance& d) { sum.distances += d.distance; });
-            return unit_.back(sum);
+        return [this, count = given.queries.size(), pass = prepared_range(given)] {
+            return unit_.back(PassSum{count, pass(0, count)});
         };
     }
 
