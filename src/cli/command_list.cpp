@@ -10,6 +10,7 @@
 #include "edgewise/measure/cache_machine.hpp"
 #include "edgewise/measure/probe.hpp"
 #include "edgewise/scene/hard/families.hpp"
+#include "edgewise/scene/scene_texts.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/axes.hpp"
@@ -65,6 +66,16 @@ json list_of_scenes() {
                 {{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"default", p.standard}});
         }
         result.push_back({{"name", scene.name}, {"meaning", scene.meaning}, {"parameters", parameters}});
+    }
+    return result;
+}
+
+/// Those that come along, each with its text: to start one's own from.
+json list_scene_files() {
+    json result = json::array();
+    for (const SceneText& text : scene_texts()) {
+        json file = json::parse(text.json);
+        result.push_back({{"name", text.name}, {"note", file.value("note", "")}, {"file", file}});
     }
     return result;
 }
@@ -138,9 +149,10 @@ json list_plans() {
 
 const std::map<std::string, json (*)()>& lists() {
     static const std::map<std::string, json (*)()> known = {
-        {"layouts", list_layouts},   {"probes", list_probes},    {"algorithms", list_algorithms},
-        {"scenes", list_of_scenes},  {"shapes", list_of_shapes}, {"plans", list_plans},
-        {"families", list_families}, {"axes", list_axes},        {"machines", list_machines}};
+        {"layouts", list_layouts},        {"probes", list_probes},    {"algorithms", list_algorithms},
+        {"scenes", list_of_scenes},       {"shapes", list_of_shapes}, {"plans", list_plans},
+        {"families", list_families},      {"axes", list_axes},        {"machines", list_machines},
+        {"scene_files", list_scene_files}};
     return known;
 }
 

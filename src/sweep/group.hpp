@@ -37,7 +37,7 @@ class Group {
     [[nodiscard]] const std::vector<ExactDistance>& exact(std::span<const Polyhedron> bodies);
 
     /// What the paper's control says of them, in contact or not (algorithms/moore_wilhelms.hpp); empty where
-    /// the plan does not ask it.
+    /// the plan does not ask it, and nothing for most of large bodies, where it takes too long.
     [[nodiscard]] const std::vector<std::optional<bool>>& control(std::span<const Polyhedron> bodies);
 
   private:
