@@ -25,10 +25,11 @@ constexpr PagedCell paged_cells[] = {{"sphere386", "vclip", "aos_f64"},
                                      {"sphere386", "gjk", "aos_f64"},
                                      {"sphere38", "vclip", "aos_f64"}};
 
-/// Parts of the touched bytes, but for what a process itself needs.
+/// Parts of the touched bytes, but for what a process itself needs. Nearer to all of them a prediction is as
+/// good as the knowledge of what the limit leaves the tables, to some 100 KiB.
 std::vector<std::uint64_t> limits_for(std::uint64_t touched) {
     constexpr std::uint64_t least = 2 << 20;
-    constexpr double parts[] = {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.125, 1.5};
+    constexpr double parts[] = {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 1.125, 1.5};
     std::vector<std::uint64_t> limits;
     for (const double part : parts) {
         const auto limit = static_cast<std::uint64_t>(part * static_cast<double>(touched));
