@@ -17,7 +17,7 @@ bool all_positive(const ChartJson& values) {
                        [](const ChartJson& row) { return row["place"].get<double>() > 0; });
 }
 
-ChartJson values_of(const SceneFile& scene, Omissions& omitted) {
+ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : scene.cells) {
         const auto place = scene.place(*cell);
@@ -47,7 +47,7 @@ std::string safe(std::string name) {
     return name;
 }
 
-Chart chart_of(const ReportData& data, const SceneFile& scene) {
+Chart chart_of(const ReportData& data, const StoredScene& scene) {
     Chart chart{"scene_" + safe(scene.name),
                 scene.name + ": time against " + scene.axis_title(),
                 "Each line is an algorithm on a table type: median time of all queries, separated and "
@@ -75,7 +75,7 @@ Chart chart_of(const ReportData& data, const SceneFile& scene) {
 
 std::vector<Chart> own_scene_charts(const ReportData& data) {
     std::vector<Chart> charts;
-    for (const SceneFile& scene : scene_files(data))
+    for (const StoredScene& scene : scene_files(data))
         if (!is_of_paper(scene.name)) charts.push_back(chart_of(data, scene));
     return charts;
 }

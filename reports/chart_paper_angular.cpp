@@ -41,7 +41,7 @@ void set_turn(const ReportCell& cell, double step, ChartJson& row) {
     if (random) row["point"] = cell.algorithm + ", random orientations";
 }
 
-ChartJson values_of(const SceneFile& scene, Omissions& omitted) {
+ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : scene.cells) {
         const double step = scene_number(*cell, "rotation_step").value_or(0);

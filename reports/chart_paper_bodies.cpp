@@ -4,7 +4,7 @@
 // depend on algorithm or table, so a scene is one line.
 #include "edgewise/reports/curves.hpp"
 #include "edgewise/reports/paper_charts.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 
 #include <map>
 
@@ -20,7 +20,7 @@ constexpr Series measured[] = {{"paper_bodies", "the environment grows"},
 constexpr const char *all_pairs = "all pairs, n(n-1)/2", *papers_end = "the paper's end: 600, 300";
 
 /// Bodies -> tests a step, as any of the cells has counted them.
-std::map<double, double> tests_of(const SceneFile& scene, Omissions& omitted) {
+std::map<double, double> tests_of(const StoredScene& scene, Omissions& omitted) {
     std::map<double, double> tests;
     for (const ReportCell* cell : scene.cells) {
         const auto bodies = scene_number(*cell, "bodies");

@@ -4,7 +4,7 @@
 // queries, cold ones (hill climbing from anywhere), bytes of a table.
 #include "edgewise/reports/curves.hpp"
 #include "edgewise/reports/paper_charts.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 
 namespace edgewise {
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char *warm = "ns a query", *cold = "ns a cold query", *bytes = "bytes of a table";
 
-void add_times(const SceneFile& scene, const char* measure, Omissions& omitted, ChartJson& values) {
+void add_times(const StoredScene& scene, const char* measure, Omissions& omitted, ChartJson& values) {
     for (const ReportCell* cell : scene.cells) {
         ChartJson row = timed_row(*cell, "all", omitted);
         if (row.is_null()) continue;
@@ -23,7 +23,7 @@ void add_times(const SceneFile& scene, const char* measure, Omissions& omitted, 
     }
 }
 
-void add_bytes(const SceneFile& scene, Omissions& omitted, ChartJson& values) {
+void add_bytes(const StoredScene& scene, Omissions& omitted, ChartJson& values) {
     for (const ReportCell* cell : scene.cells) {
         const StoredFigure size = cell->figure("bytes", "table_bytes");
         if (!size.value || *size.value <= 0) {
@@ -70,7 +70,7 @@ Chart paper_complexity_chart(const ReportData& data) {
         scalability_section};
     Omissions omitted;
     ChartJson values = ChartJson::array();
-    const SceneFile scene = scene_file(data, "paper_complexity");
+    const StoredScene scene = scene_file(data, "paper_complexity");
     add_times(scene, warm, omitted, values);
     add_times(scene_file(data, "paper_cold"), cold, omitted, values);
     add_bytes(scene, omitted, values);

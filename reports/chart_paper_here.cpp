@@ -8,7 +8,7 @@
 
 #include "edgewise/reports/curves.hpp"
 #include "edgewise/reports/paper_charts.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 #include "edgewise/reports/thrash_scenes.hpp"
 
 namespace edgewise {
@@ -19,7 +19,7 @@ constexpr const char* scene_name = "paper_caches_here";
 
 CurveAxis bodies_axis() { return {"bodies", "bodies", log_scale(), {{"format", "~s"}, {"tickCount", 7}}}; }
 
-ChartJson times_of(const SceneFile& scene, Omissions& omitted) {
+ChartJson times_of(const StoredScene& scene, Omissions& omitted) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : scene.cells) {
         const auto bodies = scene_number(*cell, "bodies");
@@ -48,7 +48,7 @@ std::optional<double> knee_of(const ReportData& data, const ReportCell& cell, do
     return *knee.value * bodies / *traced;
 }
 
-ChartJson knees_of(const ReportData& data, const SceneFile& scene, std::vector<std::string>& notes) {
+ChartJson knees_of(const ReportData& data, const StoredScene& scene, std::vector<std::string>& notes) {
     ChartJson values = ChartJson::array();
     bool estimated = false;
     for (const ReportCell* cell : scene.cells) {
@@ -132,7 +132,7 @@ Chart paper_here_chart(const ReportData& data) {
         {},
         thrash_section};
     Omissions omitted;
-    const SceneFile scene = scene_file(data, scene_name);
+    const StoredScene scene = scene_file(data, scene_name);
     const ChartJson times = times_of(scene, omitted);
     if (times.empty()) return chart;
     const ChartJson knees = knees_of(data, scene, chart.notes);

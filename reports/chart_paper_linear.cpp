@@ -7,7 +7,7 @@
 
 #include "edgewise/reports/curves.hpp"
 #include "edgewise/reports/paper_charts.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 
 namespace edgewise {
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double short_step = 1.0 / 60, long_step = 0.5;  ///< seconds
 
-ChartJson values_of(const SceneFile& scene, Omissions& omitted) {
+ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : scene.cells) {
         const auto way = scene_number(*cell, "step_in_dimensions");

@@ -6,7 +6,7 @@
 
 #include "edgewise/reports/curves.hpp"
 #include "edgewise/reports/paper_charts.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 #include "edgewise/reports/thrash_scenes.hpp"
 
 namespace edgewise {

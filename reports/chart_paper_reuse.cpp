@@ -8,7 +8,7 @@
 
 #include "edgewise/reports/curves.hpp"
 #include "edgewise/reports/paper_charts.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 #include "edgewise/reports/thrash_scenes.hpp"
 
 namespace edgewise {
@@ -29,7 +29,7 @@ void add_curve(const ReportCell& cell, const std::string& unit, ChartJson& value
 }
 
 /// The scene's cells whose angle a step is nearest to the one that is shown.
-void add_scene(const SceneFile& scene, ChartJson& values) {
+void add_scene(const StoredScene& scene, ChartJson& values) {
     std::set<std::pair<std::string, std::string>> done;
     for (const ReportCell* cell : scene.cells) {
         if (!done.emplace(cell->algorithm, cell->table).second) continue;

@@ -3,7 +3,7 @@
 // The paging run: one row a limit.
 #include "edgewise/reports/paging_limits.hpp"
 #include "edgewise/reports/paper_thrash.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 #include "edgewise/reports/text.hpp"
 
 namespace edgewise {

@@ -38,7 +38,7 @@ bool has_cost(const ReportCell& cell) {
     return false;
 }
 
-std::vector<GridCell> row_of(const SceneFile& scene, const ReportCell& cell) {
+std::vector<GridCell> row_of(const StoredScene& scene, const ReportCell& cell) {
     const auto place = scene.place(cell);
     std::vector<GridCell> row{{scene.name},
                               {scene.varied.empty() ? cell.shape : scene.axis_title()},
@@ -57,7 +57,7 @@ TextGrid cost_grid(const ReportData& data, bool of_bodies) {
                   {}};
     for (const Column& column : columns) grid.columns.push_back({column.title, true});
     grid.columns.push_back({"equation 2 / measured", true});
-    for (const SceneFile& scene : scene_files(data)) {
+    for (const StoredScene& scene : scene_files(data)) {
         if (scene.name.starts_with("paper_bodies") != of_bodies) continue;
         for (const ReportCell* cell : scene.cells)
             if (cell->verified() && cell->table == "aos_f64" && has_cost(*cell))

@@ -19,7 +19,7 @@ constexpr const char* needs[] = {"verdict", "distance", "features", "depth", "ce
 using ByAxes = std::map<std::string, const ReportCell*>;
 using Groups = std::map<std::tuple<std::int64_t, std::string, std::string, std::string>, ByAxes>;
 
-Groups groups_of(const SceneFile& scene) {
+Groups groups_of(const StoredScene& scene) {
     Groups groups;
     for (const ReportCell* cell : scene.cells)
         groups[{cell->vertices, cell->shape, cell->algorithm, cell->layout + "_" + cell->precision}]

@@ -8,7 +8,7 @@
 #include "edgewise/reports/paper_charts.hpp"
 #include "edgewise/reports/paper_tables.hpp"
 #include "edgewise/reports/paper_thrash.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 
 namespace edgewise {
 
@@ -105,7 +105,7 @@ ChapterPart thrash_part(const ReportData& data) {
 
 ChapterPart own_part(const ReportData& data) {
     ChapterPart part{"Your own scenes", "Scenes from files that are not the paper's.", own_section, {}, {}};
-    for (const SceneFile& scene : scene_files(data))
+    for (const StoredScene& scene : scene_files(data))
         if (!is_of_paper(scene.name)) part.long_grids.push_back(file_scene_grid(scene));
     return part;
 }

@@ -20,7 +20,7 @@ struct Sides {
 };
 using SidesOfTables = std::map<std::tuple<std::int64_t, std::string, std::string>, Sides>;
 
-SidesOfTables sides_of(const SceneFile& scene) {
+SidesOfTables sides_of(const StoredScene& scene) {
     SidesOfTables tables;
     for (const ReportCell* cell : scene.cells) {
         Sides& sides = tables[{cell->vertices, cell->shape, cell->table}];
@@ -45,7 +45,7 @@ GridCell ratio_of(const Sides& sides) {
     return {fmt::format("{:.3f}", *gjk.value / *vclip.value)};
 }
 
-GridCell place_of(const SceneFile& scene, const ReportCell& cell) {
+GridCell place_of(const StoredScene& scene, const ReportCell& cell) {
     if (scene.varied == "rotation_step" && is_random_turn(cell)) return {"random"};
     const auto place = scene.place(cell);
     return place ? GridCell{number_text(*place)} : missing_cell("its scene parameters do not hold it");
@@ -78,7 +78,7 @@ TextGrid static_grid(const ReportData& data) {
     return grid;
 }
 
-TextGrid file_scene_grid(const SceneFile& scene) {
+TextGrid file_scene_grid(const StoredScene& scene) {
     TextGrid grid{scene.name + (scene.note.empty() ? "" : ": " + scene.note),
                   {{"shape"},
                    {"algorithm"},

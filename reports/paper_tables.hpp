@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "edgewise/reports/reader.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 #include "edgewise/reports/text_grid.hpp"
 
 namespace edgewise {
@@ -15,7 +15,7 @@ namespace edgewise {
 /// V-Clip and GJK side by side in the scene without coherence, by shape and table type; preprocessing apart.
 [[nodiscard]] TextGrid static_grid(const ReportData& data);
 /// Every cell of a scene from a file: where it stands, its times, its ratio to the baseline.
-[[nodiscard]] TextGrid file_scene_grid(const SceneFile& scene);
+[[nodiscard]] TextGrid file_scene_grid(const StoredScene& scene);
 /// The paper's cost functions, term by term, and the step as measured: scenes of growing numbers of bodies,
 /// or all other scenes.
 [[nodiscard]] TextGrid cost_grid(const ReportData& data, bool of_bodies);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "edgewise/reports/paging_limits.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 #include "edgewise/reports/text.hpp"
 #include "edgewise/reports/thrash_evidence.hpp"
 #include "edgewise/reports/thrash_scenes.hpp"
@@ -28,11 +28,11 @@ std::string bytes_text(double bytes) {
 
 std::string missing_text(const std::string& why) { return "missing (" + why + ")"; }
 
-std::string bytes_text(const Evidence& bytes) {
+std::string bytes_text(const ThrashEvidence& bytes) {
     return bytes.value ? bytes_text(*bytes.value) : missing_text(bytes.missing);
 }
 
-std::string count_text(const Evidence& bodies) {
+std::string count_text(const ThrashEvidence& bodies) {
     if (!bodies.value) return missing_text(bodies.missing);
     return std::isfinite(*bodies.value) ? fmt::format("{:.0f}", std::ceil(*bodies.value)) : "no number";
 }
@@ -59,9 +59,10 @@ std::string answer(const ReportData& data) {
 }
 
 std::string factor_at(const ReportData& data, const char* machine, bool fastest) {
-    const Evidence factor = memory_factor(data, machine, fastest), step = thrash_step(data, 386, fastest),
-                   time = thrash_figure(data, 386, fastest, "caches",
-                                        std::string(machine) + ".modelled_memory_ns");
+    const ThrashEvidence factor = memory_factor(data, machine, fastest),
+                         step = thrash_step(data, 386, fastest),
+                         time = thrash_figure(data, 386, fastest, "caches",
+                                              std::string(machine) + ".modelled_memory_ns");
     const std::string speed =
         step.value ? number_text(*step.value) + " rad a step" : (fastest ? "the fastest" : "the slowest");
     if (!factor.value) return fmt::format("at {} {}", speed, missing_text(factor.missing));
@@ -69,7 +70,7 @@ std::string factor_at(const ReportData& data, const char* machine, bool fastest)
         std::isfinite(*factor.value) ? "by a factor of " + number_text(*factor.value) : "from none";
     const std::string misses = std::string(machine) + ".L2.misses_per_query";
     const auto count = [&](int vertices) {
-        const Evidence found = thrash_figure(data, vertices, fastest, "caches", misses);
+        const ThrashEvidence found = thrash_figure(data, vertices, fastest, "caches", misses);
         return found.value ? number_text(*found.value) : missing_text(found.missing);
     };
     return fmt::format("at {} {} to {} us (misses of the second level: {} to {})", speed, times,
@@ -94,7 +95,7 @@ std::string where_it_passes(const ReportData& data, const std::string& knee, dou
     std::optional<double> speed;
     bool any = false;
     for (const int vertices : thrash_vertices) {
-        const Evidence worst = worst_figure(data, vertices, "reuse", knee);
+        const ThrashEvidence worst = worst_figure(data, vertices, "reuse", knee);
         any = any || worst.value;
         if (!size && worst.value && *worst.value > bytes) size = vertices;
     }
@@ -129,8 +130,8 @@ std::string line_sentence(const ReportData& data) {
 
 /// Of all bodies' tables, used or not.
 std::string tables_text(const ReportData& data) {
-    const Evidence table = thrash_figure(data, 386, false, "bytes", "table_bytes"),
-                   bodies = thrash_bodies(data, 386);
+    const ThrashEvidence table = thrash_figure(data, 386, false, "bytes", "table_bytes"),
+                         bodies = thrash_bodies(data, 386);
     if (!table.value || !bodies.value)
         return "what their tables take is " + missing_text(table.value ? bodies.missing : table.missing);
     return fmt::format("the tables of {} bodies of 386 vertices take {}", count_text(bodies),
@@ -224,7 +225,7 @@ std::string papers_sentence(const ReportData& data) {
     const auto holds = [](const std::optional<bool>& cause) {
         return !cause ? "cannot be judged from this store" : *cause ? "holds" : "does not account for it";
     };
-    const Evidence knee = worst_figure(data, 386, "reuse", "line_knee_bytes");
+    const ThrashEvidence knee = worst_figure(data, 386, "reuse", "line_knee_bytes");
     std::string out = fmt::format(
         "Of the paper's two sentences, \"consuming all available memory ... thrashing\" (section 4, "
         "swapping) "

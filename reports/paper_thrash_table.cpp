@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "edgewise/reports/paper_thrash.hpp"
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 #include "edgewise/reports/text.hpp"
 #include "edgewise/reports/thrash_scenes.hpp"
 

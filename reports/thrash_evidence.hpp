@@ -14,7 +14,7 @@
 namespace edgewise {
 
 /// A number, or the reason why there is none.
-struct Evidence {
+struct ThrashEvidence {
     std::optional<double> value;
     std::string missing;
 };
@@ -25,19 +25,19 @@ struct Evidence {
                                                                              const std::string& algorithm,
                                                                              const std::string& table);
 /// V-Clip on aos_f64: a figure at the slowest or the fastest turn.
-[[nodiscard]] Evidence thrash_figure(const ReportData& data, int vertices, bool fastest,
-                                     const std::string& probe, const std::string& name);
+[[nodiscard]] ThrashEvidence thrash_figure(const ReportData& data, int vertices, bool fastest,
+                                           const std::string& probe, const std::string& name);
 /// The angle a step, and the bodies, of those cells.
-[[nodiscard]] Evidence thrash_step(const ReportData& data, int vertices, bool fastest);
-[[nodiscard]] Evidence thrash_bodies(const ReportData& data, int vertices);
+[[nodiscard]] ThrashEvidence thrash_step(const ReportData& data, int vertices, bool fastest);
+[[nodiscard]] ThrashEvidence thrash_bodies(const ReportData& data, int vertices);
 /// The larger of a figure at the slowest and at the fastest turn.
-[[nodiscard]] Evidence worst_figure(const ReportData& data, int vertices, const std::string& probe,
-                                    const std::string& name);
+[[nodiscard]] ThrashEvidence worst_figure(const ReportData& data, int vertices, const std::string& probe,
+                                          const std::string& name);
 /// How many bodies it takes, in proportion, until the worst knee passes `bytes`.
-[[nodiscard]] Evidence bodies_to_fill(const ReportData& data, int vertices, const std::string& knee,
-                                      double bytes);
+[[nodiscard]] ThrashEvidence bodies_to_fill(const ReportData& data, int vertices, const std::string& knee,
+                                            double bytes);
 /// Modelled memory time at 386 vertices over that at 38; infinite where 38 vertices never wait.
-[[nodiscard]] Evidence memory_factor(const ReportData& data, const std::string& machine, bool fastest);
+[[nodiscard]] ThrashEvidence memory_factor(const ReportData& data, const std::string& machine, bool fastest);
 
 /// Whether a row of the paging run is such a measurement, and what it says: V-Clip on aos_f64, 386 vertices,
 /// hundreds of bodies, a limit that leaves the tables as much as a memory of the time.

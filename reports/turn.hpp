@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 
 namespace edgewise {
 

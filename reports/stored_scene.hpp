@@ -12,7 +12,7 @@
 
 namespace edgewise {
 
-struct SceneFile {
+struct StoredScene {
     std::string name, kind;  ///< "paper_angular_8", "tumble"
     std::string varied;      ///< the number that it varies; empty: its cells differ in their shapes
     std::string note;        ///< what its author says of it
@@ -24,9 +24,9 @@ struct SceneFile {
 };
 
 /// All of them, by name; a text that is no JSON gives a scene that varies nothing.
-[[nodiscard]] std::vector<SceneFile> scene_files(const ReportData& data);
+[[nodiscard]] std::vector<StoredScene> scene_files(const ReportData& data);
 /// One by its name; without cells when the store has none.
-[[nodiscard]] SceneFile scene_file(const ReportData& data, const std::string& name);
+[[nodiscard]] StoredScene scene_file(const ReportData& data, const std::string& name);
 /// The scenes that follow the paper have names that begin so; all others are a user's own.
 [[nodiscard]] bool is_of_paper(const std::string& scene);
 
@@ -34,7 +34,7 @@ struct SceneFile {
 [[nodiscard]] std::optional<double> scene_number(const ReportCell& cell, const std::string& name);
 /// The verified cell of this algorithm and table type that stands nearest to a wanted place; null when there
 /// is none.
-[[nodiscard]] const ReportCell* nearest_cell(const SceneFile& scene, const std::string& algorithm,
+[[nodiscard]] const ReportCell* nearest_cell(const StoredScene& scene, const std::string& algorithm,
                                              const std::string& table, double wanted);
 
 }  // namespace edgewise

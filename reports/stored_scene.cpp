@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // See scene_file.hpp.
-#include "edgewise/reports/scene_file.hpp"
+#include "edgewise/reports/stored_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,9 @@ std::string text_of(const Json& object, const char* name) {
                : "";
 }
 
-SceneFile parse(const std::string& name, const std::string& text) {
+StoredScene parse(const std::string& name, const std::string& text) {
     const Json file = Json::parse(text, nullptr, false);
-    SceneFile scene{name, text_of(file, "scene"), {}, text_of(file, "note"), {}};
+    StoredScene scene{name, text_of(file, "scene"), {}, text_of(file, "note"), {}};
     if (!file.is_object() || !file.contains("vary") || !file["vary"].is_object()) return scene;
     for (const auto& item : file["vary"].items()) scene.varied = item.key();
     return scene;
@@ -29,20 +29,20 @@ SceneFile parse(const std::string& name, const std::string& text) {
 
 }  // namespace
 
-std::optional<double> SceneFile::place(const ReportCell& cell) const {
+std::optional<double> StoredScene::place(const ReportCell& cell) const {
     if (varied.empty()) return static_cast<double>(cell.vertices);
     return scene_number(cell, varied);
 }
 
-std::string SceneFile::axis_title() const {
+std::string StoredScene::axis_title() const {
     if (varied.empty()) return "vertices of a body";
     std::string words = varied;
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
 }
 
-std::vector<SceneFile> scene_files(const ReportData& data) {
-    std::vector<SceneFile> scenes;
+std::vector<StoredScene> scene_files(const ReportData& data) {
+    std::vector<StoredScene> scenes;
     for (const auto& [name, text] : data.scene_files) {
         scenes.push_back(parse(name, text));
         for (const ReportCell& cell : data.from_files)
@@ -51,8 +51,8 @@ std::vector<SceneFile> scene_files(const ReportData& data) {
     return scenes;
 }
 
-SceneFile scene_file(const ReportData& data, const std::string& name) {
-    for (SceneFile& scene : scene_files(data))
+StoredScene scene_file(const ReportData& data, const std::string& name) {
+    for (StoredScene& scene : scene_files(data))
         if (scene.name == name) return scene;
     return {name, {}, {}, {}, {}};
 }
@@ -66,8 +66,8 @@ std::optional<double> scene_number(const ReportCell& cell, const std::string& na
     return parameters[name].get<double>();
 }
 
-const ReportCell* nearest_cell(const SceneFile& scene, const std::string& algorithm, const std::string& table,
-                               double wanted) {
+const ReportCell* nearest_cell(const StoredScene& scene, const std::string& algorithm,
+                               const std::string& table, double wanted) {
     const ReportCell* nearest = nullptr;
     double least = 0;
     for (const ReportCell* cell : scene.cells) {
