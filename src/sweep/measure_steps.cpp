@@ -16,7 +16,7 @@ constexpr int passes = 3;  ///< an odd number, for a median that was measured
 constexpr std::size_t enough_queries = 10000, fewest_steps = 4;  ///< of a pass
 
 /// Which parts of a step a pass takes.
-struct Parts {
+struct StepParts {
     bool boxes, broad_phase, queries;
 };
 
@@ -30,7 +30,7 @@ class StepWatch {
     }
 
     /// One pass over all steps, with these parts of each; ns of those that count.
-    double pass(Parts parts) {
+    double pass(StepParts parts) {
         double ns = 0;
         for (std::size_t i = 0; i < steps_; ++i) {
             const Stopwatch watch;
@@ -65,13 +65,13 @@ class StepWatch {
     }
 
   private:
-    void take(std::size_t i, Parts parts) {
+    void take(std::size_t i, StepParts parts) {
         const Frame& frame = workload_.frames[i];
         if (frame.starts_anew) broad_phase_.emplace(frame.poses.size());
         if (parts.boxes) update_boxes(frame);
         const std::vector<Aabb>& boxes = parts.boxes ? boxes_ : frame.boxes;
-        if (parts.broad_phase) found_ += broad_phase_->update(boxes).size();
-        if (parts.queries) sum_ += narrow_phase_(frame.first_query, end_of(i));
+        if (parts.broad_phase) found_ = found_ + broad_phase_->update(boxes).size();
+        if (parts.queries) sum_ = sum_ + narrow_phase_(frame.first_query, end_of(i));
     }
 
     void update_boxes(const Frame& frame) {
@@ -102,7 +102,7 @@ class StepWatch {
 /// ns of the whole, then of boxes, broad phase and queries alone: medians of passes taken in turn, so that
 /// what slows the machine for a while slows all of them.
 std::array<double, 4> times_of(StepWatch& watch) {
-    constexpr std::array<Parts, 4> what = {
+    constexpr std::array<StepParts, 4> what = {
         {{true, true, true}, {true, false, false}, {false, true, false}, {false, false, true}}};
     std::array<std::vector<double>, 4> times;
     for (int i = 0; i < passes; ++i) {
