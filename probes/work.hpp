@@ -25,7 +25,8 @@ class work final : public Probe {
             return all;
         }
         const char* const cold = "no query starts warm";
-        const char* const scanned = "bodies this small are scanned, not climbed";
+        const char* const scanned =
+            "bodies this small, or all but flat at their edges, are scanned, not climbed";
         all.push_back(share("support_unchanged", inside.kept, inside.kept_of, cold));
         all.push_back(share("support_near", inside.near, inside.kept_of, cold));
         all.push_back(share("hops_per_support", inside.hops, inside.supports, scanned));

@@ -28,13 +28,15 @@ constexpr ClaimText faults{"memory_too_small_swaps",
                            "what V-Clip's tables touch; one "
                            "every twenty queries or more.",
                            false};
-constexpr ClaimText gjk_fits{"swapping_spares_gjk",
-                             "4 Scalability",
-                             "In the same memory GJK does not swap.",
-                             "figure 8: GJK as with 8 and 38 vertices",
-                             "1",
-                             "GJK's major page faults a query over V-Clip's, at that limit; a tenth at most.",
-                             false};
+constexpr ClaimText gjk_fits{
+    "swapping_spares_gjk",
+    "4 Scalability",
+    "In the same memory GJK does not swap.",
+    "figure 8: GJK as with 8 and 38 vertices",
+    "1",
+    "GJK's major page faults a query over V-Clip's, at that limit or the largest of its own below "
+    "it; a tenth at most.",
+    false};
 constexpr ClaimText slow{
     "swapping_explains_figure_8",
     "4 Scalability",
@@ -85,9 +87,9 @@ Evidence when_tight(const ReportData& data, const std::string& algorithm, const 
     const ReportCell* row = row_of(data, algorithm);
     if (!row)
         return no_evidence(fmt::format("no paging run of {} on aos_f64, sphere386, is stored", algorithm));
+    // Its own limits may all be smaller; with more memory it faults no more often.
     const int i = largest_limit(*row, *limit.value + 1);
-    if (i < 0 || *at(*row, "limit_bytes", i).value != *limit.value)
-        return no_evidence(fmt::format("no row of {} has V-Clip's limit", algorithm));
+    if (i < 0) return no_evidence(fmt::format("no row of {} has V-Clip's limit or a smaller one", algorithm));
     return at(*row, name, i);
 }
 

@@ -115,7 +115,7 @@ Plan paper() {
     plan.stability = 100;
     plan.traced = 3000;
     plan.paging = 600;
-    plan.machines = {"pentium3_coppermine", "athlon_thunderbird", "zen5", "host"};
+    plan.machines = {"pentium2_deschutes", "pentium3_coppermine", "athlon_thunderbird", "zen5", "host"};
     return plan;
 }
 
