@@ -105,7 +105,6 @@ void add_scene_file(const SceneFile& file, const SceneChoice& choice, SweepWork&
 bool add_if_file(const SceneChoice& choice, SweepWork& work) {
     const auto file = find_scene_file(choice.name);
     if (!file) return false;
-    if (!*file) throw std::invalid_argument(file->error);
     if (!choice.parameters.empty())
         throw std::invalid_argument("scene file " + choice.name + ": its parameters are in the file");
     add_scene_file(**file, choice, work);
@@ -148,7 +147,10 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     work.algorithms = select_algorithms(plan.algorithms);
     work.machines = choose_machines(plan.machines);
     for (const SceneChoice& scene : plan.scenes) {
-        if (find_scene_file(scene.name)) continue;
+        if (const auto file = find_scene_file(scene.name)) {
+            if (!*file) throw std::invalid_argument(file->error);
+            continue;
+        }
         const auto known = complete_parameters(scene.name, scene.parameters);
         if (!known) throw std::invalid_argument(known.error);
     }
