@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "edgewise/reports/paging_limits.hpp"
+#include "edgewise/reports/paper_thrash_here.hpp"
 #include "edgewise/reports/stored_scene.hpp"
 #include "edgewise/reports/text.hpp"
 #include "edgewise/reports/thrash_evidence.hpp"
@@ -240,8 +241,8 @@ std::string papers_sentence(const ReportData& data) {
 
 std::string thrash_paragraph(const ReportData& data) {
     const std::vector<std::string> sentences{
-        answer(data),        papers_sentence(data),   cache_sentence(data),  line_sentence(data),
-        page_sentence(data), measured_sentence(data), layouts_sentence(data)};
+        answer(data),        papers_sentence(data),   cache_sentence(data), line_sentence(data),
+        page_sentence(data), measured_sentence(data), thrash_here(data),    layouts_sentence(data)};
     return fmt::format("{}", fmt::join(sentences, " "));
 }
 

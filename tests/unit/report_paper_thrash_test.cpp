@@ -117,5 +117,18 @@ TEST(PaperThrash, TellsWhatLayoutsDoToIt) {
     EXPECT_EQ(thrash_grid(data).rows.size(), data.from_files.size());
 }
 
+/// Times of this machine stand in it, or it says that they are missing.
+TEST(PaperThrash, TellsWhatThisMachineDoes) {
+    ReportData data = made_up(calm, large);
+    EXPECT_THAT(thrash_paragraph(data), HasSubstr("On this machine it was not timed"));
+    for (const int vertices : {38, 386}) {
+        const std::string scene = "paper_angular_" + std::to_string(vertices);
+        add_scene(data, scene, "rotation_step");
+        add_both(data, scene, R"({"rotation_step":3.1415927})",
+                 {{"time.all_ns", vertices == 38 ? 1000.0 : 15000.0}});
+    }
+    EXPECT_THAT(thrash_paragraph(data), HasSubstr("rises from 1 to 15 us, by a factor of 15 at half a turn"));
+}
+
 }  // namespace
 }  // namespace edgewise
