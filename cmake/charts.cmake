@@ -4,7 +4,7 @@
 # sets EDGEWISE_CHARTS_DIR to that directory. Never fatal: without npm or a network the report shows tables.
 function(edgewise_fetch_charts)
     set(directory "${CMAKE_BINARY_DIR}/charts")
-    set(reports "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../reports")
+    set(reports "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../reports/page")
     file(MAKE_DIRECTORY "${directory}")
     configure_file("${reports}/render_svg.mjs" "${directory}/render_svg.mjs" COPYONLY)
     execute_process(

@@ -3,9 +3,8 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-foreach(room geometry table algorithms)
-    install(DIRECTORY src/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp"
-            PATTERN mesh_*.hpp EXCLUDE) # mesh files are read by the tool alone
+foreach(room geometry table layout_parts algorithms)
+    install(DIRECTORY src/edgewise/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp")
 endforeach()
 install(DIRECTORY layouts DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp")
 

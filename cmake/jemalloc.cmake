@@ -19,8 +19,3 @@ elseif(JEMALLOC_INCLUDE_DIR AND JEMALLOC_ARCHIVE AND CMAKE_OBJCOPY AND CMAKE_LIN
 else()
     message(STATUS "edgewise: no jemalloc, so tables come from the arena and the C library only (Debian: libjemalloc-dev)")
 endif()
-if(EDGEWISE_JEMALLOC_OBJECT)
-    set(EDGEWISE_JEMALLOC_SOURCES src/sweep/jemalloc.cpp ${EDGEWISE_JEMALLOC_OBJECT})
-else()
-    set(EDGEWISE_JEMALLOC_SOURCES src/sweep/jemalloc_unavailable.cpp)
-endif()

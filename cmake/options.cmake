@@ -30,10 +30,3 @@ elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # Query loops are 10 to 20 % slower without it; house.no_contraction looks for what it may do wrong.
     set(EDGEWISE_QUERY_LOOP_OPTIONS -ftree-slp-vectorize)
 endif()
-
-# Machine tuning is for the tool alone: nothing that is installed or exported is compiled with it.
-add_library(edgewise_tuned_flags INTERFACE)
-target_link_libraries(edgewise_tuned_flags INTERFACE edgewise_flags)
-if(EDGEWISE_TUNE)
-    target_compile_options(edgewise_tuned_flags INTERFACE -march=${EDGEWISE_TUNE})
-endif()

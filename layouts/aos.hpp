@@ -6,7 +6,7 @@
 // counted apart.
 #pragma once
 
-#include "edgewise/table/record_table.hpp"
+#include "edgewise/layout_parts/record_table.hpp"
 
 namespace edgewise {
 

@@ -26,7 +26,7 @@
 // Per edge 192 bytes in double instead of 176; 96 in single.
 #pragma once
 
-#include "edgewise/table/record_table.hpp"
+#include "edgewise/layout_parts/record_table.hpp"
 
 namespace edgewise {
 

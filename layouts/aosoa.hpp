@@ -12,7 +12,7 @@
 #include <array>
 #include <initializer_list>
 
-#include "edgewise/table/indexed_table.hpp"
+#include "edgewise/layout_parts/indexed_table.hpp"
 
 namespace edgewise {
 

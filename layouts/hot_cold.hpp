@@ -15,7 +15,7 @@
 // Per edge 128 + 48 bytes in double, 64 + 32 in single: those of `aos`, to the byte.
 #pragma once
 
-#include "edgewise/table/hot_cold_table.hpp"
+#include "edgewise/layout_parts/hot_cold_table.hpp"
 
 namespace edgewise {
 

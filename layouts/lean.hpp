@@ -5,7 +5,7 @@
 // and 8.8 in single, topology included, where the paper's record takes 168 and 84 without it.
 #pragma once
 
-#include "edgewise/table/derived_table.hpp"
+#include "edgewise/layout_parts/derived_table.hpp"
 
 namespace edgewise {
 

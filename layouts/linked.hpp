@@ -17,10 +17,10 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/contract.hpp"
-#include "edgewise/table/linked_builder.hpp"
-#include "edgewise/table/linked_list.hpp"
+#include "edgewise/layout_parts/linked_builder.hpp"
+#include "edgewise/layout_parts/linked_list.hpp"
 #include "edgewise/table/loader.hpp"
-#include "edgewise/table/voronoi.hpp"
+#include "edgewise/layout_parts/voronoi.hpp"
 
 namespace edgewise {
 

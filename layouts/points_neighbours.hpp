@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "edgewise/table/block_table.hpp"
+#include "edgewise/layout_parts/block_table.hpp"
 
 namespace edgewise {
 

@@ -10,7 +10,7 @@
 #include <array>
 #include <limits>
 
-#include "edgewise/table/block_table.hpp"
+#include "edgewise/layout_parts/block_table.hpp"
 
 namespace edgewise {
 

@@ -6,7 +6,7 @@
 // box's longest side (more for a body far off its origin). The precision says what computes.
 #pragma once
 
-#include "edgewise/table/grid_table.hpp"
+#include "edgewise/layout_parts/grid_table.hpp"
 
 namespace edgewise {
 

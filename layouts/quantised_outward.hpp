@@ -5,7 +5,7 @@
 // table calls apart is apart. That holds for solids: a flat body stays flat, rounded to the nearest places.
 #pragma once
 
-#include "edgewise/table/grid_table.hpp"
+#include "edgewise/layout_parts/grid_table.hpp"
 
 namespace edgewise {
 

@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-#include "edgewise/table/edge_records.hpp"
+#include "edgewise/layout_parts/edge_records.hpp"
 #include "edgewise/table/ring_questions.hpp"
 
 namespace edgewise {

@@ -15,7 +15,7 @@
 // of 176, 44 in single instead of 96; neither needs padding.
 #pragma once
 
-#include "edgewise/table/edge_records.hpp"
+#include "edgewise/layout_parts/edge_records.hpp"
 
 namespace edgewise {
 
@@ -70,7 +70,7 @@ class shared_plane : public EdgeRecords<P, Loader, SharedPlaneRecord<typename P:
         return {end == End::head ? along : Vec3<Compute>(-along), offset};
     }
 
-    /// As table/voronoi.hpp has it, from what is stored.
+    /// As layout_parts/voronoi.hpp has it, from what is stored.
     [[nodiscard]] Plane<Compute> edge_face_plane(Edge e, Side side) const {
         const Face face = side == Side::left ? this->left(e) : this->right(e);
         const Compute offset = load(edges_[e].side_offset[static_cast<int>(side)], Field::voronoi_plane);

@@ -5,7 +5,7 @@
 // line a scalar. More parallel arrays than a cache has ways is a trap of its own.
 #pragma once
 
-#include "edgewise/table/scalar_arrays.hpp"
+#include "edgewise/layout_parts/scalar_arrays.hpp"
 
 namespace edgewise {
 

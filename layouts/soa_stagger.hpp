@@ -15,7 +15,7 @@
 // twenty sets. The gaps are padding: at most one line an array; all other bytes are those of `soa`.
 #pragma once
 
-#include "edgewise/table/scalar_arrays.hpp"
+#include "edgewise/layout_parts/scalar_arrays.hpp"
 
 namespace edgewise {
 

@@ -14,9 +14,9 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "edgewise/reports/scene_label.hpp"
+#include "edgewise/reports/tables/scene_label.hpp"
 #include "edgewise/reports/store_query.hpp"
-#include "edgewise/sweep/schema.hpp"
+#include "edgewise/store/schema.hpp"
 
 namespace edgewise {
 

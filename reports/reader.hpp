@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads a store into plain structs. The report knows the sweep through the store's schema only
-// (edgewise/sweep/schema.hpp): no type of the measuring program appears here. The store is opened read-only.
+// (edgewise/store/schema.hpp): no type of the measuring program appears here. The store is opened read-only.
 #pragma once
 
 #include <cstdint>

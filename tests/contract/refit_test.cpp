@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "counted_memory.hpp"
-#include "edgewise/table/write_geometry.hpp"
+#include "edgewise/layout_parts/write_geometry.hpp"
 #include "query_poses.hpp"
 #include "same_answers.hpp"
 #include "stored_bodies.hpp"

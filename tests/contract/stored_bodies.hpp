@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "edgewise/geometry/flat_hull.hpp"
+#include "edgewise/geometry/hull/flat_hull.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"

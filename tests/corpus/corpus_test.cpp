@@ -13,7 +13,7 @@
 
 #include "corpus.hpp"
 #include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/sweep/registry.hpp"
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 #include "judged_case.hpp"
 

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/sweep/certificates.hpp"
+#include "edgewise/bench/certificates.hpp"
 #include "edgewise/truth/accuracy_band.hpp"
-#include "edgewise/truth/exact_depth.hpp"
+#include "edgewise/truth/depth/exact_depth.hpp"
 
 namespace edgewise {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "edgewise/scene/case_file.hpp"
-#include "edgewise/sweep/runner.hpp"
+#include "edgewise/bench/runner.hpp"
 
 namespace edgewise {
 

@@ -13,7 +13,7 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/sweep/registry.hpp"
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/truth/accuracy_band.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-#include "edgewise/measure/cache_model.hpp"
+#include "edgewise/measure/cache/cache_model.hpp"
 
 namespace edgewise::crosscheck {
 

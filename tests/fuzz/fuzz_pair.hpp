@@ -11,7 +11,7 @@
 
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/layouts/aos.hpp"
-#include "edgewise/sweep/runner_for.hpp"
+#include "edgewise/bench/runner_for.hpp"
 #include "judged_case.hpp"
 #include "pair_bytes.hpp"
 

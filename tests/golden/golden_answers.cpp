@@ -19,9 +19,9 @@
 
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/sweep/cell.hpp"
-#include "edgewise/sweep/group.hpp"
-#include "edgewise/sweep/registry.hpp"
+#include "edgewise/bench/cell.hpp"
+#include "edgewise/sweep/shared_queries.hpp"
+#include "edgewise/bench/registry.hpp"
 
 namespace edgewise {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/sweep/draw_layout.hpp"
+#include "edgewise/bench/draw_layout.hpp"
 
 namespace edgewise {
 namespace {

@@ -17,38 +17,38 @@ std::string verdict_on(const std::string& path, const std::string& include) {
 }
 
 TEST(DependencyRule, CatchesPlantedViolations) {
-    EXPECT_EQ(verdict_on("src/geometry/vec.hpp", "edgewise/table/ring.hpp"),
-              "src/geometry/vec.hpp:2: geometry may not include table (edgewise/table/ring.hpp)\n");
-    EXPECT_NE(verdict_on("src/algorithms/vclip/x.hpp", "edgewise/truth/dyadic.hpp"), "");
-    EXPECT_NE(verdict_on("src/algorithms/gjk.hpp", "edgewise/layouts/aos.hpp"), "");
-    EXPECT_NE(verdict_on("src/cli/main.cpp", "edgewise/probes/time.hpp"), "");
+    EXPECT_EQ(verdict_on("src/edgewise/geometry/vec.hpp", "edgewise/table/ring.hpp"),
+              "src/edgewise/geometry/vec.hpp:2: geometry may not include table (edgewise/table/ring.hpp)\n");
+    EXPECT_NE(verdict_on("src/edgewise/algorithms/vclip/x.hpp", "edgewise/truth/dyadic.hpp"), "");
+    EXPECT_NE(verdict_on("src/edgewise/algorithms/gjk.hpp", "edgewise/layouts/aos.hpp"), "");
+    EXPECT_NE(verdict_on("src/edgewise/cli/main.cpp", "edgewise/probes/time.hpp"), "");
     EXPECT_NE(verdict_on("layouts/aos.hpp", "edgewise/algorithms/gjk.hpp"), "");
     EXPECT_NE(verdict_on("probes/time.hpp", "edgewise/algorithms/gjk.hpp"), "");
-    EXPECT_NE(verdict_on("reports/page.cpp", "edgewise/sweep/store.hpp"), "");
-    EXPECT_NE(verdict_on("src/measure/cpu.hpp", "edgewise/geometry/vec.hpp"), "");
-    EXPECT_NE(verdict_on("src/table/ring.hpp", "ring_edge.hpp"), "");
-    EXPECT_NE(verdict_on("src/table/ring.hpp", "edgewise/kitchen/sink.hpp"), "");
-    EXPECT_NE(verdict_on("src/kitchen/sink.hpp", "edgewise/geometry/vec.hpp"), "");
+    EXPECT_NE(verdict_on("reports/page/page.cpp", "edgewise/sweep/run.hpp"), "");
+    EXPECT_NE(verdict_on("src/edgewise/measure/machine/cpu.hpp", "edgewise/geometry/vec.hpp"), "");
+    EXPECT_NE(verdict_on("src/edgewise/table/ring.hpp", "ring_edge.hpp"), "");
+    EXPECT_NE(verdict_on("src/edgewise/table/ring.hpp", "edgewise/kitchen/sink.hpp"), "");
+    EXPECT_NE(verdict_on("src/edgewise/kitchen/sink.hpp", "edgewise/geometry/vec.hpp"), "");
 }
 
 TEST(DependencyRule, LetsPassWhatIsAllowed) {
-    EXPECT_EQ(verdict_on("src/sweep/run.cpp", "edgewise/geometry/vec.hpp"), "");
-    EXPECT_EQ(verdict_on("src/cli/main.cpp", "edgewise/measure/cpu.hpp"), "");
+    EXPECT_EQ(verdict_on("src/edgewise/sweep/run.cpp", "edgewise/geometry/vec.hpp"), "");
+    EXPECT_EQ(verdict_on("src/edgewise/cli/main.cpp", "edgewise/measure/machine/cpu.hpp"), "");
     EXPECT_EQ(verdict_on("probes/error.hpp", "edgewise/geometry/vec.hpp"), "");
-    EXPECT_EQ(verdict_on("reports/reader.cpp", "edgewise/sweep/schema.hpp"), "");
-    EXPECT_EQ(verdict_on("src/algorithms/vclip/x.hpp", "edgewise/algorithms/vclip/y.hpp"), "");
+    EXPECT_EQ(verdict_on("reports/page/page.cpp", "edgewise/store/schema.hpp"), "");
+    EXPECT_EQ(verdict_on("src/edgewise/algorithms/vclip/x.hpp", "edgewise/algorithms/vclip/y.hpp"), "");
     EXPECT_EQ(verdict_on("tests/unit/x_test.cpp", "geometry_bodies.hpp"), "");
 }
 
 TEST(IncludeCycles, AreFoundThroughSeveralFiles) {
     const std::vector<SourceFile> files = {
-        source_file("src/table/a.hpp", including("edgewise/table/b.hpp")),
-        source_file("src/table/b.hpp", including("edgewise/table/c.hpp")),
-        source_file("src/table/c.hpp", including("edgewise/table/a.hpp")),
-        source_file("src/table/d.hpp", including("edgewise/table/a.hpp")),
+        source_file("src/edgewise/table/a.hpp", including("edgewise/table/b.hpp")),
+        source_file("src/edgewise/table/b.hpp", including("edgewise/table/c.hpp")),
+        source_file("src/edgewise/table/c.hpp", including("edgewise/table/a.hpp")),
+        source_file("src/edgewise/table/d.hpp", including("edgewise/table/a.hpp")),
     };
     EXPECT_EQ(to_text(include_cycles(files)),
-              "src/table/c.hpp:2: includes itself through edgewise/table/a.hpp\n");
+              "src/edgewise/table/c.hpp:2: includes itself through edgewise/table/a.hpp\n");
 }
 
 TEST(FunctionSpans, GoFromTheNameToTheBrace) {
@@ -93,19 +93,19 @@ TEST(LongFunctions, AreCountedToTheLine) {
     const auto function_of = [](std::size_t lines) {
         std::string text = "int f() {\n";
         for (std::size_t i = 2; i < lines; ++i) text += "    g();\n";
-        return source_file("src/x.cpp", text + "}\n");
+        return source_file("src/edgewise/x.cpp", text + "}\n");
     };
     EXPECT_TRUE(long_functions({function_of(longest_function)}).empty());
     EXPECT_EQ(to_text(long_functions({function_of(longest_function + 1)})),
-              "src/x.cpp:1: a function of 41 lines\n");
+              "src/edgewise/x.cpp:1: a function of 41 lines\n");
 }
 
 TEST(FileRules, CatchPlantedViolations) {
-    EXPECT_EQ(missing_licences({source_file("src/x.hpp", "#pragma once\n")}).size(), 1u);
+    EXPECT_EQ(missing_licences({source_file("src/edgewise/x.hpp", "#pragma once\n")}).size(), 1u);
     EXPECT_EQ(missing_licences({source_file("tests/go", "#!/bin/sh\n")}).size(), 1u);
     EXPECT_EQ(missing_licences({source_file("README.md", "# x\n")}).size(), 0u);
-    EXPECT_EQ(long_files({source_file("src/x.hpp", std::string(longest_file + 1, '\n'))}).size(), 1u);
-    EXPECT_EQ(long_files({source_file("src/x.hpp", std::string(longest_file, '\n'))}).size(), 0u);
+    EXPECT_EQ(long_files({source_file("src/edgewise/x.hpp", std::string(longest_file + 1, '\n'))}).size(), 1u);
+    EXPECT_EQ(long_files({source_file("src/edgewise/x.hpp", std::string(longest_file, '\n'))}).size(), 0u);
     EXPECT_EQ(foreign_matter({source_file("a.sh",
                                           "cd /ho"
                                           "me/me\n")})
@@ -117,25 +117,25 @@ TEST(FileRules, CatchPlantedViolations) {
                   .size(),
               1u);
     EXPECT_EQ(foreign_matter({source_file("vega.min.js", "")}).size(), 1u);
-    EXPECT_EQ(foreign_matter({source_file("src/x.hpp",
+    EXPECT_EQ(foreign_matter({source_file("src/edgewise/x.hpp",
                                           "// Copy"
                                           "right (c) 1999 Somebody\n")})
                   .size(),
               1u);
-    EXPECT_EQ(foreign_matter({source_file("src/x.hpp", "// fine\n")}).size(), 0u);
+    EXPECT_EQ(foreign_matter({source_file("src/edgewise/x.hpp", "// fine\n")}).size(), 0u);
 }
 
 TEST(TypesNamedTwice, AreSeenAcrossHeadersOfOneNamespace) {
     const auto header = [](const char* path, const std::string& text) {
         return source_file(path, "namespace edgewise {\n" + text + "}\n");
     };
-    const SourceFile first = header("src/a.hpp", "struct Grid {\n};\n");
-    EXPECT_EQ(to_text(types_named_twice({first, header("src/b.hpp", "class Grid final : A {\n};\n")})),
-              "src/b.hpp:2: edgewise::Grid is also in src/a.hpp\n");
+    const SourceFile first = header("src/edgewise/a.hpp", "struct Grid {\n};\n");
+    EXPECT_EQ(to_text(types_named_twice({first, header("src/edgewise/b.hpp", "class Grid final : A {\n};\n")})),
+              "src/edgewise/b.hpp:2: edgewise::Grid is also in src/edgewise/a.hpp\n");
     EXPECT_TRUE(
-        types_named_twice({first, header("src/b.hpp", "struct Grid;\nstruct Grid<int> {\n};\n")}).empty());
+        types_named_twice({first, header("src/edgewise/b.hpp", "struct Grid;\nstruct Grid<int> {\n};\n")}).empty());
     EXPECT_TRUE(
-        types_named_twice({first, source_file("src/b.hpp", "namespace other {\nstruct Grid {\n};\n}\n")})
+        types_named_twice({first, source_file("src/edgewise/b.hpp", "namespace other {\nstruct Grid {\n};\n}\n")})
             .empty());
 }
 

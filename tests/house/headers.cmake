@@ -2,7 +2,7 @@
 # Every header compiles alone, and twice. One unit a header, checked but not compiled to code, by a target that only
 # the test asks for; a header that did not change, nor what it includes, is not checked again. A header that its own
 # source includes before all others has been compiled alone by the build.
-file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src/*.hpp
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src/edgewise/*.hpp
     ${PROJECT_SOURCE_DIR}/layouts/*.hpp ${PROJECT_SOURCE_DIR}/probes/*.hpp ${PROJECT_SOURCE_DIR}/reports/*.hpp)
 list(LENGTH headers count)
 if(count LESS 50)
@@ -13,7 +13,7 @@ set(folder ${CMAKE_CURRENT_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${folder})
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 foreach(header IN LISTS headers)
-    string(REGEX REPLACE "^src/" "" name ${header})
+    string(REGEX REPLACE "^src/edgewise/" "" name ${header})
     string(REGEX REPLACE "hpp$" "cpp" source ${PROJECT_SOURCE_DIR}/${header})
     set(first "")
     if(EXISTS ${source})

@@ -25,7 +25,7 @@ TEST(Tree, IsTheProject) {
     const auto has = [](const char* path) {
         return std::any_of(tree().begin(), tree().end(), [&](const SourceFile& f) { return f.path == path; });
     };
-    for (const char* path : {"CMakeLists.txt", "src/table/contract.hpp", "src/cli/main.cpp",
+    for (const char* path : {"CMakeLists.txt", "src/edgewise/table/contract.hpp", "src/edgewise/cli/main.cpp",
                              "layouts/CMakeLists.txt", "tests/run", "layouts/sweep", ".ci/run"}) {
         EXPECT_TRUE(has(path)) << path;
     }

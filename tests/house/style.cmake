@@ -22,8 +22,8 @@ endif()
 # A few units that between them include most of the project; the whole of it takes many minutes.
 find_clang_tool(clang-tidy HOUSE_CLANG_TIDY)
 if(HOUSE_CLANG_TIDY)
-    set(units ${PROJECT_SOURCE_DIR}/src/geometry/hull.cpp ${PROJECT_SOURCE_DIR}/src/truth/exact_distance.cpp
-        ${PROJECT_SOURCE_DIR}/src/sweep/run.cpp ${PROJECT_SOURCE_DIR}/reports/page.cpp)
+    set(units ${PROJECT_SOURCE_DIR}/src/edgewise/geometry/hull.cpp ${PROJECT_SOURCE_DIR}/src/edgewise/truth/exact_distance.cpp
+        ${PROJECT_SOURCE_DIR}/src/edgewise/sweep/run.cpp ${PROJECT_SOURCE_DIR}/reports/page/page.cpp)
     get_property(table_types GLOBAL PROPERTY EDGEWISE_TABLE_TYPES)
     list(GET table_types 0 first)
     list(APPEND units ${PROJECT_BINARY_DIR}/registry/${first}.cpp)

@@ -1,39 +1,39 @@
 # SPDX-License-Identifier: MIT
-# NAME, file under src/, the code, the bug, the cases that must see it, the test's sources.
+# NAME, file under src/edgewise/, the code, the bug, the cases that must see it, the test's sources.
 
 # Controls: no bug, and the cases must pass. One in a header, one in a source.
 edgewise_mutant(control_header algorithms/vclip/vertex_face.hpp [[if (highest <= 0) return Step::touching;]] [[if (highest <= 0) return Step::touching;]]
     RandomPairs* ${random_pairs})
 edgewise_mutant(control_source truth/exact_distance.cpp [[while (!simplex.holds_origin()) {]] [[while (!simplex.holds_origin()) {]]
-    ExactDistance.* ${unit}/exact_distance_test.cpp)
+    ExactDistance.* ${unit}/truth/exact_distance_test.cpp)
 
 # Geometry
 edgewise_mutant(relative_pose_not_transposed geometry/pose.hpp [[multiply_transposed(a.rotation, axis)]] [[multiply(a.rotation, axis)]]
-    Pose.RelativePose* ${unit}/pose_test.cpp)
+    Pose.RelativePose* ${unit}/geometry/pose_test.cpp)
 edgewise_mutant(plane_offset_sign geometry/plane.hpp [[dot(normal, p) + offset]] [[dot(normal, p) - offset]]
     RandomPairs* ${random_pairs})
 edgewise_mutant(flat_corners_count_as_turns geometry/strictly_convex.cpp [[dot(from, to) <= 0 ? 1]] [[dot(from, to) >= 0 ? 1]]
-    StrictlyConvex.* ${unit}/strictly_convex_test.cpp)
+    StrictlyConvex.* ${unit}/geometry/strictly_convex_test.cpp)
 
 # Table
 edgewise_mutant(least_violated_plane table/ring_questions.hpp [[if (d < least) {]] [[if (d < 0) {]]
-    RingQuestions* ${unit}/ring_questions_test.cpp)
+    RingQuestions* ${unit}/table/ring_questions_test.cpp)
 edgewise_mutant(descent_ignores_flip table/ring_questions.hpp [[flipped ? -along : along]] [[flipped ? along : along]]
-    RingQuestions* ${unit}/ring_questions_test.cpp)
-edgewise_mutant(right_plane_turned_in table/voronoi.hpp [[edge.right, Vec3d(-result.direction), tail]] [[edge.right, Vec3d(result.direction), tail]]
+    RingQuestions* ${unit}/table/ring_questions_test.cpp)
+edgewise_mutant(right_plane_turned_in layout_parts/voronoi.hpp [[edge.right, Vec3d(-result.direction), tail]] [[edge.right, Vec3d(result.direction), tail]]
     RandomPairs* ${random_pairs})
 
 # GJK
 edgewise_mutant(johnson_never_backs_up algorithms/johnson.hpp [[if (least < 0 || squared < least) {]] [[if (least < 0) {]]
-    Johnson.* ${unit}/johnson_test.cpp)
+    Johnson.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(johnson_volume_sign algorithms/johnson.hpp [[(k & 1 ? -1 : 1)]] [[(k & 2 ? -1 : 1)]]
-    Johnson.* ${unit}/johnson_test.cpp)
+    Johnson.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(johnson_foot_of_slivers algorithms/johnson.hpp [[if (sliver || height]] [[if (height]]
-    Johnson.* ${unit}/johnson_test.cpp)
+    Johnson.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]
-    *Support* ${unit}/support_test.cpp)
+    *Support* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]
-    *Support* ${unit}/support_test.cpp)
+    *Support* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(gjk_ends_at_once algorithms/gjk.hpp [[if (!gains(squared) && !gains_slowly(before)) {]] [[if (gains(squared)) {]]
     RandomPairs* ${random_pairs})
 edgewise_mutant(gjk_direction_not_turned_back algorithms/gjk.hpp [[a_from_b_.direction_back(v)]] [[a_from_b_.direction(v)]]
@@ -41,17 +41,17 @@ edgewise_mutant(gjk_direction_not_turned_back algorithms/gjk.hpp [[a_from_b_.dir
 
 # V-Clip
 edgewise_mutant(clip_takes_the_nearer_end algorithms/vclip/clip.hpp [[if (lambda > low) {]] [[if (lambda < low) {]]
-    Clip.* ${unit}/clip_test.cpp)
+    Clip.* ${unit}/algorithms/clip_test.cpp)
 edgewise_mutant(clip_forgets_simple_exclusion algorithms/vclip/clip.hpp [[if (tail < 0 && head < 0) return Clipped::simply_excluded;]] [[if (tail < 0 && head < 0) return Clipped::inside;]]
-    Clip.* ${unit}/clip_test.cpp)
+    Clip.* ${unit}/algorithms/clip_test.cpp)
 edgewise_mutant(parallel_edges_divide algorithms/vclip/closest_points.hpp [[if (inside && squared >= fair)]] [[if (inside)]]
-    ClosestOn* ${unit}/closest_points_test.cpp)
+    ClosestOn* ${unit}/algorithms/closest_points_test.cpp)
 edgewise_mutant(segments_not_clamped algorithms/vclip/closest_points.hpp [[std::clamp(projection(segment.tail, along, point), Scalar(0), Scalar(1))]] [[projection(segment.tail, along, point)]]
-    ClosestOn* ${unit}/closest_points_test.cpp)
+    ClosestOn* ${unit}/algorithms/closest_points_test.cpp)
 edgewise_mutant(cycle_never_seen algorithms/vclip/cycle_guard.hpp [[if (a == a_ && b == b_) return true;]] [[if (a == a_ && b == b_) return false;]]
-    CycleGuard.BothFeaturesCount ${unit}/cycle_guard_test.cpp)
+    CycleGuard.BothFeaturesCount ${unit}/algorithms/cycle_guard_test.cpp)
 edgewise_mutant(cycle_by_one_feature algorithms/vclip/cycle_guard.hpp [[a == a_ && b == b_]] [[a == a_ || b == b_]]
-    CycleGuard.* ${unit}/cycle_guard_test.cpp)
+    CycleGuard.* ${unit}/algorithms/cycle_guard_test.cpp)
 edgewise_mutant(edge_leaves_to_the_nearer_face algorithms/vclip/vertex_edge.hpp [[if (!(left > 0) && !(right > 0)) return false;]] [[if (!(left > 0) || !(right > 0)) return false;]]
     RandomPairs* ${random_pairs})
 edgewise_mutant(edge_face_wrong_slope algorithms/vclip/edge_face.hpp [[low > 0 ? slope >= 0 : slope <= 0]] [[low > 0 ? slope <= 0 : slope >= 0]]
@@ -63,32 +63,32 @@ edgewise_mutant(no_escape_from_below algorithms/vclip/vertex_face.hpp [[if (high
 
 # Penetration
 edgewise_mutant(exact_side_by_rounding algorithms/penetration/exact_side.hpp [[return exact_side(a, b, c, point);]] [[return volume > 0 ? 1 : -1;]]
-    ExactSide.* ${unit}/exact_side_test.cpp)
+    ExactSide.* ${unit}/algorithms/exact_side_test.cpp)
 
-edgewise_mutant(product_without_its_error algorithms/penetration/exact_sum.hpp [[add(abc.low);]] [[]]
-    ExactSide.* ${unit}/exact_side_test.cpp)
+edgewise_mutant(product_without_its_error algorithms/penetration/expansion.hpp [[add(abc.low);]] [[]]
+    ExactSide.* ${unit}/algorithms/exact_side_test.cpp)
 
 # Broad phase and the paper's referee
 edgewise_mutant(sweep_misses_touching algorithms/sweep_and_prune.hpp [[low[axis] > box.high[axis]) break;]] [[low[axis] >= box.high[axis]) break;]]
-    SweepAndPrune.* ${unit}/sweep_and_prune_test.cpp)
+    SweepAndPrune.* ${unit}/algorithms/sweep_and_prune_test.cpp)
 
-edgewise_mutant(referee_without_edges algorithms/moore_wilhelms.cpp [[return enter < leave;]] [[return false;]]
-    MooreWilhelms.* ${unit}/moore_wilhelms_test.cpp)
+edgewise_mutant(referee_without_edges truth/moore_wilhelms.cpp [[return enter < leave;]] [[return false;]]
+    MooreWilhelms.* ${unit}/truth/moore_wilhelms_test.cpp)
 
 # Truth
 edgewise_mutant(oracle_stops_early truth/exact_distance.cpp [[while (!simplex.holds_origin()) {]] [[for (int i = 0; i < 1 && !simplex.holds_origin(); ++i) {]]
-    ExactDistance.* ${unit}/exact_distance_test.cpp)
+    ExactDistance.* ${unit}/truth/exact_distance_test.cpp)
 edgewise_mutant(filter_without_margin truth/support_filter.cpp [[best + 2 * Tolerance<double>::support_filter]] [[best - 1e-12]]
-    ExactDistance*:ExactVerdict* ${unit}/exact_distance_test.cpp ${unit}/exact_verdict_test.cpp)
+    ExactDistance*:ExactVerdict* ${unit}/truth/exact_distance_test.cpp ${unit}/truth/exact_verdict_test.cpp)
 edgewise_mutant(proof_takes_negative_weights truth/optimality.cpp [[if (sgn(weights[i]) < 0) return false;]] [[if (sgn(weights[i]) < -1) return false;]]
-    ExactDistance.proof* ${unit}/exact_distance_test.cpp)
+    ExactDistance.proof* ${unit}/truth/exact_distance_test.cpp)
 edgewise_mutant(certificate_rounds_inward truth/certificate.cpp [[std::nextafter(stored.upper + error, infinity)]] [[std::nextafter(stored.upper + error, -infinity)]]
-    Certificate.widen* ${unit}/certificate_test.cpp)
+    Certificate.widen* ${unit}/truth/certificate_test.cpp)
 edgewise_mutant(certificate_divides_by_one_total truth/certificate.cpp [[on_a.total * on_b.total]] [[on_a.total * on_a.total]]
-    Certificate.* ${unit}/certificate_test.cpp)
+    Certificate.* ${unit}/truth/certificate_test.cpp)
 edgewise_mutant(touching_counts_as_overlap truth/exact_distance.cpp [[interior ? ExactVerdict::overlapping : ExactVerdict::touching]] [[interior ? ExactVerdict::touching : ExactVerdict::touching]]
-    ExactVerdict.* ${unit}/exact_verdict_test.cpp)
+    ExactVerdict.* ${unit}/truth/exact_verdict_test.cpp)
 edgewise_mutant(band_without_rotations truth/accuracy_band.cpp [[verdict_band_ortho * ortho]] [[0 * ortho]]
-    AccuracyBand.* ${unit}/accuracy_band_test.cpp)
+    AccuracyBand.* ${unit}/truth/accuracy_band_test.cpp)
 edgewise_mutant(judge_lets_nan_pass truth/accuracy_band.cpp [[if (answer.separated && std::isnan(answer.distance)) result.verdict_wrong = true;]] [[]]
-    Judge.* ${unit}/accuracy_band_test.cpp)
+    Judge.* ${unit}/truth/accuracy_band_test.cpp)

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+//
+// The charts, as declarative Vega-Lite specifications (plain JSON, expressions included) plus what a page
+// needs around them. One file a chart; what they share (colours, legends, opacity, limits) is here, so that a
+// layout has one colour everywhere and a click on a legend means the same in every chart.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
+
+namespace edgewise {
+
+/// Members keep the order in which they were added: the specifications stay readable.
+using ChartJson = nlohmann::ordered_json;
+
+struct Chart {
+    std::string name;  ///< of its file and its element: "bytes"
+    std::string title;
+    std::string how_to_read;         ///< two or three sentences
+    ChartJson spec;                  ///< null when there is nothing to draw
+    std::vector<std::string> notes;  ///< what is not drawn, and why
+    TextGrid fallback;               ///< the data as a small table, where no picture can be shown
+    std::string section = {};  ///< of the chapter on the paper's figures; empty: among the page's charts
+};
+
+[[nodiscard]] Chart bytes_chart(const ReportData& data);
+[[nodiscard]] Chart time_chart(const ReportData& data);
+[[nodiscard]] Chart speed_error_chart(const ReportData& data);
+[[nodiscard]] Chart misses_chart(const ReportData& data);
+[[nodiscard]] Chart ratio_chart(const ReportData& data);
+[[nodiscard]] Chart tolerance_chart(const ReportData& data);
+[[nodiscard]] Chart gap_chart(const ReportData& data);
+[[nodiscard]] std::vector<Chart> all_charts(const ReportData& data);
+
+/// The most marks one chart may hold; browsers draw this many in about half a second.
+inline constexpr std::size_t mark_limit = 20000;
+
+/// What names a cell in every chart's data.
+[[nodiscard]] ChartJson cell_json(const ReportCell& cell);
+/// One stored figure of the stability run whose name begins with a prefix.
+struct StabilityFigure {
+    const ReportCell* row;
+    std::string at;  ///< the rest of its name
+    double value;
+};
+[[nodiscard]] std::vector<StabilityFigure> stability_figures(const ReportData& data,
+                                                             const std::string& prefix);
+/// What names an algorithm on a table type.
+[[nodiscard]] ChartJson table_json(const ReportData& data, const std::string& algorithm,
+                                   const std::string& table);
+/// One line an algorithm x table type.
+[[nodiscard]] ChartJson table_lines(const ReportData& data, const ChartJson& values, const ChartJson& x,
+                                    const ChartJson& y);
+/// Font, grid lines and legend sizes: one look for all.
+[[nodiscard]] ChartJson chart_config();
+/// Colour by layout, from a fixed order of names, whatever else is shown or hidden.
+[[nodiscard]] ChartJson layout_colour(const ReportData& data);
+/// Point shape by algorithm; dash by precision.
+[[nodiscard]] ChartJson algorithm_shape(const ReportData& data);
+[[nodiscard]] ChartJson precision_dash(const ReportData& data);
+/// Algorithms in the order of all charts.
+[[nodiscard]] std::vector<std::string> algorithm_names(const ReportData& data);
+/// Keeps the rows whose `field` is `value`; the value is data, never part of an expression.
+[[nodiscard]] ChartJson equal_filter(const std::string& field, const std::string& value);
+/// A logarithmic scale that ends a little beyond the data, not at the next power of ten.
+[[nodiscard]] ChartJson log_scale();
+/// One row of panels a scene, in the order of the tables.
+[[nodiscard]] ChartJson scene_rows(const ReportData& data);
+/// A parameter that a click in the legend of `field` sets.
+[[nodiscard]] ChartJson legend_pick(const std::string& field);
+/// Opaque where all `fields` are picked (or none is), else faint.
+[[nodiscard]] ChartJson picked_opacity(const std::vector<std::string>& fields);
+/// Keeps every k-th row so that at most `rows` stay; says so in a note.
+void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes);
+/// Counts what was left out by reason, and writes one note for each.
+class Omissions {
+  public:
+    void add(const std::string& reason);
+    void write(const std::string& noun, std::vector<std::string>& notes) const;
+
+  private:
+    std::vector<std::pair<std::string, std::size_t>> counts_;
+};
+/// The first rows of a chart's data under the given fields.
+[[nodiscard]] TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fields);
+
+}  // namespace edgewise

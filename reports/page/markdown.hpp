@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// The report as Markdown: the page's tables, for a repository or a terminal.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/page/figures.hpp"
+#include "edgewise/reports/reader.hpp"
+
+namespace edgewise {
+
+[[nodiscard]] std::string report_markdown(const ReportData& data, const std::vector<Chart>& charts,
+                                          const StaticFigures& figures);
+
+}  // namespace edgewise

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// See report.hpp. The page is written last: when it is there, what it names is there too.
+#include "edgewise/reports/page/report.hpp"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "edgewise/reports/page/bundles.hpp"
+#include "edgewise/reports/page/csv.hpp"
+#include "edgewise/reports/page/files.hpp"
+#include "edgewise/reports/page/markdown.hpp"
+#include "edgewise/reports/page/page.hpp"
+
+namespace edgewise {
+
+namespace {
+
+void make_directory(const std::filesystem::path& out) {
+    std::error_code failed;
+    std::filesystem::create_directories(out, failed);
+    if (failed || !std::filesystem::is_directory(out))
+        throw std::runtime_error(fmt::format("cannot create the report's directory {}: {}", out.string(),
+                                             failed ? failed.message() : "it is not a directory"));
+}
+
+ReportSummary summary(const ReportData& data, const StaticFigures& figures, bool charts,
+                      const std::filesystem::path& page) {
+    ReportSummary result;
+    result.cells = data.cell_count();
+    result.verified = data.count("verified");
+    result.failed = data.count("failed");
+    result.unavailable = data.count("unavailable");
+    result.build = data.build.id;
+    result.page = page.string();
+    result.charts = charts;
+    result.pictures = figures.svg.size();
+    result.note = charts ? figures.note : "The chart bundles are missing: the report shows tables only.";
+    return result;
+}
+
+}  // namespace
+
+ReportSummary write_report(const std::string& store, const std::string& out_directory,
+                           const std::string& bundle_directory) {
+    const ReportData data = read_report(store);
+    const std::filesystem::path out = out_directory;
+    make_directory(out);
+    const std::vector<Chart> charts = all_charts(data);
+    const std::string scripts = bundle_scripts(bundle_directory);
+    const StaticFigures figures = write_figures(charts, out, bundle_directory);
+    write_file(out / "results.csv", results_csv(data));
+    write_file(out / "report.md", report_markdown(data, charts, figures));
+    write_file(out / "index.html", page_html(data, charts, figures, scripts));
+    return summary(data, figures, !scripts.empty(), out / "index.html");
+}
+
+}  // namespace edgewise

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// The paper's cost functions, equations 1 and 2: T = N_v C_v + N_p C_p (+ N_u C_u), each term as measured,
+// and their sums beside the measured step.
+#include <fmt/core.h>
+
+#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/tables/text.hpp"
+
+namespace edgewise {
+
+namespace {
+
+struct Column {
+    const char *title, *figure;
+};
+constexpr Column columns[] = {{"N_v box tests", "box_tests_per_step"},
+                              {"C_v, ns", "box_test_ns"},
+                              {"N_p pairs", "pairs_per_step"},
+                              {"C_p, ns", "pair_ns"},
+                              {"N_u boxes", "bodies"},
+                              {"C_u, ns", "update_ns"},
+                              {"equation 1, ns", "equation_1_ns"},
+                              {"equation 2, ns", "equation_2_ns"},
+                              {"measured, ns", "step_ns"}};
+
+GridCell ratio_of(const ReportCell& cell) {
+    const StoredFigure predicted = cell.figure("cost", "equation_2_ns"),
+                       step = cell.figure("cost", "step_ns");
+    if (!predicted.value) return figure_cell(predicted);
+    if (!step.value || *step.value <= 0) return figure_cell(step);
+    return {fmt::format("{:.3f}", *predicted.value / *step.value)};
+}
+
+bool has_cost(const ReportCell& cell) {
+    for (const StoredFigure& figure : cell.figures)
+        if (figure.probe == "cost" && figure.value) return true;
+    return false;
+}
+
+std::vector<GridCell> row_of(const StoredScene& scene, const ReportCell& cell) {
+    const auto place = scene.place(cell);
+    std::vector<GridCell> row{{scene.name},
+                              {scene.varied.empty() ? cell.shape : scene.axis_title()},
+                              {place ? number_text(*place) : "–"},
+                              {cell.algorithm}};
+    for (const Column& column : columns) row.push_back(figure_cell(cell.figure("cost", column.figure)));
+    row.push_back(ratio_of(cell));
+    return row;
+}
+
+}  // namespace
+
+TextGrid cost_grid(const ReportData& data, bool of_bodies) {
+    TextGrid grid{"Cost functions a step, on the baseline's table type (aos_f64)",
+                  {{"scene"}, {"varies"}, {"at", true}, {"algorithm"}},
+                  {}};
+    for (const Column& column : columns) grid.columns.push_back({column.title, true});
+    grid.columns.push_back({"equation 2 / measured", true});
+    for (const StoredScene& scene : scene_files(data)) {
+        if (scene.name.starts_with("paper_bodies") != of_bodies) continue;
+        for (const ReportCell* cell : scene.cells)
+            if (cell->verified() && cell->table == "aos_f64" && has_cost(*cell))
+                grid.rows.push_back(row_of(scene, *cell));
+    }
+    return grid;
+}
+
+}  // namespace edgewise

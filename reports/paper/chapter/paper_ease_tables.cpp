@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// The paper's ease of implementation: what the algorithms' source says, and what building their tables costs.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/paper/chapter/source_facts.hpp"
+#include "edgewise/reports/tables/text.hpp"
+
+namespace edgewise {
+
+namespace {
+
+/// What the contract between layouts and algorithms asks of a body (table/contract.hpp).
+std::string bodies_accepted(const std::string& algorithm) {
+    const std::map<std::string, std::string> accepted{
+        {"V-Clip",
+         "convex polyhedra with their features: solids, flat polygons, segments, points; planes stored or "
+         "derived"},
+        {"Enhanced GJK", "convex hulls of points: vertices alone, or with neighbours for hill climbing"},
+        {"Moore-Wilhelms", "convex polyhedra: vertices, edges and faces"},
+        {"sweep and prune", "boxes of any bodies"},
+        {"penetration (EPA)", "what GJK takes, after a query found contact"}};
+    const auto found = accepted.find(algorithm);
+    return found == accepted.end() ? "–" : found->second;
+}
+
+}  // namespace
+
+TextGrid source_grid() {
+    TextGrid grid{"Source of each algorithm in this program (no blank and no comment lines)",
+                  {{"algorithm"},
+                   {"files", true},
+                   {"lines of code", true},
+                   {"tolerances", true},
+                   {"which"},
+                   {"bodies accepted (concave ones by none)"}},
+                  {}};
+    for (const SourceFacts& facts : source_facts())
+        grid.rows.push_back(
+            {{facts.algorithm},
+             {std::to_string(facts.files)},
+             {std::to_string(facts.code_lines)},
+             {std::to_string(facts.tolerances.size())},
+             {facts.tolerances.empty() ? "–" : fmt::format("{}", fmt::join(facts.tolerances, ", "))},
+             {bodies_accepted(facts.algorithm)}});
+    return grid;
+}
+
+TextGrid build_grid(const ReportData& data) {
+    TextGrid grid{"Preprocessing: building a table, and refitting it to a deformed body of the same topology",
+                  {{"shape"},
+                   {"vertices", true},
+                   {"algorithm"},
+                   {"table type"},
+                   {"build, ns", true},
+                   {"refit, ns", true},
+                   {"bytes an edge (slope)", true},
+                   {"table, bytes", true}},
+                  {}};
+    for (const ReportCell* cell : scene_file(data, "paper_complexity").cells) {
+        if (!cell->axes.empty()) continue;
+        grid.rows.push_back({{cell->shape},
+                             {std::to_string(cell->vertices)},
+                             {cell->algorithm},
+                             {cell->table},
+                             figure_cell(cell->figure("build", "build_ns")),
+                             figure_cell(cell->figure("build", "refit_ns")),
+                             figure_cell(cell->figure("bytes", "paper_bytes_per_edge")),
+                             figure_cell(cell->figure("bytes", "table_bytes"))});
+    }
+    return grid;
+}
+
+}  // namespace edgewise

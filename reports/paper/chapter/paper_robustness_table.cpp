@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// The paper's robustness metric: the share of verdicts that disagree with a control, here two of them: exact
+// arithmetic, and the paper's own, Moore and Wilhelms.
+#include <fmt/core.h>
+
+#include <map>
+#include <tuple>
+
+#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/tables/text.hpp"
+
+namespace edgewise {
+
+namespace {
+
+using Cells = std::vector<const ReportCell*>;
+
+/// A sum over the cells that have the figure, or why none has.
+struct Sum {
+    std::optional<double> total;
+    std::string reason = "no cell";
+
+    Sum(const Cells& cells, const char* name) {
+        for (const ReportCell* cell : cells) {
+            const StoredFigure figure = cell->figure("error", name);
+            if (figure.value)
+                total = total.value_or(0) + *figure.value;
+            else
+                reason = figure.reason;
+        }
+    }
+};
+
+GridCell count_cell(const Sum& sum) {
+    return sum.total ? GridCell{fmt::format("{:.0f}", *sum.total)} : missing_cell(sum.reason);
+}
+
+GridCell percent_cell(const Sum& part, const Sum& whole) {
+    if (!part.total) return missing_cell(part.reason);
+    if (!whole.total || *whole.total <= 0) return missing_cell("nothing was checked");
+    if (*part.total == 0) return {"0"};
+    return {fmt::format("{:.3g} ({:.0f})", 100 * *part.total / *whole.total, *part.total)};
+}
+
+std::vector<GridCell> row_of(const std::vector<std::string>& names, const Cells& cells) {
+    std::vector<GridCell> row;
+    for (const std::string& name : names) row.push_back({name});
+    const Sum checked(cells, "checked"), asked(cells, "control_checked");
+    row.push_back(count_cell(checked));
+    row.push_back(percent_cell(Sum(cells, "wrong_verdicts"), checked));
+    row.push_back(percent_cell(Sum(cells, "verdicts_in_band"), checked));
+    row.push_back(count_cell(asked));
+    row.push_back(percent_cell(Sum(cells, "control_disagreements"), asked));
+    row.push_back(percent_cell(Sum(cells, "control_disagreements_outside_band"), asked));
+    return row;
+}
+
+}  // namespace
+
+TextGrid robustness_grid(const ReportData& data) {
+    TextGrid grid{"Robustness: verdicts that disagree, in % (number), over all table types of a precision",
+                  {{"scene"},
+                   {"algorithm"},
+                   {"precision"},
+                   {"N, exact", true},
+                   {"wrong outside the band, %", true},
+                   {"pairs inside the band, %", true},
+                   {"N, Moore-Wilhelms", true},
+                   {"disagree in all, %", true},
+                   {"disagree outside the band, %", true}},
+                  {}};
+    std::map<std::tuple<std::string, std::string, std::string>, Cells> groups;
+    std::map<std::pair<std::string, std::string>, Cells> all;
+    for (const ReportCell& cell : data.from_files) {
+        // A failed cell counts: its verdicts are what failed.
+        if (cell.status == "unavailable") continue;
+        groups[{cell.scene, cell.algorithm, cell.precision}].push_back(&cell);
+        all[{cell.algorithm, cell.precision}].push_back(&cell);
+    }
+    for (const auto& [key, cells] : all)
+        grid.rows.push_back(row_of({"all scenes", key.first, key.second}, cells));
+    for (const auto& [key, cells] : groups) {
+        const auto& [scene, algorithm, precision] = key;
+        grid.rows.push_back(row_of({scene, algorithm, precision}, cells));
+    }
+    return grid;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+//
+// The static test, and the table of any scene from a file.
+#include <fmt/core.h>
+
+#include <map>
+#include <tuple>
+
+#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/paper/charts/turn.hpp"
+
+namespace edgewise {
+
+namespace {
+
+/// The two algorithms on one table type, null where it was not asked for.
+struct Sides {
+    const ReportCell *vclip = nullptr, *gjk = nullptr;
+};
+using SidesOfTables = std::map<std::tuple<std::int64_t, std::string, std::string>, Sides>;
+
+SidesOfTables sides_of(const StoredScene& scene) {
+    SidesOfTables tables;
+    for (const ReportCell* cell : scene.cells) {
+        Sides& sides = tables[{cell->vertices, cell->shape, cell->table}];
+        if (cell->algorithm == "vclip") sides.vclip = cell;
+        if (cell->algorithm == "gjk") sides.gjk = cell;
+    }
+    return tables;
+}
+
+GridCell cell_of(const ReportCell* cell, const char* probe, const char* name) {
+    if (!cell) return {"–"};
+    return figure_cell(cell->figure(probe, name));
+}
+
+/// Both relative to the baseline timed in the same rounds: what moved the clock is in neither.
+GridCell ratio_of(const Sides& sides) {
+    if (!sides.vclip || !sides.gjk) return {"–"};
+    const StoredFigure vclip = sides.vclip->figure("time", "all_ratio"),
+                       gjk = sides.gjk->figure("time", "all_ratio");
+    if (!gjk.value) return figure_cell(gjk);
+    if (!vclip.value || *vclip.value <= 0) return figure_cell(vclip);
+    return {fmt::format("{:.3f}", *gjk.value / *vclip.value)};
+}
+
+GridCell place_of(const StoredScene& scene, const ReportCell& cell) {
+    if (scene.varied == "rotation_step" && is_random_turn(cell)) return {"random"};
+    const auto place = scene.place(cell);
+    return place ? GridCell{number_text(*place)} : missing_cell("its scene parameters do not hold it");
+}
+
+}  // namespace
+
+TextGrid static_grid(const ReportData& data) {
+    TextGrid grid{"Static test: ns a query, all pairs as they come; building a table apart",
+                  {{"shape"},
+                   {"vertices", true},
+                   {"table type"},
+                   {"V-Clip, ns", true},
+                   {"Enhanced GJK, ns", true},
+                   {"GJK / V-Clip", true},
+                   {"V-Clip table, build ns", true},
+                   {"GJK table, build ns", true}},
+                  {}};
+    for (const auto& [key, sides] : sides_of(scene_file(data, "paper_static"))) {
+        const auto& [vertices, shape, table] = key;
+        grid.rows.push_back({{shape},
+                             {std::to_string(vertices)},
+                             {table},
+                             cell_of(sides.vclip, "time", "all_ns"),
+                             cell_of(sides.gjk, "time", "all_ns"),
+                             ratio_of(sides),
+                             cell_of(sides.vclip, "build", "build_ns"),
+                             cell_of(sides.gjk, "build", "build_ns")});
+    }
+    return grid;
+}
+
+TextGrid file_scene_grid(const StoredScene& scene) {
+    TextGrid grid{scene.name + (scene.note.empty() ? "" : ": " + scene.note),
+                  {{"shape"},
+                   {"algorithm"},
+                   {"table type"},
+                   {"ns a query, all", true},
+                   {"from", true},
+                   {"to", true},
+                   {"ratio to baseline", true},
+                   {"separated, ns", true},
+                   {"overlapping, ns", true}},
+                  {}};
+    const bool varies = !scene.varied.empty();
+    if (varies) grid.columns.insert(grid.columns.begin() + 1, {scene.axis_title(), true});
+    for (const ReportCell* cell : scene.cells) {
+        std::vector<GridCell> row{{cell->shape}};
+        if (varies) row.push_back(place_of(scene, *cell));
+        row.push_back({cell->algorithm});
+        row.push_back({cell->table});
+        for (const char* name :
+             {"all_ns", "all_ns_low", "all_ns_high", "all_ratio", "separated_ns", "overlapping_ns"})
+            row.push_back(figure_cell(cell->figure("time", name)));
+        grid.rows.push_back(std::move(row));
+    }
+    return grid;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// The tables of the chapter on the paper's figures. A grid whose scenes are not in the store has no rows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
+
+namespace edgewise {
+
+/// V-Clip and GJK side by side in the scene without coherence, by shape and table type; preprocessing apart.
+[[nodiscard]] TextGrid static_grid(const ReportData& data);
+/// Every cell of a scene from a file: where it stands, its times, its ratio to the baseline.
+[[nodiscard]] TextGrid file_scene_grid(const StoredScene& scene);
+/// The paper's cost functions, term by term, and the step as measured: scenes of growing numbers of bodies,
+/// or all other scenes.
+[[nodiscard]] TextGrid cost_grid(const ReportData& data, bool of_bodies);
+/// What each need costs, relative to the plain cell, which gives witness points.
+[[nodiscard]] TextGrid needs_grid(const ReportData& data);
+/// Disagreement with exact arithmetic and with Moore-Wilhelms, in percent, by scene.
+[[nodiscard]] TextGrid robustness_grid(const ReportData& data);
+/// Code lines, tolerances and bodies accepted: facts of this program's source.
+[[nodiscard]] TextGrid source_grid();
+/// What building and refitting a table costs, and what it takes.
+[[nodiscard]] TextGrid build_grid(const ReportData& data);
+
+}  // namespace edgewise

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+//
+// See paper_thrash.hpp. One function a sentence.
+#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cctype>
+#include <cmath>
+#include <vector>
+
+#include "edgewise/reports/paper/chapter/paging_limits.hpp"
+#include "edgewise/reports/paper/chapter/paper_thrash_here.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
+#include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
+
+namespace edgewise {
+
+namespace {
+
+constexpr double mebibyte = 1048576;
+
+std::string bytes_text(double bytes) {
+    return bytes < mebibyte ? number_text(bytes / 1024) + " KiB" : number_text(bytes / mebibyte) + " MiB";
+}
+
+std::string missing_text(const std::string& why) { return "missing (" + why + ")"; }
+
+std::string bytes_text(const ThrashEvidence& bytes) {
+    return bytes.value ? bytes_text(*bytes.value) : missing_text(bytes.missing);
+}
+
+std::string count_text(const ThrashEvidence& bodies) {
+    if (!bodies.value) return missing_text(bodies.missing);
+    return std::isfinite(*bodies.value) ? fmt::format("{:.0f}", std::ceil(*bodies.value)) : "no number";
+}
+
+std::string answer(const ReportData& data) {
+    const auto cache = cache_is_a_cause(data), paging = paging_is_a_cause(data);
+    std::string out;
+    if (cache && paging) {
+        if (*cache && *paging)
+            return "Both: at 386 vertices V-Clip thrashes the caches of 2001 and pages its memory.";
+        if (*cache) return "It is the cache, not paging, that makes figure 8.";
+        if (*paging) return "It is paging, not the cache, that makes figure 8.";
+        return "Neither the caches nor the memories of 2001 make figure 8 with these tables.";
+    }
+    if (!cache)
+        out = "Whether the cache makes figure 8 is not known: " +
+              memory_factor(data, old_machines[0], false).missing + ". ";
+    else
+        out = *cache ? "The cache makes figure 8. " : "The cache does not make figure 8. ";
+    if (!paging)
+        return out + "Whether paging makes it is not known: " +
+               bodies_to_fill(data, 386, "page_knee_bytes", least_old_memory).missing + ".";
+    return out + (*paging ? "Paging makes it." : "Paging does not make it.");
+}
+
+std::string factor_at(const ReportData& data, const char* machine, bool fastest) {
+    const ThrashEvidence factor = memory_factor(data, machine, fastest),
+                         step = thrash_step(data, 386, fastest),
+                         time = thrash_figure(data, 386, fastest, "caches",
+                                              std::string(machine) + ".modelled_memory_ns");
+    const std::string speed =
+        step.value ? number_text(*step.value) + " rad a step" : (fastest ? "the fastest" : "the slowest");
+    if (!factor.value) return fmt::format("at {} {}", speed, missing_text(factor.missing));
+    const std::string times =
+        std::isfinite(*factor.value) ? "by a factor of " + number_text(*factor.value) : "from none";
+    const std::string misses = std::string(machine) + ".L2.misses_per_query";
+    const auto count = [&](int vertices) {
+        const ThrashEvidence found = thrash_figure(data, vertices, fastest, "caches", misses);
+        return found.value ? number_text(*found.value) : missing_text(found.missing);
+    };
+    return fmt::format("at {} {} to {} us (misses of the second level: {} to {})", speed, times,
+                       number_text(*time.value / 1000), count(38), count(386));
+}
+
+/// Memory time against the paper's factor, and against the time it means.
+std::string cache_sentence(const ReportData& data) {
+    std::vector<std::string> machines;
+    for (const char* machine : old_machines)
+        machines.push_back(fmt::format("{} {} and {}", machine, factor_at(data, machine, false),
+                                       factor_at(data, machine, true)));
+    return fmt::format(
+        "From 38 to 386 vertices the modelled memory time of a query of V-Clip on aos_f64 grows ({}); the "
+        "paper's axis grows by a factor of {}, to {} us more.",
+        fmt::join(machines, "; "), papers_factor, number_text(papers_growth_ns / 1000));
+}
+
+/// From which size on, and at 386 vertices from which speed on, a knee passes what was there in 2001.
+std::string where_it_passes(const ReportData& data, const std::string& knee, double bytes) {
+    std::optional<int> size;
+    std::optional<double> speed;
+    bool any = false;
+    for (const int vertices : thrash_vertices) {
+        const ThrashEvidence worst = worst_figure(data, vertices, "reuse", knee);
+        any = any || worst.value;
+        if (!size && worst.value && *worst.value > bytes) size = vertices;
+    }
+    for (const auto& [step, cell] : thrash_cells(data, 386, "vclip", "aos_f64")) {
+        const StoredFigure figure = cell->figure("reuse", knee);
+        if (!speed && figure.value && *figure.value > bytes) speed = step;
+    }
+    if (!any) return "nowhere that is known";
+    if (!size) return "at none of these sizes and speeds";
+    return fmt::format("from {} vertices on, with 386 {}", *size,
+                       speed ? fmt::format("from {} rad a step on", number_text(*speed)) : "at no speed");
+}
+
+std::string knees_text(const ReportData& data, const std::string& knee) {
+    std::vector<std::string> texts;
+    for (const int vertices : thrash_vertices)
+        texts.push_back(fmt::format("{} with {} vertices",
+                                    bytes_text(worst_figure(data, vertices, "reuse", knee)), vertices));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string line_sentence(const ReportData& data) {
+    const char* const knee = "line_knee_bytes";
+    return fmt::format(
+        "With {} bodies the cache that a query needs (knee of the lines) is {}: it passes the {} of a "
+        "second-level cache {}. In proportion, {} bodies of 386 vertices are enough for that, of 38 it takes "
+        "{}.",
+        count_text(thrash_bodies(data, 386)), knees_text(data, knee), bytes_text(old_cache),
+        where_it_passes(data, knee, old_cache), count_text(bodies_to_fill(data, 386, knee, old_cache)),
+        count_text(bodies_to_fill(data, 38, knee, old_cache)));
+}
+
+/// Of all bodies' tables, used or not.
+std::string tables_text(const ReportData& data) {
+    const ThrashEvidence table = thrash_figure(data, 386, false, "bytes", "table_bytes"),
+                         bodies = thrash_bodies(data, 386);
+    if (!table.value || !bodies.value)
+        return "what their tables take is " + missing_text(table.value ? bodies.missing : table.missing);
+    return fmt::format("the tables of {} bodies of 386 vertices take {}", count_text(bodies),
+                       bytes_text(*table.value * *bodies.value));
+}
+
+std::string page_sentence(const ReportData& data) {
+    const char* const knee = "page_knee_bytes";
+    std::string tables = tables_text(data);
+    tables[0] = static_cast<char>(std::toupper(tables[0]));
+    return tables + "; " +
+           fmt::format(
+               "the memory that a query needs (knee of the pages) is {}: it passes {} {}. In proportion, "
+               "{} is too "
+               "little from {} bodies of 386 vertices on (of 38: {}), and {} from {}.",
+               knees_text(data, knee), bytes_text(least_old_memory),
+               where_it_passes(data, knee, least_old_memory), bytes_text(least_old_memory),
+               count_text(bodies_to_fill(data, 386, knee, least_old_memory)),
+               count_text(bodies_to_fill(data, 38, knee, least_old_memory)), bytes_text(most_old_memory),
+               count_text(bodies_to_fill(data, 386, knee, most_old_memory)));
+}
+
+/// Of one row of the paging run: the largest memory that faulted.
+std::string measured_text(const ReportCell& row) {
+    std::optional<double> memory, faults;
+    std::string why = row.verified() ? "no limit was measured" : row.reason;
+    bool any = false;
+    for (const PagingLimit& limit : paging_limits(row)) {
+        if (!limit.faults.value || !limit.held.value) {
+            why = limit.faults.value ? limit.held.reason : limit.faults.reason;
+            continue;
+        }
+        any = true;
+        if (*limit.faults.value > 0 && *limit.held.value > memory.value_or(0))
+            memory = limit.held.value, faults = limit.faults.value;
+    }
+    const auto bodies = scene_number(row, "bodies");
+    const std::string who = fmt::format("{} {} on {}{}", row.shape, row.algorithm, row.table,
+                                        bodies ? fmt::format(", {:.0f} bodies", *bodies) : "");
+    if (!any) return fmt::format("{}: {}", who, missing_text(why));
+    if (!memory) return fmt::format("{}: no faults under any limit", who);
+    return fmt::format("{}: {} faults a query with {} for its tables", who, number_text(*faults),
+                       bytes_text(*memory));
+}
+
+std::string measured_sentence(const ReportData& data) {
+    std::vector<std::string> rows;
+    for (const ReportCell& row : data.paging) rows.push_back(measured_text(row));
+    if (rows.empty()) return "Measured page faults are missing: the store holds no paging run.";
+    return fmt::format("Measured under memory limits, the largest that faulted: {}.", fmt::join(rows, "; "));
+}
+
+/// A figure over the baseline's, both at 386 vertices and the slowest turn.
+std::string share_text(const StoredFigure& figure, const StoredFigure& base) {
+    if (!figure.value) return missing_text(figure.reason);
+    if (!base.value || *base.value <= 0) return "no ratio";
+    return number_text(*figure.value / *base.value);
+}
+
+std::string layout_text(const ReportCell& cell, const ReportCell& base) {
+    const std::string time = std::string(old_machines[0]) + ".modelled_memory_ns";
+    const auto share = [&](const char* probe, const std::string& name) {
+        return share_text(cell.figure(probe, name), base.figure(probe, name));
+    };
+    return fmt::format("{}{} {}, {}, {}", cell.algorithm == "vclip" ? "" : cell.algorithm + " ", cell.table,
+                       share("reuse", "line_knee_bytes"), share("reuse", "page_knee_bytes"),
+                       share("caches", time));
+}
+
+/// Every other table type of V-Clip, and GJK on the same tables.
+std::string layouts_sentence(const ReportData& data) {
+    const auto base = thrash_cells(data, 386, "vclip", "aos_f64");
+    if (base.empty()) return "What layouts do to it is missing: no verified cell of V-Clip on aos_f64.";
+    std::vector<std::string> texts;
+    for (const ReportCell* cell : scene_file(data, "paper_thrash_386").cells) {
+        const auto step = scene_number(*cell, "rotation_step");
+        const bool told = cell->algorithm == "vclip" || cell->table == "aos_f64";
+        if (!cell->verified() || !told || cell == base.front().second) continue;
+        if (step && *step == base.front().first) texts.push_back(layout_text(*cell, *base.front().second));
+    }
+    if (texts.empty())
+        return "What other layouts do to it is missing: the store has no other table type there.";
+    return fmt::format(
+        "Relative to V-Clip on aos_f64, at the slowest turn, in cache, in memory and in memory time on a {}: "
+        "{}.",
+        old_machines[0], fmt::join(texts, "; "));
+}
+
+std::string papers_sentence(const ReportData& data) {
+    const auto cache = cache_is_a_cause(data), paging = paging_is_a_cause(data);
+    const auto holds = [](const std::optional<bool>& cause) {
+        return !cause ? "cannot be judged from this store" : *cause ? "holds" : "does not account for it";
+    };
+    const ThrashEvidence knee = worst_figure(data, 386, "reuse", "line_knee_bytes");
+    std::string out = fmt::format(
+        "Of the paper's two sentences, \"consuming all available memory ... thrashing\" (section 4, "
+        "swapping) "
+        "{}, and \"constantly trashing the fast access on-board cache\" (section 5) {}",
+        holds(paging), holds(cache));
+    if (cache && !*cache && knee.value && *knee.value > old_cache)
+        out += ", though it is true that the tables do not fit the cache";
+    return out + ".";
+}
+
+}  // namespace
+
+std::string thrash_paragraph(const ReportData& data) {
+    const std::vector<std::string> sentences{
+        answer(data),        papers_sentence(data),   cache_sentence(data), line_sentence(data),
+        page_sentence(data), measured_sentence(data), thrash_here(data),    layouts_sentence(data)};
+    return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+}  // namespace edgewise

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// The part of the chapter on the thrash at 386 vertices: what the paper saw in its figure 8 and explained in
+// two ways. The answer is worked out from the store, by rules (thrash_evidence.hpp).
+#pragma once
+
+#include <string>
+
+#include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
+
+namespace edgewise {
+
+/// Cache, paging or both; from what size, speed, number of bodies and memory on; what each layout does to it;
+/// and which sentence of the paper holds. What the store lacks is said to be missing, and why.
+[[nodiscard]] std::string thrash_paragraph(const ReportData& data);
+/// What each layout, order and sharing does to it at 386 vertices: knees, misses and memory time.
+[[nodiscard]] TextGrid thrash_grid(const ReportData& data);
+/// Every limit of the paging run: page faults measured and predicted.
+[[nodiscard]] TextGrid paging_grid(const ReportData& data);
+
+}  // namespace edgewise

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// What layouts, orders and sharing do to the thrash, at every number of vertices and angle a step.
+#include <fmt/core.h>
+
+#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
+
+namespace edgewise {
+
+namespace {
+
+GridCell scaled(const StoredFigure& figure, double unit) {
+    return figure.value ? GridCell{number_text(*figure.value / unit)} : figure_cell(figure);
+}
+
+std::vector<GridCell> row_of(int vertices, double step, const ReportCell& cell) {
+    std::vector<GridCell> row{{std::to_string(vertices)},
+                              {number_text(step)},
+                              {cell.algorithm},
+                              {cell.table},
+                              scaled(cell.figure("reuse", "line_knee_bytes"), 1024),
+                              scaled(cell.figure("reuse", "page_knee_bytes"), 1048576),
+                              figure_cell(cell.figure("reuse", "lines_per_query")),
+                              figure_cell(cell.figure("reuse", "pages_per_query"))};
+    for (const OldLevel& level : old_levels)
+        row.push_back(figure_cell(
+            cell.figure("caches", fmt::format("{}.{}.misses_per_query", level.machine, level.level))));
+    for (const char* machine : old_machines)
+        row.push_back(scaled(cell.figure("caches", std::string(machine) + ".modelled_memory_ns"), 1000));
+    return row;
+}
+
+}  // namespace
+
+TextGrid thrash_grid(const ReportData& data) {
+    TextGrid grid{
+        "The thrash by table: knees, lines and pages a query touches, modelled misses and memory time",
+        {{"vertices", true},
+         {"rad a step", true},
+         {"algorithm"},
+         {"table type"},
+         {"line knee, KiB", true},
+         {"page knee, MiB", true},
+         {"lines a query", true},
+         {"pages a query", true}},
+        {}};
+    for (const OldLevel& level : old_levels)
+        grid.columns.push_back({std::string(level.label) + ": misses", true});
+    for (const char* machine : old_machines)
+        grid.columns.push_back({std::string(machine) + " memory, us", true});
+    for (const int vertices : thrash_vertices) {
+        for (const ReportCell* cell : scene_file(data, fmt::format("paper_thrash_{}", vertices)).cells) {
+            const auto step = scene_number(*cell, "rotation_step");
+            if (cell->verified() && step) grid.rows.push_back(row_of(vertices, *step, *cell));
+        }
+    }
+    return grid;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// See scene_file.hpp.
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace edgewise {
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::string text_of(const Json& object, const char* name) {
+    return object.is_object() && object.contains(name) && object[name].is_string()
+               ? object[name].get<std::string>()
+               : "";
+}
+
+StoredScene parse(const std::string& name, const std::string& text) {
+    const Json file = Json::parse(text, nullptr, false);
+    StoredScene scene{name, text_of(file, "scene"), {}, text_of(file, "note"), {}};
+    if (!file.is_object() || !file.contains("vary") || !file["vary"].is_object()) return scene;
+    for (const auto& item : file["vary"].items()) scene.varied = item.key();
+    return scene;
+}
+
+}  // namespace
+
+std::optional<double> StoredScene::place(const ReportCell& cell) const {
+    if (varied.empty()) return static_cast<double>(cell.vertices);
+    return scene_number(cell, varied);
+}
+
+std::string StoredScene::axis_title() const {
+    if (varied.empty()) return "vertices of a body";
+    std::string words = varied;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
+std::vector<StoredScene> scene_files(const ReportData& data) {
+    std::vector<StoredScene> scenes;
+    for (const auto& [name, text] : data.scene_files) {
+        scenes.push_back(parse(name, text));
+        for (const ReportCell& cell : data.from_files)
+            if (cell.scene == name) scenes.back().cells.push_back(&cell);
+    }
+    return scenes;
+}
+
+StoredScene scene_file(const ReportData& data, const std::string& name) {
+    for (StoredScene& scene : scene_files(data))
+        if (scene.name == name) return scene;
+    return {name, {}, {}, {}, {}};
+}
+
+bool is_of_paper(const std::string& scene) { return scene.starts_with("paper_"); }
+
+std::optional<double> scene_number(const ReportCell& cell, const std::string& name) {
+    const Json parameters = Json::parse(cell.scene_parameters, nullptr, false);
+    if (!parameters.is_object() || !parameters.contains(name) || !parameters[name].is_number())
+        return std::nullopt;
+    return parameters[name].get<double>();
+}
+
+const ReportCell* nearest_cell(const StoredScene& scene, const std::string& algorithm,
+                               const std::string& table, double wanted) {
+    const ReportCell* nearest = nullptr;
+    double least = 0;
+    for (const ReportCell* cell : scene.cells) {
+        if (!cell->verified() || cell->algorithm != algorithm || cell->table != table) continue;
+        const auto place = scene.place(*cell);
+        if (!place) continue;
+        const double off = std::abs(*place - wanted);
+        if (!nearest || off < least) nearest = cell, least = off;
+    }
+    return nearest;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+//
+// See thrash_evidence.hpp.
+#include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "edgewise/reports/paper/chapter/paging_limits.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
+
+namespace edgewise {
+
+namespace {
+
+constexpr const char *algorithm = "vclip", *table = "aos_f64";
+
+/// The slowest or the fastest of V-Clip's cells; null when there is none.
+const ReportCell* end_cell(const ReportData& data, int vertices, bool fastest) {
+    const auto cells = thrash_cells(data, vertices, algorithm, table);
+    if (cells.empty()) return nullptr;
+    return fastest ? cells.back().second : cells.front().second;
+}
+
+std::string no_cell(int vertices) {
+    return fmt::format("the store has no verified cell of paper_thrash_{} with V-Clip on {}", vertices,
+                       table);
+}
+
+bool gives_the_time(const ReportData& data, const std::string& machine, bool fastest) {
+    const ThrashEvidence time = thrash_figure(data, 386, fastest, "caches", machine + ".modelled_memory_ns");
+    return time.value && *time.value >= least_share * papers_growth_ns;
+}
+
+}  // namespace
+
+std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData& data, int vertices,
+                                                               const std::string& algorithm_name,
+                                                               const std::string& table_name) {
+    std::vector<std::pair<double, const ReportCell*>> cells;
+    for (const ReportCell* cell : scene_file(data, fmt::format("paper_thrash_{}", vertices)).cells) {
+        const auto step = scene_number(*cell, "rotation_step");
+        if (step && cell->verified() && cell->algorithm == algorithm_name && cell->table == table_name)
+            cells.emplace_back(*step, cell);
+    }
+    std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    return cells;
+}
+
+ThrashEvidence thrash_figure(const ReportData& data, int vertices, bool fastest, const std::string& probe,
+                             const std::string& name) {
+    const ReportCell* cell = end_cell(data, vertices, fastest);
+    if (!cell) return {std::nullopt, no_cell(vertices)};
+    const StoredFigure figure = cell->figure(probe, name);
+    if (figure.value) return {figure.value, {}};
+    return {std::nullopt, fmt::format("{} at {} vertices: {}", name, vertices, figure.reason)};
+}
+
+ThrashEvidence thrash_step(const ReportData& data, int vertices, bool fastest) {
+    const ReportCell* cell = end_cell(data, vertices, fastest);
+    return cell ? ThrashEvidence{scene_number(*cell, "rotation_step"), "no rotation_step"}
+                : ThrashEvidence{std::nullopt, no_cell(vertices)};
+}
+
+ThrashEvidence thrash_bodies(const ReportData& data, int vertices) {
+    const ReportCell* cell = end_cell(data, vertices, false);
+    return cell ? ThrashEvidence{scene_number(*cell, "bodies"),
+                                 "the scene's parameters do not name its bodies"}
+                : ThrashEvidence{std::nullopt, no_cell(vertices)};
+}
+
+ThrashEvidence worst_figure(const ReportData& data, int vertices, const std::string& probe,
+                            const std::string& name) {
+    const ThrashEvidence slow = thrash_figure(data, vertices, false, probe, name),
+                         fast = thrash_figure(data, vertices, true, probe, name);
+    if (slow.value && fast.value) return {std::max(*slow.value, *fast.value), {}};
+    return slow.value ? slow : fast;
+}
+
+ThrashEvidence bodies_to_fill(const ReportData& data, int vertices, const std::string& knee, double bytes) {
+    const ThrashEvidence worst = worst_figure(data, vertices, "reuse", knee),
+                         bodies = thrash_bodies(data, vertices);
+    if (!worst.value) return worst;
+    if (!bodies.value) return bodies;
+    if (*worst.value <= 0) return {std::numeric_limits<double>::infinity(), {}};
+    return {*bodies.value * bytes / *worst.value, {}};
+}
+
+ThrashEvidence memory_factor(const ReportData& data, const std::string& machine, bool fastest) {
+    const std::string name = machine + ".modelled_memory_ns";
+    const ThrashEvidence large = thrash_figure(data, 386, fastest, "caches", name),
+                         small = thrash_figure(data, 38, fastest, "caches", name);
+    if (!large.value) return large;
+    if (!small.value) return small;
+    if (*small.value > 0) return {*large.value / *small.value, {}};
+    return {*large.value > 0 ? std::numeric_limits<double>::infinity() : 1, {}};
+}
+
+std::optional<bool> cache_is_a_cause(const ReportData& data) {
+    std::optional<bool> found;
+    for (const char* machine : old_machines) {
+        for (const bool fastest : {false, true}) {
+            const ThrashEvidence factor = memory_factor(data, machine, fastest);
+            if (!factor.value) continue;
+            const bool enough = *factor.value >= papers_factor && gives_the_time(data, machine, fastest);
+            found = found.value_or(false) || enough;
+        }
+    }
+    return found;
+}
+
+std::optional<bool> faults_in_old_memory(const ReportCell& row) {
+    const bool ours =
+        row.verified() && row.algorithm == algorithm && row.table == table && row.vertices == 386;
+    if (!ours || scene_number(row, "bodies").value_or(more_than_hundreds) >= more_than_hundreds)
+        return std::nullopt;
+    std::optional<bool> found;
+    for (const PagingLimit& limit : paging_limits(row)) {
+        if (!limit.faults.value || limit.held.value.value_or(0) < least_old_memory) continue;
+        found = found.value_or(false) || *limit.faults.value >= least_faults;
+    }
+    return found;
+}
+
+std::optional<bool> paging_is_a_cause(const ReportData& data) {
+    std::optional<bool> found;
+    const ThrashEvidence large = bodies_to_fill(data, 386, "page_knee_bytes", least_old_memory),
+                         small = bodies_to_fill(data, 38, "page_knee_bytes", least_old_memory);
+    const bool at_38 = small.value && *small.value < more_than_hundreds;
+    if (large.value) found = *large.value < more_than_hundreds && !at_38;
+    for (const ReportCell& row : data.paging)
+        if (const auto measured = faults_in_old_memory(row)) found = found.value_or(false) || *measured;
+    return found;
+}
+
+}  // namespace edgewise

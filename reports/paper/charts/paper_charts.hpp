@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// The charts of the chapter on the paper's figures: one file each. A chart whose scenes are not in the store
+// has no specification and is not shown.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/charts/charts.hpp"
+
+namespace edgewise {
+
+/// The parts of the chapter that hold charts; a chart names its own.
+inline constexpr const char* dynamic_section = "dynamic";
+inline constexpr const char* scalability_section = "scalability";
+inline constexpr const char* thrash_section = "thrash";
+inline constexpr const char* own_section = "own";  ///< a user's own scenes
+
+/// Figure 4: time against linear speed.
+[[nodiscard]] Chart paper_linear_chart(const ReportData& data);
+/// Figures 6 (8 vertices), 7 (38) and 8 (386): time against angular speed.
+[[nodiscard]] Chart paper_angular_chart(const ReportData& data, int figure);
+/// Figure 5: tests against bodies.
+[[nodiscard]] Chart paper_bodies_chart(const ReportData& data);
+/// Time, and bytes of a table, against vertices.
+[[nodiscard]] Chart paper_complexity_chart(const ReportData& data);
+/// Misses in the caches of 2001 against angular speed.
+[[nodiscard]] Chart paper_misses_chart(const ReportData& data);
+/// Misses against the size of a cache, of lines and of pages.
+[[nodiscard]] Chart paper_reuse_chart(const ReportData& data);
+/// Page faults against memory, measured and predicted.
+[[nodiscard]] Chart paper_paging_chart(const ReportData& data);
+/// Time against bodies on this machine, beside its caches.
+[[nodiscard]] Chart paper_here_chart(const ReportData& data);
+/// Time against what a user's own scene varies.
+[[nodiscard]] std::vector<Chart> own_scene_charts(const ReportData& data);
+
+/// All of the above that have something to draw.
+[[nodiscard]] std::vector<Chart> chapter_charts(const ReportData& data);
+
+}  // namespace edgewise

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// What a turn between two steps amounts to. A turn of w is the same orientation as one of w less whole turns,
+// and one beyond half a turn is a smaller one the other way round: coherence knows the folded angle only.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
+
+namespace edgewise {
+
+/// w mod 2 pi, then the smaller of that and the rest of the turn: 0 to pi.
+[[nodiscard]] inline double folded_angle(double w) {
+    constexpr double whole = 2 * std::numbers::pi;
+    const double rest = std::fmod(std::abs(w), whole);
+    return std::min(rest, whole - rest);
+}
+
+/// The mean angle between two random orientations: pi/2 + 2/pi, since the density of the angle t is
+/// (1 - cos t) / pi.
+inline constexpr double random_turn = std::numbers::pi / 2 + 2 / std::numbers::pi;
+
+/// A new random orientation each step: coherence's other end.
+[[nodiscard]] inline bool is_random_turn(const ReportCell& cell) {
+    return scene_number(cell, "random_orientation").value_or(0) != 0;
+}
+
+}  // namespace edgewise

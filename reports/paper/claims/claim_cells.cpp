@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+//
+// See claim_cells.hpp.
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "edgewise/reports/tables/ratio_interval.hpp"
+
+namespace edgewise {
+
+namespace {
+
+/// Two numbers of a scene are the same place on an axis when they agree to this: they are written as
+/// decimals.
+constexpr double same_number = 1e-4;
+
+bool same_x(double a, double b) {
+    return std::abs(a - b) <= same_number * std::max(std::abs(a), std::abs(b));
+}
+
+bool fits(const ReportCell& cell, const CellKey& key) {
+    return cell.algorithm == key.algorithm && cell.table == key.table &&
+           (key.scene.empty() || cell.scene == key.scene) && (key.shape.empty() || cell.shape == key.shape);
+}
+
+/// Null when the cell has no such number.
+std::optional<double> place_of(const ReportCell& cell, const std::string& parameter) {
+    if (parameter == "vertices") return static_cast<double>(cell.vertices);
+    const auto parameters = nlohmann::json::parse(cell.scene_parameters, nullptr, false);
+    if (!parameters.is_object() || !parameters.contains(parameter)) return std::nullopt;
+    if (parameters.contains("random_orientation") && parameters["random_orientation"] == 1)
+        return std::nullopt;
+    const auto& number = parameters[parameter];
+    if (!number.is_number()) return std::nullopt;
+    return number.get<double>();
+}
+
+std::string no_cell(const CellKey& key) {
+    return fmt::format("no cell of {}{}, {} on {} is stored",
+                       key.scene.empty() ? "any scene" : "scene " + key.scene,
+                       key.shape.empty() ? "" : ", " + key.shape, key.algorithm, key.table);
+}
+
+std::optional<Evidence> ratio_of_rounds(const ReportCell& cell) {
+    std::vector<double> ratios;
+    for (const StoredRound& round : cell.rounds)
+        if (round.all_ratio) ratios.push_back(*round.all_ratio);
+    const auto interval = median_interval(ratios);
+    if (!interval) return std::nullopt;
+    std::sort(ratios.begin(), ratios.end());
+    const std::size_t half = ratios.size() / 2;
+    const double middle = ratios.size() % 2 ? ratios[half] : (ratios[half - 1] + ratios[half]) / 2;
+    return interval_evidence(middle, interval->low, interval->high);
+}
+
+}  // namespace
+
+const ReportCell* find_cell(const ReportData& data, const CellKey& key) {
+    const ReportCell* first = nullptr;
+    for (const auto* cells : {&data.from_files, &data.cells}) {
+        for (const ReportCell& cell : *cells) {
+            if (!fits(cell, key)) continue;
+            if (cell.verified()) return &cell;
+            if (!first) first = &cell;
+        }
+    }
+    return first;
+}
+
+std::vector<CurveCell> cells_along(const ReportData& data, const CellKey& key, const std::string& parameter) {
+    std::vector<CurveCell> found;
+    for (const auto* cells : {&data.from_files, &data.cells}) {
+        for (const ReportCell& cell : *cells) {
+            if (!fits(cell, key)) continue;
+            if (const auto x = place_of(cell, parameter)) found.push_back({*x, &cell});
+        }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const CurveCell& a, const CurveCell& b) { return a.x < b.x; });
+    return found;
+}
+
+std::vector<CurveCell> in_range(const std::vector<CurveCell>& cells, const CurveRange& range) {
+    std::vector<CurveCell> inside;
+    for (const CurveCell& at : cells)
+        if ((at.x > range.low || same_x(at.x, range.low)) && (at.x < range.high || same_x(at.x, range.high)))
+            inside.push_back(at);
+    return inside;
+}
+
+Evidence figure_of(const ReportCell& cell, const std::string& probe, const std::string& name) {
+    if (!cell.verified()) return no_evidence(fmt::format("a cell is {}: {}", cell.status, cell.reason));
+    const StoredFigure figure = cell.figure(probe, name);
+    if (figure.value) return exact_evidence(*figure.value);
+    return no_evidence(fmt::format("{}.{}: {}", probe, name, figure.reason));
+}
+
+Evidence figure_of(const ReportData& data, const CellKey& key, const std::string& probe,
+                   const std::string& name) {
+    const ReportCell* cell = find_cell(data, key);
+    return cell ? figure_of(*cell, probe, name) : no_evidence(no_cell(key));
+}
+
+Evidence time_of(const ReportCell& cell) {
+    const Evidence middle = figure_of(cell, "time", "all_ns"), low = figure_of(cell, "time", "all_ns_low"),
+                   high = figure_of(cell, "time", "all_ns_high");
+    for (const Evidence* part : {&middle, &low, &high})
+        if (!part->value) return *part;
+    return interval_evidence(*middle.value, *low.value, *high.value);
+}
+
+Evidence time_of(const ReportData& data, const CellKey& key) {
+    const ReportCell* cell = find_cell(data, key);
+    return cell ? time_of(*cell) : no_evidence(no_cell(key));
+}
+
+Evidence time_ratio(const ReportCell& cell, const ReportCell& baseline) {
+    if (cell.verified() && baseline.verified())
+        if (const auto paired = ratio_of_rounds(cell)) return *paired;
+    return quotient(time_of(cell), time_of(baseline));
+}
+
+Evidence time_ratio(const ReportData& data, const CellKey& key, const CellKey& baseline) {
+    const ReportCell *above = find_cell(data, key), *below = find_cell(data, baseline);
+    if (!above) return no_evidence(no_cell(key));
+    if (!below) return no_evidence(no_cell(baseline));
+    return time_ratio(*above, *below);
+}
+
+std::vector<CurvePoint> curve_of(const std::vector<CurveCell>& cells, const std::string& probe,
+                                 const std::string& name) {
+    std::vector<CurvePoint> curve;
+    for (const CurveCell& at : cells) curve.push_back({at.x, figure_of(*at.cell, probe, name)});
+    return curve;
+}
+
+std::vector<CurvePoint> time_curve(const std::vector<CurveCell>& cells) {
+    std::vector<CurvePoint> curve;
+    for (const CurveCell& at : cells) curve.push_back({at.x, time_of(*at.cell)});
+    return curve;
+}
+
+std::vector<CurvePoint> ratio_curve(const std::vector<CurveCell>& cells,
+                                    const std::vector<CurveCell>& baselines) {
+    std::vector<CurvePoint> curve;
+    for (const CurveCell& at : cells)
+        for (const CurveCell& baseline : baselines)
+            if (same_x(at.x, baseline.x)) curve.push_back({at.x, time_ratio(*at.cell, *baseline.cell)});
+    return curve;
+}
+
+std::vector<CurvePoint> quotient_curve(const std::vector<CurvePoint>& a, const std::vector<CurvePoint>& b) {
+    std::vector<CurvePoint> curve;
+    for (const CurvePoint& above : a)
+        for (const CurvePoint& below : b)
+            if (same_x(above.x, below.x)) curve.push_back({above.x, quotient(above.y, below.y)});
+    return curve;
+}
+
+std::vector<Evidence> values_of(const std::vector<CurvePoint>& curve) {
+    std::vector<Evidence> values;
+    for (const CurvePoint& point : curve) values.push_back(point.y);
+    return values;
+}
+
+}  // namespace edgewise

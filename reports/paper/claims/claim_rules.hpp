@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// How evidence becomes a verdict: a claim has parts, each a number with the band that it is wanted in. The
+// whole interval inside: met; the whole interval outside: missed; else undecided.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/paper/claims/claims.hpp"
+#include "edgewise/reports/paper/claims/evidence.hpp"
+
+namespace edgewise {
+
+/// What a number must be, in numbers and in words.
+struct WantedBand {
+    double low = 0, high = 0;
+    std::string words;  ///< empty: nothing is wanted, the number is only shown
+};
+
+[[nodiscard]] WantedBand at_least(double bound);
+[[nodiscard]] WantedBand at_most(double bound);
+[[nodiscard]] WantedBand more_than(double bound);
+[[nodiscard]] WantedBand less_than(double bound);
+[[nodiscard]] WantedBand between(double low, double high);
+[[nodiscard]] WantedBand only_shown();
+
+struct ClaimPart {
+    std::string label;
+    Evidence ours;
+    WantedBand wanted;
+    std::string unit = {};  ///< the claim's where empty
+};
+
+/// What stands in the claim whatever the store says.
+struct ClaimText {
+    const char* id;
+    const char* section;
+    const char* claim;
+    const char* paper;
+    const char* unit;
+    const char* rule;  ///< how the numbers come about and why the bounds are what they are
+    bool deterministic;
+};
+
+[[nodiscard]] Claim judge_claim(const ClaimText& text, const std::vector<ClaimPart>& parts);
+
+/// The paper gives speeds in radians a second and no time step. One turn a step is its fastest test ("up to 2
+/// pi rad in a discrete time step"), figure 6 ends at 12.57 = 4 pi rad/s: then a step is 1/2 s. A simulation
+/// for the screen has steps of 1/60 s. Both readings are judged.
+struct TimeStepReading {
+    const char* words;
+    double seconds;
+};
+inline constexpr TimeStepReading reading_60th{"at steps of 1/60 s", 1.0 / 60};
+inline constexpr TimeStepReading reading_half{"at steps of 1/2 s", 0.5};
+
+/// One verdict of both readings' parts: the common one, else inconclusive, since it depends on the time step.
+/// Not measured where a reading is.
+[[nodiscard]] Claim judge_readings(const ClaimText& text, const std::vector<ClaimPart>& at_60th,
+                                   const std::vector<ClaimPart>& at_half);
+
+}  // namespace edgewise

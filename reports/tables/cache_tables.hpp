@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// The chapter on caches as grids: misses of modelled machines and why, working sets and knees, heat, and
+// whether the replacement policy changes the ranking of the tables.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
+
+namespace edgewise {
+
+/// Cells whose caches were modelled, fewest misses of the first machine first; by scene.
+[[nodiscard]] std::vector<const ReportCell*> modelled_cells(const ReportData& data);
+/// Machines with figures, in order of name; not those under another policy.
+[[nodiscard]] std::vector<std::string> modelled_machines(const ReportData& data);
+
+/// Misses a query in each level of each machine, and the modelled memory time.
+[[nodiscard]] TextGrid misses_grid(const ReportData& data);
+/// Of one machine: each level's misses by cause, cold and warm.
+[[nodiscard]] TextGrid causes_grid(const ReportData& data, const std::string& machine);
+/// The levels of a machine whose misses are told by field and step.
+[[nodiscard]] std::vector<std::string> broken_down_levels(const ReportData& data, const std::string& machine);
+/// Of one level: misses by what was read (`field.`) or by what read it (`step.`).
+[[nodiscard]] TextGrid breakdown_grid(const ReportData& data, const std::string& machine,
+                                      const std::string& level, const std::string& by);
+/// Lines and pages: of a query, a frame, a body and the scene; knees; parts touched.
+[[nodiscard]] TextGrid working_sets_grid(const ReportData& data);
+
+/// What the processor and the kernel counted, and what the heap took: of one scene, the reference shape.
+[[nodiscard]] TextGrid counters_grid(const ReportData& data);
+
+/// One line a scene, algorithm and level: whether tree-PLRU or random replacement ranks the tables otherwise.
+[[nodiscard]] TextGrid policy_grid(const ReportData& data);
+
+}  // namespace edgewise

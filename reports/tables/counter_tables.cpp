@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// What was counted and what the heap took, of one scene and shape; columns that nothing was counted for are
+// left out, the text above the table says why. results.csv has all.
+#include <algorithm>
+
+#include "edgewise/reports/tables/cache_tables.hpp"
+#include "edgewise/reports/tables/tables.hpp"
+#include "edgewise/reports/tables/text.hpp"
+
+namespace edgewise {
+
+namespace {
+
+struct Column {
+    const char *title, *probe, *figure;
+};
+
+constexpr Column columns[] = {{"minor faults", "counters", "minor_faults"},
+                              {"major faults", "counters", "major_faults"},
+                              {"context switches", "counters", "context_switches"},
+                              {"migrations", "counters", "cpu_migrations"},
+                              {"instructions", "counters", "instructions"},
+                              {"cycles", "counters", "cycles"},
+                              {"branch misses", "counters", "branch_misses"},
+                              {"L1D fills", "counters", "l1d_fills"},
+                              {"L2 demand misses", "counters", "l2_demand_misses"},
+                              {"LLC misses", "counters", "llc_misses"},
+                              {"dTLB walks", "counters", "dtlb_walks"},
+                              {"table asked for, B", "heap", "table.requested_bytes"},
+                              {"size classes, B", "heap", "table.size_class_bytes"},
+                              {"slack, B", "heap", "table.slack_bytes"},
+                              {"resident, B", "heap", "table.resident_bytes"}};
+
+}  // namespace
+
+TextGrid counters_grid(const ReportData& data) {
+    const std::string shape = reference_shape(data);
+    std::vector<const ReportCell*> cells;
+    for (const ReportCell& cell : data.cells) {
+        const bool same_scene = cells.empty() || cells.front()->scene_label == cell.scene_label;
+        if (cell.verified() && cell.shape == shape && same_scene) cells.push_back(&cell);
+    }
+    TextGrid grid{cells.empty() ? "" : cells.front()->scene_label + ", " + shape + ", a query",
+                  {{"algorithm"}, {"table type"}},
+                  {}};
+    std::vector<Column> shown;
+    for (const Column& column : columns) {
+        const auto has = [&](const ReportCell* cell) {
+            return cell->figure(column.probe, column.figure).value.has_value();
+        };
+        if (std::any_of(cells.begin(), cells.end(), has)) shown.push_back(column);
+    }
+    for (const Column& column : shown) grid.columns.push_back({column.title, true});
+    for (const ReportCell* cell : cells) {
+        std::vector<GridCell> row = {{cell->algorithm}, {cell->table}};
+        for (const Column& column : shown)
+            row.push_back(figure_cell(cell->figure(column.probe, column.figure)));
+        grid.rows.push_back(std::move(row));
+    }
+    return grid;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+//
+// What ran, on what machine, built how. The machine's JSON belongs to the program that wrote it: the keys
+// that the store promises (cpu, caches, counters) are shown in words, whatever else is there is left in the
+// store.
+#include <fmt/core.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "edgewise/reports/tables/tables.hpp"
+#include "edgewise/store/schema.hpp"
+
+namespace edgewise {
+
+namespace {
+
+// Ordered: facts are shown in the order in which the machine report gives them.
+using Json = nlohmann::ordered_json;
+
+std::string plain(const Json& value) {
+    if (value.is_null()) return "not known";
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+/// "model x, cores 2": an object's members in order; a list's items apart by semicolons.
+std::string in_words(const Json& value) {
+    std::string out;
+    if (value.is_object())
+        for (const auto& item : value.items())
+            out += (out.empty() ? "" : ", ") + item.key() + " " + in_words(item.value());
+    else if (value.is_array())
+        for (const Json& item : value) out += (out.empty() ? "" : "; ") + in_words(item);
+    else
+        out = plain(value);
+    return out;
+}
+
+/// "L1 data 32 KiB, line 64" for a cache in the usual words, else its members as they are.
+std::string cache_in_words(Json cache) {
+    if (!cache.is_object() || !cache.contains("level")) return in_words(cache);
+    std::string out = "L" + plain(cache["level"]);
+    cache.erase("level");
+    if (cache.contains("type")) out += " " + plain(cache["type"]);
+    cache.erase("type");
+    for (const char* key : {"bytes", "size", "size_bytes"}) {
+        if (!cache.contains(key)) continue;
+        const Json size = cache[key];
+        const bool kibibytes = size.is_number_unsigned() && size.get<std::uint64_t>() % 1024 == 0;
+        out += kibibytes ? fmt::format(" {} KiB", size.get<std::uint64_t>() / 1024) : " " + plain(size);
+        cache.erase(key);
+    }
+    const std::string rest = in_words(cache);
+    return rest.empty() ? out : out + " (" + rest + ")";
+}
+
+std::string caches_in_words(const Json& caches) {
+    if (!caches.is_array()) return in_words(caches);
+    std::string out;
+    for (const Json& cache : caches) out += (out.empty() ? "" : "; ") + cache_in_words(cache);
+    return out;
+}
+
+std::string member(const Json& object, const char* key) {
+    return object.is_object() && object.contains(key) && !object[key].is_null() ? plain(object[key]) : "";
+}
+
+/// "3 counted (cycles, instructions, ...); 2 unavailable: misses (reason; remedy)"
+std::string counters_in_words(const Json& counters) {
+    std::string counted;
+    std::map<std::string, std::string> unavailable;
+    for (const Json& counter : counters) {
+        const std::string event = member(counter, "event");
+        if (member(counter, "status") == "counted") {
+            counted += (counted.empty() ? "" : ", ") + event;
+            continue;
+        }
+        const std::string reason = member(counter, "reason"), remedy = member(counter, "remedy");
+        std::string& events = unavailable[remedy.empty() ? reason : reason + " – " + remedy];
+        events += (events.empty() ? "" : ", ") + event;
+    }
+    std::string out = "counted: " + (counted.empty() ? "none" : counted);
+    for (const auto& [why, events] : unavailable)
+        out += fmt::format("; unavailable: {} ({})", events, why.empty() ? "no reason stored" : why);
+    return out;
+}
+
+void add(TextGrid& grid, const std::string& key, const std::string& value) {
+    grid.rows.push_back({{key}, value.empty() ? missing_cell("not stored") : GridCell{value}});
+}
+
+/// The machine's remaining plain facts; where one could not be read, the reason that the machine gave.
+std::string further_facts(const Json& machine) {
+    std::string out;
+    for (const auto& item : machine.items()) {
+        if (item.value().is_structured()) continue;
+        const std::string why = item.value().is_null() && machine.contains("unreadable")
+                                    ? member(machine["unreadable"], item.key().c_str())
+                                    : "";
+        out += (out.empty() ? "" : "; ") + item.key() + " " + plain(item.value());
+        if (!why.empty()) out += " (" + why + ")";
+    }
+    return out;
+}
+
+void add_machine(TextGrid& grid, const std::string& machine_json) {
+    const Json machine = Json::parse(machine_json, nullptr, false);
+    const bool object = machine.is_object();
+    add(grid, "CPU", object && machine.contains("cpu") ? in_words(machine["cpu"]) : "");
+    add(grid, "caches", object && machine.contains("caches") ? caches_in_words(machine["caches"]) : "");
+    add(grid, "hardware counters",
+        object && machine.contains("counters") ? counters_in_words(machine["counters"]) : "");
+    const std::string further = object ? further_facts(machine) : "";
+    if (!further.empty()) add(grid, "machine", further);
+}
+
+std::string seeds(const ReportData& data) {
+    std::map<std::uint64_t, std::size_t> distinct;
+    for (const auto* cells : {&data.cells, &data.from_files}) {
+        for (const ReportCell& cell : *cells) ++distinct[cell.seed];
+    }
+    std::string out;
+    std::size_t shown = 0;
+    for (const auto& [seed, cells] : distinct) {
+        if (++shown > 4) return out + fmt::format(", ... ({} in all)", distinct.size());
+        out += (out.empty() ? "" : ", ") + std::to_string(seed);
+    }
+    return out;
+}
+
+}  // namespace
+
+TextGrid facts_grid(const ReportData& data) {
+    TextGrid grid{"", {{"fact"}, {"value"}}, {}};
+    add_machine(grid, data.build.machine_json);
+    add(grid, "compiler", data.build.compiler);
+    add(grid, "flags", data.build.flags);
+    add(grid, "build type", data.build.build_type);
+    add(grid, "git revision", data.build.git_revision);
+    add(grid, "build", data.build.id);
+    add(grid, "seed", seeds(data));
+    bool plan = false;
+    for (const auto& [key, value] : data.meta) {
+        if (key.starts_with(drawing_key) || key.starts_with(scene_file_key))
+            continue;  // in places of their own
+        if (key == "build" || key == "seed") continue;
+        plan = plan || key == "plan";
+        add(grid, key, value);
+    }
+    if (!plan) add(grid, "plan", "");
+    std::string others;
+    for (const std::string& id : data.other_builds) others += (others.empty() ? "" : ", ") + id;
+    if (!others.empty()) add(grid, "other builds in the store, not shown", others);
+    return grid;
+}
+
+}  // namespace edgewise

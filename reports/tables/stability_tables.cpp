@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// The tables of the stability run: over all families, and family by family.
+#include <algorithm>
+#include <map>
+
+#include "edgewise/reports/tables/summary.hpp"
+#include "edgewise/reports/tables/tables.hpp"
+
+namespace edgewise {
+
+namespace {
+
+constexpr SummaryColumn columns[] = {{"cases", "cases", true},
+                                     {"refused", "refused", true},
+                                     {"in the band", "in_band", true},
+                                     {"wrong verdicts", "wrong_outside_band", true},
+                                     {"differing inside the band", "wrong_inside_band", true},
+                                     {"errors beyond the bound", "errors_beyond", true},
+                                     {"worst error", "worst_error", false},
+                                     {"p99.9 error", "p999_error", false},
+                                     {"witness error", "worst_witness_error", false},
+                                     {"depth error", "worst_depth_error", false},
+                                     {"depths beyond the bound", "depths_beyond", true},
+                                     {"cap hits", "cap_hits", true},
+                                     {"certificate width", "worst_certificate_width", false},
+                                     {"certificates that miss", "certificates_missed", true},
+                                     {"asked of the control", "control_asked", true},
+                                     {"control disagrees", "control_disagrees", true},
+                                     {"... outside the band", "control_disagrees_outside_band", true},
+                                     {"control wrong", "control_wrong", true},
+                                     {"escapes", "escapes", true},
+                                     {"cycles", "cycles", true},
+                                     {"fallbacks", "fallbacks", true},
+                                     {"refinements", "refinements", true},
+                                     {"max steps", "max_steps", false}};
+
+}  // namespace
+
+TextGrid stability_summary_grid(const ReportData& data) {
+    std::map<std::pair<std::string, std::string>, std::vector<const ReportCell*>> groups;
+    for (const ReportCell& row : data.stability) groups[{row.algorithm, row.table}].push_back(&row);
+    TextGrid grid{"Over all families: sums of counts, worst of the rest",
+                  {{"algorithm"}, {"table type"}, {"families", true}, {"failed", true}},
+                  {}};
+    for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
+    for (const auto& [name, rows] : groups) {
+        const auto failed = std::count_if(rows.begin(), rows.end(),
+                                          [](const ReportCell* row) { return row->status == "failed"; });
+        std::vector<GridCell> cells{
+            {name.first}, {name.second}, {std::to_string(rows.size())}, {std::to_string(failed)}};
+        for (const SummaryColumn& column : columns) cells.push_back(summary_cell(rows, "stability", column));
+        grid.rows.push_back(std::move(cells));
+    }
+    return grid;
+}
+
+TextGrid stability_grid(const ReportData& data) {
+    TextGrid grid{"Family by family", {{"family"}, {"algorithm"}, {"table type"}, {"status"}}, {}};
+    for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
+    for (const ReportCell& row : data.stability) {
+        std::vector<GridCell> cells{{row.shape}, {row.algorithm}, {row.table}, {row.status}};
+        for (const SummaryColumn& column : columns)
+            cells.push_back(figure_cell(row.figure("stability", column.name)));
+        grid.rows.push_back(std::move(cells));
+    }
+    return grid;
+}
+
+}  // namespace edgewise

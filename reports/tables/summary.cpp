@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/tables/summary.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace edgewise {
+
+GridCell summary_cell(const std::vector<const ReportCell*>& rows, const char* probe,
+                      const SummaryColumn& column) {
+    StoredFigure total{probe, column.name, std::nullopt, "", "", ""};
+    std::size_t missing = 0;
+    for (const ReportCell* cell : rows) {
+        const StoredFigure figure = cell->figure(probe, column.name);
+        if (!figure.value) {
+            ++missing;
+            if (!total.value) total.reason = figure.reason, total.remedy = figure.remedy;
+            continue;
+        }
+        const double so_far = total.value.value_or(*figure.value);
+        const bool first = !total.value;
+        total.value = column.sum && !first ? so_far + *figure.value : std::max(so_far, *figure.value);
+        total.unit = figure.unit;
+    }
+    GridCell shown = figure_cell(total);
+    if (total.value && missing) shown.text += fmt::format(" ({} of {})", rows.size() - missing, rows.size());
+    return shown;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// The tables of the report, as grids. What each shows and in which order is decided here, once, for every
+// page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
+
+namespace edgewise {
+
+enum class PairKind { Separated, Overlapping };
+[[nodiscard]] std::string pair_name(
+    PairKind kind);  ///< "separated" | "overlapping": also the figures' prefix
+
+/// What ran, on what, built how: key and value.
+[[nodiscard]] TextGrid facts_grid(const ReportData& data);
+/// Name and full parameters of every scene.
+[[nodiscard]] TextGrid scenes_grid(const ReportData& data);
+/// Cells that failed, then cells that were unavailable, with their reasons.
+[[nodiscard]] TextGrid problems_grid(const ReportData& data);
+/// Every cell: what it is and its status.
+[[nodiscard]] TextGrid cells_grid(const ReportData& data);
+
+/// The shape that the short tables and the first view of the charts show: sphere386 if swept, else the
+/// largest.
+[[nodiscard]] std::string reference_shape(const ReportData& data);
+/// Names of the bytes probe's components, the paper's three first.
+[[nodiscard]] std::vector<std::string> byte_components(const ReportData& data);
+/// Bytes an edge by component; an empty `shape` means all of them.
+[[nodiscard]] TextGrid bytes_grid(const ReportData& data, const std::string& shape);
+
+/// Cache lines a query, time to build and refit, part ever materialised: one scene, the reference shape.
+[[nodiscard]] TextGrid layout_cost_grid(const ReportData& data);
+/// What the tables of scenes with more than a few of them take, beside the time of their queries.
+[[nodiscard]] TextGrid scene_memory_grid(const ReportData& data);
+
+/// A picture that the sweep stored: whose, and the SVG.
+struct Drawing {
+    std::string table, svg;
+};
+[[nodiscard]] std::vector<Drawing> drawings(const ReportData& data);
+
+/// Cells of one scene, by shape and then fastest first; an empty `shape` means all of them.
+[[nodiscard]] TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
+                                 const std::string& shape);
+
+/// Worst errors and sums by algorithm and table type, over all cells.
+[[nodiscard]] TextGrid error_summary_grid(const ReportData& data);
+/// The error figures of every cell.
+[[nodiscard]] TextGrid error_grid(const ReportData& data);
+
+/// The stability run, all families together: one row an algorithm x table type.
+[[nodiscard]] TextGrid stability_summary_grid(const ReportData& data);
+/// One row a family x algorithm x table type.
+[[nodiscard]] TextGrid stability_grid(const ReportData& data);
+
+/// Scene labels in order.
+[[nodiscard]] std::vector<std::string> scene_labels(const ReportData& data);
+
+}  // namespace edgewise

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+//
+// See grid.hpp. Reasons are numbered under each table, so that they are read without a mouse and on paper.
+#include "edgewise/reports/tables/text_grid.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "edgewise/reports/tables/text.hpp"
+
+namespace edgewise {
+
+namespace {
+
+/// The distinct reasons of one table, numbered from 1 in order of appearance.
+class Reasons {
+  public:
+    std::size_t number(const std::string& why) {
+        const auto at = std::find(texts_.begin(), texts_.end(), why);
+        if (at != texts_.end()) return static_cast<std::size_t>(at - texts_.begin()) + 1;
+        texts_.push_back(why);
+        return texts_.size();
+    }
+    [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
+
+  private:
+    std::vector<std::string> texts_;
+};
+
+std::string html_cell(const GridCell& cell, bool number, Reasons& reasons) {
+    if (!cell.why.empty())
+        return fmt::format("<td class=\"missing{}\">{}<sup>{}</sup></td>", number ? " number" : "",
+                           html_text(cell.text), reasons.number(cell.why));
+    return fmt::format("<td{}>{}</td>", number ? " class=\"number\"" : "", html_text(cell.text));
+}
+
+std::string html_reasons(const Reasons& reasons) {
+    if (reasons.texts().empty()) return {};
+    std::string out = "<ol class=\"reasons\">\n";
+    for (const std::string& why : reasons.texts()) out += fmt::format("<li>{}</li>\n", html_text(why));
+    return out + "</ol>\n";
+}
+
+std::string markdown_cell(const GridCell& cell, Reasons& reasons) {
+    if (cell.why.empty()) return markdown_text(cell.text);
+    return fmt::format("{} ({})", markdown_text(cell.text), reasons.number(cell.why));
+}
+
+}  // namespace
+
+GridCell missing_cell(const std::string& why) {
+    return {"not measured", why.empty() ? "no reason given" : why};
+}
+
+GridCell figure_cell(const StoredFigure& figure) {
+    if (figure.value) return {number_text(*figure.value, figure.unit)};
+    return missing_cell(figure.remedy.empty() ? figure.reason : figure.reason + " – " + figure.remedy);
+}
+
+std::string grid_html(const TextGrid& grid) {
+    Reasons reasons;
+    std::string out = "<div class=\"wide\"><table>\n";
+    if (!grid.caption.empty()) out += fmt::format("<caption>{}</caption>\n", html_text(grid.caption));
+    out += "<thead><tr>";
+    for (const GridColumn& column : grid.columns)
+        out += fmt::format("<th scope=\"col\"{}>{}</th>", column.number ? " class=\"number\"" : "",
+                           html_text(column.title));
+    out += "</tr></thead>\n<tbody>\n";
+    for (const auto& row : grid.rows) {
+        out += "<tr>";
+        for (std::size_t i = 0; i < row.size(); ++i)
+            out += html_cell(row[i], grid.columns[i].number, reasons);
+        out += "</tr>\n";
+    }
+    return out + "</tbody></table></div>\n" + html_reasons(reasons);
+}
+
+std::string grid_markdown(const TextGrid& grid) {
+    Reasons reasons;
+    std::string out = grid.caption.empty() ? "" : fmt::format("*{}*\n\n", markdown_text(grid.caption));
+    std::string rule = "|";
+    out += "|";
+    for (const GridColumn& column : grid.columns) {
+        out += fmt::format(" {} |", markdown_text(column.title));
+        rule += column.number ? " ---: |" : " --- |";
+    }
+    out += "\n" + rule + "\n";
+    for (const auto& row : grid.rows) {
+        out += "|";
+        for (const GridCell& cell : row) out += fmt::format(" {} |", markdown_cell(cell, reasons));
+        out += "\n";
+    }
+    if (!reasons.texts().empty()) out += "\n";
+    for (std::size_t i = 0; i < reasons.texts().size(); ++i)
+        out += fmt::format("{}. {}\n", i + 1, markdown_text(reasons.texts()[i]));
+    return out + "\n";
+}
+
+}  // namespace edgewise

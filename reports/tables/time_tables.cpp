@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// The time tables: medians with their intervals, and the ratio to the baseline cell timed in the same rounds.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "edgewise/reports/tables/ratio_interval.hpp"
+#include "edgewise/reports/tables/tables.hpp"
+#include "edgewise/reports/tables/text.hpp"
+
+namespace edgewise {
+
+namespace {
+
+GridCell interval_cell(const StoredFigure& low, const StoredFigure& high) {
+    if (!low.value) return figure_cell(low);
+    if (!high.value) return figure_cell(high);
+    return {fmt::format("{} to {}", number_text(*low.value, low.unit), number_text(*high.value, high.unit))};
+}
+
+GridCell ratio_interval_cell(const ReportCell& cell, PairKind kind) {
+    std::vector<double> ratios;
+    for (const StoredRound& round : cell.rounds) {
+        const auto& ratio = kind == PairKind::Separated ? round.separated_ratio : round.overlapping_ratio;
+        if (ratio) ratios.push_back(*ratio);
+    }
+    const auto interval = median_interval(std::move(ratios));
+    if (!interval) return missing_cell("fewer than two rounds with such pairs in cell and baseline");
+    return {fmt::format("{:.3f} to {:.3f}{}", interval->low, interval->high,
+                        interval->whole_range ? " (range)" : "")};
+}
+
+std::vector<GridCell> time_row(const ReportCell& cell, PairKind kind) {
+    const std::string pairs = pair_name(kind);
+    const StoredFigure ratio = cell.figure("time", pairs + "_ratio");
+    return {{cell.shape},
+            {std::to_string(cell.vertices)},
+            {cell.algorithm},
+            {cell.table},
+            figure_cell(cell.figure("time", pairs + "_ns")),
+            interval_cell(cell.figure("time", pairs + "_ns_low"), cell.figure("time", pairs + "_ns_high")),
+            ratio.value ? GridCell{fmt::format("{:.3f}", *ratio.value)} : figure_cell(ratio),
+            ratio.value ? ratio_interval_cell(cell, kind) : figure_cell(ratio),
+            figure_cell(cell.figure("time", "rounds"))};
+}
+
+/// Unmeasured cells go last.
+double rank(const ReportCell& cell, PairKind kind) {
+    return cell.figure("time", pair_name(kind) + "_ns")
+        .value.value_or(std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
+                   const std::string& shape) {
+    TextGrid grid{fmt::format("{}, {} pairs{}, fastest first", scene_label, pair_name(kind),
+                              shape.empty() ? ": by shape" : ", " + shape),
+                  {{"shape"},
+                   {"vertices", true},
+                   {"algorithm"},
+                   {"table type"},
+                   {"ns a query", true},
+                   {"95 % interval", true},
+                   {"ratio to baseline", true},
+                   {"95 % interval", true},
+                   {"rounds", true}},
+                  {}};
+    std::vector<std::pair<double, const ReportCell*>> cells;
+    for (const ReportCell& cell : data.cells)
+        if (cell.verified() && cell.scene_label == scene_label && (shape.empty() || cell.shape == shape))
+            cells.emplace_back(rank(cell, kind), &cell);
+    std::stable_sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.second->vertices, a.second->shape, a.first) <
+               std::tie(b.second->vertices, b.second->shape, b.first);
+    });
+    for (const auto& [ns, cell] : cells) grid.rows.push_back(time_row(*cell, kind));
+    return grid;
+}
+
+}  // namespace edgewise

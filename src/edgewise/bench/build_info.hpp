@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// What built this program and where it runs: the provenance in every store.
+#pragma once
+
+#include "edgewise/store/store.hpp"
+
+namespace edgewise {
+
+/// Revision, compiler and flags are fixed at build time; the machine is read now.
+[[nodiscard]] BuildRow this_build();
+
+/// Where the set-up left the chart bundles.
+[[nodiscard]] const char* charts_folder();
+
+}  // namespace edgewise

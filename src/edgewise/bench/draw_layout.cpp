@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/bench/draw_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "edgewise/bench/memory/arena.hpp"
+#include "edgewise/layout_parts/block.hpp"
+#include "edgewise/table/table_memory.hpp"
+
+namespace edgewise {
+namespace {
+
+constexpr std::size_t line_bytes = BlockPlan::alignment;
+constexpr std::size_t lines_a_column = 48;
+constexpr int byte_width = 4, line_height = 9;
+constexpr int column_width = 64 * byte_width + 24;
+constexpr int left = 8, top = 44;
+
+/// By Component; told apart by people of every colour vision (Okabe and Ito, 2008), padding in grey.
+constexpr std::array<std::string_view, 6> colours = {"#0072b2", "#56b4e9", "#e69f00",
+                                                     "#cc79a7", "#009e73", "#d9d9d9"};
+
+/// Bytes of one component, side by side.
+struct Run {
+    std::size_t offset, bytes;
+    Component component;
+    bool starts_element;
+};
+
+/// The bytes of one element: its shares in order, padding last.
+void add_element(std::size_t offset, const MappedPiece& piece, std::vector<Run>& runs) {
+    const std::size_t end = offset + piece.stride;
+    bool starts = true;
+    for (const Share& share : piece.shares) {
+        if (share.bytes == 0) continue;
+        runs.push_back({offset, share.bytes, share.component, starts});
+        offset += share.bytes;
+        starts = false;
+    }
+    if (offset < end) runs.push_back({offset, end - offset, Component::padding, starts && piece.stride > 1});
+}
+
+std::vector<Run> runs_of(const std::vector<MappedPiece>& map) {
+    std::vector<Run> runs;
+    for (const MappedPiece& piece : map) {
+        for (std::size_t i = 0; i < piece.count; ++i) {
+            const std::size_t first = runs.size();
+            add_element(piece.offset + i * piece.stride, piece, runs);
+            // Elements of a byte are drawn as one: gaps, and indices of 8 bits.
+            const bool joins = piece.stride == 1 && i > 0 && first > 0;
+            if (!joins) continue;
+            runs.resize(first);
+            ++runs.back().bytes;
+        }
+    }
+    return runs;
+}
+
+class Picture {
+  public:
+    explicit Picture(std::size_t lines) : lines_(lines) {}
+
+    /// The part of a run on each line it touches.
+    void add(const Run& run) {
+        std::size_t at = run.offset;
+        const std::size_t end = run.offset + run.bytes;
+        while (at < end && at / line_bytes < lines_) {
+            const std::size_t next = std::min(end, (at / line_bytes + 1) * line_bytes);
+            add_rectangle(at, next - at, run.component);
+            at = next;
+        }
+        if (run.starts_element && run.offset / line_bytes < lines_) add_mark(run.offset);
+    }
+    [[nodiscard]] std::string take() const { return body_; }
+
+    static int x_of(std::size_t offset) {
+        const std::size_t column = offset / line_bytes / lines_a_column;
+        return left + static_cast<int>(column) * column_width +
+               static_cast<int>(offset % line_bytes) * byte_width;
+    }
+    static int y_of(std::size_t offset) {
+        return top + static_cast<int>(offset / line_bytes % lines_a_column) * line_height;
+    }
+
+  private:
+    void add_rectangle(std::size_t offset, std::size_t bytes, Component component) {
+        body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
+                             x_of(offset), y_of(offset), static_cast<int>(bytes) * byte_width,
+                             line_height - 1, colours[static_cast<std::size_t>(component)]);
+    }
+    void add_mark(std::size_t offset) {
+        body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"1\" height=\"{}\" fill=\"#000\"/>\n",
+                             x_of(offset), y_of(offset), line_height - 1);
+    }
+
+    std::size_t lines_;
+    std::string body_;
+};
+
+std::string legend(const Ledger& ledger, int y) {
+    std::string result;
+    int x = left;
+    for (std::size_t i = 0; i < component_names.size(); ++i) {
+        if (ledger.bytes[i] == 0) continue;
+        const std::string text = fmt::format("{} {} B", component_names[i], ledger.bytes[i]);
+        result += fmt::format(
+            "<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" fill=\"{}\"/>"
+            "<text x=\"{}\" y=\"{}\">{}</text>\n",
+            x, y, colours[i], x + 14, y + 9, text);
+        x += 30 + static_cast<int>(text.size()) * 6;
+    }
+    return result;
+}
+
+Ledger ledger_of(const std::vector<MappedPiece>& map) {
+    Ledger ledger;
+    for (const MappedPiece& piece : map)
+        Piece{nullptr, piece.stride, piece.count, piece.shares}.add_to(ledger);
+    return ledger;
+}
+
+}  // namespace
+
+std::string draw_map(const std::string& title, const std::vector<MappedPiece>& map, std::size_t most_lines) {
+    const std::size_t bytes = map.empty() ? 0 : map.back().offset + map.back().stride * map.back().count;
+    const std::size_t all_lines = (bytes + line_bytes - 1) / line_bytes;
+    const std::size_t lines = std::min(all_lines, most_lines);
+    Picture picture(lines);
+    for (const Run& run : runs_of(map)) picture.add(run);
+    const auto columns = static_cast<int>((lines + lines_a_column - 1) / lines_a_column);
+    const int width = std::max(900, 2 * left + columns * column_width);
+    const int rows = static_cast<int>(std::min(lines, lines_a_column));
+    const std::string cut =
+        lines < all_lines ? fmt::format("; the first {} of {} lines", lines, all_lines) : std::string();
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+        "font-family=\"sans-serif\" font-size=\"11\">\n<title>{2}</title>\n"
+        "<text x=\"{3}\" y=\"14\" font-weight=\"bold\">{2}</text>"
+        "<text x=\"{4}\" y=\"14\" text-anchor=\"end\">{5} bytes; a row is a cache line of {6}, a black "
+        "stroke starts an element{7}</text>\n{8}{9}</svg>\n",
+        width, top + rows * line_height + left, title, left, width - left, bytes, line_bytes, cut,
+        legend(ledger_of(map), 22), picture.take());
+}
+
+std::string draw_layout(const TableType& type, const std::string& shape, const Polyhedron& body) {
+    const auto stored = type.stored_body(body);
+    if (!stored) throw std::invalid_argument(stored.error);
+    Arena arena;
+    const TablesIn placed(arena);
+    return draw_map(fmt::format("{}, {}", type.name, shape), type.memory_map(*stored, type.all_parts()));
+}
+
+}  // namespace edgewise

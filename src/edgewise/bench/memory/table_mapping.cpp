@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+//
+// Addresses are reserved once, far more than any scene needs: mmap without a swap reservation, of a sparse
+// file where there is one. Read-ahead is off: a page that comes is a page that was asked for. For that the
+// device's read-ahead is set to none while the file is opened, which the file then keeps, and set back at
+// once; where that is not permitted the mapping is advised as random, which has Linux 6.3 and later forget
+// which of its pages were used last (vma_has_recency).
+#include "edgewise/bench/memory/table_mapping.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <linux/magic.h>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace edgewise {
+namespace {
+
+constexpr std::size_t reserve_bytes = std::size_t{16} << 30;
+
+bool is_in_memory(int file) {
+    struct statfs system {};
+    return fstatfs(file, &system) != 0 || system.f_type == TMPFS_MAGIC || system.f_type == RAMFS_MAGIC;
+}
+
+/// While it lives, files opened on the folder's device have no read-ahead, for as long as they are open: if
+/// the system lets us, which it tells. The setting is the whole device's, so it is held under a lock, for as
+/// long as opening a file takes.
+class NoReadAhead {
+  public:
+    explicit NoReadAhead(const char* folder) {
+        struct stat about {};
+        if (stat(folder, &about) != 0) return;
+        const auto setting =
+            fmt::format("/sys/class/bdi/{}:{}/read_ahead_kb", major(about.st_dev), minor(about.st_dev));
+        file_ = open(setting.c_str(), O_RDWR | O_CLOEXEC);
+        if (file_ < 0 || flock(file_, LOCK_EX) != 0) return;
+        char text[32] = {};
+        const ssize_t length = pread(file_, text, sizeof text - 1, 0);
+        before_.assign(text, length > 0 ? static_cast<std::size_t>(length) : 0);
+        off_ = !before_.empty() && write("0");
+    }
+    ~NoReadAhead() {
+        if (off_) static_cast<void>(write(before_));
+        if (file_ >= 0) close(file_);
+    }
+    NoReadAhead(const NoReadAhead&) = delete;
+    NoReadAhead& operator=(const NoReadAhead&) = delete;
+
+    [[nodiscard]] bool off() const { return off_; }
+
+  private:
+    [[nodiscard]] bool write(const std::string& value) const {
+        return pwrite(file_, value.data(), value.size(), 0) == static_cast<ssize_t>(value.size());
+    }
+
+    int file_ = -1;
+    std::string before_;
+    bool off_ = false;
+};
+
+struct TemporaryFile {
+    int descriptor = -1;
+    bool read_ahead_off = false;
+};
+
+/// A file without a name. None when the folder takes none, or keeps it in memory.
+TemporaryFile file_in(const char* folder) {
+    const NoReadAhead meanwhile(folder);
+    const int file = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    if (file < 0) return {};
+    if (!is_in_memory(file) && ftruncate(file, reserve_bytes + TableMapping::alignment) == 0)
+        return {file, meanwhile.off()};
+    close(file);
+    return {};
+}
+
+TemporaryFile temporary_file() {
+    const char* const chosen = std::getenv("TMPDIR");
+    for (const char* folder : std::array{chosen ? chosen : "/var/tmp", "/var/tmp", "/tmp", "."}) {
+        if (const TemporaryFile file = file_in(folder); file.descriptor >= 0) return file;
+    }
+    throw std::runtime_error(
+        "allocator file: no folder takes a temporary file on a disk (tried $TMPDIR, /var/tmp, /tmp and the "
+        "current one); set TMPDIR to one on a file system that is not kept in memory");
+}
+
+}  // namespace
+
+std::size_t TableMapping::bytes() { return reserve_bytes; }
+
+TableMapping::TableMapping(Backing backing) {
+    if (backing == Backing::file) {
+        const TemporaryFile file = temporary_file();
+        file_ = file.descriptor;
+        keeps_recency_ = file.read_ahead_off;
+    }
+    const int sharing = backing == Backing::file ? MAP_SHARED : MAP_PRIVATE | MAP_ANONYMOUS;
+    void* const place =
+        mmap(nullptr, reserve_bytes + alignment, PROT_READ | PROT_WRITE, sharing | MAP_NORESERVE, file_, 0);
+    if (place == MAP_FAILED) {
+        if (file_ >= 0) close(file_);
+        throw std::bad_alloc();
+    }
+    reserved_ = static_cast<std::byte*>(place);
+    const auto address = reinterpret_cast<std::uintptr_t>(place);
+    base_ = reserved_ + (alignment - address % alignment) % alignment;
+    madvise(base_, reserve_bytes, MADV_NOHUGEPAGE);
+    if (file_ >= 0 && !keeps_recency_) madvise(base_, reserve_bytes, MADV_RANDOM);
+}
+
+TableMapping::~TableMapping() {
+    munmap(reserved_, reserve_bytes + alignment);
+    if (file_ >= 0) close(file_);
+}
+
+std::optional<std::size_t> TableMapping::resident(std::size_t used) const {
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const std::size_t pages = (used + page - 1) / page;
+    std::vector<unsigned char> in_memory(pages);
+    if (pages > 0 && mincore(base_, pages * page, in_memory.data()) != 0) return std::nullopt;
+    std::size_t count = 0;
+    for (const unsigned char there : in_memory) count += there & 1U;
+    return count * page;
+}
+
+bool TableMapping::evict(std::size_t used) const {
+    if (file_ < 0) return false;
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const std::size_t length = (used + page - 1) / page * page;
+    const auto start = static_cast<off_t>(base_ - reserved_);
+    return msync(base_, length, MS_SYNC) == 0 && madvise(base_, length, MADV_DONTNEED) == 0 &&
+           fdatasync(file_) == 0 &&
+           posix_fadvise(file_, start, static_cast<off_t>(length), POSIX_FADV_DONTNEED) == 0;
+}
+
+}  // namespace edgewise

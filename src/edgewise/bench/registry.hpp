@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// Every table type and every algorithm of this program, by name. The entries come from generated units, one a
+// table type; the manifest is layouts/CMakeLists.txt.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edgewise/bench/runner.hpp"
+#include "edgewise/table/memory_map.hpp"
+#include "edgewise/table/needs.hpp"
+
+namespace edgewise {
+
+struct TableType {
+    std::string name;  ///< layout and precision: "aos_f64"
+    std::string layout, precision;
+    std::string stores, derives;          ///< one line each
+    std::string relative_of;              ///< a layout that it hardly differs from; empty: none
+    std::vector<std::string> algorithms;  ///< those whose contract the layout meets
+    std::string storage;                  ///< of bodies: "double", "single", or a lossy layout's own
+    bool single_storage = false;          ///< holds bodies in the range of single precision
+    bool rounded_planes = false;          ///< stores planes rounder than what computes
+    double eps = 0;                       ///< rounding step of what computes: 2^-52 or 2^-23
+    std::function<std::unique_ptr<Runner>(std::string_view algorithm)> make_runner;
+    std::function<Result<Polyhedron>(const Polyhedron&)> stored_body;  ///< what its tables hold of a body
+    /// a table that nobody asks anything: for its memory
+    std::function<std::shared_ptr<const void>(const Polyhedron&, Parts)> make_table;
+    std::function<Ledger(const Polyhedron&, Parts)> ledger;  ///< of a table built from a body it can store
+    /// of such a table, where its memory comes from now (table_memory.hpp)
+    std::function<std::vector<MappedPiece>(const Polyhedron&, Parts)> memory_map;
+
+    /// All that any of its algorithms needs.
+    [[nodiscard]] Parts all_parts() const { return serves("vclip") ? Parts::features : Parts::support; }
+
+    [[nodiscard]] bool serves(std::string_view algorithm) const {
+        return std::find(algorithms.begin(), algorithms.end(), algorithm) != algorithms.end();
+    }
+};
+
+struct AlgorithmInfo {
+    std::string name, summary;
+    Parts parts;
+};
+
+/// In the manifest's order.
+[[nodiscard]] std::span<const TableType> table_types();
+[[nodiscard]] std::span<const AlgorithmInfo> algorithms();
+
+/// Names as a user writes them: "aos" (all its precisions), "aos_f64", "all". Throws std::invalid_argument
+/// that lists the known names.
+[[nodiscard]] std::vector<const TableType*> select_table_types(std::span<const std::string> names);
+[[nodiscard]] std::vector<std::string> select_algorithms(std::span<const std::string> names);
+
+}  // namespace edgewise

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Times of building a table, and of refitting one in place, in turn: neighbours in time share the machine's
+// moods. In memory that nobody used before, where the allocator has that.
+#pragma once
+
+#include "edgewise/measure/memory_use.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/table/needs.hpp"
+#include "edgewise/layout_parts/write_geometry.hpp"
+
+namespace edgewise {
+
+/// Of a body that the table can store; deformed, it is twice as large and back, with the topology kept.
+template <class Table>
+[[nodiscard]] BuildTimes time_builds(const Polyhedron& body, Parts parts, int repetitions) {
+    const Polyhedron larger = scaled(body, 2);
+    Table refitted(body, parts);
+    BuildTimes times;
+    for (int i = 0; i < repetitions; ++i) {
+        const Stopwatch build_watch;
+        const Table fresh(body, parts);
+        times.build_ns.push_back(build_watch.elapsed_ns());
+        if constexpr (Refittable<Table>) {
+            const Stopwatch refit_watch;
+            refit(refitted, i % 2 == 0 ? larger : body);
+            times.refit_ns.push_back(refit_watch.elapsed_ns());
+        }
+    }
+    return times;
+}
+
+}  // namespace edgewise

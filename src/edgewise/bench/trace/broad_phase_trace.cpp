@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/bench/trace/broad_phase_trace.hpp"
+
+#include "edgewise/bench/trace/trace_names.hpp"
+
+namespace edgewise {
+
+namespace {
+
+/// From elements of arrays to addresses.
+struct TracedTouches {
+    const TracePlaces& places;
+    TraceListener& listener;
+
+    void read(BroadPhaseArray array, std::size_t i, ElementPart part) const {
+        note(array, i, part, AccessKind::read);
+    }
+    void write(BroadPhaseArray array, std::size_t i, ElementPart part) const {
+        note(array, i, part, AccessKind::write);
+    }
+
+    void note(BroadPhaseArray array, std::size_t i, ElementPart part, AccessKind kind) const {
+        const auto which = static_cast<std::size_t>(array);
+        listener.on_access({places.broad_phase[which] + i * TracePlaces::element_bytes[which] + part.offset,
+                            static_cast<std::uint32_t>(part.bytes), kind,
+                            static_cast<std::uint8_t>(broad_phase_field + which),
+                            static_cast<std::uint8_t>(TraceStep::broad_phase), TraceSide::scene});
+    }
+};
+
+}  // namespace
+
+std::size_t BroadPhaseTrace::run(const Frame& frame) {
+    if (frame.boxes.empty()) return 0;
+    if (frame.starts_anew || !broad_phase_) broad_phase_.emplace(frame.boxes.size());
+    TracedTouches touches{places_, listener_};
+    for (std::size_t body = 0; body < frame.boxes.size(); ++body)
+        touches.write(BroadPhaseArray::boxes, body, {0, sizeof(Aabb)});
+    return broad_phase_->update(frame.boxes, touches).size();
+}
+
+}  // namespace edgewise

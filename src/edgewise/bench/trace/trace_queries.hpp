@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+//
+// The queries of a workload once more, through tables that tell what is read of them; and what a query reads
+// and writes of its pair's cache, and a frame's broad phase of its arrays. Answers are those of the plain
+// tables.
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/measure/cache/trace.hpp"
+#include "edgewise/scene/workload.hpp"
+#include "edgewise/bench/trace/broad_phase_trace.hpp"
+#include "edgewise/bench/cold_starts.hpp"
+#include "edgewise/bench/runner.hpp"
+#include "edgewise/bench/trace/trace_names.hpp"
+#include "edgewise/bench/trace/trace_places.hpp"
+
+namespace edgewise {
+
+/// Sets the step that reads are booked under: of V-Clip the state, of GJK the iterations.
+struct StepMarks {
+    TraceSink &a, &b;
+
+    void visit(FeatureKind kind_a, FeatureKind kind_b) const { set(step_of(kind_a, kind_b)); }
+    void settle() const { set(TraceStep::settle); }
+    void iterate(std::uint8_t /*members*/) const { set(TraceStep::gjk_iteration); }
+    void set(TraceStep step) const {
+        a.set_step(static_cast<std::uint8_t>(step));
+        b.set_step(static_cast<std::uint8_t>(step));
+    }
+};
+
+/// Views of two tables, and their pair cache. TracedTable: the table's layout with a loader that tells a
+/// TraceSink.
+template <class Algorithm, class TracedTable>
+struct TracedPair {
+    TracedTable a, b;
+    typename Algorithm::template Pair<TracedTable, TracedTable> pair;
+
+    template <class Table>
+    TracedPair(const Table& table_a, const Table& table_b, TraceSink& sink_a, TraceSink& sink_b)
+        : a(table_a, {&sink_a}), b(table_b, {&sink_b}), pair(a, b) {}
+};
+
+/// Frames of a workload as its queries come by: the broad phase before a frame's first, the listener told
+/// after its last.
+class FrameTrace {
+  public:
+    FrameTrace(const Workload& workload, const TracePlaces& places, TraceListener& listener)
+        : workload_(workload), listener_(listener), broad_phase_(places, listener) {}
+
+    /// Before each query, in order.
+    void before(std::size_t query) {
+        for (; next_ < workload_.frames.size() && workload_.frames[next_].first_query <= query; ++next_) {
+            end();
+            static_cast<void>(broad_phase_.run(workload_.frames[next_]));
+        }
+    }
+    /// After the last frame.
+    void end() const {
+        if (next_ > 0) listener_.on_frame_end();
+    }
+
+  private:
+    const Workload& workload_;
+    TraceListener& listener_;
+    BroadPhaseTrace broad_phase_;
+    std::size_t next_ = 0;
+};
+
+/// Tells the listener of the first queries, until so many have counted. tables(query) gives a query's two
+/// tables. Tables are only read and pairs read first and written last, so nothing is told as modified.
+template <class Algorithm, class TracedTable, class Tables>
+PassSum trace_queries(const Workload& workload, std::size_t limit, const QueryOptions& options,
+                      const TracePlaces& places, Tables tables, TraceListener& listener) {
+    const std::vector<std::uint8_t> cold = cold_starts(workload);
+    TraceSink sink_a(listener, TraceSide::table_a, places.base);
+    TraceSink sink_b(listener, TraceSide::table_b, places.base);
+    const StepMarks marks{sink_a, sink_b};
+    const auto touch_pair = [&](std::uint32_t pair, AccessKind kind) {
+        if (!workload.warm) return;
+        listener.on_access({places.pair_caches + std::uint64_t{pair} * places.pair_bytes, places.pair_bytes,
+                            kind, pair_cache_field, static_cast<std::uint8_t>(TraceStep::pair_cache),
+                            TraceSide::scene});
+    };
+    std::unordered_map<std::uint32_t, std::unique_ptr<TracedPair<Algorithm, TracedTable>>> pairs;
+    FrameTrace frames(workload, places, listener);
+    std::size_t counted = 0;
+    PassSum sum;
+    for (std::size_t i = 0; i < cold.size() && counted < limit; ++i) {
+        const Query& query = workload.queries[i];
+        frames.before(i);
+        const auto [table_a, table_b] = tables(query);
+        auto& traced = pairs[query.pair];
+        if (!traced || !workload.warm) {
+            traced = std::make_unique<TracedPair<Algorithm, TracedTable>>(*table_a, *table_b, sink_a, sink_b);
+        }
+        touch_pair(query.pair, AccessKind::read);
+        marks.set(TraceStep::start);
+        const Transform<double> a_from_b = relative_pose(query.pose_a, query.pose_b);
+        sum.distances +=
+            Algorithm::query(traced->a, traced->b, a_from_b, traced->pair, options, marks).distance;
+        ++sum.queries;
+        touch_pair(query.pair, AccessKind::write);
+        listener.on_query_end(!cold[i]);
+        counted += !cold[i];
+    }
+    frames.end();
+    return sum;
+}
+
+}  // namespace edgewise

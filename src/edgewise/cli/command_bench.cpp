@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise bench`: how fast Edgewise's own measuring is.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "edgewise/cli/cell_options.hpp"
+#include "edgewise/studies/model_speed.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct Options {
+    CellChoice cell;
+    int repetitions = 7;
+};
+
+int run(const Options& options, bool json) {
+    const SingleCell cell(options.cell);
+    const std::vector<ModelSpeed> speeds = model_speeds(cell, options.repetitions);
+    nlohmann::json rows = nlohmann::json::array();
+    if (!json) fmt::print("{:<40} {:<18} {:>10} {:>12}\n", "what", "trace", "accesses", "million a s");
+    for (const ModelSpeed& speed : speeds) {
+        rows.push_back({{"what", speed.what},
+                        {"trace", speed.trace},
+                        {"accesses", speed.accesses},
+                        {"accesses_per_second", speed.per_second}});
+        if (!json)
+            fmt::print("{:<40} {:<18} {:>10} {:>12.1f}\n", speed.what, speed.trace, speed.accesses,
+                       speed.per_second * 1e-6);
+    }
+    if (json) fmt::print("{}\n", nlohmann::json({{"bench", rows}}).dump());
+    return exit_done;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        add_command(app, context, "bench", "How fast the cache model and the reuse distances are");
+    add_cell_options(*command, options->cell);
+    command->add_option("--repetitions", options->repetitions, "of each, for a median")
+        ->check(CLI::Range(1, 1000));
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+}
+
+}  // namespace edgewise::cli

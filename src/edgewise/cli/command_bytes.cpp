@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise bytes`: the bytes-per-edge ledger of tables that are really built. Tables hold all their parts
+// here.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/sweep/decompositions.hpp"
+#include "edgewise/sweep/table_bytes.hpp"
+#include "edgewise/studies/table_memory_cost.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct Options {
+    std::string shape = "sphere386";
+    std::string mesh;
+    std::vector<std::string> layouts = {"all"};
+    bool slopes = false;
+};
+
+struct NamedBody {
+    std::string name;
+    Polyhedron body;
+};
+
+NamedBody chosen_body(const Options& options) {
+    if (options.mesh.empty()) {
+        auto body = make_shape(options.shape);
+        if (!body) throw std::invalid_argument(body.error);
+        return {options.shape, std::move(*body)};
+    }
+    auto bodies = read_mesh_file(options.mesh, MeshGrouping::one_hull);
+    if (!bodies) throw std::invalid_argument(bodies.error);
+    if (!bodies.warning.empty()) fmt::print(stderr, "edgewise: {}\n", bodies.warning);
+    return {(*bodies)[0].name, std::move((*bodies)[0].body)};
+}
+
+const Probe& bytes_probe() {
+    for (const auto& probe : registered_probes()) {
+        if (probe->name() == "bytes") return *probe;
+    }
+    throw std::runtime_error("this program was built without the bytes probe (see probes/CMakeLists.txt)");
+}
+
+Polyhedron as_stored(const TableType& type, const Polyhedron& body) {
+    auto stored = type.stored_body(body);
+    if (!stored) throw std::invalid_argument(stored.error);
+    return std::move(*stored);
+}
+
+nlohmann::json number_or_null(const std::optional<std::size_t>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+/// Beside the table's own bytes: allocators, pages, and lines that queries touch.
+void add_costs(const TableType& type, const Polyhedron& body, Parts parts, nlohmann::json& row) {
+    row["allocators"] = nlohmann::json::array();
+    for (const AllocatorCost& cost : allocator_costs(type, body, parts)) {
+        nlohmann::json entry = {{"name", cost.allocator},
+                                {"taken_bytes", number_or_null(cost.taken)},
+                                {"by_its_statistics", number_or_null(cost.by_statistics)},
+                                {"resident_bytes", number_or_null(cost.resident)}};
+        if (!cost.reason.empty()) entry["reason"] = cost.reason;
+        row["allocators"].push_back(std::move(entry));
+    }
+    row["queries"] = nlohmann::json::array();
+    for (const std::string& algorithm : type.algorithms) {
+        const Result<LinesTouched> touched = lines_in_tumble(type, algorithm, body);
+        const auto mean = [&](std::uint64_t sum) {
+            return touched ? nlohmann::json(static_cast<double>(sum) / static_cast<double>(touched->queries))
+                           : nlohmann::json();
+        };
+        const LinesTouched sums = touched ? *touched : LinesTouched{};
+        row["queries"].push_back({{"algorithm", algorithm},
+                                  {"lines_per_query", mean(sums.lines)},
+                                  {"line_bytes_per_query", mean(sums.lines * cache_line)},
+                                  {"read_bytes_per_query", mean(sums.bytes)}});
+        if (!touched) row["queries"].back()["reason"] = touched.error;
+    }
+}
+
+void add_slopes(const TableType& type, Parts parts, nlohmann::json& row) {
+    row["slopes_by_index_width"] = nlohmann::json::array();
+    for (const WidthSlope& slope : slopes_by_width(type, parts)) {
+        row["slopes_by_index_width"].push_back({{"offset_bits", slope.offset_bits},
+                                                {"neighbour_bits", slope.neighbour_bits},
+                                                {"least_vertices", slope.least_vertices},
+                                                {"most_vertices", slope.most_vertices},
+                                                {"bytes_per_edge", slope.bytes_per_edge}});
+    }
+}
+
+nlohmann::json row_of(const TableType& type, const NamedBody& shape, SizeFamily& sizes, bool slopes) {
+    const Polyhedron body = as_stored(type, shape.body);
+    const Parts parts = type.all_parts();
+    Subject subject;
+    subject.table = table_bytes(type.ledger(body, parts), body);
+    subject.sizes = sizes.of(type, parts);
+    nlohmann::json row = {
+        {"layout", type.layout}, {"precision", type.precision},     {"table", type.name},
+        {"shape", shape.name},   {"vertices", body.vertex_count()}, {"edges", body.edge_count()}};
+    for (const Figure& figure : bytes_probe().figures(subject)) {
+        const bool component =
+            std::find(component_names.begin(), component_names.end(), figure.name) != component_names.end();
+        (component ? row["components"] : row)[figure.name] =
+            figure.value ? nlohmann::json(*figure.value) : nlohmann::json();
+    }
+    row["bytes_per_vertex"] = subject.table.total / static_cast<double>(body.vertex_count());
+    add_costs(type, body, parts, row);
+    if (slopes) add_slopes(type, parts, row);
+    return row;
+}
+
+void print_number(const nlohmann::json& value, int width, int digits) {
+    if (value.is_null()) {
+        fmt::print("{:>{}}", "-", width);
+    } else {
+        fmt::print("{:>{}.{}f}", value.get<double>(), width, digits);
+    }
+}
+
+void print_table(const nlohmann::json& rows) {
+    fmt::print("{:<24}{:>8}{:>8}{:>8}", "table", "paper", "total", "slope");
+    for (const auto name : component_names) fmt::print("{:>20}", name);
+    fmt::print("   (bytes per edge)\n");
+    for (const auto& row : rows) {
+        fmt::print("{:<24}", row["table"].get<std::string>());
+        for (const char* key : {"paper_bytes_per_edge", "total_bytes_per_edge", "slope_bytes_per_edge"}) {
+            print_number(row[key], 8, 2);
+        }
+        for (const auto name : component_names) print_number(row["components"][std::string(name)], 20, 2);
+        fmt::print("\n");
+    }
+}
+
+void print_costs(const nlohmann::json& rows) {
+    fmt::print("\n{:<24}{:>10}{:>10}{:>10}{:>10}{:>10}{:>14}{:>14}\n", "table", "bytes", "arena", "jemalloc",
+               "libc", "resident", "lines, vclip", "lines, gjk");
+    for (const auto& row : rows) {
+        fmt::print("{:<24}", row["table"].get<std::string>());
+        print_number(row["table_bytes"], 10, 0);
+        for (const auto& allocator : row["allocators"]) print_number(allocator["taken_bytes"], 10, 0);
+        print_number(row["allocators"][0]["resident_bytes"], 10, 0);
+        for (const char* algorithm : {"vclip", "gjk"}) {
+            nlohmann::json lines;
+            for (const auto& entry : row["queries"])
+                if (entry["algorithm"] == algorithm) lines = entry["lines_per_query"];
+            print_number(lines, 14, 1);
+        }
+        fmt::print("\n");
+    }
+    fmt::print(
+        "bytes: the table's own; what it takes in each allocator; pages in memory in the arena; distinct "
+        "cache "
+        "lines\na query touches in both tables, tumble at 0.1 rad a step\n");
+}
+
+void print_slopes(const nlohmann::json& rows) {
+    fmt::print("\nbytes per additional edge, by bits of ring offsets and of neighbours at that size\n{:<24}",
+               "table");
+    for (const auto& slope : rows[0]["slopes_by_index_width"])
+        fmt::print("{:>9}/{}", slope["offset_bits"].get<int>(), slope["neighbour_bits"].get<int>());
+    fmt::print("\n");
+    for (const auto& row : rows) {
+        fmt::print("{:<24}", row["table"].get<std::string>());
+        for (const auto& slope : row["slopes_by_index_width"]) print_number(slope["bytes_per_edge"], 11, 2);
+        fmt::print("\n");
+    }
+}
+
+int run(const Options& options, bool json) {
+    const NamedBody shape = chosen_body(options);
+    SizeFamily sizes;
+    nlohmann::json rows = nlohmann::json::array();
+    for (const TableType* type : select_table_types(options.layouts))
+        rows.push_back(row_of(*type, shape, sizes, options.slopes));
+    if (json) {
+        fmt::print("{}\n", nlohmann::json{{"rows", rows}, {"decompositions", decompositions_json()}}.dump());
+    } else {
+        fmt::print("{}: {} vertices, {} edges\n", shape.name, shape.body.vertex_count(),
+                   shape.body.edge_count());
+        print_table(rows);
+        print_costs(rows);
+        if (options.slopes) print_slopes(rows);
+        fmt::print("\n{}", decompositions_text());
+    }
+    return exit_done;
+}
+
+}  // namespace
+
+void add_bytes(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = add_command(app, context, "bytes", "The bytes-per-edge ledger");
+    auto* shape = command->add_option("--shape", options->shape, "built-in shape")->capture_default_str();
+    command->add_option("--mesh", options->mesh, "mesh file instead of a built-in shape")->excludes(shape);
+    command->add_option("--layouts", options->layouts, "layouts or table types, e.g. aos soa_f32")
+        ->delimiter(',');
+    command->add_flag(
+        "--slopes", options->slopes,
+        "also the slope at every index width, over bodies of 8 to 100 000 vertices; takes a while");
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+}
+
+}  // namespace edgewise::cli

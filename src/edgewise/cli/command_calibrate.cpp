@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise calibrate`: the cache model of this machine against its counters, over random chases.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/measure/counters/calibration.hpp"
+#include "edgewise/measure/machine/host_machine.hpp"
+#include "edgewise/measure/machine/machine.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+/// Only where something was counted; a model of no misses has no ratio.
+std::optional<double> ratio(const CalibrationRow& row) {
+    if (!row.counted || row.modelled <= 0) return std::nullopt;
+    return *row.counted / row.modelled;
+}
+
+nlohmann::json json_of(const CalibrationRow& row) {
+    const auto value = [](const std::optional<double>& number) {
+        return number ? nlohmann::json(*number) : nlohmann::json();
+    };
+    return {{"level", row.level},
+            {"times", row.times},
+            {"bytes", row.bytes},
+            {"modelled_per_load", row.modelled},
+            {"event", row.event},
+            {"counted_per_load", value(row.counted)},
+            {"ratio", value(ratio(row))},
+            {"ns_per_load", row.ns},
+            {"reason", row.reason.empty() ? nlohmann::json() : nlohmann::json(row.reason)}};
+}
+
+void print(const std::vector<CalibrationRow>& rows) {
+    fmt::print("{:<6} {:>7} {:>11} {:>10} {:>10} {:>7} {:>8}\n", "level", "times", "KiB", "modelled",
+               "counted", "ratio", "ns");
+    for (const CalibrationRow& row : rows) {
+        const auto number = [](const std::optional<double>& value) {
+            return value ? fmt::format("{:.4f}", *value) : std::string("-");
+        };
+        fmt::print("{:<6} {:>7.1f} {:>11.0f} {:>10.4f} {:>10} {:>7} {:>8.2f}\n", row.level, row.times,
+                   static_cast<double>(row.bytes) / 1024, row.modelled, number(row.counted),
+                   number(ratio(row)), row.ns);
+    }
+    const bool none = std::none_of(rows.begin(), rows.end(),
+                                   [](const CalibrationRow& row) { return row.counted.has_value(); });
+    if (none && !rows.empty()) fmt::print("no counters: {}\n", rows.front().reason);
+}
+
+int run(const CalibrationOptions& options, bool json) {
+    const Fact<CacheMachine> host = host_machine();
+    if (!host.value) throw std::runtime_error("this machine's caches are not known: " + host.reason);
+    const auto rows = calibrate_model(*host.value, read_machine().cpu, options);
+    if (!json) {
+        print(rows);
+        return exit_done;
+    }
+    nlohmann::json all = nlohmann::json::array();
+    for (const CalibrationRow& row : rows) all.push_back(json_of(row));
+    fmt::print("{}\n", nlohmann::json({{"calibration", all}}).dump());
+    return exit_done;
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, Context& context) {
+    auto options = std::make_shared<CalibrationOptions>();
+    CLI::App* command = add_command(app, context, "calibrate",
+                                    "Misses of random loads, modelled against counted, by level and size");
+    command->add_option("--times", options->times, "memory, in sizes of each level")
+        ->delimiter(',')
+        ->check(CLI::Range(0.01, 1000.0));
+    command->add_option("--loads", options->loads, "of a pass")->check(CLI::Range(1000, 1'000'000'000));
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+}
+
+}  // namespace edgewise::cli

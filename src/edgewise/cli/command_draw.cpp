@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise draw layout NAME`: a picture of one body's table, as SVG on standard output.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/bench/draw_layout.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct Options {
+    std::string layout;
+    std::string shape = "cube8";
+};
+
+int run(const Options& options, bool json) {
+    auto body = make_shape(options.shape);
+    if (!body) throw std::invalid_argument(body.error);
+    nlohmann::json drawings = nlohmann::json::array();
+    const std::string names[] = {options.layout};
+    for (const TableType* type : select_table_types(names)) {
+        const std::string svg = draw_layout(*type, options.shape, *body);
+        if (!json) {
+            fmt::print("{}", svg);
+            return exit_done;
+        }
+        drawings.push_back({{"table", type->name}, {"shape", options.shape}, {"svg", svg}});
+    }
+    fmt::print("{}\n", nlohmann::json{{"drawings", drawings}}.dump());
+    return exit_done;
+}
+
+}  // namespace
+
+void add_draw(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* draw = app.add_subcommand("draw", "Pictures: draw layout NAME");
+    draw->require_subcommand(1);
+    CLI::App* command = add_command(*draw, context, "layout",
+                                    "One body's table to scale: cache lines, bytes coloured by component");
+    command
+        ->add_option("name", options->layout,
+                     "layout or table type; of a layout its first precision, with --json all")
+        ->required();
+    command->add_option("--shape", options->shape, "built-in shape")->capture_default_str();
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+}
+
+}  // namespace edgewise::cli

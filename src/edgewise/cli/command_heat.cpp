@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise heat`: what one cell's queries touch of its tables: by field, by line, by component, and which
+// vertices, edges and faces; as text, JSON or a picture.
+#include <fmt/format.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "edgewise/cli/cell_options.hpp"
+#include "edgewise/measure/cache/heat_map.hpp"
+#include "edgewise/bench/draw_heat.hpp"
+#include "edgewise/sweep/touched_tables.hpp"
+#include "edgewise/bench/trace/trace_names.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct Options {
+    CellChoice cell;
+    bool svg = false;
+};
+
+/// Lines of the tables alone: what follows them is the scene's.
+std::span<const std::uint32_t> lines_of_tables(const HeatMap& heat, const SingleCell& cell) {
+    const std::size_t lines = (cell.runner().table_allocator().taken() + 63) / 64;
+    return std::span(heat.accesses_by_line()).first(std::min(lines, heat.accesses_by_line().size()));
+}
+
+/// Of the first table, by the order in which the layout stores them.
+nlohmann::json features(const TableMap& map, const TouchedBytes& touched) {
+    nlohmann::json json = nlohmann::json::object();
+    const std::pair<const char*, FeatureKind> kinds[] = {
+        {"vertices", FeatureKind::vertex}, {"edges", FeatureKind::edge}, {"faces", FeatureKind::face}};
+    for (const auto& [name, kind] : kinds) {
+        const auto elements = touched_features(map, touched, kind);
+        json[name] = elements ? nlohmann::json(*elements) : nlohmann::json();
+    }
+    return json;
+}
+
+void print(const HeatMap& heat, const TouchedTables& tables) {
+    const auto queries = static_cast<double>(heat.queries());
+    fmt::print("{} queries; {} lines accessed, {} take half of all accesses, {} take 90 %\n", heat.queries(),
+               heat.lines(), heat.lines_taking(0.5), heat.lines_taking(0.9));
+    fmt::print("tables: {} of {} bytes touched\n", tables.bytes, tables.of_bytes);
+    for (const auto& [component, part] : tables.by_component)
+        fmt::print("  {:<20} {:.4f}\n", component, part);
+    const auto feature = [](const char* name, const std::optional<double>& part) {
+        fmt::print("  {:<20} {}\n", name, part ? fmt::format("{:.4f}", *part) : "none stored apart");
+    };
+    feature("vertices", tables.vertices);
+    feature("edges", tables.edges);
+    feature("faces", tables.faces);
+    fmt::print("accesses a query\n");
+    for (std::size_t i = 0; i < field_names().size(); ++i) {
+        if (const auto count = heat.accesses_by_field()[i]; count > 0)
+            fmt::print("  {:<20} {:.2f}\n", field_names()[i], static_cast<double>(count) / queries);
+    }
+}
+
+nlohmann::json json_of(const HeatMap& heat, const TouchedTables& tables, const SingleCell& cell) {
+    const auto part = [](const std::optional<double>& value) {
+        return value ? nlohmann::json(*value) : nlohmann::json();
+    };
+    nlohmann::json fields = nlohmann::json::object();
+    for (std::size_t i = 0; i < field_names().size(); ++i)
+        if (const auto count = heat.accesses_by_field()[i]; count > 0)
+            fields[std::string(field_names()[i])] = count;
+    return {
+        {"queries", heat.queries()},
+        {"accesses_by_field", fields},
+        {"accesses_by_line", lines_of_tables(heat, cell)},
+        {"touched_bytes", tables.bytes},
+        {"table_bytes", tables.of_bytes},
+        {"touched_by_component", tables.by_component},
+        {"touched_parts",
+         {{"vertices", part(tables.vertices)}, {"edges", part(tables.edges)}, {"faces", part(tables.faces)}}},
+        {"touched_of_first_table", features(cell.runner().memory_maps().front(), heat.touched())}};
+}
+
+int run(const Options& options, bool json) {
+    const SingleCell cell(options.cell);
+    HeatMap heat(field_names().size(), step_names().size());
+    cell.runner().trace(cell.workload(), std::numeric_limits<std::size_t>::max(), heat);
+    const TouchedTables tables = touched_tables(cell.runner().memory_maps(), heat.touched());
+    if (options.svg) {
+        const std::string title =
+            fmt::format("{} {}, {} {}, {} queries", options.cell.table, options.cell.algorithm,
+                        options.cell.scene, options.cell.shape, heat.queries());
+        fmt::print("{}", draw_heat(title, lines_of_tables(heat, cell)));
+    } else if (json) {
+        fmt::print("{}\n", json_of(heat, tables, cell).dump());
+    } else {
+        print(heat, tables);
+    }
+    return exit_done;
+}
+
+}  // namespace
+
+void add_heat(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        add_command(app, context, "heat", "What one cell's queries touch of its tables, and how often");
+    add_cell_options(*command, options->cell);
+    command->add_flag("--svg", options->svg, "a picture of the tables' lines, on stdout");
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise paging`: major page faults a query under memory limits, measured, beside their prediction.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/studies/paging.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct Options {
+    std::vector<std::string> layouts = {"aos_f64", "lean_f64"};
+    std::string algorithm = "vclip", shape = "sphere386";
+    std::size_t bodies = 600, steps = 6;
+    double rotation_step = 0.1;
+    bool same_order = false;
+    std::vector<double> limits = {2, 4, 5, 6, 7, 12, 16, 24, 32, 48, 64, 80, 96};
+    std::uint64_t seed = 1;
+};
+
+Workload pressure(const Options& options) {
+    const auto parameters = complete_parameters("pressure", {{"bodies", static_cast<double>(options.bodies)},
+                                                             {"rotation_step", options.rotation_step},
+                                                             {"new_order", options.same_order ? 0 : 1}});
+    if (!parameters) throw std::invalid_argument(parameters.error);
+    const auto body = make_shape(options.shape);
+    if (!body) throw std::invalid_argument(body.error);
+    auto workload =
+        make_scene("pressure", *body, *parameters, options.seed, options.steps * (options.bodies - 1), {});
+    if (!workload) throw std::invalid_argument(workload.error);
+    return std::move(*workload);
+}
+
+nlohmann::json json_of(const PagingResult& result) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const PagingRow& row : result.rows) {
+        const bool measured = row.reason.empty();
+        const auto value = [&](double number) {
+            return measured ? nlohmann::json(number) : nlohmann::json();
+        };
+        rows.push_back({{"limit_bytes", row.limit_bytes},
+                        {"predicted_at_limit", row.predicted_at_limit},
+                        {"table_pages_held", value(static_cast<double>(row.table_pages_held.value_or(0)))},
+                        {"predicted_at_held", value(row.predicted_at_held)},
+                        {"faults_per_query", value(row.faults_per_query)},
+                        {"ns_per_query", value(row.ns_per_query)},
+                        {"reason", measured ? nlohmann::json() : nlohmann::json(row.reason)}});
+    }
+    return {{"table", result.table},
+            {"algorithm", result.algorithm},
+            {"table_bytes", result.table_bytes},
+            {"pages_touched", result.pages_touched},
+            {"queries", result.queries},
+            {"keeps_recency", result.keeps_recency},
+            {"rows", rows},
+            {"reason", result.reason.empty() ? nlohmann::json() : nlohmann::json(result.reason)}};
+}
+
+void print(const PagingResult& result) {
+    const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+    fmt::print("{} {}: tables {:.1f} MiB, pages touched {:.1f} MiB\n", result.table, result.algorithm,
+               static_cast<double>(result.table_bytes) / (1 << 20),
+               static_cast<double>(result.pages_touched) * page / (1 << 20));
+    if (!result.reason.empty()) fmt::print("  not measured: {}\n", result.reason);
+    if (!result.keeps_recency)
+        fmt::print(
+            "  read-ahead could not be turned off as root would: this kernel may throw out any page\n");
+    if (!result.rows.empty())
+        fmt::print("  {:>10} {:>10} {:>10} {:>10} {:>14} {:>10}\n", "limit, MiB", "predicted", "held, MiB",
+                   "predicted", "faults a query", "us a query");
+    for (const PagingRow& row : result.rows) {
+        fmt::print("  {:>10.1f} {:>10.4f} ", static_cast<double>(row.limit_bytes) / (1 << 20),
+                   row.predicted_at_limit);
+        if (!row.reason.empty()) {
+            fmt::print("not measured: {}\n", row.reason);
+            continue;
+        }
+        fmt::print("{:>10.1f} {:>10.4f} {:>14.4f} {:>10.2f}\n",
+                   static_cast<double>(*row.table_pages_held) * page / (1 << 20), row.predicted_at_held,
+                   row.faults_per_query, row.ns_per_query / 1000);
+    }
+}
+
+int run(const Options& options, bool json) {
+    const Workload workload = pressure(options);
+    std::vector<std::uint64_t> limits;
+    for (const double mebibytes : options.limits)
+        limits.push_back(static_cast<std::uint64_t>(mebibytes * (1 << 20)));
+    nlohmann::json results = nlohmann::json::array();
+    for (const TableType* type : select_table_types(options.layouts)) {
+        if (!type->serves(options.algorithm))
+            throw std::invalid_argument(fmt::format("{} does not serve {}", type->name, options.algorithm));
+        const PagingResult result =
+            measure_paging(*type, options.algorithm, workload, [&](std::uint64_t) { return limits; });
+        if (json) {
+            results.push_back(json_of(result));
+        } else {
+            print(result);
+        }
+    }
+    if (json) fmt::print("{}\n", nlohmann::json({{"paging", results}}).dump());
+    return exit_done;
+}
+
+}  // namespace
+
+void add_paging(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        add_command(app, context, "paging",
+                    "Page faults of many bodies' queries under memory limits, and their prediction; "
+                    "turns a disk's read-ahead off for the moment of opening a file");
+    command->add_option("--layouts", options->layouts, "table types, a table for each body")->delimiter(',');
+    command->add_option("--algorithm", options->algorithm, "vclip or gjk")->capture_default_str();
+    command->add_option("--shape", options->shape, "of all bodies")->capture_default_str();
+    command->add_option("--bodies", options->bodies, "how many")->check(CLI::Range(2, 100000));
+    command->add_option("--steps", options->steps, "of the scene, in each pass")->check(CLI::Range(1, 1000));
+    command->add_option("--rotation-step", options->rotation_step, "rad, of every body a step");
+    command->add_flag("--same-order", options->same_order,
+                      "ask the pairs in the same order every step, instead of in a new one");
+    command->add_option("--limits", options->limits, "of memory, MiB; 0: none")
+        ->delimiter(',')
+        ->check(CLI::Range(0.0, 1e6));
+    command->add_option("--seed", options->seed, "of the scene");
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise query`: answers for pairs given in a case file, one JSON line each. A line that cannot be read or
+// answered gets a line with status "failed" and the reason, so that no line is lost.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/scene/case_file.hpp"
+#include "edgewise/bench/certificates.hpp"
+#include "edgewise/bench/registry.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+using nlohmann::json;
+
+struct Options {
+    std::string cases;
+    std::string algorithm = "vclip";
+    std::string layout = "aos_f64";
+    std::string needs = std::string(to_string(Needs::features));
+    QueryOptions query;
+};
+
+Needs chosen_needs(const Options& options) {
+    const auto needs = needs_from(options.needs);
+    if (needs) return *needs;
+    throw std::invalid_argument(
+        fmt::format("unknown need '{}'; known: {}", options.needs, fmt::join(needs_names, ", ")));
+}
+
+json point_json(const Vec3d& p) { return {p.x(), p.y(), p.z()}; }
+
+json feature_json(const NamedFeature& feature) {
+    return {{"kind", to_string(feature.kind)}, {"vertices", feature.vertices}};
+}
+
+/// All keys of an answer, with nothing in them yet.
+json empty_answer(const std::string& id) {
+    json line = {{"id", id}, {"status", "failed"}};
+    for (const char* key :
+         {"distance", "point_a", "point_b", "feature_a", "feature_b", "depth", "normal", "steps", "fallbacks",
+          "refinements", "escapes", "certificate", "stored_certificate", "error"}) {
+        line[key] = nullptr;
+    }
+    return line;
+}
+
+json failed_answer(const std::string& id, const std::string& error) {
+    json line = empty_answer(id);
+    line["error"] = error;
+    return line;
+}
+
+json certificate_json(const Certificate& certificate) {
+    return {{"lower", certificate.lower}, {"upper", certificate.upper}};
+}
+
+json answer_json(const std::string& id, const NamedAnswer& answer, Needs needs) {
+    json line = empty_answer(id);
+    const Distance& d = answer.distance;
+    line["status"] = to_string(d.status);
+    line["steps"] = d.steps;
+    line["fallbacks"] = d.fallbacks;
+    line["refinements"] = d.refinements;
+    line["escapes"] = d.escapes;
+    if (needs >= Needs::distance) line["distance"] = d.distance;
+    const bool separated = d.status == Status::separated;
+    if (needs >= (separated ? Needs::witnesses : Needs::depth)) {
+        line["point_a"] = point_json(d.point_a);
+        line["point_b"] = point_json(d.point_b);
+    }
+    if (needs >= Needs::features) {
+        line["feature_a"] = feature_json(answer.feature_a);
+        line["feature_b"] = feature_json(answer.feature_b);
+    }
+    if (needs >= Needs::depth && d.status == Status::overlapping) {
+        line["depth"] = answer.depth;
+        line["normal"] = point_json(answer.normal);
+    }
+    return line;
+}
+
+/// Both bodies' tables are built anew for each case: cases rarely share bodies.
+json answer_case(const Case& given, Runner& runner, const Options& options) {
+    const auto a = body_from_case(given.a);
+    if (!a) return failed_answer(given.id, a.error);
+    const auto b = body_from_case(given.b);
+    if (!b) return failed_answer(given.id, b.error);
+    const std::vector<Polyhedron> bodies = {*a, *b};
+    if (const std::string error = runner.load(bodies); !error.empty()) return failed_answer(given.id, error);
+    const Query query{0, 1, 0, given.pose_a, given.pose_b};
+    const NamedAnswer answer = runner.answer(query);
+    if (answer.distance.status == Status::failed || !std::isfinite(answer.distance.distance)) {
+        return failed_answer(
+            given.id,
+            "the bodies are too large, too small or too far apart for this precision: use f64, "
+            "or another unit");
+    }
+    const Needs needs = chosen_needs(options);
+    json line = answer_json(given.id, answer, needs);
+    if (needs < Needs::certificate) return line;
+    const auto certificates =
+        certificates_of(answer, query, bodies, runner.stored_bodies(), given.a.vertices, given.b.vertices);
+    if (!certificates) return failed_answer(given.id, certificates.error);
+    line["certificate"] = certificate_json(certificates->given);
+    line["stored_certificate"] = certificate_json(certificates->stored);
+    return line;
+}
+
+std::unique_ptr<Runner> chosen_runner(const Options& options) {
+    const auto types = select_table_types(std::vector{options.layout});
+    if (types.size() != 1) {
+        throw std::invalid_argument(fmt::format("--layout wants one table type, such as {}; '{}' names {}",
+                                                types.front()->name, options.layout, types.size()));
+    }
+    static_cast<void>(select_algorithms(std::vector{options.algorithm}));
+    auto runner = types.front()->make_runner(options.algorithm);
+    if (!runner) {
+        throw std::invalid_argument(
+            fmt::format("layout {} does not hold what {} needs", types.front()->name, options.algorithm));
+    }
+    runner->set_options(options.query);
+    return runner;
+}
+
+int run(const Options& options) {
+    static_cast<void>(chosen_needs(options));
+    const auto runner = chosen_runner(options);
+    std::ifstream file;
+    if (options.cases != "-") {
+        if (!std::filesystem::is_directory(options.cases)) file.open(options.cases);
+        if (!file.is_open())
+            throw std::invalid_argument(
+                fmt::format("cannot read {}: no such file, or a directory", options.cases));
+    }
+    CaseReader reader(options.cases == "-" ? std::cin : file, options.cases);
+    std::size_t unreadable = 0, failed = 0;
+    while (const auto line = reader.next()) {
+        json answer;
+        if (*line) {
+            answer = answer_case(**line, *runner, options);
+            failed += answer["status"] == "failed";
+        } else {
+            answer = failed_answer(reader.id(), line->error);
+            ++unreadable;
+        }
+        if (!answer["error"].is_null()) {
+            fmt::print(stderr, "edgewise: {}\n", answer["error"].get<std::string>());
+        }
+        fmt::print("{}\n", answer.dump());
+    }
+    return unreadable > 0 ? exit_bad_input : failed > 0 ? exit_check_failed : exit_done;
+}
+
+}  // namespace
+
+void add_query(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = add_command(app, context, "query", "Answers for given pairs, one JSON line each");
+    command->add_option("cases", options->cases, "case file, one JSON object a line; - reads stdin")
+        ->required();
+    command->add_option("--algorithm", options->algorithm, "vclip or gjk")->capture_default_str();
+    command->add_option("--layout", options->layout, "table type, such as aos_f64")->capture_default_str();
+    command->add_option("--needs", options->needs, fmt::format("{}", fmt::join(needs_names, ", ")))
+        ->capture_default_str();
+    command
+        ->add_option("--contact-tolerance", options->query.contact_tolerance,
+                     "bodies as near as this or nearer are touching, in the bodies' own unit")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command
+        ->add_option("--gap-tolerance", options->query.gap_tolerance,
+                     "GJK ends when the squared distance is known to this relative width")
+        ->check(CLI::Range(0.0, 0.999))
+        ->capture_default_str();
+    command->callback([options, &context] { context.action = [options] { return run(*options); }; });
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise stability`: the hard families through every algorithm and table type, judged exactly, into the
+// store.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/stability_run.hpp"
+#include "edgewise/cli/store_path.hpp"
+#include "edgewise/reports/page/report.hpp"
+#include "edgewise/sweep/plan.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct Options {
+    std::string store = default_store;
+    std::vector<std::string> families, layouts = {"all"}, algorithms = {"all"}, meshes;
+    std::size_t count = 200, proofs = 200;
+    std::uint64_t seed = 1;
+};
+
+StabilityPlan chosen_plan(const Options& options) {
+    StabilityPlan plan;
+    plan.families = options.families;
+    plan.count = options.count;
+    plan.proofs = options.proofs;
+    plan.seed = options.seed;
+    plan.types = select_table_types(options.layouts);
+    plan.algorithms = select_algorithms(options.algorithms);
+    Plan bodies = make_plan("quick");
+    bodies.shapes.clear();
+    if (!options.meshes.empty()) {
+        bodies.meshes = options.meshes;
+        bodies.meshes_required = true;
+    }
+    plan.real = real_bodies(bodies);
+    return plan;
+}
+
+double value_of(const StabilityRow& row, const char* name) {
+    for (const FigureRow& figure : row.figures) {
+        if (figure.figure.name == name) return figure.figure.value.value_or(0);
+    }
+    return 0;
+}
+
+void print_heading() {
+    fmt::print(
+        "{:<24} {:<9} {:<6} {:>8} {:>7} {:>6} {:>6} {:>6} {:>8} {:>8} {:>8} {:>4} {:>7} {:>7} {:>7} {:>6} "
+        "{:>5}\n",
+        "family", "table", "by", "cases", "refused", "band", "wrong", "beyond", "error", "witness", "cert.",
+        "caps", "escapes", "cycles", "fallb.", "refin.", "steps");
+}
+
+void print_row(const StabilityRow& row) {
+    const auto count = [&](const char* name) { return static_cast<std::size_t>(value_of(row, name)); };
+    fmt::print(
+        "{:<24} {:<9} {:<6} {:>8} {:>7} {:>6} {:>6} {:>6} {:>8.1e} {:>8.1e} {:>8.1e} {:>4} {:>7} {:>7} {:>7} "
+        "{:>6} "
+        "{:>5.2f}{}\n",
+        row.cell.shape, row.cell.table, row.cell.algorithm, count("cases"), count("refused"),
+        count("in_band"), count("wrong_outside_band"), count("errors_beyond"), value_of(row, "worst_error"),
+        value_of(row, "worst_witness_error"), value_of(row, "worst_certificate_width"), count("cap_hits"),
+        count("escapes"), count("cycles"), count("fallbacks"), count("refinements"),
+        value_of(row, "mean_steps"),
+        row.cell.reason.empty() ? "" : "  " + row.cell.status + ": " + row.cell.reason);
+}
+
+int run(const Options& options, bool json) {
+    const StabilityPlan plan = chosen_plan(options);
+    const std::size_t rows = stability_rows(plan);
+    const auto folder = std::filesystem::path(options.store).parent_path();
+    if (!folder.empty()) std::filesystem::create_directories(folder);
+    Store store(options.store);
+    if (!json) print_heading();
+    const StabilitySummary summary = store_stability(plan, store, rows, json ? nullptr : print_row);
+    if (json) {
+        const nlohmann::json line = {{"rows", summary.rows},
+                                     {"verified", summary.rows - summary.failed - summary.unavailable},
+                                     {"failed", summary.failed},
+                                     {"unavailable", summary.unavailable},
+                                     {"store", options.store}};
+        fmt::print("{}\n", line.dump());
+    } else {
+        fmt::print(
+            "{} rows: {} verified, {} failed, {} unavailable\nstore: {} (`edgewise report {}` writes it "
+            "up)\n",
+            summary.rows, summary.rows - summary.failed - summary.unavailable, summary.failed,
+            summary.unavailable, options.store, options.store);
+    }
+    return summary.failed > 0 || summary.rows < rows ? exit_check_failed : exit_done;
+}
+
+}  // namespace
+
+void add_stability(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    const CLI::Range at_least_one(1, 1'000'000'000);
+    CLI::App* command = add_command(app, context, "stability",
+                                    "Hard cases through every algorithm and table type, judged exactly");
+    const auto list = [&](const char* name, std::vector<std::string>& to, const char* what) {
+        command->add_option(name, to, what)->delimiter(',');
+    };
+    list("--families", options->families, "only these families (edgewise list families)");
+    list("--layouts", options->layouts, "only these layouts or table types");
+    list("--algorithms", options->algorithms, "only these algorithms");
+    command->add_option("--mesh", options->meshes, "mesh files for the family of real hulls");
+    command->add_option("--count", options->count, "poses a family")
+        ->check(at_least_one)
+        ->capture_default_str();
+    command->add_option("--proofs", options->proofs, "of these with depth, certificate and time, at most")
+        ->capture_default_str();
+    command->add_option("--seed", options->seed, "of the generators")->capture_default_str();
+    command->add_option("--store", options->store, "SQLite file to write into")->capture_default_str();
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise sweep`: runs a plan into a store and writes the report. Ctrl-C stops after the round in hand; the
+// next run goes on from there.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/stability_run.hpp"
+#include "edgewise/cli/stop.hpp"
+#include "edgewise/cli/store_path.hpp"
+#include "edgewise/reports/page/report.hpp"
+#include "edgewise/scene/scene_texts.hpp"
+#include "edgewise/bench/build_info.hpp"
+#include "edgewise/studies/paging_rows.hpp"
+#include "edgewise/sweep/run.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct Options {
+    std::string plan = "quick";
+    std::string store = default_store;
+    std::string out;
+    std::vector<std::string> layouts, algorithms, axes, scenes, shapes, meshes, caches, machines;
+    std::optional<std::size_t> queries, checked;
+    std::optional<int> rounds;
+    std::optional<std::size_t> stability;
+    bool each_mesh = false;
+    std::optional<std::uint64_t> seed;
+};
+
+/// A sweep of chosen scenes or bodies is about those: no stability run unless asked for.
+bool narrowed(const Options& options) {
+    return !options.scenes.empty() || !options.shapes.empty() || !options.meshes.empty();
+}
+
+/// Of a scene that was asked for by name, what else was named on the command line counts, not what the plan
+/// would restrict it to.
+SceneChoice unrestricted(SceneChoice scene, const Options& options) {
+    if (!options.shapes.empty() || !options.meshes.empty()) scene.shapes.clear();
+    if (!options.layouts.empty()) scene.layouts.clear();
+    if (!options.algorithms.empty()) scene.algorithms.clear();
+    if (options.queries) scene.queries = 0;
+    if (!options.axes.empty()) scene.plain = false;
+    return scene;
+}
+
+/// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.
+Plan chosen_plan(const Options& options) {
+    Plan plan = make_plan(options.plan);
+    const auto replace = [](auto& to, const auto& from) {
+        if (!from.empty()) to = from;
+    };
+    replace(plan.layouts, options.layouts);
+    for (SceneChoice& scene : plan.scenes) {
+        if (find_scene_file(scene.name)) replace(scene.layouts, options.layouts);
+    }
+    replace(plan.algorithms, options.algorithms);
+    replace(plan.axes, options.axes);
+    if (!options.shapes.empty() || !options.meshes.empty()) {
+        plan.shapes = options.shapes;
+        plan.meshes = options.meshes;
+        plan.meshes_required = true;
+        plan.each_mesh = options.each_mesh;
+    }
+    if (!options.scenes.empty()) {
+        std::vector<SceneChoice> kept;
+        for (const std::string& name : options.scenes) {
+            const std::size_t before = kept.size();
+            for (const SceneChoice& scene : plan.scenes) {
+                if (scene.name == name) kept.push_back(unrestricted(scene, options));
+            }
+            if (kept.size() == before) kept.push_back({name});
+        }
+        plan.scenes = kept;
+    }
+    replace(plan.machines, options.machines);
+    for (SceneChoice& scene : plan.scenes) replace(scene.caches, options.caches);
+    plan.queries = options.queries.value_or(plan.queries);
+    plan.checked = options.checked.value_or(plan.checked);
+    plan.rounds = options.rounds.value_or(plan.rounds);
+    plan.stability = options.stability.value_or(narrowed(options) ? 0 : plan.stability);
+    if (narrowed(options)) plan.paging = 0;
+    plan.seed = options.seed.value_or(plan.seed);
+    return plan;
+}
+
+SweepSummary run_with_progress(const SweepWork& work, Store& store) {
+    std::unique_ptr<Progress> progress;
+    SweepListener listener;
+    listener.on_start = [&](std::size_t cells) { progress = std::make_unique<Progress>("sweep", cells); };
+    listener.on_done = [&](std::size_t cells, const std::string& what) { progress->advance(cells, what); };
+    listener.on_warning = [&](const std::string& line) {
+        if (progress) progress->clear();
+        fmt::print(stderr, "edgewise: {}\n", line);
+    };
+    return run_sweep(work, store, listener, stop_on_signals());
+}
+
+/// The hard families, if the plan has them, over the sweep's table types and algorithms.
+StabilitySummary run_stability_of(const SweepWork& work, Store& store, bool& stopped) {
+    if (work.plan.stability == 0) return {};
+    StabilityPlan plan;
+    plan.count = plan.proofs = work.plan.stability;
+    plan.seed = work.plan.seed;
+    plan.types = work.types;
+    plan.algorithms = work.algorithms;
+    for (const NamedShape& shape : work.shapes) {
+        if (shape.error.empty() && shape.source != "built-in") plan.real.push_back(shape.body);
+    }
+    const std::size_t rows = stability_rows(plan);
+    const StabilitySummary summary = store_stability(plan, store, rows, {});
+    stopped = summary.rows < rows;
+    return summary;
+}
+
+/// Under memory limits, if the plan has it.
+void run_paging_of(const Plan& of, Store& store, bool& stopped) {
+    if (of.paging == 0) return;
+    PagingPlan plan;
+    plan.bodies = of.paging;
+    plan.seed = of.seed;
+    Progress progress("paging", paging_rows());
+    stopped =
+        run_paging(
+            plan, this_build().id, store,
+            [&](const CellRow& row) { progress.advance(1, row.shape + " " + row.table); }, stop_on_signals())
+            .stopped;
+}
+
+void print_summary(const SweepSummary& summary, const StabilitySummary& stability, const std::string& store,
+                   const std::string& page, bool json) {
+    if (json) {
+        nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
+                               {"failed", summary.failed}, {"unavailable", summary.unavailable},
+                               {"store", store},           {"report", page}};
+        if (stability.rows > 0) {
+            line["stability_rows"] = stability.rows;
+            line["stability_failed"] = stability.failed;
+        }
+        fmt::print("{}\n", line.dump());
+        return;
+    }
+    fmt::print("{} cells: {} verified, {} failed, {} unavailable\n", summary.cells, summary.verified,
+               summary.failed, summary.unavailable);
+    if (stability.rows > 0) {
+        fmt::print("{} stability rows: {} failed, {} unavailable\n", stability.rows, stability.failed,
+                   stability.unavailable);
+    }
+    fmt::print("store: {}\nreport: {}\n", store, page);
+}
+
+int run(const Options& options, bool json) {
+    const SweepWork work = prepare_sweep(
+        chosen_plan(options), [](const std::string& line) { fmt::print(stderr, "edgewise: {}\n", line); });
+    const auto folder = std::filesystem::path(options.store).parent_path();
+    if (!folder.empty()) std::filesystem::create_directories(folder);
+    SweepSummary summary;
+    StabilitySummary stability;
+    {
+        Store store(options.store);
+        summary = run_with_progress(work, store);
+        if (!summary.stopped) stability = run_stability_of(work, store, summary.stopped);
+        if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
+    }
+    if (summary.stopped) {
+        fmt::print(stderr,
+                   "edgewise: stopped; what was measured is in {}, and the same command goes on from there\n",
+                   options.store);
+        return exit_check_failed;
+    }
+    const std::string out = !options.out.empty() ? options.out : folder.empty() ? "." : folder.string();
+    const ReportSummary report = write_report(options.store, out, charts_folder());
+    if (!report.note.empty()) fmt::print(stderr, "edgewise: {}\n", report.note);
+    print_summary(summary, stability, options.store, report.page, json);
+    return summary.failed + stability.failed > 0 ? exit_check_failed : exit_done;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    const CLI::Range at_least_one(1, 1'000'000'000);
+    CLI::App* command =
+        add_command(app, context, "sweep", "Verifies and measures every cell of a plan, then reports");
+    command->add_option("--plan", options->plan, "quick, paper, full, or a JSON file")->capture_default_str();
+    command->add_option("--store", options->store, "SQLite file to fill or to go on with")
+        ->capture_default_str();
+    command->add_option("--out", options->out, "folder for the report; beside the store if not given");
+    const auto list = [&](const char* name, std::vector<std::string>& to, const char* what) {
+        command->add_option(name, to, what)->delimiter(',');
+    };
+    list("--layouts", options->layouts, "only these layouts or table types");
+    list("--algorithms", options->algorithms, "only these algorithms");
+    list("--axes", options->axes, "these cells beside the plain ones, such as gap_tolerance=1e-06");
+    list("--scenes", options->scenes, "only these scenes: kinds, scene files, or your own NAME.json");
+    list("--shapes", options->shapes, "these built-in shapes instead of the plan's bodies");
+    list("--caches", options->caches, "model caches for cells of these shapes, or all");
+    list("--machines", options->machines, "whose caches: names, host, or your own NAME.json");
+    command->add_option("--mesh", options->meshes, "these mesh files instead of the plan's bodies");
+    command->add_flag("--each-mesh", options->each_mesh,
+                      "one body for each mesh of a file, not one for the file");
+    command->add_option("--queries", options->queries, "queries a cell and round")->check(at_least_one);
+    command->add_option("--checked", options->checked, "queries checked exactly a cell")->check(at_least_one);
+    command->add_option("--rounds", options->rounds, "timed rounds a cell")->check(at_least_one);
+    command->add_option("--stability", options->stability, "hard cases a family; 0: no stability run");
+    command->add_option("--seed", options->seed, "seed of scenes and orders");
+    command->callback(
+        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// Topology first (check_topology.cpp), then geometry, here: planes, convexity, winding. Tolerances: a vertex
+// may lie off its face's plane, or above another's, by planarity x extent plus the rounding of the
+// offset (offset_rounding x largest coordinate).
+#include "edgewise/geometry/check_polyhedron.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "edgewise/geometry/check_topology.hpp"
+#include "edgewise/geometry/hull/face_shape.hpp"
+#include "edgewise/geometry/message.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+
+namespace edgewise {
+namespace {
+
+using Violations = std::vector<std::string>;
+
+bool all_finite(const Polyhedron& body) {
+    const auto finite = [](const Vec3d& v) {
+        return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+    };
+    return std::all_of(body.vertices.begin(), body.vertices.end(), finite);
+}
+
+/// Unit length; the ring's vertices on the plane; no vertex above it.
+void check_plane(const Polyhedron& body, Index f, double tolerance, Violations& found) {
+    const Plane<double>& plane = body.face_planes[f];
+    const double length = norm(plane.normal);
+    if (!(std::abs(length - 1) <= unit_length)) {
+        found.push_back(message(face_name(body, f), ": its normal has length ", length, ", expected 1"));
+        return;
+    }
+    for (const HalfEdge h : body.ring_of_face(f)) {
+        const double off = std::abs(plane.distance(body.vertices[body.tail(h)]));
+        if (off <= tolerance) continue;
+        found.push_back(message(face_name(body, f), " is not planar: vertex ", body.input_index[body.tail(h)],
+                                " is ", rounded(off), " off"));
+        break;
+    }
+    for (Index v = 0; v < body.vertex_count(); ++v) {
+        const double above = plane.distance(body.vertices[v]);
+        if (above <= tolerance) continue;  // NaN counts as above
+        found.push_back(message("not convex: vertex ", body.input_index[v], " is ", rounded(above), " above ",
+                                face_name(body, f)));
+        return;
+    }
+}
+
+/// Every ring is a convex polygon, run counter-clockwise as seen from the plane's positive side.
+void check_winding(const Polyhedron& body, Index f, double tolerance, Violations& found) {
+    const std::optional<Index> corner = corner_outside(body, f, tolerance);
+    if (!corner) return;
+    found.push_back(message(face_name(body, f), ": not a convex polygon run counter-clockwise, see vertex ",
+                            body.input_index[*corner]));
+}
+
+}  // namespace
+
+Violations check_polyhedron(const Polyhedron& body, double planarity) {
+    Violations found = check_topology(body);
+    if (!found.empty()) return found;
+    if (!all_finite(body)) return {"a vertex is not finite"};
+    const double tolerance = shape_tolerance(body, planarity);
+    for (Index f = 0; f < body.face_count(); ++f) {
+        check_plane(body, f, tolerance, found);
+        check_winding(body, f, tolerance, found);
+    }
+    return found;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/geometry/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "edgewise/geometry/hull/face_shape.hpp"
+#include "edgewise/geometry/hull/flat_hull.hpp"
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/message.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+
+namespace edgewise {
+
+namespace {
+
+/// One less than places fit 16 bits: the box's low corner is rounded down.
+constexpr double most_steps = 65534;
+
+std::vector<Vec3d> on_grid(std::span<const Vec3d> points, double eps) {
+    const Grid grid(points, eps);
+    std::vector<Vec3d> result;
+    for (const Vec3d& p : points) result.push_back(grid.at(grid.nearest(p)));
+    return result;
+}
+
+/// Every point is a vertex of the hull, or on the inner side of all planes by more than its vertices may lie
+/// off them and a height may be rounded.
+bool contains(const Polyhedron& hull, std::span<const Vec3d> points) {
+    const double noise = 2 * shape_tolerance(hull, face_planarity);
+    return std::all_of(points.begin(), points.end(), [&](const Vec3d& p) {
+        const auto is_below = [&](const Plane<double>& plane) { return plane.distance(p) < -noise; };
+        const auto& planes = hull.face_planes;
+        return (planes.size() > 2 && std::all_of(planes.begin(), planes.end(), is_below)) ||
+               std::find(hull.vertices.begin(), hull.vertices.end(), p) != hull.vertices.end();
+    });
+}
+
+/// Times the factor about the middle, then to the grid.
+Result<Polyhedron> grown(const Polyhedron& body, double factor, double eps) {
+    Vec3d middle = Vec3d::Zero();
+    for (const Vec3d& v : body.vertices) middle += v / static_cast<double>(body.vertex_count());
+    std::vector<Vec3d> points;
+    for (const Vec3d& v : body.vertices) points.push_back(middle + factor * (v - middle));
+    return hull_of_moved(body, on_grid(points, eps), "16 bits");
+}
+
+/// The hull of small boxes around the vertices, two steps to each side: more than rounding moves a corner. It
+/// has more vertices than the body, several of one name, and contains it however thin it is.
+Result<Polyhedron> hull_of_boxes(const Polyhedron& body, double eps) {
+    const double step = Grid(body.vertices, eps).step;
+    std::vector<Vec3d> corners;
+    for (const Vec3d& v : body.vertices) {
+        for (int i = 0; i < 8; ++i) {
+            const Vec3d away(i & 1 ? 2 : -2, i & 2 ? 2 : -2, i & 4 ? 2 : -2);
+            corners.push_back(v + step * away);
+        }
+    }
+    Result<Polyhedron> hull = hull_of_any(on_grid(corners, eps));
+    if (!hull) return hull;
+    for (Index& name : (*hull).input_index) name = body.input_index[name / 8];
+    return hull;
+}
+
+}  // namespace
+
+Grid::Grid(std::span<const Vec3d> points, double eps) {
+    if (points.empty()) return;
+    Vec3d high = points[0];
+    low = points[0];
+    double reach = 0;
+    for (const Vec3d& p : points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+        reach = std::max(reach, max_abs(p));
+    }
+    const double finest = std::max(max_abs(Vec3d(high - low)) / most_steps, 2 * eps * reach);
+    if (finest > 0) step = std::ldexp(1.0, std::ilogb(finest) + 1);
+    for (int i = 0; i < 3; ++i) low[i] = std::floor(low[i] / step) * step;
+}
+
+Grid::Place Grid::nearest(const Vec3d& point) const {
+    Place place;
+    for (int i = 0; i < 3; ++i) {
+        const double steps = std::round((point[i] - low[i]) / step);
+        place[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(std::clamp(steps, 0.0, 65535.0));
+    }
+    return place;
+}
+
+Result<Polyhedron> round_to_grid(const Polyhedron& body, double eps) {
+    return hull_of_moved(body, on_grid(body.vertices, eps), "16 bits");
+}
+
+Result<Polyhedron> round_to_grid_outward(const Polyhedron& body, double eps) {
+    Result<Polyhedron> rounded = round_to_grid(body, eps);
+    if (body.face_count() <= 2) return rounded;
+    if (rounded && rounded->vertices == body.vertices) return rounded;
+    // Growth in steps of a grid step over the extent: most bodies need one or two.
+    const double growth = Grid(body.vertices, eps).step / extent(body.vertices);
+    for (int n = 1; rounded && n <= outward_steps + 1; ++n) {
+        if (contains(*rounded, body.vertices)) return rounded;
+        rounded = grown(body, 1 + n * growth, eps);
+    }
+    rounded = hull_of_boxes(body, eps);
+    if (rounded && contains(*rounded, body.vertices)) return rounded;
+    return Result<Polyhedron>::failure(
+        "the body cannot be held by a grid of 16 bits: rounded outward it is still not contained");
+}
+
+}  // namespace edgewise

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+//
+// Pairs the sides of the rings into edges by sorting, then numbers everything in the canonical order.
+#include "edgewise/geometry/polyhedron_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "edgewise/geometry/hull/face_plane.hpp"
+#include "edgewise/geometry/message.hpp"
+#include "edgewise/geometry/hull/point_set.hpp"
+
+namespace edgewise {
+namespace {
+
+/// One side of one ring, as an undirected edge with the direction kept apart.
+struct Side {
+    Index low, high;  ///< vertices
+    bool backwards;   ///< runs high -> low
+    Index face;
+    Index position;  ///< in the face's ring
+
+    [[nodiscard]] bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
+    [[nodiscard]] auto key() const { return std::tuple(low, high, backwards, face); }
+};
+
+std::string ring_error(const FaceRings& input) {
+    for (std::size_t f = 0; f < input.rings.size(); ++f) {
+        std::vector<Index> ring = input.rings[f];
+        if (ring.size() < 3)
+            return message("face ", f, " has ", ring.size(), " corners; a face needs at least 3");
+        std::sort(ring.begin(), ring.end());
+        const auto twice = std::adjacent_find(ring.begin(), ring.end());
+        if (twice != ring.end()) {
+            return message("face ", f, " passes vertex ", input.input_index[*twice], " twice");
+        }
+    }
+    return {};
+}
+
+std::vector<Side> sorted_sides(const FaceRings& input) {
+    std::vector<Side> sides;
+    for (Index f = 0; f < input.rings.size(); ++f) {
+        const std::vector<Index>& ring = input.rings[f];
+        for (Index k = 0; k < ring.size(); ++k) {
+            const Index from = ring[k];
+            const Index to = ring[k + 1 == ring.size() ? 0 : k + 1];
+            sides.push_back({std::min(from, to), std::max(from, to), from > to, f, k});
+        }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.key() < b.key(); });
+    return sides;
+}
+
+/// Empty when sides 2e and 2e + 1 are the two directions of edge e, for all e.
+std::string pairing_error(const FaceRings& input, const std::vector<Side>& sides) {
+    for (std::size_t i = 0; i < sides.size();) {
+        const Side& side = sides[i];
+        std::size_t count = 1;
+        while (i + count < sides.size() && side.same_edge(sides[i + count])) ++count;
+        const std::string edge =
+            message("edge ", input.input_index[side.low], "-", input.input_index[side.high]);
+        if (count == 1)
+            return message("not closed: ", edge, " has a face on one side only (face ", side.face, ")");
+        if (count > 2) return message(edge, " lies in ", count, " faces; an edge joins exactly 2");
+        const Side& other = sides[i + 1];
+        if (side.backwards == other.backwards) {
+            return message("faces ", side.face, " and ", other.face, " run ", edge,
+                           " in the same direction; turn one of them round");
+        }
+        i += count;
+    }
+    return {};
+}
+
+/// The rings as half-edges, each starting at its smallest, sorted by that.
+std::vector<std::vector<HalfEdge>> canonical_rings(const FaceRings& input, const std::vector<Side>& sides) {
+    std::vector<std::vector<HalfEdge>> rings(input.rings.size());
+    for (std::size_t f = 0; f < rings.size(); ++f) rings[f].resize(input.rings[f].size());
+    for (HalfEdge h = 0; h < sides.size(); ++h) rings[sides[h].face][sides[h].position] = h;
+    for (std::vector<HalfEdge>& ring : rings) {
+        std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    }
+    std::sort(rings.begin(), rings.end());
+    return rings;
+}
+
+void fill_edges_and_faces(Polyhedron& body, const std::vector<Side>& sides,
+                          const std::vector<std::vector<HalfEdge>>& rings) {
+    for (std::size_t e = 0; 2 * e < sides.size(); ++e) {
+        body.edges.push_back({sides[2 * e].low, sides[2 * e].high, 0, 0});
+    }
+    const double scale = unit_scale(body.vertices);
+    body.face_offset.push_back(0);
+    for (Index f = 0; f < rings.size(); ++f) {
+        std::vector<Index> corners;
+        for (const HalfEdge h : rings[f]) {
+            PolyhedronEdge& edge = body.edges[h >> 1];
+            (h & 1 ? edge.right : edge.left) = f;
+            corners.push_back(body.tail(h));
+        }
+        body.face_ring.insert(body.face_ring.end(), rings[f].begin(), rings[f].end());
+        body.face_offset.push_back(static_cast<Index>(body.face_ring.size()));
+        body.face_planes.push_back(face_plane(body.vertices, corners, scale));
+    }
+}
+
+/// For each half-edge the one before it in its face's ring.
+std::vector<HalfEdge> predecessors(const Polyhedron& body) {
+    std::vector<HalfEdge> before(body.face_ring.size());
+    for (Index f = 0; f < body.face_count(); ++f) {
+        HalfEdge last = body.ring_of_face(f).back();
+        for (const HalfEdge h : body.ring_of_face(f)) {
+            before[h] = last;
+            last = h;
+        }
+    }
+    return before;
+}
+
+std::string too_few_faces(Index name, Index degree) {
+    return message("vertex ", name, " has only ", degree,
+                   " faces around it, a corner needs 3; leave out vertices ", "in the middle of an edge");
+}
+
+/// Counter-clockwise around a vertex: from a leaving half-edge, across its left face, to the twin of the one
+/// that face's ring brings in. Returns what is wrong with the fan, if anything.
+std::string fill_vertex_rings(Polyhedron& body) {
+    const std::vector<HalfEdge> before = predecessors(body);
+    const auto none = static_cast<HalfEdge>(before.size());
+    std::vector<HalfEdge> smallest(body.vertex_count(), none);
+    std::vector<Index> degree(body.vertex_count(), 0);
+    for (HalfEdge h = 0; h < none; ++h) {
+        smallest[body.tail(h)] = std::min(smallest[body.tail(h)], h);
+        ++degree[body.tail(h)];
+    }
+    body.vertex_offset.push_back(0);
+    for (Index v = 0; v < body.vertex_count(); ++v) {
+        const Index name = body.input_index[v];
+        if (degree[v] < 3 && body.face_count() > 2) return too_few_faces(name, degree[v]);
+        HalfEdge h = smallest[v];
+        do {
+            body.vertex_ring.push_back(h);
+            h = before[h] ^ 1;
+        } while (h != smallest[v]);
+        body.vertex_offset.push_back(static_cast<Index>(body.vertex_ring.size()));
+        if (body.ring_of_vertex(v).size() != degree[v])
+            return message("vertex ", name, " joins two separate fans");
+    }
+    return {};
+}
+
+/// Whether the vertex farthest from the plane of face f is above it. (The sign of the volume would do as
+/// well, but for the rounding in needles.)
+bool looks_inward(const Polyhedron& body, Index f) {
+    const Vec3d& normal = body.face_planes[f].normal;
+    const Vec3d& origin = body.vertices[body.tail(body.ring_of_face(f)[0])];
+    double farthest = 0;
+    for (const Vec3d& v : body.vertices) {
+        const double height = dot(normal, Vec3d(v - origin));
+        if (std::abs(height) > std::abs(farthest)) farthest = height;
+    }
+    return farthest > 0;
+}
+
+}  // namespace
+
+Result<Polyhedron> build_polyhedron(const FaceRings& input) {
+    std::string error = ring_error(input);
+    if (!error.empty()) return Result<Polyhedron>::failure(std::move(error));
+    const std::vector<Side> sides = sorted_sides(input);
+    error = pairing_error(input, sides);
+    if (!error.empty()) return Result<Polyhedron>::failure(std::move(error));
+    Polyhedron body;
+    body.vertices = input.vertices;
+    body.input_index = input.input_index;
+    fill_edges_and_faces(body, sides, canonical_rings(input, sides));
+    error = fill_vertex_rings(body);
+    if (!error.empty()) return Result<Polyhedron>::failure(std::move(error));
+    return Result<Polyhedron>::success(std::move(body));
+}
+
+Result<Polyhedron> build_outward(FaceRings input) {
+    Result<Polyhedron> body = build_polyhedron(input);
+    if (!body || !looks_inward(*body, 0)) return body;
+    for (std::vector<Index>& ring : input.rings) std::reverse(ring.begin(), ring.end());
+    return build_polyhedron(input);
+}
+
+}  // namespace edgewise

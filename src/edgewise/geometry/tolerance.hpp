@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+//
+// Every epsilon of Edgewise, each with its unit and its reason. No other file holds a literal tolerance.
+#pragma once
+
+#include <limits>
+
+namespace edgewise {
+
+struct Twofold;
+
+/// Per scalar type that computes; all are multiples of its rounding step, so all scale with the body.
+template <class Scalar>
+struct Tolerance {
+    /// Rounding step: 2^-52 or 2^-23.
+    static constexpr Scalar eps = std::numeric_limits<Scalar>::epsilon();
+
+    /// V-Clip, relative slope (pure number): an edge counts as "towards the plane" only when its slope
+    /// exceeds this. Without the band, rounding noise on an edge parallel to the face looks like an escape
+    /// and the local-minimum test is skipped: a loop at identical orientations. A true slope below it costs
+    /// the distance as much, so it must stay near the noise of one product: 64 eps was 4e-5 of scale in
+    /// single on nearly parallel cubes, 8 is 8e-6.
+    static constexpr Scalar towards_plane = 8 * eps;
+
+    /// V-Clip, in lengths of the edge: the derivative of the distance from an edge to a vertex counts as zero
+    /// inside this band, else parallel edges bounce between edge-edge and vertex-edge.
+    static constexpr Scalar vertex_derivative = 8 * eps;
+
+    /// Edge-edge closest points, squared sine of the angle: edges that cross at more than 1/16 rad lose at
+    /// most four binary digits of a parameter, which the distance does not feel; flatter ones take the
+    /// careful way.
+    static constexpr Scalar fair_crossing = Scalar(1) / 256;
+
+    /// GJK, relative to |v| max|w|: the rounding noise of the support products; a duality gap below it cannot
+    /// be improved.
+    static constexpr Scalar support_noise = 4 * eps;
+
+    /// Support climbing, relative to the coordinates: behind an edge of this length that rises by less than
+    /// the rounding of a support product, a body may rise by that over this: 2^-40 of its size in double,
+    /// 2^-14 in single.
+    static constexpr Scalar short_edge = eps < Scalar(1e-10) ? Scalar(0x1p-10) : Scalar(0x1p-7);
+
+    /// Exact oracle, absolute, in units where a body and a direction are about 1: proven bound of the error
+    /// of a vertex height computed in floating point (derived in truth/support_filter.cpp).
+    static constexpr Scalar support_filter = 256 * eps;
+
+    /// Radians, by what stores: faces or sides that turn by less count as flat, and V-Clip proves its answers
+    /// on such a body. Under an edge that turns by t, planes with noise n tell the two sides apart from a
+    /// depth of n / t on: a millionth of the size in double (2^-26), a quarter in single, where any more
+    /// would take in spheres of some hundred vertices.
+    static constexpr Scalar strict_turn = eps < Scalar(1e-10) ? Scalar(0x1p-26) : 64 * eps;
+
+    /// Johnson, squared height over length of a triangle: below it the direction of the normal is off by more
+    /// than a thousandth.
+    static constexpr Scalar sliver = (1024 * eps) * (1024 * eps);
+
+    /// Johnson, squared height over length of a triangle: below it the foot is worked out in wider
+    /// arithmetic. The normal is off by the rounding over the height, the distance by that times the size:
+    /// 2^-44 in double, 2^-18 in single, some rounding steps below what a query may err (verified_error).
+    static constexpr Scalar thin = eps < Scalar(1e-10) ? Scalar(0x1p-16) : Scalar(0x1p-10);
+
+    /// Johnson, relative to the permanent (the triple product with all signs positive): rounding of a triple
+    /// product of differences. A tetrahedron with a corner volume not beyond it is flat.
+    static constexpr Scalar volume_noise = 8 * eps;
+
+    /// GJK, relative to max|w|: a closest point nearer to the origin than this, that cannot be improved and
+    /// whose direction separates nothing, is contact.
+    static constexpr Scalar contact_noise = 16 * eps;
+
+    /// Normal of a triangle, squared sine of the angle at its first corner: above it the plain cross product
+    /// loses at most four binary digits; thinner triangles take the exact one.
+    static constexpr Scalar fair_corner = Scalar(1) / 256;
+
+    /// V-Clip, relative to the size: closest points nearer than this have a direction good to no more than a
+    /// part in 256, and slopes along it, which decide, no better.
+    static constexpr Scalar hardly_apart = 256 * contact_noise;
+
+    /// Relative to max|w|: a closest point nearer to the origin than this is worked out again in the next
+    /// wider arithmetic, and V-Clip's answer on slippery features by GJK. Its direction is off by the
+    /// rounding of the points over their distance from the origin, and the distance by that times the size:
+    /// beyond a thousandth of the size in double, 1/16 in single, neither exceeds what a query may err
+    /// (verified_error).
+    static constexpr Scalar close = eps < Scalar(1e-10) ? Scalar(0x1p-10) : Scalar(0x1p-4);
+};
+
+/// Sums of two doubles: what the sub-distance needs of the above.
+template <>
+struct Tolerance<Twofold> {
+    static constexpr double eps = 0x1p-100;
+    static constexpr double sliver = (1024 * eps) * (1024 * eps);
+    static constexpr double thin = 0;
+    static constexpr double volume_noise = 8 * eps;
+};
+
+/// V-Clip, relative to the size, where planes are stored in single and computed with in double: a vertex that
+/// a plane's rounding of 2^-24 leaves outside its feature's region makes the distance d too long by 2^-49 /
+/// d.
+inline constexpr double close_of_rounded_planes = 0x1p-7;
+
+/// Relative to the extent: how far a vertex may lie off the plane of its face, or above the plane of another,
+/// in a body that counts as sound. Qhull merges what it cannot tell apart, which leaves a few dozen rounding
+/// steps; beyond 4096 (1e-12) a face is bent, not rounded.
+inline constexpr double face_planarity = 4096 * std::numeric_limits<double>::epsilon();
+
+/// Relative to the extent: a body thinner than this is flat. The same as face_planarity, since below it no
+/// check can tell the two sides of the body apart.
+inline constexpr double flat_thickness = face_planarity;
+
+/// Twice the area of a corner of a polygon in axes scaled to about 1: below some rounding steps it is
+/// straight.
+inline constexpr double straight_corner = 8 * std::numeric_limits<double>::epsilon();
+
+/// Relative to the extent: faces given in single precision are bent by its rounding, and quads are no planes
+/// any more; up to eight of its steps, the hull of their vertices is taken for what was meant.
+inline constexpr double single_planarity = 8 * 0x1p-23;
+
+/// Pure number: how far from orthogonal rounding may leave a rotation that was computed in double.
+inline constexpr double rotation_rounding = 64 * std::numeric_limits<double>::epsilon();
+
+/// Relative to the largest coordinate: the rounding of a plane's offset far from the origin.
+inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsilon();
+
+/// Pure number: how far the length of a unit normal may be from 1.
+inline constexpr double unit_length = 8 * std::numeric_limits<double>::epsilon();
+
+/// Coordinates beyond largest_coordinate, and bodies narrower than smallest_extent (in the body's own unit),
+/// are refused: products of four coordinates, and the low halves of their sums of two doubles, must neither
+/// overflow nor vanish.
+inline constexpr double largest_coordinate = 1e60;
+inline constexpr double smallest_extent = 1e-60;
+
+/// Likewise for storage in single precision, once the larger body is scaled to about 1 (bench/length_scale.hpp).
+inline constexpr double largest_coordinate_single = 0x1p30;
+inline constexpr double smallest_extent_single = 0x1p-30;
+
+/// EPA, where bodies are about 1: a coordinate below this counts as zero, so that every digit of a product of
+/// three differences stays in the range of double (3 x (200 + 53) < 1074 binary places).
+inline constexpr double smallest_coordinate = 0x1p-200;
+
+/// Pure number: a mesh is called concave when its volume is below this share of its hull's. Mesh files hold
+/// about seven digits, so a convex mesh of thousands of faces is off by some 1e-6.
+inline constexpr double convex_volume_share = 1 - 1e-4;
+
+/// Relative to the body's size: how near to the wanted distance a scene places a pair. Scenes need a spread
+/// of distances, not exact ones; every finer digit costs distance evaluations.
+inline constexpr double placement_tolerance = 1e-4;
+
+/// Verdict band (truth/accuracy_band.hpp), in rounding steps of the scale of a pair: a gap or a depth inside
+/// it is below what the precision can tell. About the steps of a pose, a rotated vertex and a plane together.
+inline constexpr double verdict_band_steps = 16;
+
+/// Verdict band, times the distance of R from orthogonal and the extent: what R_A^T R_B in place of R as
+/// given may move a vertex, over three rows and both bodies.
+inline constexpr double verdict_band_ortho = 4;
+
+/// Verification, relative to the scale of a pair: the error of a distance, and of how far its witness points
+/// lie apart, beyond which a cell fails. Some thousand rounding steps in double and some eighty in single;
+/// the worst measured are a few of either.
+inline constexpr double verified_error_double = 1e-12;
+inline constexpr double verified_error_single = 1e-5;
+
+/// Likewise for depths in double, judged less sharply: a normal is worse than a foot.
+inline constexpr double verified_depth_error_double = 1e-9;
+
+}  // namespace edgewise

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+//
+// Neighbour rings in as few bytes as the body's size allows: compressed rows of vertex indices of 8, 16 or 32
+// bits, and where each row starts, likewise. From 257 vertices on 16 bits, from 65 537 on 32.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/layout_parts/block.hpp"
+#include "edgewise/table/loader.hpp"
+
+namespace edgewise {
+
+/// Whole numbers below some limit, each in 1, 2 or 4 bytes.
+class NarrowArray {
+  public:
+    NarrowArray() = default;
+
+    /// Plans the memory; `largest` decides the width.
+    NarrowArray(BlockPlan& plan, std::size_t count, std::size_t largest)
+        : count_(count),
+          width_(largest <= 0xff     ? 1
+                 : largest <= 0xffff ? 2
+                                     : 4) {
+        slot_ = plan.array<std::byte>(count * width_, {{Component::topology, 1}});
+    }
+
+    /// Writes make(i) at i for all.
+    template <class Make>
+    void fill(const Block& block, Make make) {
+        data_ = block.start(slot_);
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Index value = make(static_cast<Index>(i));
+            if (width_ == 1) *(block.at(slot_) + i) = static_cast<std::byte>(value);
+            if (width_ == 2)
+                reinterpret_cast<std::uint16_t*>(block.at(slot_))[i] = static_cast<std::uint16_t>(value);
+            if (width_ == 4) reinterpret_cast<std::uint32_t*>(block.at(slot_))[i] = value;
+        }
+    }
+
+    template <class Loader>
+    [[nodiscard]] Index read(const Loader& loader, Index i, Field field) const {
+        if (width_ == 2) return loader.load(reinterpret_cast<const std::uint16_t*>(data_)[i], field);
+        if (width_ == 1) return std::to_integer<Index>(loader.load(data_[i], field));
+        return loader.load(reinterpret_cast<const std::uint32_t*>(data_)[i], field);
+    }
+
+    [[nodiscard]] std::size_t width() const { return width_; }
+
+  private:
+    const std::byte* data_ = nullptr;
+    Slot<std::byte> slot_{};
+    std::size_t count_ = 0;
+    std::uint32_t width_ = 1;
+};
+
+/// Positions in a ring are counted from the start of all rings.
+class NarrowRings {
+  public:
+    NarrowRings() = default;
+    NarrowRings(BlockPlan& plan, const Polyhedron& body)
+        : offset_(plan, body.vertex_count() + 1, body.vertex_ring.size()),
+          neighbour_(plan, body.vertex_ring.size(), body.vertex_count() - 1) {}
+
+    void fill(const Block& block, const Polyhedron& body) {
+        offset_.fill(block, [&](Index i) { return body.vertex_offset[i]; });
+        neighbour_.fill(block, [&](Index i) { return body.head(body.vertex_ring[i]); });
+    }
+
+    template <class Loader>
+    [[nodiscard]] Index first(const Loader& loader, Index v) const {
+        return offset_.read(loader, v, Field::vertex_ring);
+    }
+    template <class Loader>
+    [[nodiscard]] Index last(const Loader& loader, Index v) const {
+        return offset_.read(loader, v + 1, Field::vertex_ring);
+    }
+    template <class Loader>
+    [[nodiscard]] Index neighbour(const Loader& loader, Index at) const {
+        return neighbour_.read(loader, at, Field::neighbour);
+    }
+
+    /// Where `wanted` stands in the ring of v; it must be there.
+    template <class Loader>
+    [[nodiscard]] Index find(const Loader& loader, Index v, Index wanted) const {
+        Index at = first(loader, v);
+        while (neighbour(loader, at) != wanted) ++at;
+        return at;
+    }
+
+    /// The next position counter-clockwise, and the one before.
+    template <class Loader>
+    [[nodiscard]] Index after(const Loader& loader, Index v, Index at) const {
+        return at + 1 == last(loader, v) ? first(loader, v) : at + 1;
+    }
+    template <class Loader>
+    [[nodiscard]] Index before(const Loader& loader, Index v, Index at) const {
+        return at == first(loader, v) ? last(loader, v) - 1 : at - 1;
+    }
+
+  private:
+    NarrowArray offset_, neighbour_;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/measure/cache/cache_machine.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace edgewise {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double most_bytes = 1e12, most_cycles = 1e6;
+
+/// An object of the file and how to say where it is.
+struct Place {
+    const Json& json;
+    std::string file, path;
+
+    [[noreturn]] void refuse(std::string_view field, std::string_view wanted) const {
+        throw std::runtime_error(fmt::format("{}: {}{}: wants {}", file, path, field, wanted));
+    }
+    [[nodiscard]] Place in(std::string_view field) const {
+        const auto found = json.find(field);
+        if (found == json.end() || !found->is_object()) refuse(field, "an object");
+        return {*found, file, fmt::format("{}{}.", path, field)};
+    }
+    [[nodiscard]] std::vector<Place> list(std::string_view field) const {
+        const auto found = json.find(field);
+        if (found == json.end() || !found->is_array() || found->empty()) refuse(field, "a list, not empty");
+        std::vector<Place> places;
+        for (std::size_t i = 0; i < found->size(); ++i) {
+            if (!(*found)[i].is_object()) refuse(fmt::format("{}[{}]", field, i), "an object");
+            places.push_back({(*found)[i], file, fmt::format("{}{}[{}].", path, field, i)});
+        }
+        return places;
+    }
+    /// From least to most.
+    [[nodiscard]] double number(std::string_view field, double least, double most) const {
+        const auto found = json.find(field);
+        const double value = found != json.end() && found->is_number() ? found->get<double>() : std::nan("");
+        if (!(value >= least && value <= most))
+            refuse(field, fmt::format("a number from {} to {}", least, most));
+        return value;
+    }
+    [[nodiscard]] std::uint64_t whole(std::string_view field, double least, double most) const {
+        const double value = number(field, least, most);
+        if (value != std::floor(value)) refuse(field, "a whole number");
+        return static_cast<std::uint64_t>(value);
+    }
+    [[nodiscard]] std::string text(std::string_view field) const {
+        const auto found = json.find(field);
+        if (found == json.end() || !found->is_string() || found->get<std::string>().empty())
+            refuse(field, "a text, not empty");
+        return found->get<std::string>();
+    }
+    /// One of the names, by position; the first if the field is not there.
+    [[nodiscard]] std::size_t choice(std::string_view field,
+                                     const std::vector<std::string_view>& names) const {
+        const auto found = json.find(field);
+        if (found == json.end()) return 0;
+        const auto name =
+            std::find(names.begin(), names.end(), found->is_string() ? found->get<std::string>() : "");
+        if (name == names.end()) refuse(field, fmt::format("one of {}", fmt::join(names, ", ")));
+        return static_cast<std::size_t>(name - names.begin());
+    }
+};
+
+LevelOrigin read_origin(const Place& place, bool has_latency) {
+    LevelOrigin origin;
+    if (has_latency) origin.latency_cycles = place.number("latency_cycles", 0, most_cycles);
+    origin.source = place.text("source");
+    const auto unverified = place.json.find("unverified");
+    if (unverified == place.json.end()) return origin;
+    if (!unverified->is_array()) place.refuse("unverified", "a list of this level's fields");
+    for (const Json& field : *unverified) {
+        if (!field.is_string() || !place.json.contains(field.get<std::string>()))
+            place.refuse("unverified", "a list of this level's fields");
+        origin.unverified.push_back(field);
+    }
+    return origin;
+}
+
+/// Of so many lines in all.
+LevelGeometry read_level(const Place& place, std::uint64_t lines, std::string_view counted) {
+    LevelGeometry level;
+    level.name = place.text("name");
+    level.inclusion =
+        static_cast<Inclusion>(place.choice("inclusion", {"non_inclusive", "inclusive", "exclusive"}));
+    level.replacement = static_cast<Replacement>(place.choice("replacement", {"lru", "tree_plru", "random"}));
+    const double most = level.replacement == Replacement::tree_plru ? most_tree_ways : 65536;
+    const std::uint64_t ways = place.whole("ways", 1, std::min(most, static_cast<double>(lines)));
+    if (lines % ways != 0) place.refuse(counted, "whole sets: a multiple of the ways' size");
+    level.ways = static_cast<std::uint32_t>(ways);
+    level.sets = static_cast<std::uint32_t>(lines / ways);
+    return level;
+}
+
+std::uint32_t read_line(const Place& place, std::string_view field, double least, double most) {
+    const std::uint64_t bytes = place.whole(field, least, most);
+    if (!std::has_single_bit(bytes)) place.refuse(field, "a power of two");
+    return static_cast<std::uint32_t>(bytes);
+}
+
+void read_caches(const Place& file, CacheMachine& machine) {
+    machine.caches.line_bytes = read_line(file, "line_bytes", 16, 1024);
+    for (const Place& place : file.list("levels")) {
+        const std::uint64_t bytes = place.whole("bytes", machine.caches.line_bytes, most_bytes);
+        if (bytes % machine.caches.line_bytes != 0) place.refuse("bytes", "whole lines");
+        machine.caches.levels.push_back(read_level(place, bytes / machine.caches.line_bytes, "bytes"));
+        machine.origins.push_back(read_origin(place, true));
+    }
+    if (machine.caches.levels[0].inclusion == Inclusion::exclusive)
+        file.list("levels")[0].refuse("inclusion", "non_inclusive: nothing is above the first level");
+    machine.memory = read_origin(file.in("memory"), true);
+}
+
+void read_tlbs(const Place& file, CacheMachine& machine) {
+    if (!file.json.contains("tlb")) return;
+    const Place tlb = file.in("tlb");
+    machine.tlbs.line_bytes = read_line(tlb, "page_bytes", 512, 1 << 30);
+    for (const Place& place : tlb.list("levels")) {
+        machine.tlbs.levels.push_back(read_level(place, place.whole("entries", 1, 1e7), "entries"));
+        machine.tlb_origins.push_back(read_origin(place, false));
+    }
+}
+
+}  // namespace
+
+bool LevelOrigin::proves(std::string_view field) const {
+    return std::find(unverified.begin(), unverified.end(), field) == unverified.end();
+}
+
+CacheMachine parse_cache_machine(const std::string& json, const std::string& name) {
+    Json parsed;
+    try {
+        parsed = Json::parse(json);
+    } catch (const Json::exception& problem) {
+        throw std::runtime_error(fmt::format("{}: not JSON: {}", name, problem.what()));
+    }
+    const Place file{parsed, name, ""};
+    if (!parsed.is_object()) file.refuse("the file", "an object");
+    CacheMachine machine;
+    machine.name = name;
+    machine.what = file.text("what");
+    machine.clock_mhz = file.number("clock_mhz", 1, 1e5);
+    read_caches(file, machine);
+    read_tlbs(file, machine);
+    return machine;
+}
+
+double CacheMachine::memory_ns(std::span<const LevelCounts> counts) const {
+    double cycles = 0;
+    for (std::size_t level = 0; level < counts.size(); ++level) {
+        const std::uint64_t deeper = counts[level].misses;
+        const std::uint64_t answered = level + 1 < counts.size() ? deeper - counts[level + 1].misses : deeper;
+        const LevelOrigin& by = level + 1 < origins.size() ? origins[level + 1] : memory;
+        cycles += static_cast<double>(answered) * by.latency_cycles;
+    }
+    return cycles * 1e3 / clock_mhz;
+}
+
+bool CacheMachine::latencies_known() const {
+    return memory.latency_cycles > 0 &&
+           std::all_of(origins.begin(), origins.end(),
+                       [](const LevelOrigin& origin) { return origin.latency_cycles > 0; });
+}
+
+bool CacheMachine::latencies_proved() const {
+    return memory.proves("latency_cycles") &&
+           std::all_of(origins.begin() + 1, origins.end(),
+                       [](const LevelOrigin& origin) { return origin.proves("latency_cycles"); });
+}
+
+}  // namespace edgewise

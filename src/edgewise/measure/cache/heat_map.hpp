@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// Where accesses go: by field, by step, by line of 64 bytes, and which bytes were ever touched. What a scene
+// needs of its tables, against what they hold.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "edgewise/measure/cache/touched_bytes.hpp"
+#include "edgewise/measure/cache/trace.hpp"
+
+namespace edgewise {
+
+class HeatMap final : public TraceListener {
+  public:
+    /// fields, steps: how many there are.
+    HeatMap(std::size_t fields, std::size_t steps) : by_field_(fields), by_step_(steps) {}
+
+    void on_access(const TracedAccess& access) override;
+    void on_query_end(bool /*counts*/) override { ++queries_; }
+
+    [[nodiscard]] std::uint64_t queries() const { return queries_; }
+    [[nodiscard]] const std::vector<std::uint64_t>& accesses_by_field() const { return by_field_; }
+    [[nodiscard]] const std::vector<std::uint64_t>& accesses_by_step() const { return by_step_; }
+    /// From address 0 on.
+    [[nodiscard]] const std::vector<std::uint32_t>& accesses_by_line() const { return by_line_; }
+    [[nodiscard]] const TouchedBytes& touched() const { return touched_; }
+
+    /// The smallest number of lines that take this part of all accesses to lines: how hot the hottest are.
+    [[nodiscard]] std::uint64_t lines_taking(double part) const;
+    /// Lines that were accessed at all.
+    [[nodiscard]] std::uint64_t lines() const;
+
+  private:
+    std::vector<std::uint64_t> by_field_, by_step_;
+    std::vector<std::uint32_t> by_line_;
+    TouchedBytes touched_;
+    std::uint64_t queries_ = 0;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Machines to model, chosen by name: one that comes with Edgewise, `host`, or the user's own JSON file; and a
+// machine under another replacement policy, to see whether that changes what is concluded.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/measure/cache/cache_machine.hpp"
+#include "edgewise/measure/machine/fact.hpp"
+
+namespace edgewise {
+
+struct MachineChoice {
+    std::string name;
+    Fact<CacheMachine> machine;  ///< unknown: this host does not tell its caches
+};
+
+/// Throws std::invalid_argument for an unknown name, listing the known ones, and std::runtime_error for a bad
+/// file: file, field, what is wanted.
+[[nodiscard]] std::vector<MachineChoice> choose_machines(std::span<const std::string> names);
+
+/// The same with every level of this policy, called "zen5/tree_plru".
+[[nodiscard]] CacheMachine with_policy(CacheMachine machine, Replacement policy);
+
+}  // namespace edgewise

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/measure/cache/reuse_distance.hpp"
+
+#include <algorithm>
+
+namespace edgewise {
+
+namespace {
+
+constexpr std::uint64_t word_bits = 64, first_words = 1024;
+
+}  // namespace
+
+void ReuseDistance::set(std::uint64_t time) {
+    words_[time / word_bits] |= std::uint64_t{1} << time % word_bits;
+    for (std::uint64_t i = time / word_bits + 1; i < tree_.size(); i += i & (0 - i)) ++tree_[i];
+}
+
+void ReuseDistance::clear(std::uint64_t time) {
+    words_[time / word_bits] &= ~(std::uint64_t{1} << time % word_bits);
+    for (std::uint64_t i = time / word_bits + 1; i < tree_.size(); i += i & (0 - i)) --tree_[i];
+}
+
+std::uint64_t ReuseDistance::count_to(std::uint64_t time) const {
+    const std::uint64_t within = words_[time / word_bits] << (word_bits - 1 - time % word_bits);
+    auto sum = static_cast<std::uint64_t>(std::popcount(within));
+    for (std::uint64_t i = time / word_bits; i > 0; i &= i - 1) sum += tree_[i];
+    return sum;
+}
+
+/// Last uses keep their order and stand side by side from time 0; twice as many free times follow at least.
+void ReuseDistance::compact() {
+    std::vector<std::uint64_t> lines;
+    for (std::uint64_t line = 0; line < last_use_.size(); ++line) {
+        if (last_use_[line] != 0) lines.push_back(line);
+    }
+    std::sort(lines.begin(), lines.end(),
+              [this](std::uint64_t a, std::uint64_t b) { return last_use_[a] < last_use_[b]; });
+    words_.assign(std::max(first_words, 3 * lines.size() / word_bits + 1), 0);
+    tree_.assign(words_.size() + 1, 0);
+    for (now_ = 0; now_ < lines.size(); ++now_) {
+        last_use_[lines[now_]] = now_ + 1;
+        words_[now_ / word_bits] |= std::uint64_t{1} << now_ % word_bits;
+    }
+    for (std::uint64_t i = 1; i < tree_.size(); ++i) {
+        tree_[i] += static_cast<std::uint64_t>(std::popcount(words_[i - 1]));
+        const std::uint64_t above = i + (i & (0 - i));
+        if (above < tree_.size()) tree_[above] += tree_[i];
+    }
+}
+
+std::uint64_t ReuseDistance::use_another(std::uint64_t line) {
+    last_line_ = line;
+    if (now_ == words_.size() * word_bits) compact();
+    if (line >= last_use_.size()) last_use_.resize(std::max(line + 1, 2 * last_use_.size()), 0);
+    std::uint64_t distance = never;
+    if (const std::uint64_t before = last_use_[line]; before != 0) {
+        distance = live_ - count_to(before - 1);
+        clear(before - 1);
+        curve_.add(distance);
+    } else {
+        ++live_;
+        curve_.add_first();
+    }
+    set(now_);
+    last_use_[line] = ++now_;
+    return distance;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+//
+// A trace through the caches of several machines at once, and through reuse distances: what a scene asks of
+// memory. Two passes over the same queries: the first finds every cache empty, the second finds what the
+// first left. Misses of the second are those of the scene in its steady state.
+//
+// Why a line was missed (Hill and Smith, "Evaluating associativity in CPU caches", 1989): it never came
+// before (compulsory); a fully associative LRU cache of the level's size would have missed it as well
+// (capacity); or only the level's sets and policy did (conflict). An exclusive level's size is its own and
+// that of the levels above.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/measure/cache/cache_machine.hpp"
+#include "edgewise/measure/cache/reuse_distance.hpp"
+#include "edgewise/measure/cache/trace.hpp"
+
+namespace edgewise {
+
+/// Why lines were missed.
+struct MissKinds {
+    std::uint64_t compulsory = 0, capacity = 0, conflict = 0;
+
+    [[nodiscard]] std::uint64_t all() const { return compulsory + capacity + conflict; }
+};
+
+/// One level of one machine in one pass.
+struct LevelMisses {
+    std::string level;
+    std::uint64_t accesses = 0;
+    std::uint64_t first_touches = 0;  ///< of units that were never touched before
+    MissKinds misses;
+    std::vector<std::uint64_t> by_field, by_step;
+};
+
+/// One machine in one pass.
+struct MachineMisses {
+    std::vector<LevelMisses> caches, tlbs;
+    CacheModel::Fetched fetched;      ///< into the first level, and what is there from the pass before
+    std::optional<double> memory_ns;  ///< modelled; nothing where latencies are not known
+    bool proved = false;              ///< every latency in it is proved by its source
+};
+
+/// Lines of 64 bytes, or pages of 4 KiB.
+struct ReuseOf {
+    std::uint64_t unit_bytes = 0;
+    std::uint64_t distinct = 0;    ///< ever touched
+    std::uint64_t of_tables = 0;   ///< of them, those that tables are in
+    std::uint64_t touched = 0;     ///< summed over the second pass's queries: distinct ones of tables of each
+    std::uint64_t with_scene = 0;  ///< the same with the scene's own memory
+    std::uint64_t in_frames = 0;   ///< summed over its frames: distinct ones of each
+    MissCurve steady;              ///< of the second pass
+};
+
+class SceneCaches final : public TraceListener {
+  public:
+    /// fields, steps: how many numbers of each there are. framed: whether the ends of frames will be told.
+    SceneCaches(std::span<const CacheMachine> machines, std::size_t fields, std::size_t steps,
+                bool framed = false);
+    ~SceneCaches() override;
+
+    void on_access(const TracedAccess& access) override;
+    void on_query_end(bool counts) override;
+    void on_frame_end() override;
+
+    /// From here on the second pass counts.
+    void start_steady();
+
+    /// Queries of a pass, the cold first ones of pairs included: caches see them all.
+    [[nodiscard]] std::uint64_t queries() const { return queries_; }
+    /// Frames of a pass; 0 where the scene is not asked frame after frame.
+    [[nodiscard]] std::uint64_t frames() const { return frames_; }
+    /// In the order of the machines; of the first pass, and of the second.
+    [[nodiscard]] const std::vector<MachineMisses>& first() const { return first_; }
+    [[nodiscard]] std::vector<MachineMisses> steady() const { return counted(); }
+
+    [[nodiscard]] ReuseOf lines() const;
+    [[nodiscard]] ReuseOf pages() const;
+
+  private:
+    class Modelled;
+    struct Machine;
+    struct Stack;
+
+    [[nodiscard]] std::vector<MachineMisses> counted() const;
+    [[nodiscard]] ReuseOf reuse_of(std::uint32_t unit) const;
+
+    std::vector<Machine> machines_;
+    std::map<std::uint32_t, Stack> stacks_;  ///< by unit: lines of every size in question, and pages
+    std::vector<MachineMisses> first_;
+    std::uint64_t queries_ = 0, frames_ = 0;
+    bool framed_;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// What queries read and write, access by access, as a stream: nothing is kept but what a listener keeps.
+// Addresses are relative to where the tables' memory starts, so that a trace is the same on every machine and
+// in every run; the caches of pairs and the broad phase's arrays follow behind the tables.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "edgewise/measure/cache/access_kind.hpp"
+
+namespace edgewise {
+
+/// Whose memory an access is to.
+enum class TraceSide : std::uint8_t { table_a, table_b, scene };
+
+struct TracedAccess {
+    std::uint64_t address;  ///< bytes from the start of the tables' memory
+    std::uint32_t bytes;
+    AccessKind kind;
+    std::uint8_t field, step;  ///< numbers whose names the tracer knows
+    TraceSide side;
+};
+
+class TraceListener {
+  public:
+    TraceListener() = default;
+    TraceListener(const TraceListener&) = delete;
+    TraceListener& operator=(const TraceListener&) = delete;
+    virtual ~TraceListener() = default;
+
+    virtual void on_access(const TracedAccess& access) = 0;
+    /// After each query; `counts` is false for the cold first query of a pair in a warm scene.
+    virtual void on_query_end(bool counts) = 0;
+    /// After the last query of a frame; never called in scenes that are not asked frame after frame.
+    virtual void on_frame_end() {}
+};
+
+/// Where a traced loader tells what it reads.
+class TraceSink {
+  public:
+    /// base: what addresses are relative to.
+    TraceSink(TraceListener& listener, TraceSide side, const void* base)
+        : listener_(&listener), base_(reinterpret_cast<std::uintptr_t>(base)), side_(side) {}
+
+    void set_step(std::uint8_t step) { step_ = step; }
+
+    template <class Field>
+    void read(const void* address, std::size_t bytes, Field field) {
+        note(reinterpret_cast<std::uintptr_t>(address) - base_, bytes, AccessKind::read,
+             static_cast<std::uint8_t>(field));
+    }
+    /// Not to be inlined: query loops call it at every read.
+    [[gnu::noinline]] void note(std::uint64_t address, std::size_t bytes, AccessKind kind,
+                                std::uint8_t field) {
+        listener_->on_access({address, static_cast<std::uint32_t>(bytes), kind, field, step_, side_});
+    }
+
+  private:
+    TraceListener* listener_;
+    std::uintptr_t base_;
+    std::uint8_t step_ = 0;
+    TraceSide side_;
+};
+
+}  // namespace edgewise

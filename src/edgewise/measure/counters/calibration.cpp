@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/measure/counters/calibration.hpp"
+
+#include <algorithm>
+
+#include "edgewise/measure/cache/cache_model.hpp"
+#include "edgewise/measure/counters/count_pass.hpp"
+#include "edgewise/measure/counters/random_chase.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+
+namespace edgewise {
+
+namespace {
+
+/// What counts a level's misses: by its place from the first, the last being where memory answers.
+const char* event_of(std::size_t level, std::size_t levels) {
+    if (level == 0) return "l1d_fills";
+    return level + 1 == levels ? "llc_misses" : "l2_demand_misses";
+}
+
+double modelled_misses(const CacheMachine& machine, std::size_t level, std::uint64_t bytes,
+                       std::uint64_t loads) {
+    RandomChase chase(bytes);
+    CacheModel model(machine.caches);
+    const auto touch = [&](std::uint64_t line) {
+        model.access(line * RandomChase::line_bytes, 8, AccessKind::read);
+    };
+    for (std::uint64_t line = 0; line < chase.lines(); ++line) touch(line);
+    chase.replay(2 * loads, touch);
+    model.forget_counts();
+    chase.replay(loads, touch);
+    return static_cast<double>(model.counts(level).misses) / static_cast<double>(loads);
+}
+
+void count(RandomChase& chase, std::uint64_t loads, const Cpu& cpu, CalibrationRow& row) {
+    const CountedPass counted = count_pass([&] { chase.run(loads); }, loads, cpu);
+    const auto found = std::find_if(counted.records.begin(), counted.records.end(),
+                                    [&](const PassRecord& record) { return record.event == row.event; });
+    if (found == counted.records.end()) {
+        row.reason = "no such event is known";
+        return;
+    }
+    row.counted = found->value;
+    row.reason = found->refusal.reason;
+}
+
+CalibrationRow calibrate(const CacheMachine& machine, std::size_t level, double times,
+                         const CalibrationOptions& options, const Cpu& cpu) {
+    const LevelGeometry& geometry = machine.caches.levels[level];
+    const double size = static_cast<double>(geometry.sets) * geometry.ways * machine.caches.line_bytes;
+    CalibrationRow row;
+    row.level = geometry.name;
+    row.times = times;
+    row.bytes = static_cast<std::uint64_t>(times * size);
+    row.event = event_of(level, machine.caches.levels.size());
+    row.modelled = modelled_misses(machine, level, row.bytes, options.loads);
+    RandomChase chase(row.bytes);
+    chase.run(2 * options.loads);
+    const Stopwatch watch;
+    chase.run(options.loads);
+    row.ns = watch.elapsed_ns() / static_cast<double>(options.loads);
+    count(chase, options.loads, cpu, row);
+    return row;
+}
+
+}  // namespace
+
+std::vector<CalibrationRow> calibrate_model(const CacheMachine& machine, const Cpu& cpu,
+                                            const CalibrationOptions& options) {
+    std::vector<CalibrationRow> rows;
+    for (std::size_t level = 0; level < machine.caches.levels.size(); ++level) {
+        const LevelGeometry& geometry = machine.caches.levels[level];
+        const double size = static_cast<double>(geometry.sets) * geometry.ways * machine.caches.line_bytes;
+        for (const double times : options.times) {
+            if (times * size <= static_cast<double>(options.most_bytes))
+                rows.push_back(calibrate(machine, level, times, options, cpu));
+        }
+    }
+    return rows;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+//
+// A group that the kernel does not take, or has no counters for, is halved until it fits: how many counters
+// are free depends on the processor, on hyperthreading and on the watchdog.
+#include "edgewise/measure/counters/count_pass.hpp"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <array>
+
+#include "edgewise/measure/counters/counter_arithmetic.hpp"
+#include "edgewise/measure/counters/counter_group.hpp"
+#include "edgewise/measure/process/thread_usage.hpp"
+
+namespace edgewise {
+
+namespace {
+
+class PassCounter {
+  public:
+    PassCounter(const std::function<void()>& pass, std::size_t queries, const CountOptions& options)
+        : pass_(pass), queries_(queries), options_(options) {}
+
+    void count(std::span<PassRecord* const> records);
+
+    [[nodiscard]] std::size_t passes() const { return passes_; }
+
+  private:
+    using Batches = std::array<std::vector<std::uint64_t>, largest_group>;
+    using Samples = std::array<std::vector<CounterSample>, largest_group>;
+
+    Measured<GroupCount> count_once(CounterGroup& group, const std::function<void()>& work);
+    Measured<Batches> count_empty(CounterGroup& group, std::size_t events);
+    Measured<Samples> count_passes(CounterGroup& group, std::size_t events);
+    void halve_or_refuse(std::span<PassRecord* const> records, const Refusal& refusal);
+    void conclude(PassRecord& record, std::span<const std::uint64_t> empty,
+                  std::span<const CounterSample> samples) const;
+
+    const std::function<void()>& pass_;
+    std::size_t queries_;
+    CountOptions options_;
+    std::size_t passes_ = 0;
+};
+
+Measured<GroupCount> PassCounter::count_once(CounterGroup& group, const std::function<void()>& work) {
+    if (!group.start()) {
+        return Measured<GroupCount>::refused("the kernel does not take these events together",
+                                             "end other users of the counters");
+    }
+    work();
+    return group.stop();
+}
+
+Measured<PassCounter::Batches> PassCounter::count_empty(CounterGroup& group, std::size_t events) {
+    const std::function<void()> nothing = [] {};
+    Batches batches;
+    for (std::size_t i = 0; i < options_.empty_batches; ++i) {
+        const Measured<GroupCount> count = count_once(group, nothing);
+        if (!count.value) return {std::nullopt, count.refusal};
+        for (std::size_t k = 0; k < events; ++k) batches[k].push_back(count.value->values[k]);
+    }
+    return {std::move(batches)};
+}
+
+Measured<PassCounter::Samples> PassCounter::count_passes(CounterGroup& group, std::size_t events) {
+    Samples samples;
+    std::size_t good = 0;
+    for (std::size_t i = 0; i < options_.most_passes && good < options_.samples; ++i) {
+        const int processor = sched_getcpu();
+        const ThreadUsage before = thread_usage();
+        const Measured<GroupCount> count = count_once(group, pass_);
+        const ThreadUsage during = thread_usage() - before;
+        ++passes_;
+        if (!count.value) return {std::nullopt, count.refusal};
+        CounterSample sample{0, count.value->enabled_ns, count.value->running_ns};
+        sample.page_faults = during.minor_faults + during.major_faults;
+        sample.context_switches = during.context_switches;
+        sample.migrations = sched_getcpu() != processor ? 1 : 0;
+        if (!sample.is_disturbed()) ++good;
+        for (std::size_t k = 0; k < events; ++k) {
+            sample.count = count.value->values[k];
+            samples[k].push_back(sample);
+        }
+    }
+    return {std::move(samples)};
+}
+
+void PassCounter::halve_or_refuse(std::span<PassRecord* const> records, const Refusal& refusal) {
+    if (records.size() == 1) {
+        records.front()->refusal = refusal;
+        return;
+    }
+    count(records.first(records.size() / 2));
+    count(records.subspan(records.size() / 2));
+}
+
+void PassCounter::conclude(PassRecord& record, std::span<const std::uint64_t> empty,
+                           std::span<const CounterSample> samples) const {
+    const Measured<CountingCost> cost = counting_cost(empty);
+    if (!cost.value) {
+        record.refusal = cost.refusal;
+        return;
+    }
+    record.overhead = cost.value->overhead;
+    record.floor = cost.value->floor;
+    const Measured<CounterFigure> figure = count_per_query(samples, *cost.value, queries_);
+    if (!figure.value) {
+        record.refusal = figure.refusal;
+        return;
+    }
+    record.value = figure.value->per_query;
+    record.samples = figure.value->samples;
+    record.dropped = figure.value->dropped;
+}
+
+void PassCounter::count(std::span<PassRecord* const> records) {
+    std::vector<EventCode> codes;
+    for (const PassRecord* record : records) codes.push_back(record->code);
+    CounterGroup group(codes);
+    if (group.error() != 0) {
+        return halve_or_refuse(records, {"the event opened before, but not now",
+                                         "end other users of the counters, or raise ulimit -n"});
+    }
+    const Measured<Batches> empty = count_empty(group, records.size());
+    if (!empty.value) return halve_or_refuse(records, empty.refusal);
+    const Measured<Samples> samples = count_passes(group, records.size());
+    if (!samples.value) return halve_or_refuse(records, samples.refusal);
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        conclude(*records[k], (*empty.value)[k], (*samples.value)[k]);
+    }
+}
+
+}  // namespace
+
+CountedPass count_events(const std::function<void()>& pass, std::size_t queries,
+                         std::span<const ChosenEvent> events, const CountOptions& options) {
+    CountedPass result;
+    for (const ChosenEvent& event : events) result.records.emplace_back().ChosenEvent::operator=(event);
+    PassCounter counter(pass, queries, options);
+    // Groups are cut from all events, open or not, so that they are the same on every machine.
+    for (std::size_t first = 0; first < events.size(); first += largest_group) {
+        std::vector<PassRecord*> group;
+        for (std::size_t i = first; i < std::min(first + largest_group, events.size()); ++i) {
+            if (events[i].refusal.reason.empty()) group.push_back(&result.records[i]);
+        }
+        if (!group.empty()) counter.count(group);
+    }
+    result.passes = counter.passes();
+    return result;
+}
+
+CountedPass count_pass(const std::function<void()>& pass, std::size_t queries, const Cpu& cpu,
+                       const CountOptions& options) {
+    return count_events(pass, queries, chosen_events(cpu), options);
+}
+
+}  // namespace edgewise

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// Counts the processor's events over a pass of queries. Events are counted four at a time, each group in
+// passes of its own: sharing counters would need scaling. So `pass` must do the same work each time, on the
+// calling thread. Each group is calibrated by empty batches (counter_arithmetic.hpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "edgewise/measure/machine/cpu.hpp"
+#include "edgewise/measure/counters/event_choice.hpp"
+
+namespace edgewise {
+
+/// An event over a pass. Without a value, `refusal` says why; `error` is the errno if the event did not open.
+struct PassRecord : ChosenEvent {
+    std::optional<double> value;  ///< per query
+    std::uint64_t overhead = 0;   ///< of counting, taken off each pass
+    std::uint64_t floor = 0;      ///< a pass must have counted ten times this
+    std::size_t samples = 0;      ///< passes that the value comes from
+    std::size_t dropped = 0;      ///< passes that were disturbed
+};
+
+struct CountedPass {
+    std::vector<PassRecord> records;  ///< one an event, in the order of the events
+    std::size_t passes = 0;           ///< how often `pass` was called
+};
+
+struct CountOptions {
+    std::size_t samples = 5;          ///< undisturbed passes wanted a group
+    std::size_t most_passes = 12;     ///< a group, disturbed ones included
+    std::size_t empty_batches = 101;  ///< a group
+};
+
+/// Every metric of metric.hpp. Where no event can be opened, `pass` is not called at all; that is found out
+/// once a process. `cpu`: this machine's.
+[[nodiscard]] CountedPass count_pass(const std::function<void()>& pass, std::size_t queries, const Cpu& cpu,
+                                     const CountOptions& options = {});
+
+/// The same for any events; those with a refusal are handed on with it.
+[[nodiscard]] CountedPass count_events(const std::function<void()>& pass, std::size_t queries,
+                                       std::span<const ChosenEvent> events, const CountOptions& options = {});
+
+}  // namespace edgewise

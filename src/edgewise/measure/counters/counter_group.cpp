@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+//
+// Only the leader is enabled and disabled: its members stay enabled and count while it does. Counts are reset
+// for all, which leaves the times alone.
+#include "edgewise/measure/counters/counter_group.hpp"
+
+#include <fmt/core.h>
+#include <linux/perf_event.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+
+namespace edgewise {
+
+namespace {
+
+constexpr std::size_t head_words = 3;
+constexpr const char* free_counters =
+    "end other users of the counters, also the NMI watchdog (sysctl kernel.nmi_watchdog=0); on a hybrid "
+    "processor pin the thread to a core whose counters the events are for (taskset)";
+
+}  // namespace
+
+CounterGroup::CounterGroup(std::span<const EventCode> events) {
+    if (events.empty() || events.size() > largest_group) {
+        error_ = EINVAL;
+    } else if (!open_all(events)) {
+        for (int& descriptor : descriptors_) {
+            if (descriptor >= 0) close(descriptor);
+            descriptor = -1;
+        }
+    }
+}
+
+bool CounterGroup::open_all(std::span<const EventCode> events) {
+    constexpr std::uint64_t format =
+        PERF_FORMAT_GROUP | PERF_FORMAT_ID | PERF_FORMAT_TOTAL_TIME_ENABLED | PERF_FORMAT_TOTAL_TIME_RUNNING;
+    for (const EventCode& event : events) {
+        const bool leads = size_ == 0;
+        const int descriptor = open_event(event, leads ? -1 : descriptors_[0], leads, format);
+        if (descriptor < 0) {
+            error_ = -descriptor;
+            return false;
+        }
+        descriptors_[size_] = descriptor;
+        if (ioctl(descriptor, PERF_EVENT_IOC_ID, &ids_[size_]) != 0) {
+            error_ = errno;
+            return false;
+        }
+        ++size_;
+    }
+    return true;
+}
+
+CounterGroup::~CounterGroup() {
+    for (std::size_t i = largest_group; i-- > 0;) {
+        if (descriptors_[i] >= 0) close(descriptors_[i]);
+    }
+}
+
+bool CounterGroup::start() {
+    return error_ == 0 && ioctl(descriptors_[0], PERF_EVENT_IOC_RESET, PERF_IOC_FLAG_GROUP) == 0 &&
+           ioctl(descriptors_[0], PERF_EVENT_IOC_ENABLE, 0) == 0;
+}
+
+Measured<GroupCount> CounterGroup::stop() {
+    using Result = Measured<GroupCount>;
+    std::array<std::uint64_t, head_words + 2 * largest_group> words{};
+    if (error_ != 0) return Result::refused("the group is not open", "open it where its events exist");
+    if (ioctl(descriptors_[0], PERF_EVENT_IOC_DISABLE, 0) != 0) {
+        return Result::refused("the kernel does not stop the group", "try again");
+    }
+    const std::int64_t bytes = read(descriptors_[0], words.data(), sizeof words);
+    Result result = parse_group(words, bytes, std::span(ids_).first(size_));
+    if (!result.value) return result;
+    GroupCount& count = *result.value;
+    count.enabled_ns -= std::exchange(enabled_before_, count.enabled_ns);
+    count.running_ns -= std::exchange(running_before_, count.running_ns);
+    return whole_time_only(count);
+}
+
+Measured<GroupCount> parse_group(std::span<const std::uint64_t> words, std::int64_t bytes,
+                                 std::span<const std::uint64_t> ids) {
+    using Result = Measured<GroupCount>;
+    const std::size_t needed = head_words + 2 * ids.size();
+    if (bytes == 0) {
+        return Result::refused("not enough free counters for the group: it is in error (end of file)",
+                               free_counters);
+    }
+    if (bytes != static_cast<std::int64_t>(needed * sizeof(std::uint64_t)) || words.size() < needed ||
+        words[0] != ids.size()) {
+        return Result::refused(fmt::format("the kernel gave {} bytes, not {} events", bytes, ids.size()),
+                               "try again, or use another kernel");
+    }
+    GroupCount count;
+    count.enabled_ns = words[1];
+    count.running_ns = words[2];
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto* const id = std::find(ids.data(), ids.data() + ids.size(), words[head_words + 2 * i + 1]);
+        if (id == ids.data() + ids.size()) {
+            return Result::refused("the kernel counted an event that was not asked for", "try again");
+        }
+        count.values[static_cast<std::size_t>(id - ids.data())] = words[head_words + 2 * i];
+    }
+    return {count};
+}
+
+Measured<GroupCount> whole_time_only(const GroupCount& count) {
+    if (count.enabled_ns != 0 && count.running_ns == count.enabled_ns) return {count};
+    return Measured<GroupCount>::refused(
+        fmt::format("on the counters for only {} of {} ns, and a scaled count is a guess", count.running_ns,
+                    count.enabled_ns),
+        free_counters);
+}
+
+}  // namespace edgewise

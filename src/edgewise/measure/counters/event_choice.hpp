@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// From a metric to an event that this machine counts: libpfm's name for it, else its raw code by the
+// processor's family, else a generic event of the kernel. Raw comes before generic because it is the same
+// event as libpfm's name, while a generic one may count at another level or other causes (generic_event.hpp);
+// it also covers processors newer than the libpfm at hand. What is not found is said, with a reason.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgewise/measure/machine/cpu.hpp"
+#include "edgewise/measure/measured.hpp"
+#include "edgewise/measure/metric.hpp"
+#include "edgewise/measure/counters/perf_event.hpp"
+
+namespace edgewise {
+
+struct ChosenEvent {
+    std::string event;                 ///< the metric's name, or what perf calls a software event
+    std::string by;                    ///< how it was found: libpfm, raw, generic, software; none: not at all
+    std::string encoding = "none";     ///< what is asked of the kernel, e.g. "PERF_TYPE_RAW:0x8d1:u"
+    std::optional<std::string> level;  ///< what it counts: "core", "L1D", "L2", "LLC" ...
+    std::string meaning;               ///< the same in words
+    std::string unit = "1";            ///< "1" or "ns"; per query where a value is
+    EventCode code;
+    bool must_happen = false;  ///< see MetricName
+    int error = 0;             ///< errno of opening it; 0: none
+    Refusal refusal;           ///< empty: it can be opened
+};
+
+/// In the order in which they are tried; `refusal` and `error` are not set.
+[[nodiscard]] std::vector<ChosenEvent> event_candidates(const MetricName& metric, const Cpu& cpu);
+
+/// The first that opens; when none does, the first candidate with why.
+[[nodiscard]] ChosenEvent choose_event(const MetricName& metric, const Cpu& cpu);
+
+/// One for every metric, found out at the first call and kept: `cpu` is this machine's, always the same.
+[[nodiscard]] const std::vector<ChosenEvent>& chosen_events(const Cpu& cpu);
+
+}  // namespace edgewise

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// man 3 pfm_get_os_event_encoding. Only what encodes is taken from it; privilege levels and groups are set
+// where events are opened.
+#include "edgewise/measure/counters/libpfm.hpp"
+
+#include <fmt/core.h>
+#include <perfmon/pfmlib.h>
+#include <perfmon/pfmlib_perf_event.h>
+
+#include <utility>
+
+namespace edgewise {
+
+namespace {
+
+/// Starts the library at the first use; it is never ended, as that would free nothing the process keeps.
+int started() {
+    static const int result = pfm_initialize();
+    return result;
+}
+
+}  // namespace
+
+std::string why_no_libpfm() {
+    const int result = started();
+    return result == PFM_SUCCESS ? "" : fmt::format("libpfm does not start: {}", pfm_strerror(result));
+}
+
+Fact<EventCode> encode_by_libpfm(const std::string& name) {
+    if (std::string why = why_no_libpfm(); !why.empty()) return Fact<EventCode>::unknown(std::move(why));
+    perf_event_attr attributes{};
+    pfm_perf_encode_arg_t request{};
+    request.attr = &attributes;
+    request.size = sizeof request;
+    attributes.size = sizeof attributes;
+    const int result = pfm_get_os_event_encoding(name.c_str(), PFM_PLM3, PFM_OS_PERF_EVENT, &request);
+    if (result != PFM_SUCCESS) {
+        return Fact<EventCode>::unknown(fmt::format("libpfm: {}: {}", name, pfm_strerror(result)));
+    }
+    return {EventCode{attributes.type, attributes.config}};
+}
+
+}  // namespace edgewise

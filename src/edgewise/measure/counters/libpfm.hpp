@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// libpfm4: the library that turns a processor's own names of its events into codes for the kernel.
+#pragma once
+
+#include <string>
+
+#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/counters/perf_event.hpp"
+
+namespace edgewise {
+
+/// Why it cannot be used: left out of this build, or it did not start. Empty: it can be.
+[[nodiscard]] std::string why_no_libpfm();
+
+/// Of a name like "skx::MEM_LOAD_RETIRED:L1_MISS", user mode only. Unknown also when the processor is
+/// another. libpfm reads LIBPFM_ENCODE_INACTIVE and LIBPFM_FORCE_PMU once, when it starts.
+[[nodiscard]] Fact<EventCode> encode_by_libpfm(const std::string& name);
+
+}  // namespace edgewise

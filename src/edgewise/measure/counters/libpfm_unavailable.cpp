@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// A build without libpfm4: events are found by their raw codes or by the kernel's generic names.
+#include "edgewise/measure/counters/libpfm.hpp"
+
+namespace edgewise {
+
+namespace {
+
+constexpr const char* left_out = "this build is without libpfm (Debian: libpfm4-dev)";
+
+}  // namespace
+
+std::string why_no_libpfm() { return left_out; }
+
+Fact<EventCode> encode_by_libpfm(const std::string& /*name*/) { return Fact<EventCode>::unknown(left_out); }
+
+}  // namespace edgewise

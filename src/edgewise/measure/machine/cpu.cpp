@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+//
+// /proc/cpuinfo: blocks of "key : value" lines, one block a logical processor. On a hybrid processor the
+// blocks differ; the first one is described.
+#include "edgewise/measure/machine/cpu.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace edgewise {
+
+namespace {
+
+using Keys = std::map<std::string, std::string, std::less<>>;
+
+std::string trimmed(std::string_view text) {
+    const auto begin = text.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) return {};
+    return std::string(text.substr(begin, text.find_last_not_of(" \t") - begin + 1));
+}
+
+/// One map a logical processor. Lines outside a "processor" block (Arm's board name) are left out.
+std::vector<Keys> parse_blocks(std::string_view cpuinfo) {
+    std::vector<Keys> blocks;
+    std::istringstream lines{std::string(cpuinfo)};
+    for (std::string line; std::getline(lines, line);) {
+        const auto colon = line.find(':');
+        if (colon == std::string::npos) continue;
+        const std::string key = trimmed(std::string_view(line).substr(0, colon));
+        if (key == "processor") blocks.emplace_back();
+        if (!blocks.empty()) blocks.back()[key] = trimmed(std::string_view(line).substr(colon + 1));
+    }
+    return blocks;
+}
+
+/// The value of the first key that is there: x86's name for it, then Arm's.
+Fact<std::string> find_text(const Keys& keys, std::string_view x86, std::string_view arm) {
+    for (const std::string_view key : {x86, arm}) {
+        const auto found = keys.find(key);
+        if (found != keys.end() && !found->second.empty()) return {found->second};
+    }
+    return Fact<std::string>::unknown(fmt::format("/proc/cpuinfo has no \"{}\"", x86));
+}
+
+Fact<std::int64_t> find_number(const Keys& keys, std::string_view x86, std::string_view arm) {
+    const Fact<std::string> text = find_text(keys, x86, arm);
+    if (!text.value) return Fact<std::int64_t>::unknown(text.reason);
+    const auto number = parse_number(*text.value);
+    if (!number) return Fact<std::int64_t>::unknown(fmt::format("/proc/cpuinfo: {} is {}", x86, *text.value));
+    return {number};
+}
+
+Fact<std::int64_t> count_cores(const std::vector<Keys>& blocks) {
+    std::set<std::pair<std::string, std::string>> cores;
+    for (const Keys& keys : blocks) {
+        const auto package = keys.find("physical id");
+        const auto core = keys.find("core id");
+        if (package == keys.end() || core == keys.end()) {
+            return Fact<std::int64_t>::unknown("/proc/cpuinfo has no \"core id\"");
+        }
+        cores.emplace(package->second, core->second);
+    }
+    if (cores.empty()) return Fact<std::int64_t>::unknown("/proc/cpuinfo names no processor");
+    return {static_cast<std::int64_t>(cores.size())};
+}
+
+std::vector<std::string> vector_extensions(const std::set<std::string>& flags) {
+    constexpr std::string_view wanted[] = {
+        "sse2",        "ssse3",      "sse4_1",   "sse4_2",  "avx",      "avx2",     "fma",
+        "f16c",        "bmi2",       "avx_vnni", "avx512f", "avx512dq", "avx512bw", "avx512vl",
+        "avx512_vnni", "avx512vbmi", "amx_tile", "asimd",   "asimdhp",  "sve",      "sve2"};
+    std::vector<std::string> found;
+    for (const std::string_view name : wanted) {
+        if (flags.count(std::string(name)) != 0) found.emplace_back(name);
+    }
+    return found;
+}
+
+}  // namespace
+
+Cpu parse_cpu(std::string_view cpuinfo) {
+    const std::vector<Keys> blocks = parse_blocks(cpuinfo);
+    const Keys keys = blocks.empty() ? Keys{} : blocks.front();
+    Cpu cpu;
+    cpu.vendor = find_text(keys, "vendor_id", "CPU implementer");
+    cpu.name = find_text(keys, "model name", "model name");
+    cpu.family = find_number(keys, "cpu family", "CPU architecture");
+    cpu.model = find_number(keys, "model", "CPU part");
+    cpu.stepping = find_number(keys, "stepping", "CPU revision");
+    cpu.cores = count_cores(blocks);
+    cpu.threads = static_cast<std::int64_t>(blocks.size());
+
+    std::istringstream words(find_text(keys, "flags", "Features").value.value_or(""));
+    std::set<std::string> flags;
+    for (std::string word; words >> word;) flags.insert(word);
+    cpu.vector_extensions = vector_extensions(flags);
+    const bool x86 = keys.find("flags") != keys.end();
+    cpu.hypervisor = x86 ? Fact<bool>{flags.count("hypervisor") != 0}
+                         : Fact<bool>::unknown("only x86 processors tell a guest that it is one");
+    return cpu;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Which processor this is, from the text of /proc/cpuinfo. x86 and 64-bit Arm name things differently there;
+// Arm's implementer, architecture, part and revision go by vendor, family, model and stepping here.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edgewise/measure/machine/fact.hpp"
+
+namespace edgewise {
+
+struct Cpu {
+    Fact<std::string> vendor;  ///< "GenuineIntel", "AuthenticAMD", or Arm's implementer: "0x41"
+    Fact<std::string> name;
+    Fact<std::int64_t> family, model, stepping;
+    Fact<std::int64_t> cores;                    ///< physical ones
+    std::int64_t threads = 0;                    ///< logical processors the system runs
+    std::vector<std::string> vector_extensions;  ///< those that change what code can be generated or run
+    Fact<bool> hypervisor;                       ///< x86 only: the flag a guest is told
+};
+
+[[nodiscard]] Cpu parse_cpu(std::string_view cpuinfo);
+
+}  // namespace edgewise

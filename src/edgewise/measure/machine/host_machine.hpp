@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// This machine as one to model: sizes, ways and line from sysfs (caches.hpp). How long its levels take, which
+// contain which and what they throw out the kernel does not tell: latencies are left out, and the model's
+// defaults (non-inclusive, LRU) are marked as unverified.
+#pragma once
+
+#include <filesystem>
+
+#include "edgewise/measure/cache/cache_machine.hpp"
+#include "edgewise/measure/machine/fact.hpp"
+
+namespace edgewise {
+
+/// `root` is "/" except in tests.
+[[nodiscard]] Fact<CacheMachine> host_machine(const std::filesystem::path& root = "/");
+
+}  // namespace edgewise

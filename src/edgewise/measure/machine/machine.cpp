@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// Reads /proc and /sys (Documentation/admin-guide of the Linux kernel) and asks two system calls.
+#include "edgewise/measure/machine/machine.hpp"
+
+#include <fmt/core.h>
+#include <sys/personality.h>
+#include <unistd.h>
+
+#include <sstream>
+
+namespace edgewise {
+
+namespace {
+
+Cpu read_cpu(const std::filesystem::path& root) {
+    const Fact<std::string> text = read_text(root / "proc/cpuinfo");
+    Cpu cpu = parse_cpu(text.value.value_or(""));
+    if (!text.value) {
+        for (Fact<std::string>* fact : {&cpu.vendor, &cpu.name}) fact->reason = text.reason;
+        for (Fact<std::int64_t>* fact : {&cpu.family, &cpu.model, &cpu.stepping, &cpu.cores}) {
+            fact->reason = text.reason;
+        }
+        cpu.hypervisor.reason = text.reason;
+    }
+    return cpu;
+}
+
+Fact<std::int64_t> read_memory(const std::filesystem::path& root) {
+    const Fact<std::string> text = read_text(root / "proc/meminfo");
+    if (!text.value) return Fact<std::int64_t>::unknown(text.reason);
+    std::istringstream lines(*text.value);
+    std::string key;
+    std::int64_t kibibytes = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        if (words >> key >> kibibytes && key == "MemTotal:") return {kibibytes * 1024};
+    }
+    return Fact<std::int64_t>::unknown("/proc/meminfo has no MemTotal");
+}
+
+/// Intel's own driver has a switch for "no turbo", the others one for "boost".
+Fact<bool> read_turbo(const std::filesystem::path& root) {
+    const Fact<std::int64_t> off = read_number(root / "sys/devices/system/cpu/intel_pstate/no_turbo");
+    if (off.value) return {*off.value == 0};
+    const Fact<std::int64_t> boost = read_number(root / "sys/devices/system/cpu/cpufreq/boost");
+    if (boost.value) return {*boost.value != 0};
+    return Fact<bool>::unknown(fmt::format("{}; {}", off.reason, boost.reason));
+}
+
+/// The choice in brackets: "always [madvise] never".
+Fact<std::string> read_choice(const std::filesystem::path& file) {
+    const Fact<std::string> text = read_text(file);
+    if (!text.value) return text;
+    const auto open = text.value->find('[');
+    const auto close = text.value->find(']');
+    if (open == std::string::npos || close == std::string::npos || close < open) {
+        return Fact<std::string>::unknown(
+            fmt::format("{}: no choice in brackets: {}", file.string(), *text.value));
+    }
+    return {text.value->substr(open + 1, close - open - 1)};
+}
+
+Fact<bool> read_own_aslr() {
+    const int flags = personality(0xffffffff);  // asks, changes nothing
+    if (flags < 0) return Fact<bool>::unknown("personality() is not allowed here");
+    return {(flags & ADDR_NO_RANDOMIZE) == 0};
+}
+
+}  // namespace
+
+Machine read_machine(const std::filesystem::path& root) {
+    Machine machine;
+    machine.cpu = read_cpu(root);
+    machine.caches = read_caches(root);
+    machine.page_bytes = {sysconf(_SC_PAGESIZE)};
+    machine.memory_bytes = read_memory(root);
+    machine.kernel = read_text(root / "proc/sys/kernel/osrelease");
+    machine.clock_source =
+        read_text(root / "sys/devices/system/clocksource/clocksource0/current_clocksource");
+    machine.governor = read_text(root / "sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+    machine.turbo = read_turbo(root);
+    machine.aslr = read_number(root / "proc/sys/kernel/randomize_va_space");
+    machine.aslr_this_process = read_own_aslr();
+    machine.transparent_huge_pages = read_choice(root / "sys/kernel/mm/transparent_hugepage/enabled");
+    machine.perf_event_paranoid = read_number(root / "proc/sys/kernel/perf_event_paranoid");
+    return machine;
+}
+
+}  // namespace edgewise

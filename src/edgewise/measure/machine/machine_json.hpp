@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// The machine as JSON: what `edgewise machine --json` prints and what a store keeps with each build.
+//
+//     {"cpu":{...},"caches":[{...}],"page_bytes",...,"counters":[{"event","status","by","encoding","level",
+//      "meaning","unit","value","errno","reason","remedy"}],"counted_over":text,
+//      "unreadable":{"governor":"why it is null",...}}
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "edgewise/measure/counters/counters.hpp"
+#include "edgewise/measure/machine/machine.hpp"
+
+namespace edgewise {
+
+/// Of this machine, read now.
+[[nodiscard]] nlohmann::json machine_json();
+
+[[nodiscard]] nlohmann::json machine_json(const Machine& machine, const std::vector<CounterRecord>& counters);
+
+/// The part that makes two machines the same one, as text to hash: without the counts, which differ from run
+/// to run, and the memory, which differs from boot to boot.
+[[nodiscard]] std::string machine_identity(const nlohmann::json& machine);
+
+}  // namespace edgewise

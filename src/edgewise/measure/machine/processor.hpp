@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// The processors whose events are known, told apart as libpfm does: by vendor, family, model and stepping.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "edgewise/measure/machine/cpu.hpp"
+
+namespace edgewise {
+
+enum class CpuMaker { intel, amd, arm, other };
+
+/// Processors that share their events' codes; a bit each, so that a set of them is a sum.
+namespace generation {
+inline constexpr unsigned skylake = 1;  ///< to Ice Lake
+inline constexpr unsigned sapphire_rapids = 2;
+inline constexpr unsigned zen2 = 4, zen3 = 8, zen4 = 16, zen5 = 32;
+inline constexpr unsigned neoverse_n1 = 64, neoverse_v2 = 128;
+inline constexpr unsigned k7 = 256;
+}  // namespace generation
+
+struct Processor {
+    std::string_view pmu;  ///< libpfm's name
+    std::string_view name;
+    unsigned generation;  ///< one bit
+};
+
+/// All of them, each once.
+[[nodiscard]] std::span<const Processor> processors();
+
+/// Null for a processor that is not among them.
+[[nodiscard]] const Processor* find_processor(const Cpu& cpu);
+
+/// Of the processor, by the vendor's name in /proc/cpuinfo.
+[[nodiscard]] CpuMaker maker_of(const Cpu& cpu);
+
+}  // namespace edgewise

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// Callgrind, an independent simulator of two levels of caches: how it is called with a given geometry, and
+// what its output says.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "edgewise/measure/cache/cache_machine.hpp"
+#include "edgewise/measure/machine/fact.hpp"
+
+namespace edgewise {
+
+struct CallgrindCounts {
+    double instructions = 0, accesses = 0, d1_misses = 0, ll_misses = 0;
+};
+
+/// The machine's first two levels as Callgrind simulates them: LRU, an access across lines as one. Unknown:
+/// it has one level only, or its sets are no power of two.
+[[nodiscard]] Fact<CacheGeometry> callgrind_geometry(const CacheMachine& machine);
+
+/// The command line; the program collects where it says so (callgrind_region.hpp).
+[[nodiscard]] std::vector<std::string> callgrind_command(const CacheGeometry& geometry,
+                                                         const std::filesystem::path& output,
+                                                         const std::vector<std::string>& program);
+
+/// From the text of its output file.
+[[nodiscard]] Fact<CallgrindCounts> parse_callgrind(const std::string& text);
+
+}  // namespace edgewise

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+//
+// Files as in the Linux kernel's Documentation/admin-guide/cgroup-v1/memory.rst and cgroup-v2.rst.
+#include "edgewise/measure/process/memory_limit.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+namespace edgewise {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Empty, or what went wrong; the kernel answers at the flush.
+std::string write_to(const fs::path& file, const std::string& text) {
+    errno = 0;
+    std::ofstream stream(file);
+    if (stream << text << std::flush) return {};
+    return fmt::format("{}: cannot write {}: {}", file.string(), text, std::strerror(errno));
+}
+
+std::string own_group(const fs::path& root, const std::string& controller) {
+    std::ifstream stream(root / "proc/self/cgroup");
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return control_group_in(text.str(), controller);
+}
+
+/// A new folder in the first of the parents that takes one.
+fs::path new_folder(const std::vector<fs::path>& parents, const std::string& wanted_file, std::string& why) {
+    for (const fs::path& parent : parents) {
+        const fs::path folder = parent / fmt::format("edgewise-{}", getpid());
+        std::error_code error;
+        if (!fs::create_directory(folder, error)) {
+            why = fmt::format("{}: {}", folder.string(), error ? error.message() : "is there already");
+            continue;
+        }
+        if (fs::exists(folder / wanted_file)) return folder;
+        why = fmt::format("{}: the memory controller is not handed down to it", folder.string());
+        fs::remove(folder, error);
+    }
+    return {};
+}
+
+/// From the process's own group up to the mount itself.
+std::vector<fs::path> upwards(const fs::path& mount, const std::string& group) {
+    std::vector<fs::path> parents;
+    for (fs::path at = fs::path(group).relative_path(); !at.empty(); at = at.parent_path())
+        parents.push_back(mount / at);
+    parents.push_back(mount);
+    return parents;
+}
+
+/// Numbers by name, as memory.stat has them.
+std::uint64_t number_in(const fs::path& file, const std::string& wanted) {
+    std::ifstream stream(file);
+    std::string name;
+    for (std::uint64_t value = 0; stream >> name >> value;) {
+        if (name == wanted) return value;
+    }
+    return 0;
+}
+
+}  // namespace
+
+/// Lines are NUMBER:CONTROLLERS:PATH, controllers with commas between; version 2 has none.
+std::string control_group_in(const std::string& text, const std::string& controller) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const auto first = line.find(':'), second = line.find(':', first + 1);
+        if (first == std::string::npos || second == std::string::npos) continue;
+        const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+        if (controllers.find("," + controller + ",") == std::string::npos) continue;
+        if (controller.empty() == (controllers == ",,")) return line.substr(second + 1);
+    }
+    return {};
+}
+
+Fact<std::unique_ptr<MemoryLimit>> MemoryLimit::make(const fs::path& root) {
+    std::string why = "no memory control groups are mounted";
+    const fs::path first = root / "sys/fs/cgroup/memory", second = root / "sys/fs/cgroup";
+    if (fs::exists(first / "memory.limit_in_bytes")) {
+        const fs::path folder =
+            new_folder(upwards(first, own_group(root, "memory")), "memory.limit_in_bytes", why);
+        if (!folder.empty()) return {std::unique_ptr<MemoryLimit>(new MemoryLimit(folder, false))};
+    }
+    if (fs::exists(second / "cgroup.controllers")) {
+        const fs::path folder = new_folder(upwards(second, own_group(root, "")), "memory.max", why);
+        if (!folder.empty()) return {std::unique_ptr<MemoryLimit>(new MemoryLimit(folder, true))};
+    }
+    return Fact<std::unique_ptr<MemoryLimit>>::unknown(why);
+}
+
+MemoryLimit::~MemoryLimit() {
+    // The kernel may need a moment to see that the last process is gone.
+    for (int i = 0; i < 100 && rmdir(folder_.c_str()) != 0 && errno == EBUSY; ++i) usleep(10'000);
+}
+
+std::string MemoryLimit::set_bytes(std::uint64_t bytes) const {
+    const char* const file = second_ ? "memory.max" : "memory.limit_in_bytes";
+    const std::string none = second_ ? "max" : "-1";
+    return write_to(folder_ / file, bytes > 0 ? std::to_string(bytes) : none);
+}
+
+std::string MemoryLimit::take_in(pid_t process) const {
+    return write_to(folder_ / "cgroup.procs", std::to_string(process));
+}
+
+Fact<MemoryInGroup> MemoryLimit::holds() const {
+    const auto all = read_number(folder_ / (second_ ? "memory.current" : "memory.usage_in_bytes"));
+    if (!all.value) return Fact<MemoryInGroup>::unknown(all.reason);
+    MemoryInGroup held;
+    held.file = number_in(folder_ / "memory.stat", second_ ? "file" : "cache");
+    const auto used = static_cast<std::uint64_t>(*all.value);
+    held.other = used > held.file ? used - held.file : 0;
+    return {held};
+}
+
+}  // namespace edgewise

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// A memory control group of the kernel's, version 1 or 2: processes in it get so much memory and no more, so
+// that pages of files are thrown out and read again. Made for one measurement and removed with it.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "edgewise/measure/machine/fact.hpp"
+
+namespace edgewise {
+
+/// What the group holds, in bytes.
+struct MemoryInGroup {
+    std::uint64_t file = 0;   ///< pages of files
+    std::uint64_t other = 0;  ///< all else: stacks, heaps, page tables
+};
+
+/// A process's group below a hierarchy's mount, from the text of its /proc/self/cgroup: of the named
+/// controller, or with an empty name of version 2. Empty when there is none.
+[[nodiscard]] std::string control_group_in(const std::string& text, const std::string& controller);
+
+class MemoryLimit {
+  public:
+    /// Nothing, with the reason, where this process may not make one. `root` is "/" except in tests.
+    [[nodiscard]] static Fact<std::unique_ptr<MemoryLimit>> make(const std::filesystem::path& root = "/");
+    /// Its processes must have ended.
+    ~MemoryLimit();
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+    /// Empty, or what the kernel refused. 0 bytes: no limit.
+    [[nodiscard]] std::string set_bytes(std::uint64_t bytes) const;
+    [[nodiscard]] std::string take_in(pid_t process) const;
+    [[nodiscard]] Fact<MemoryInGroup> holds() const;
+
+  private:
+    MemoryLimit(std::filesystem::path folder, bool second) : folder_(std::move(folder)), second_(second) {}
+
+    std::filesystem::path folder_;
+    bool second_;  ///< version 2
+};
+
+}  // namespace edgewise

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+//
+// JSON by nlohmann-json; this file checks what stands in it. Inside, the first fault is thrown as a Fault and
+// caught once, at the line: checks then read as plain statements.
+#include "edgewise/scene/case_file.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "edgewise/geometry/hull/flat_hull.hpp"
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/hull/point_set.hpp"
+
+namespace edgewise {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Fault {
+    std::string what;
+};
+
+/// The member, or null when it is absent.
+const Json& member(const Json& object, const char* key) {
+    static const Json absent;
+    const auto found = object.find(key);
+    return found == object.end() ? absent : *found;
+}
+
+const Json& object_at(const Json& parent, const char* key, const std::string& field) {
+    const Json& value = member(parent, key);
+    if (value.is_null()) throw Fault{fmt::format("{} is missing", field)};
+    if (!value.is_object()) throw Fault{fmt::format("{} is not an object", field)};
+    return value;
+}
+
+const Json& array_at(const Json& parent, const char* key, const std::string& field) {
+    const Json& value = member(parent, key);
+    if (value.is_null()) throw Fault{fmt::format("{} is missing", field)};
+    if (!value.is_array()) throw Fault{fmt::format("{} is not an array", field)};
+    return value;
+}
+
+template <std::size_t Count>
+std::array<double, Count> numbers(const Json& list, const std::string& field) {
+    if (!list.is_array()) throw Fault{fmt::format("{} is not an array of {} numbers", field, Count)};
+    if (list.size() != Count) {
+        throw Fault{fmt::format("{} has {} numbers, wants {}", field, list.size(), Count)};
+    }
+    std::array<double, Count> values{};
+    for (std::size_t i = 0; i < Count; ++i) {
+        if (!list[i].is_number()) throw Fault{fmt::format("{}[{}] is not a finite number", field, i)};
+        values[i] = list[i].get<double>();
+    }
+    return values;
+}
+
+Vec3d point(const Json& list, const std::string& field) {
+    const std::array<double, 3> x = numbers<3>(list, field);
+    return {x[0], x[1], x[2]};
+}
+
+Index vertex_number(const Json& value, std::size_t vertex_count, const std::string& field) {
+    if (!value.is_number_unsigned())
+        throw Fault{fmt::format("{} is not a vertex number (0, 1, 2 ...)", field)};
+    const auto index = value.get<std::uint64_t>();
+    if (index >= vertex_count) {
+        throw Fault{
+            fmt::format("{} is {}, but there are {} vertices, counted from 0", field, index, vertex_count)};
+    }
+    return static_cast<Index>(index);
+}
+
+std::vector<std::vector<Index>> faces_of(const Json& list, std::size_t vertex_count,
+                                         const std::string& field) {
+    if (!list.is_array()) throw Fault{fmt::format("{} is not an array", field)};
+    if (list.empty())
+        throw Fault{fmt::format("{} is empty; leave it out for the hull of the vertices", field)};
+    std::vector<std::vector<Index>> faces;
+    for (const Json& ring : list) {
+        const std::string name = fmt::format("{}[{}]", field, faces.size());
+        if (!ring.is_array() || ring.size() < 3)
+            throw Fault{name + " is not an array of three or more vertices"};
+        std::vector<Index> face;
+        for (const Json& vertex : ring) {
+            face.push_back(vertex_number(vertex, vertex_count, fmt::format("{}[{}]", name, face.size())));
+        }
+        faces.push_back(std::move(face));
+    }
+    return faces;
+}
+
+CaseBody body_of(const Json& line, const char* key, const std::string& where) {
+    const std::string name = key;
+    const Json& object = object_at(line, key, name);
+    CaseBody body{fmt::format("{}: {}", where, name), {}, std::nullopt};
+    const std::string field = name + ".vertices";
+    const Json& vertices = array_at(object, "vertices", field);
+    if (vertices.empty()) throw Fault{field + " is empty"};
+    for (const Json& vertex : vertices) {
+        body.vertices.push_back(point(vertex, fmt::format("{}[{}]", field, body.vertices.size())));
+    }
+    const Json& faces = member(object, "faces");
+    if (!faces.is_null()) body.faces = faces_of(faces, body.vertices.size(), name + ".faces");
+    return body;
+}
+
+Pose pose_of(const Json& line, const char* key) {
+    const std::string name = key;
+    if (member(line, key).is_null()) return {};
+    const Json& object = object_at(line, key, name);
+    const std::array<double, 9> entries = numbers<9>(array_at(object, "R", name + ".R"), name + ".R");
+    Pose pose;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            pose.rotation(row, column) = entries[static_cast<std::size_t>(3 * row + column)];
+        }
+    }
+    pose.translation = point(array_at(object, "t", name + ".t"), name + ".t");
+    return pose;
+}
+
+std::string id_of(const Json& line) {
+    const Json& value = member(line, "id");
+    if (value.is_null()) throw Fault{"id is missing"};
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number_integer()) return value.dump();
+    throw Fault{"id is neither a string nor a whole number"};
+}
+
+Json parse_line(std::string_view line) {
+    try {
+        return Json::parse(line);
+    } catch (const Json::parse_error& error) {
+        throw Fault{fmt::format("not JSON at column {} (one object a line; NaN and Infinity are not numbers)",
+                                error.byte)};
+    } catch (const Json::out_of_range&) {
+        throw Fault{"a number is too large for double precision"};
+    }
+}
+
+}  // namespace
+
+Result<Case> parse_case(std::string_view line, const std::string& where, std::string& id) {
+    id.clear();
+    try {
+        const Json object = parse_line(line);
+        if (!object.is_object()) throw Fault{"the line is not a JSON object"};
+        id = id_of(object);
+        return Result<Case>::success({id, body_of(object, "a", where), body_of(object, "b", where),
+                                      pose_of(object, "pose_a"), pose_of(object, "pose_b")});
+    } catch (const Fault& fault) {
+        return Result<Case>::failure(fmt::format("{}: {}", where, fault.what));
+    }
+}
+
+std::optional<Result<Case>> CaseReader::next() {
+    std::string text;
+    while (std::getline(stream_, text)) {
+        ++line_;
+        if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+        return parse_case(text, fmt::format("{}:{}", name_, line_), id_);
+    }
+    return std::nullopt;
+}
+
+Result<Polyhedron> body_from_case(const CaseBody& body) {
+    const bool solid = flatness_error(body.vertices, distinct_points(body.vertices)).empty();
+    Result<Polyhedron> result =
+        body.faces && solid ? polyhedron_from_faces(body.vertices, *body.faces) : hull_of_any(body.vertices);
+    if (!result) result.error = fmt::format("{}: {}", body.where, result.error);
+    return result;
+}
+
+}  // namespace edgewise

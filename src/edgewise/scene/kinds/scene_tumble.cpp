@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+//
+// `tumble`: coherent motion. Copies of one body drift and turn in a box (motion.hpp), each step all of them,
+// and sweep and prune follows the pairs whose boxes, enlarged by a margin, overlap. Rotation and translation
+// a step are the coherence: 0.01 rad is a smooth simulation, 2 pi and half a body size a step is none.
+//
+// One slot of the pair cache is one uninterrupted stay of a pair in the broad phase, so a warm start is never
+// older than one step; a pair that leaves and returns gets a new slot and starts cold. After `steps` steps
+// a new population begins, so that a run sees many arrangements. The margin is chosen so that most followed
+// pairs are separated: of spheres about one in six overlaps.
+//
+// At random_orientation a body stands turned at random in every step: no coherence is left in the rotation,
+// which a turn by 2 pi a step would not show, since it is none. At random_velocities turns and ways are drawn
+// for each body, up to those given. With box_of_bodies the box is that of so many bodies, and the bodies
+// shrink until the occupancy is right; ways a step stay as long as they were, in metres.
+//
+// Queries come pair after pair, each pair's in time order, so that a pair finds its tables where it left
+// them, and classes of answers come in long stretches to be timed; or, with in_time_order, frame after frame
+// as an engine asks them, where the other pairs of a frame come between.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "edgewise/scene/motion.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/kinds/scene_setup.hpp"
+#include "edgewise/scene/shapes.hpp"
+
+namespace edgewise {
+namespace {
+
+constexpr std::size_t most_barren = 100000;  ///< steps in a row without a pair before giving up
+
+/// One population and the slots of the pairs that are near one another now.
+class Population {
+  public:
+    Population(const SceneSetup& setup, const Polyhedron& shape, double half, Rng& rng)
+        : setup_(setup),
+          half_(half),
+          rng_(rng),
+          shape_(shape),
+          centre_(vertex_mean(shape.vertices)),
+          broad_phase_(setup.count("bodies")) {
+        margin_ = setup["margin"] * extent(shape.vertices);
+        const bool random = setup.count("random_velocities") == 1;
+        for (std::size_t i = 0; i < setup.count("bodies"); ++i) {
+            MovingBody body;
+            body.centre = rng.in_cube(half);
+            body.velocity = rng.on_sphere() * (way_of_a_step() * (random ? rng.uniform() : 1));
+            body.orientation = rng.orientation();
+            const Vec3d axis = rng.on_sphere();
+            body.turn = rotation_about(axis, setup["rotation_step"] * (random ? rng.uniform() : 1));
+            bodies_.push_back(body);
+        }
+    }
+
+    /// Asks this step's pairs, then moves everything one step on. Returns how many pairs there were.
+    std::size_t step(Workload& workload) {
+        Frame& frame = workload.frames.emplace_back(Frame{workload.queries.size(), !begun_, {}, {}, margin_});
+        begun_ = true;
+        std::vector<Pose>& poses = frame.poses;
+        for (const MovingBody& body : bodies_) {
+            poses.push_back(pose_at(rotation_matrix(body.orientation), centre_, body.centre));
+            frame.boxes.push_back(world_box(shape_, poses.back()).enlarged(margin_));
+        }
+        std::map<BodyPair, std::uint32_t> near;
+        for (const BodyPair& pair : broad_phase_.update(frame.boxes)) {
+            const auto known = near_.find(pair);
+            const std::uint32_t slot = known != near_.end() ? known->second : workload.pair_count++;
+            near[pair] = slot;
+            workload.queries.push_back(
+                {0, 0, slot, poses[pair.first], poses[pair.second], pair.first, pair.second});
+        }
+        near_ = std::move(near);
+        for (MovingBody& body : bodies_) {
+            advance(body, half_);
+            if (setup_.count("random_orientation") == 1) body.orientation = rng_.orientation();
+        }
+        return near_.size();
+    }
+
+  private:
+    /// In metres; of the body as given, whatever its scale.
+    [[nodiscard]] double way_of_a_step() const {
+        const double of_dimension = setup_["step_in_dimensions"];
+        return of_dimension > 0 ? of_dimension * smallest_dimension(setup_.shape.vertices)
+                                : setup_["translation_step"] * extent(setup_.shape.vertices);
+    }
+
+    const SceneSetup& setup_;
+    double half_, margin_;
+    Rng& rng_;
+    const Polyhedron& shape_;  ///< to scale
+    Vec3d centre_;
+    std::vector<MovingBody> bodies_;
+    SweepAndPrune broad_phase_;
+    std::map<BodyPair, std::uint32_t> near_;
+    bool begun_ = false;
+};
+
+/// Cuts off what is too much; slots were numbered in order of appearance, so none is lost between.
+void cut(std::size_t query_count, Workload& workload) {
+    workload.queries.resize(query_count);
+    while (workload.frames.back().first_query >= query_count) workload.frames.pop_back();
+    workload.pair_count = 0;
+    for (const Query& query : workload.queries)
+        workload.pair_count = std::max(workload.pair_count, query.pair + 1);
+}
+
+/// Of their lengths.
+double scale_of_bodies(const SceneSetup& setup) {
+    if (setup["box_of_bodies"] == 0) return 1;
+    return coarse(cube_root(setup["box_of_bodies"] / setup["bodies"]));
+}
+
+/// From time order to pair by pair.
+void group_by_pair(Workload& workload) {
+    workload.frames.clear();
+    std::stable_sort(workload.queries.begin(), workload.queries.end(),
+                     [](const Query& a, const Query& b) { return a.pair < b.pair; });
+}
+
+}  // namespace
+
+SceneInfo describe_tumble() {
+    return {
+        "tumble",
+        "bodies drift and turn in a box, near pairs are followed through time with their caches",
+        true,
+        {{"rotation_step", "rad", "turn of every body a step", 0.01, 0, 100, false},
+         {"translation_step", "body sizes", "way of every body a step", 0.001, 0, 10, false},
+         {"bodies", "1", "bodies in one population", 12, 2, 10000, true},
+         {"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
+         {"margin", "body sizes", "by which a body's box is enlarged on all sides", 0.2, 0, 10, false},
+         {"steps", "1", "steps before a new population begins", 100, 1, 1000000, true},
+         {"in_time_order", "1", "1: frame after frame, as an engine asks; 0: pair after pair", 0, 0, 1, true},
+         {"step_in_dimensions", "smallest dimensions",
+          "way of every body a step; 0: as translation_step says", 0, 0, 10, false},
+         {"random_orientation", "1", "1: every body turned at random in every step", 0, 0, 1, true},
+         {"random_velocities", "1", "1: turn and way drawn for each body, up to those given", 0, 0, 1, true},
+         {"own_tables", "1", "1: a table for each body; 0: all share one", 0, 0, 1, true},
+         {"box_of_bodies", "1", "the box of so many bodies, others shrink or grow; 0: the box does", 0, 0,
+          10000, true}}};
+}
+
+Result<Workload> make_tumble(const SceneSetup& setup) {
+    Workload workload;
+    workload.warm = true;
+    workload.table_each = setup.count("own_tables") == 1;
+    const double scale = scale_of_bodies(setup);
+    workload.bodies.push_back(scale == 1 ? setup.shape : scaled(setup.shape, scale));
+    const Polyhedron shape = workload.bodies.front();
+    workload.instances.assign(setup.count("bodies"), 0);
+    const double total = static_cast<double>(setup.count("bodies")) * volume(shape);
+    const double half = box_half(total, setup["occupancy"]);
+    Rng rng(setup.seed);
+    for (std::size_t barren = 0; workload.queries.size() < setup.query_count;) {
+        Population population(setup, shape, half, rng);
+        for (std::size_t i = 0; i < setup.count("steps") && workload.queries.size() < setup.query_count;
+             ++i) {
+            barren = population.step(workload) == 0 ? barren + 1 : 0;
+            if (barren == most_barren) {
+                return Result<Workload>::failure(
+                    fmt::format("scene 'tumble': no near pair in {} steps; raise occupancy, margin or bodies",
+                                most_barren));
+            }
+        }
+    }
+    cut(setup.query_count, workload);
+    if (setup.count("in_time_order") == 0) group_by_pair(workload);
+    return Result<Workload>::success(std::move(workload));
+}
+
+}  // namespace edgewise

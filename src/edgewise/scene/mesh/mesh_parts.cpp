@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+//
+// Assimp's scene tree, flattened. No post-processing is asked for: polygons become fans here, which gives the
+// same signed volume, and equal points are welded where it matters.
+#include "edgewise/scene/mesh/mesh_parts.hpp"
+
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+
+#include "edgewise/geometry/message.hpp"
+
+namespace edgewise {
+namespace {
+
+using Parts = Result<std::vector<MeshPart>>;
+
+/// x -> linear x + shift.
+struct AffineMap {
+    Mat3d linear = Mat3d::Identity();
+    Vec3d shift = Vec3d::Zero();
+
+    [[nodiscard]] Vec3d operator()(const Vec3d& p) const { return multiply(linear, p) + shift; }
+};
+
+AffineMap from_assimp(const aiMatrix4x4& m) {
+    AffineMap map;
+    map.linear << double{m.a1}, double{m.a2}, double{m.a3}, double{m.b1}, double{m.b2}, double{m.b3},
+        double{m.c1}, double{m.c2}, double{m.c3};
+    map.shift = Vec3d(double{m.a4}, double{m.b4}, double{m.c4});
+    return map;
+}
+
+AffineMap after(const AffineMap& outer, const AffineMap& inner) {
+    AffineMap map;
+    for (int column = 0; column < 3; ++column) {
+        map.linear.col(column) = multiply(outer.linear, Vec3d(inner.linear.col(column)));
+    }
+    map.shift = outer(inner.shift);
+    return map;
+}
+
+bool mirrors(const AffineMap& map) {
+    const Vec3d x = map.linear.col(0);
+    const Vec3d y = map.linear.col(1);
+    return dot(cross(x, y), map.linear.col(2)) < 0;
+}
+
+/// Adds the triangles of one face; false if it names a vertex that does not exist.
+bool add_fan(const aiFace& face, bool mirrored, MeshPart& part) {
+    for (unsigned k = 0; k < face.mNumIndices; ++k) {
+        if (face.mIndices[k] >= part.points.size()) return false;
+    }
+    for (unsigned k = 1; k + 1 < face.mNumIndices; ++k) {
+        const Index second = face.mIndices[mirrored ? k + 1 : k];
+        const Index third = face.mIndices[mirrored ? k : k + 1];
+        part.triangles.push_back({face.mIndices[0], second, third});
+    }
+    return true;
+}
+
+/// False if the mesh contradicts itself.
+bool add_part(const aiMesh& mesh, const AffineMap& map, std::vector<MeshPart>& parts) {
+    MeshPart part{mesh.mName.C_Str(), {}, {}};
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+        const aiVector3D& p = mesh.mVertices[v];
+        const Vec3d raw(double{p.x}, double{p.y}, double{p.z});
+        part.points.push_back(raw.array().isFinite().all() ? map(raw)
+                                                           : raw);  // for the error line: Inf * 0 is NaN
+    }
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+        if (!add_fan(mesh.mFaces[f], mirrors(map), part)) return false;
+    }
+    if (!part.points.empty()) parts.push_back(std::move(part));
+    return true;
+}
+
+bool add_node(const aiScene& scene, const aiNode& node, const AffineMap& above,
+              std::vector<MeshPart>& parts) {
+    const AffineMap map = after(above, from_assimp(node.mTransformation));
+    for (unsigned k = 0; k < node.mNumMeshes; ++k) {
+        if (node.mMeshes[k] >= scene.mNumMeshes) return false;
+        if (!add_part(*scene.mMeshes[node.mMeshes[k]], map, parts)) return false;
+    }
+    for (unsigned k = 0; k < node.mNumChildren; ++k) {
+        if (!add_node(scene, *node.mChildren[k], map, parts)) return false;
+    }
+    return true;
+}
+
+/// Whether a PLY file lacks the line that ends its header: Assimp's reader looks for it without end.
+bool endless_ply_header(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string line;
+    std::getline(file, line);
+    const auto letter = [&](std::size_t k) { return k < line.size() ? line[k] | 0x20 : 0; };
+    if (letter(0) != 'p' || letter(1) != 'l' || letter(2) != 'y') return false;
+    while (std::getline(file, line)) {
+        if (line == "end_header" || line == "end_header\r") return file.eof();
+    }
+    return true;
+}
+
+/// What can be said before a parser looks inside; empty when nothing is wrong.
+std::string file_error(const std::string& path) {
+    std::error_code code;
+    if (!std::filesystem::exists(path, code)) return "no such file";
+    if (std::filesystem::is_directory(path, code)) return "is a directory, expected a mesh file";
+    if (!std::ifstream(path)) return "cannot be opened for reading; check its permissions";
+    if (std::filesystem::is_regular_file(path, code) && std::filesystem::file_size(path, code) == 0) {
+        return "is empty (0 bytes)";
+    }
+    if (endless_ply_header(path)) return "cannot be read as a mesh: its PLY header does not end";
+    return {};
+}
+
+/// Assimp's reason on one line.
+std::string one_line(std::string reason) {
+    reason = reason.substr(0, reason.find_first_of("\r\n"));
+    return reason.empty() ? "unknown reason" : reason;
+}
+
+Parts parts_of(const std::string& path) {
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(path, 0);
+    if (scene == nullptr) {
+        return Parts::failure("cannot be read as a mesh: " + one_line(importer.GetErrorString()));
+    }
+    std::vector<MeshPart> parts;
+    if (scene->mRootNode != nullptr && !add_node(*scene, *scene->mRootNode, {}, parts)) {
+        return Parts::failure("is damaged: a face names a vertex that does not exist");
+    }
+    if (parts.empty()) return Parts::failure("has no mesh inside");
+    return Parts::success(std::move(parts));
+}
+
+}  // namespace
+
+Parts read_mesh_parts(const std::string& path) {
+    std::string error = file_error(path);
+    if (!error.empty()) return Parts::failure(std::move(error));
+    try {
+        return parts_of(path);
+    } catch (const std::exception& thrown) {
+        return Parts::failure("cannot be read as a mesh: " + one_line(thrown.what()));
+    } catch (...) {
+        return Parts::failure("cannot be read as a mesh: the reader failed");
+    }
+}
+
+}  // namespace edgewise

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+//
+// The list of scenes, and the checks that every request passes before a scene sees it.
+#include "edgewise/scene/scenes.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgewise/scene/kinds/scene_setup.hpp"
+#include "edgewise/scene/scene_texts.hpp"
+
+namespace edgewise {
+namespace {
+
+struct SceneEntry {
+    SceneInfo (*describe)();
+    Result<Workload> (*make)(const SceneSetup&);
+};
+
+constexpr SceneEntry scenes[] = {
+    {describe_static, make_static},       {describe_cold, make_cold},         {describe_tumble, make_tumble},
+    {describe_proximity, make_proximity}, {describe_pressure, make_pressure},
+};
+
+const SceneEntry* find_scene(std::string_view name) {
+    for (const SceneEntry& entry : scenes) {
+        if (entry.describe().name == name) return &entry;
+    }
+    return nullptr;
+}
+
+template <class Infos>
+std::string names_of(const Infos& infos) {
+    std::vector<std::string> names;
+    for (const auto& info : infos) names.push_back(info.name);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Empty, or what is wrong with the value.
+std::string check_value(std::string_view scene, const ParameterInfo& info, double value) {
+    if (!(value >= info.low && value <= info.high)) {
+        return fmt::format("scene '{}': {} = {} is out of bounds; choose {} to {} ({})", scene, info.name,
+                           value, info.low, info.high, info.unit);
+    }
+    if (info.whole && value != std::floor(value)) {
+        return fmt::format("scene '{}': {} = {} must be a whole number", scene, info.name, value);
+    }
+    return {};
+}
+
+std::string unknown_scene(std::string_view scene) {
+    std::vector<std::string_view> files;
+    for (const SceneText& text : scene_texts()) files.push_back(text.name);
+    return fmt::format("unknown scene '{}': known are {}; of files {}, or the path of one that ends in .json",
+                       scene, names_of(list_scenes()), fmt::join(files, ", "));
+}
+
+}  // namespace
+
+std::vector<SceneInfo> list_scenes() {
+    std::vector<SceneInfo> infos;
+    for (const SceneEntry& entry : scenes) infos.push_back(entry.describe());
+    return infos;
+}
+
+Result<SceneParameters> complete_parameters(std::string_view scene, const SceneParameters& given) {
+    using Failure = Result<SceneParameters>;
+    const SceneEntry* entry = find_scene(scene);
+    if (!entry) return Failure::failure(unknown_scene(scene));
+    const SceneInfo info = entry->describe();
+    SceneParameters complete;
+    for (const ParameterInfo& parameter : info.parameters) complete[parameter.name] = parameter.standard;
+    for (const auto& [name, value] : given) {
+        const auto known = std::find_if(info.parameters.begin(), info.parameters.end(),
+                                        [&name = name](const ParameterInfo& p) { return p.name == name; });
+        if (known == info.parameters.end()) {
+            return Failure::failure(fmt::format("scene '{}' has no parameter '{}': known are {}", scene, name,
+                                                names_of(info.parameters)));
+        }
+        const std::string wrong = check_value(scene, *known, value);
+        if (!wrong.empty()) return Failure::failure(wrong);
+        complete[name] = value;
+    }
+    return Failure::success(std::move(complete));
+}
+
+Result<Workload> make_scene(std::string_view scene, const Polyhedron& shape, const SceneParameters& given,
+                            std::uint64_t seed, std::size_t query_count, const DistanceFunction& distance) {
+    using Failure = Result<Workload>;
+    const Result<SceneParameters> parameters = complete_parameters(scene, given);
+    if (!parameters) return Failure::failure(parameters.error);
+    if (query_count == 0) {
+        return Failure::failure(fmt::format("scene '{}': no queries asked for; ask for at least one", scene));
+    }
+    if (shape.vertices.empty() || !(volume(shape) > 0)) {
+        return Failure::failure(
+            fmt::format("scene '{}': the shape encloses no volume; scenes need solids", scene));
+    }
+    return find_scene(scene)->make({shape, *parameters, seed, query_count, distance});
+}
+
+}  // namespace edgewise

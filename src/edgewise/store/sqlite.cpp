@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+//
+// The owners of sqlite.hpp over the C interface (sqlite.org/cintro.html).
+#include "edgewise/store/sqlite.hpp"
+
+#include <fmt/core.h>
+#include <sqlite3.h>
+
+#include <stdexcept>
+
+namespace edgewise::sqlite {
+
+namespace {
+
+/// Longer than any transaction of ours by far; another sweep on the same store just waits its turn.
+constexpr int busy_timeout_ms = 20'000;
+
+const char* remedy(int code) {
+    switch (code & 0xff) {
+        case SQLITE_NOTADB:
+            return "; not an SQLite file: move it away or name another store; it was not touched";
+        case SQLITE_CANTOPEN:
+            return "; does its directory exist, and may it be written?";
+        case SQLITE_BUSY:
+        case SQLITE_LOCKED:
+            return "; another program holds it: end that one or name another store";
+        case SQLITE_READONLY:
+            return "; make it writable or name another store";
+        case SQLITE_FULL:
+            return "; free some space: what was stored before is safe";
+        case SQLITE_CORRUPT:
+            return "; the file is damaged: move it away and measure again";
+        default:
+            return "";
+    }
+}
+
+}  // namespace
+
+Database::Database(const std::string& path) : path_(path) {
+    // SQLite would take an empty name for a temporary file, gone at the end.
+    if (path.empty()) throw std::runtime_error("store: no file name given");
+    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
+        // The handle exists even then (it holds the message), and a constructor that throws runs no
+        // destructor.
+        try {
+            fail("opening");
+        } catch (...) {
+            sqlite3_close(handle_);
+            throw;
+        }
+    }
+    sqlite3_busy_timeout(handle_, busy_timeout_ms);
+}
+
+Database::~Database() { sqlite3_close(handle_); }
+
+void Database::execute(const char* sql) const {
+    if (sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail("writing");
+}
+
+std::int64_t Database::number(const char* sql) const {
+    Statement statement(*this, sql);
+    if (!statement.step()) fail("reading");
+    return statement.integer(0);
+}
+
+void Database::fail(std::string_view doing) const {
+    throw std::runtime_error(fmt::format("store {}: {}: {}{}", path_, doing, sqlite3_errmsg(handle_),
+                                         remedy(sqlite3_errcode(handle_))));
+}
+
+Statement::Statement(const Database& database, const char* sql) : database_(database) {
+    if (sqlite3_prepare_v2(database.handle(), sql, -1, &handle_, nullptr) != SQLITE_OK) {
+        database.fail("reading its schema");
+    }
+}
+
+Statement::~Statement() { sqlite3_finalize(handle_); }
+
+bool Statement::step() {
+    const int code = sqlite3_step(handle_);
+    if (code != SQLITE_ROW && code != SQLITE_DONE) {
+        database_.fail(sqlite3_stmt_readonly(handle_) ? "reading" : "writing");
+    }
+    return code == SQLITE_ROW;
+}
+
+void Statement::reset() { sqlite3_reset(handle_); }
+
+void Statement::bind_null(int index) {
+    if (sqlite3_bind_null(handle_, index) != SQLITE_OK) database_.fail("binding");
+}
+
+void Statement::bind_integer(int index, std::int64_t value) {
+    if (sqlite3_bind_int64(handle_, index, value) != SQLITE_OK) database_.fail("binding");
+}
+
+void Statement::bind_real(int index, double value) {
+    if (sqlite3_bind_double(handle_, index, value) != SQLITE_OK) database_.fail("binding");
+}
+
+void Statement::bind_text(int index, std::string_view value) {
+    // A null pointer would bind NULL; an empty text is not null.
+    const char* data = value.data() != nullptr ? value.data() : "";
+    const auto size = static_cast<sqlite3_uint64>(value.size());
+    if (sqlite3_bind_text64(handle_, index, data, size, SQLITE_TRANSIENT, SQLITE_UTF8) != SQLITE_OK) {
+        database_.fail("binding");
+    }
+}
+
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_, column); }
+
+double Statement::real(int column) const { return sqlite3_column_double(handle_, column); }
+
+std::optional<double> Statement::optional_real(int column) const {
+    if (sqlite3_column_type(handle_, column) == SQLITE_NULL) return std::nullopt;
+    return real(column);
+}
+
+std::string Statement::text(int column) const {
+    const void* data = sqlite3_column_text(handle_, column);
+    if (data == nullptr) return {};
+    const auto size = static_cast<std::size_t>(sqlite3_column_bytes(handle_, column));
+    return std::string(static_cast<const char*>(data), size);
+}
+
+Transaction::Transaction(const Database& database) : database_(database) {
+    database.execute("begin immediate");
+}
+
+Transaction::~Transaction() {
+    // After a full disk SQLite has rolled back by itself; then there is nothing left to do.
+    if (open_ && sqlite3_get_autocommit(database_.handle()) == 0) {
+        sqlite3_exec(database_.handle(), "rollback", nullptr, nullptr, nullptr);
+    }
+}
+
+void Transaction::commit() {
+    database_.execute("commit");
+    open_ = false;
+}
+
+}  // namespace edgewise::sqlite

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+//
+// The store over SQLite. Why it survives:
+//   - journal_mode WAL: a transaction is one append to the log, and its commit record makes it whole; a log
+//   cut
+//     short by a kill is read up to the last whole commit. Readers never wait for the sweep.
+//   - synchronous FULL: a commit returns when the log is on the disk. NORMAL would survive kill -9 too, but
+//   may
+//     lose the last commits at a power cut; a round takes seconds and the sync milliseconds, outside any
+//     timing.
+//   - Where a file system cannot do WAL (no shared memory), SQLite stays with its rollback journal: as safe,
+//   and
+//     readers wait.
+// The file is checked before the first write: no pragma that writes runs on a file that is not ours.
+#include "edgewise/store/store.hpp"
+
+#include <fmt/core.h>
+#include <sqlite3.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "edgewise/store/schema.hpp"
+#include "edgewise/store/sqlite.hpp"
+
+namespace edgewise {
+
+struct Store::Implementation {
+    explicit Implementation(const std::string& path) : database(path) {}
+    sqlite::Database database;
+};
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+    throw std::runtime_error(fmt::format("store {}: {}; it was not touched", path, why));
+}
+
+/// True for an empty file that is to become a store, false for a store of ours, otherwise throws.
+bool is_new(const sqlite::Database& database, const std::string& path) {
+    const std::int64_t version = database.number("pragma user_version");
+    const std::int64_t owner = database.number("pragma application_id");
+    const std::int64_t objects = database.number("select count(*) from sqlite_schema");
+    if (version == 0 && owner == 0 && objects == 0) return true;
+    if (owner != store_application_id) {
+        refuse(path, "an SQLite file, but not an Edgewise store: name another store");
+    }
+    if (version > store_schema_version) {
+        refuse(path,
+               fmt::format("schema version {}, but this program knows only up to {}: use a newer program "
+                           "or name another store",
+                           version, store_schema_version));
+    }
+    if (version < store_schema_version) {
+        refuse(path,
+               fmt::format("schema version {}, too old for this program, which writes {}: name another store",
+                           version, store_schema_version));
+    }
+    return false;
+}
+
+void create_schema(const sqlite::Database& database, const std::string& path) {
+    sqlite::Transaction transaction(database);
+    // Another program may have been first between our look and our lock.
+    if (is_new(database, path)) {
+        database.execute(store_schema);
+        database.execute(fmt::format("pragma application_id = {}; pragma user_version = {}",
+                                     store_application_id, store_schema_version)
+                             .c_str());
+    }
+    transaction.commit();
+}
+
+/// Text and JSON know no infinity, and SQLite turns NaN into a bare null: both become null with a reason.
+Figure storable(Figure figure) {
+    if (figure.value && !std::isfinite(*figure.value)) {
+        figure.reason = fmt::format("not a finite number ({})", *figure.value);
+        figure.value.reset();
+    }
+    return figure;
+}
+
+void put_figures(const sqlite::Database& database, const std::string& build, const std::string& hash,
+                 std::span<const FigureRow> figures) {
+    sqlite::Statement(database, "delete from figure where build = ? and hash = ?").bind(build, hash).run();
+    sqlite::Statement insert(database, "insert into figure values(?,?,?,?,?,?,?,?)");
+    for (const FigureRow& row : figures) {
+        const Figure f = storable(row.figure);
+        if (!f.value && f.reason.empty()) {
+            throw std::runtime_error(
+                fmt::format("cell {}: figure {}/{} has neither a value nor a reason; its probe must give one",
+                            hash, row.probe, f.name));
+        }
+        insert.bind(build, hash, row.probe, f.name, f.value, f.unit, f.reason, f.remedy).run();
+    }
+}
+
+Timing read_timing(const sqlite::Statement& s, int column) {
+    return {s.natural(column), s.natural(column + 2), s.real(column + 1), s.real(column + 3)};
+}
+
+}  // namespace
+
+Store::Store(const std::string& path) : implementation_(std::make_unique<Implementation>(path)) {
+    const sqlite::Database& database = implementation_->database;
+    const bool fresh = is_new(database, path);
+    // A write-protected file opens, and would only fail at the first round.
+    if (sqlite3_db_readonly(database.handle(), "main") == 1) {
+        refuse(path, "write-protected: make it writable or name another store");
+    }
+    database.execute("pragma journal_mode = wal; pragma synchronous = full; pragma foreign_keys = on");
+    if (fresh) create_schema(database, path);
+}
+
+Store::~Store() = default;
+
+void Store::put_build(const BuildRow& b) {
+    sqlite::Statement(implementation_->database,
+                      "insert into build values(?,?,?,?,?,?) on conflict(id) do update set "
+                      "git_revision = excluded.git_revision, compiler = excluded.compiler, "
+                      "flags = excluded.flags, build_type = excluded.build_type, "
+                      "machine_json = excluded.machine_json")
+        .bind(b.id, b.git_revision, b.compiler, b.flags, b.build_type, b.machine_json)
+        .run();
+}
+
+void Store::put_cell(const std::string& build, const CellRow& c, std::span<const FigureRow> figures) {
+    const sqlite::Database& database = implementation_->database;
+    sqlite::Transaction transaction(database);
+    sqlite::Statement(database, "insert or replace into cell values(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")
+        .bind(build, c.hash, c.scene, c.scene_parameters, c.shape, c.shape_source, c.algorithm, c.layout,
+              c.precision, c.table, c.vertices, c.edges, c.faces, c.seed, c.queries, c.status, c.reason,
+              c.axes)
+        .run();
+    put_figures(database, build, c.hash, figures);
+    transaction.commit();
+}
+
+void Store::put_round(const std::string& build, std::span<const std::pair<std::string, Round>> rounds) {
+    const sqlite::Database& database = implementation_->database;
+    sqlite::Transaction transaction(database);
+    sqlite::Statement insert(database, "insert or replace into round values(?,?,?,?,?,?,?,?,?,?,?)");
+    for (const auto& [hash, round] : rounds) {
+        const Timing& t = round.timing;
+        const Timing& b = round.baseline;
+        insert
+            .bind(build, hash, round.number, t.separated_queries, t.separated_ns, t.overlapping_queries,
+                  t.overlapping_ns, b.separated_queries, b.separated_ns, b.overlapping_queries,
+                  b.overlapping_ns)
+            .run();
+    }
+    transaction.commit();
+}
+
+std::optional<CellRow> Store::find_cell(const std::string& build, const std::string& hash) const {
+    sqlite::Statement s(
+        implementation_->database,
+        "select hash, scene, scene_parameters, shape, shape_source, algorithm, layout, precision, "
+        "table_type, vertices, edges, faces, seed, queries, status, reason, axes "
+        "from cell where build = ? and hash = ?");
+    if (!s.bind(build, hash).step()) return std::nullopt;
+    return CellRow{s.text(0),     s.text(1),     s.text(2),  s.text(3),    s.text(4),     s.text(5),
+                   s.text(6),     s.text(7),     s.text(8),  s.natural(9), s.natural(10), s.natural(11),
+                   s.natural(12), s.natural(13), s.text(14), s.text(15),   s.text(16)};
+}
+
+std::vector<FigureRow> Store::figures(const std::string& build, const std::string& hash) const {
+    sqlite::Statement s(implementation_->database,
+                        "select probe, name, value, unit, reason, remedy from figure "
+                        "where build = ? and hash = ? order by probe, name");
+    s.bind(build, hash);
+    std::vector<FigureRow> rows;
+    while (s.step()) {
+        rows.push_back({s.text(0), Figure{s.text(1), s.optional_real(2), s.text(3), s.text(4), s.text(5)}});
+    }
+    return rows;
+}
+
+std::optional<BuildRow> Store::find_build(const std::string& id) const {
+    sqlite::Statement s(implementation_->database,
+                        "select id, git_revision, compiler, flags, build_type, machine_json from build "
+                        "where id = ?");
+    if (!s.bind(id).step()) return std::nullopt;
+    return BuildRow{s.text(0), s.text(1), s.text(2), s.text(3), s.text(4), s.text(5)};
+}
+
+std::set<int> Store::rounds_done(const std::string& build, const std::string& hash) const {
+    sqlite::Statement s(implementation_->database, "select number from round where build = ? and hash = ?");
+    s.bind(build, hash);
+    std::set<int> numbers;
+    while (s.step()) numbers.insert(static_cast<int>(s.integer(0)));
+    return numbers;
+}
+
+std::vector<Round> Store::rounds(const std::string& build, const std::string& hash) const {
+    sqlite::Statement s(
+        implementation_->database,
+        "select number, separated_queries, separated_ns, overlapping_queries, overlapping_ns, "
+        "baseline_separated_queries, baseline_separated_ns, baseline_overlapping_queries, "
+        "baseline_overlapping_ns from round where build = ? and hash = ? order by number");
+    s.bind(build, hash);
+    std::vector<Round> rounds;
+    while (s.step()) rounds.push_back({static_cast<int>(s.integer(0)), read_timing(s, 1), read_timing(s, 5)});
+    return rounds;
+}
+
+void Store::set_meta(const std::string& key, const std::string& value) {
+    sqlite::Statement(implementation_->database, "insert or replace into meta values(?,?)")
+        .bind(key, value)
+        .run();
+}
+
+std::optional<std::string> Store::find_meta(const std::string& key) const {
+    sqlite::Statement s(implementation_->database, "select value from meta where key = ?");
+    if (!s.bind(key).step()) return std::nullopt;
+    return s.text(0);
+}
+
+}  // namespace edgewise

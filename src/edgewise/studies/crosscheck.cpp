@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/crosscheck.hpp"
+
+#include <fmt/format.h>
+#include <linux/perf_event.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "edgewise/measure/cache/cache_model.hpp"
+#include "edgewise/measure/process/child_process.hpp"
+#include "edgewise/measure/counters/event_choice.hpp"
+#include "edgewise/bench/build_info.hpp"
+#include "edgewise/bench/trace/trace_names.hpp"
+
+namespace edgewise {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class ModelListener final : public TraceListener {
+  public:
+    ModelListener(const CacheGeometry& geometry, bool with_poses)
+        : model_(geometry), with_poses_(with_poses) {}
+
+    /// A pass has no broad phase, and reads and writes a pair's cache word by word.
+    void on_access(const TracedAccess& access) override {
+        if (access.step == static_cast<std::uint8_t>(TraceStep::broad_phase)) return;
+        const std::uint32_t piece = access.side == TraceSide::scene ? 8 : access.bytes;
+        for (std::uint32_t at = 0; at < access.bytes; at += piece)
+            model_.access(access.address + at, std::min(piece, access.bytes - at), access.kind);
+    }
+    void on_query_end(bool /*counts*/) override {
+        for (std::uint64_t word = 0; with_poses_ && word < sizeof(Query); word += 8)
+            model_.access(queries_at + query_ * sizeof(Query) + word, 8, AccessKind::read);
+        ++query_;
+    }
+
+    void start_pass() {
+        model_.forget_counts();
+        query_ = 0;
+    }
+    [[nodiscard]] const CacheModel& model() const { return model_; }
+
+  private:
+    static constexpr std::uint64_t queries_at = std::uint64_t{1} << 40;  ///< away from all tables
+
+    CacheModel model_;
+    bool with_poses_;
+    std::uint64_t query_ = 0;
+};
+
+/// The hidden command that runs passes and nothing else (cli/command_pass.cpp).
+std::vector<std::string> pass_command(const CellChoice& choice, const std::string& program, int passes) {
+    std::vector<std::string> command = {program,       "pass",
+                                        "--table",     choice.table,
+                                        "--algorithm", choice.algorithm,
+                                        "--scene",     choice.scene,
+                                        "--shape",     choice.shape,
+                                        "--queries",   std::to_string(choice.queries),
+                                        "--seed",      std::to_string(choice.seed),
+                                        "--passes",    std::to_string(passes)};
+    for (const auto& [name, value] : choice.parameters) {
+        command.emplace_back("--parameter");
+        command.push_back(fmt::format("{}={}", name, value));
+    }
+    return command;
+}
+
+std::string read_file(const fs::path& file) {
+    std::ifstream stream(file);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/// How perf is asked for an event: by its raw code, or by its own name of the few that have one.
+std::optional<std::string> perf_name(const ChosenEvent& event) {
+    if (event.code.type == PERF_TYPE_RAW) return fmt::format("r{:x}", event.code.config);
+    if (event.code.type != PERF_TYPE_HARDWARE) return std::nullopt;
+    if (event.code.config == PERF_COUNT_HW_INSTRUCTIONS) return "instructions";
+    if (event.code.config == PERF_COUNT_HW_CACHE_MISSES) return "cache-misses";
+    return std::nullopt;
+}
+
+/// The count in one line of `perf stat -x,`: value, unit, event, time, part of the time in per cent.
+Fact<double> perf_count(const std::string& output, const std::string& event) {
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string value, unit, name, time, part;
+        for (std::string* word : {&value, &unit, &name, &time, &part}) std::getline(words, *word, ',');
+        if (name.substr(0, name.find(':')) != event) continue;
+        char* end = nullptr;
+        const double number = std::strtod(value.c_str(), &end);
+        if (end == value.c_str() || *end != '\0') return Fact<double>::unknown("perf says: " + value);
+        if (std::strtod(part.c_str(), nullptr) < 100)
+            return Fact<double>::unknown("it shared a counter: perf's count is a guess");
+        return {number};
+    }
+    return Fact<double>::unknown("perf said nothing of it");
+}
+
+Fact<std::string> perf_output(const CellChoice& choice, const std::string& program, const std::string& event,
+                              int passes) {
+    std::vector<std::string> command = {"perf", "stat", "-x,", "-e", event + ":u"};
+    const auto words = pass_command(choice, program, passes);
+    command.insert(command.end(), words.begin(), words.end());
+    const auto outcome = run_program(command);
+    if (!outcome.value) return Fact<std::string>::unknown(outcome.reason + "; install linux-perf");
+    if (outcome.value->exit_code != 0)
+        return Fact<std::string>::unknown("perf failed: " + outcome.value->err.substr(0, 200));
+    return {outcome.value->err};
+}
+
+Fact<double> count_by_perf(const CellChoice& choice, const std::string& program, const ChosenEvent& event) {
+    constexpr int passes = 20;
+    if (!event.refusal.reason.empty()) return Fact<double>::unknown(event.refusal.reason);
+    const std::optional<std::string> name = perf_name(event);
+    if (!name) return Fact<double>::unknown("perf has no plain name for it");
+    double counts[2] = {};
+    for (int k = 0; k < 2; ++k) {
+        const Fact<std::string> output = perf_output(choice, program, *name, 1 + k * passes);
+        if (!output.value) return Fact<double>::unknown(output.reason);
+        const Fact<double> count = perf_count(*output.value, *name);
+        if (!count.value) return count;
+        counts[k] = *count.value;
+    }
+    if (counts[1] <= counts[0]) return Fact<double>::unknown("lost in what else the program does");
+    return {(counts[1] - counts[0]) / passes};
+}
+
+}  // namespace
+
+ModelledPass model_pass(const SingleCell& cell, const CacheGeometry& geometry, bool with_poses) {
+    ModelListener listener(geometry, with_poses);
+    constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+    cell.runner().trace(cell.workload(), all, listener);
+    listener.start_pass();
+    cell.runner().trace(cell.workload(), all, listener);
+    const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
+    return {count(listener.model().counts(0).accesses), count(listener.model().counts(0).misses),
+            count(listener.model().counts(1).misses)};
+}
+
+Fact<CallgrindCounts> callgrind_pass(const CellChoice& choice, const CacheGeometry& geometry,
+                                     const std::string& program) {
+    using Answer = Fact<CallgrindCounts>;
+    const fs::path output = fs::temp_directory_path() / fmt::format("edgewise-callgrind-{}", getpid());
+    const auto outcome = run_program(callgrind_command(geometry, output, pass_command(choice, program, 1)));
+    const std::string text = read_file(output);
+    std::error_code ignored;
+    fs::remove(output, ignored);
+    if (!outcome.value) return Answer::unknown(outcome.reason + "; install valgrind");
+    if (outcome.value->exit_code != 0) {
+        const std::string& err = outcome.value->err;
+        return Answer::unknown(fmt::format("valgrind ended with {}: {}", outcome.value->exit_code,
+                                           err.substr(err.size() > 300 ? err.size() - 300 : 0)));
+    }
+    return parse_callgrind(text);
+}
+
+std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program, const Cpu& cpu) {
+    std::vector<PerfCount> counts;
+    for (const ChosenEvent& event : chosen_events(cpu)) {
+        const bool wanted = event.event == "instructions" || event.event == "l1d_fills" ||
+                            event.event == "l2_demand_misses" || event.event == "llc_misses";
+        if (wanted)
+            counts.push_back(
+                {event.event, event.encoding, event.level, count_by_perf(choice, program, event)});
+    }
+    return counts;
+}
+
+Fact<std::string> program_for_valgrind() {
+    const fs::path self = fs::read_symlink("/proc/self/exe");
+    const std::string flags = this_build().flags;
+    if (flags.find("-march=native") == std::string::npos && flags.find("v4") == std::string::npos)
+        return {self.string()};
+    const fs::path sim = self.parent_path().parent_path() / "sim" / self.filename();
+    if (fs::exists(sim)) return {sim.string()};
+    return Fact<std::string>::unknown(fmt::format(
+        "this program may use instructions that Valgrind does not know, and {} is not there; make it with "
+        "sh cmake/build_preset.sh sim edgewise_program",
+        sim.string()));
+}
+
+}  // namespace edgewise

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// A cell's modelled misses beside those that outside tools count of the same queries: Callgrind, which
+// simulates the whole program, and `perf stat`, which asks the processor. The model knows tables and pair
+// caches; a pass also reads its queries' poses, one after the other, which can be added to the model. What is
+// left (the stack, answers) only the tools see, and that residual is reported.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgewise/measure/process/callgrind.hpp"
+#include "edgewise/measure/machine/cpu.hpp"
+#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/studies/single_cell.hpp"
+
+namespace edgewise {
+
+/// Of one pass over the cell's queries, after another one.
+struct ModelledPass {
+    double accesses = 0, d1_misses = 0, ll_misses = 0;
+};
+
+/// with_poses: the list of queries is memory too.
+[[nodiscard]] ModelledPass model_pass(const SingleCell& cell, const CacheGeometry& geometry, bool with_poses);
+
+/// The same under Callgrind. `program`: Edgewise, built for a processor that Valgrind knows.
+[[nodiscard]] Fact<CallgrindCounts> callgrind_pass(const CellChoice& choice, const CacheGeometry& geometry,
+                                                   const std::string& program);
+
+/// An event as `perf stat` counts it over one pass in user mode: the difference of many passes and one, so
+/// that all else falls out.
+struct PerfCount {
+    std::string event, encoding;
+    std::optional<std::string> level;  ///< what it counts here
+    Fact<double> count;
+};
+/// Instructions and misses by level, by the encodings that `edgewise machine` tells; unknown where this
+/// machine does not count them, or perf does not all the time.
+[[nodiscard]] std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program,
+                                               const Cpu& cpu);
+
+/// A program that Valgrind can run: this one, or that of the preset `sim` beside it. Unknown: how to make it.
+[[nodiscard]] Fact<std::string> program_for_valgrind();
+
+}  // namespace edgewise

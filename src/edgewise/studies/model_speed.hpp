@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// How fast the measuring itself is: accesses a second through the cache model and the reuse distances.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/studies/single_cell.hpp"
+
+namespace edgewise {
+
+struct ModelSpeed {
+    std::string what, trace;
+    std::uint64_t accesses = 0;
+    double per_second = 0;  ///< median of the repetitions
+};
+
+/// Over a cell's own trace, kept in memory, and over made-up ones: all in the first level, and at random over
+/// 64 MiB. Three levels: those of zen5.
+[[nodiscard]] std::vector<ModelSpeed> model_speeds(const SingleCell& cell, int repetitions);
+
+}  // namespace edgewise

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/paging.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <limits>
+#include <memory>
+
+#include "edgewise/measure/process/memory_limit.hpp"
+#include "edgewise/measure/process/page_faults.hpp"
+#include "edgewise/measure/cache/page_reuse.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/bench/pipe.hpp"
+
+namespace edgewise {
+
+namespace {
+
+std::uint64_t page_bytes() { return static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)); }
+
+/// What the process under the limit tells.
+struct Counted {
+    std::uint64_t major = 0;
+    double ns = 0;
+};
+
+/// How the kernel throws pages out varies from pass to pass, most of all where nearly all fits.
+constexpr int counted_passes = 3;
+
+/// In the child: fills memory once it is put under the limit, then counts passes, tells of each, and waits
+/// before the next, since what it holds is looked at from outside.
+[[noreturn]] void run_child(const std::function<PassSum()>& pass, const Pipe& to_child,
+                            const Pipe& to_parent) {
+    to_child.close_writing();
+    if (!to_child.receive<char>()) _exit(1);
+    pass();
+    do {
+        const PageFaults before = page_faults();
+        const Stopwatch watch;
+        pass();
+        const Counted counted{page_faults().since(before).major, watch.elapsed_ns()};
+        to_parent.send(counted);
+    } while (to_child.receive<char>());
+    _exit(0);
+}
+
+/// The last child's end is waited for whatever happens.
+class Child {
+  public:
+    Child(const std::function<PassSum()>& pass, const Pipe& to_child, const Pipe& to_parent) : id_(fork()) {
+        if (id_ == 0) run_child(pass, to_child, to_parent);
+    }
+    ~Child() {
+        if (id_ > 0) waitpid(id_, nullptr, 0);
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    [[nodiscard]] pid_t id() const { return id_; }
+
+  private:
+    pid_t id_;
+};
+
+/// One pass of the child: counts it and looks at what the tables hold after it. False when the child is gone.
+bool count_pass_of(const Pipe& to_child, const Pipe& to_parent, const TableAllocator& tables,
+                   const PageReuse& reuse, PagingRow& row) {
+    to_child.send('g');
+    const std::optional<Counted> counted = to_parent.receive<Counted>();
+    const std::optional<std::size_t> resident = tables.resident();
+    if (!counted || !resident) return false;
+    const std::uint64_t held = *resident / page_bytes();
+    row.table_pages_held = row.table_pages_held.value_or(0) + held;
+    row.predicted_at_held += reuse.fetches_per_query(held);
+    row.faults_per_query += static_cast<double>(counted->major);
+    row.ns_per_query += counted->ns;
+    return true;
+}
+
+/// Means over passes of `queries` queries.
+void take_means(PagingRow& row, std::uint64_t queries) {
+    row.table_pages_held = *row.table_pages_held / counted_passes;
+    row.predicted_at_held /= counted_passes;
+    row.faults_per_query /= counted_passes * static_cast<double>(queries);
+    row.ns_per_query /= counted_passes * static_cast<double>(queries);
+}
+
+/// Empty, or why there is no measurement.
+std::string measure_under(const MemoryLimit& group, const Runner& runner,
+                          const std::function<PassSum()>& pass, const PageReuse& reuse, PagingRow& row) {
+    const TableAllocator& tables = runner.table_allocator();
+    if (!tables.evict() || tables.resident() != std::size_t{0})
+        return "the tables' pages could not be dropped from memory";
+    if (std::string error = group.set_bytes(row.limit_bytes); !error.empty()) return error;
+    const Pipe to_child, to_parent;
+    const Child child(pass, to_child, to_parent);
+    if (child.id() < 0) return "no process could be made";
+    to_parent.close_writing();
+    std::string error = group.take_in(child.id());
+    for (int i = 0; i < counted_passes && error.empty(); ++i) {
+        if (!count_pass_of(to_child, to_parent, tables, reuse, row))
+            error = "the process under the limit ended early: the limit leaves it no room";
+    }
+    to_child.close_writing();
+    return error;
+}
+
+/// Two passes, as the process under the limit runs them; the second counts.
+void trace_pages(const Runner& runner, const Workload& workload, PageReuse& reuse) {
+    constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+    runner.trace(workload, all, reuse);
+    reuse.start_counting();
+    runner.trace(workload, all, reuse);
+}
+
+}  // namespace
+
+PagingResult measure_paging(const TableType& type, const std::string& algorithm, const Workload& workload,
+                            const PagingLimits& limits) {
+    PagingResult result;
+    result.table = type.name;
+    result.algorithm = algorithm;
+    result.queries = workload.queries.size();
+    const auto runner = type.make_runner(algorithm);
+    runner->place_tables({VertexOrder::given, Sharing::per_instance, AllocatorKind::file});
+    result.reason = runner->load(workload.bodies, workload.instances);
+    if (!result.reason.empty()) return result;
+    result.keeps_recency = runner->table_allocator().keeps_recency();
+    result.table_bytes = runner->table_allocator().taken();
+    PageReuse reuse(page_bytes());
+    trace_pages(*runner, workload, reuse);
+    result.pages_touched = reuse.pages();
+    const auto group = MemoryLimit::make();
+    const std::function<PassSum()> pass = runner->prepared_pass(workload);
+    for (const std::uint64_t limit : limits(reuse.pages() * page_bytes())) {
+        PagingRow& row = result.rows.emplace_back();
+        row.limit_bytes = limit;
+        row.predicted_at_limit = reuse.fetches_per_query(limit > 0 ? limit / page_bytes() : reuse.pages());
+        row.reason = group.value ? measure_under(**group.value, *runner, pass, reuse, row)
+                                 : "no memory limit: " + group.reason;
+        if (row.reason.empty()) take_means(row, result.queries);
+    }
+    return result;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/paging_rows.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/bench/cell.hpp"
+#include "edgewise/studies/paging.hpp"
+
+namespace edgewise {
+
+namespace {
+
+struct PagedCell {
+    const char *shape, *algorithm, *table;
+};
+
+constexpr PagedCell paged_cells[] = {{"sphere386", "vclip", "aos_f64"},
+                                     {"sphere386", "vclip", "lean_f64"},
+                                     {"sphere386", "gjk", "aos_f64"},
+                                     {"sphere38", "vclip", "aos_f64"}};
+
+/// Parts of the touched bytes, but for what a process itself needs. Nearer to all of them a prediction is as
+/// good as the knowledge of what the limit leaves the tables, to some 100 KiB.
+std::vector<std::uint64_t> limits_for(std::uint64_t touched) {
+    constexpr std::uint64_t least = 2 << 20;
+    constexpr double parts[] = {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 1.125, 1.5};
+    std::vector<std::uint64_t> limits;
+    for (const double part : parts) {
+        const auto limit = static_cast<std::uint64_t>(part * static_cast<double>(touched));
+        limits.push_back(std::max(least, limit / 4096 * 4096));
+    }
+    limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
+    return limits;
+}
+
+const TableType* find_type(const std::string& name) {
+    for (const TableType& type : table_types()) {
+        if (type.name == name) return &type;
+    }
+    return nullptr;
+}
+
+std::vector<PagedCell> cells_of_this_program() {
+    std::vector<PagedCell> cells;
+    for (const PagedCell& cell : paged_cells) {
+        const TableType* type = find_type(cell.table);
+        if (type && type->serves(cell.algorithm)) cells.push_back(cell);
+    }
+    return cells;
+}
+
+SceneParameters parameters_of(const PagingPlan& plan) {
+    return {{"bodies", static_cast<double>(plan.bodies)},
+            {"rotation_step", plan.rotation_step},
+            {"new_order", 1}};
+}
+
+CellRow row_of(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& body) {
+    const TableType& type = *find_type(cell.table);
+    CellRow row;
+    row.scene = paging_scene;
+    row.scene_parameters = parameters_json(parameters_of(plan));
+    row.shape = cell.shape;
+    row.shape_source = "built-in";
+    row.algorithm = cell.algorithm;
+    row.layout = type.layout;
+    row.precision = type.precision;
+    row.table = type.name;
+    row.vertices = body.vertex_count();
+    row.edges = body.edge_count();
+    row.faces = body.face_count();
+    row.seed = plan.seed;
+    row.queries = plan.steps * (plan.bodies - 1);
+    name_cell(row, body);
+    return row;
+}
+
+/// Of limit i, by the names that the report knows.
+void add_limit(const PagingRow& limit, std::size_t i, std::vector<FigureRow>& figures) {
+    const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+    const auto add = [&](const char* name, double value, const char* unit, bool measured) {
+        Figure figure{fmt::format("{}.{}", name, i), value, unit};
+        if (measured && !limit.reason.empty()) {
+            figure.value.reset();
+            figure.reason = limit.reason;
+            figure.remedy = "run as root, where memory control groups may be made";
+        }
+        figures.push_back({"paging", std::move(figure)});
+    };
+    add("limit_bytes", static_cast<double>(limit.limit_bytes), "B", false);
+    add("predicted_at_limit", limit.predicted_at_limit, "faults", false);
+    add("held_bytes", static_cast<double>(limit.table_pages_held.value_or(0)) * page, "B", true);
+    add("predicted_at_held", limit.predicted_at_held, "faults", true);
+    add("faults_per_query", limit.faults_per_query, "faults", true);
+    add("us_per_query", limit.ns_per_query / 1000, "us", true);
+}
+
+std::vector<FigureRow> figures_of(const PagingResult& result) {
+    const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+    std::vector<FigureRow> figures = {
+        {"paging", {"table_bytes", static_cast<double>(result.table_bytes), "B"}},
+        {"paging", {"touched_bytes", static_cast<double>(result.pages_touched) * page, "B"}},
+        {"paging", {"keeps_recency", result.keeps_recency ? 1.0 : 0.0, "1"}}};
+    for (std::size_t i = 0; i < result.rows.size(); ++i) add_limit(result.rows[i], i, figures);
+    return figures;
+}
+
+/// Throws std::logic_error when a built-in scene cannot be made.
+Workload workload_of(const PagingPlan& plan, const Polyhedron& body) {
+    auto made =
+        make_scene("pressure", body, parameters_of(plan), plan.seed, plan.steps * (plan.bodies - 1), {});
+    if (!made) throw std::logic_error(made.error);
+    return std::move(*made);
+}
+
+void run_cell(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& body, const std::string& build,
+              Store& store, CellRow& row) {
+    const PagingResult result =
+        measure_paging(*find_type(cell.table), cell.algorithm, workload_of(plan, body), limits_for);
+    row.status = result.reason.empty() ? "verified" : "unavailable";
+    row.reason = result.reason;
+    store.put_cell(build, row, result.reason.empty() ? figures_of(result) : std::vector<FigureRow>{});
+}
+
+}  // namespace
+
+std::size_t paging_rows() { return cells_of_this_program().size(); }
+
+PagingSummary run_paging(const PagingPlan& plan, const std::string& build, Store& store,
+                         const std::function<void(const CellRow&)>& on_row, const std::atomic<bool>& stop) {
+    PagingSummary summary;
+    for (const PagedCell& cell : cells_of_this_program()) {
+        summary.stopped = stop;
+        if (stop) break;
+        const auto body = make_shape(cell.shape);
+        if (!body) throw std::logic_error(body.error);
+        CellRow row = row_of(cell, plan, *body);
+        if (!store.find_cell(build, row.hash)) run_cell(cell, plan, *body, build, store, row);
+        ++summary.rows;
+        on_row(row);
+    }
+    return summary;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// The paging run of a plan: hundreds of bodies with tables of their own under memory limits (paging.hpp), as
+// rows of the store under the scene `paging`. Limits are parts of what the tables touch, from an eighth to
+// more than all.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+#include "edgewise/store/store.hpp"
+
+namespace edgewise {
+
+/// The scene name of these rows.
+inline constexpr const char* paging_scene = "paging";
+
+struct PagingPlan {
+    std::size_t bodies = 600;
+    double rotation_step = 7.0 / 60;  ///< rad: the end of the paper's axis at 60 steps a second
+    std::size_t steps = 6;            ///< of a pass
+    std::uint64_t seed = 1;
+};
+
+struct PagingSummary {
+    std::size_t rows = 0;
+    bool stopped = false;
+};
+
+/// What the paper ran, V-Clip on its own layout, beside GJK, a lean layout and a smaller body, as far as this
+/// program has them. Rows already stored for the build are kept. `on_row` hears of each.
+PagingSummary run_paging(const PagingPlan& plan, const std::string& build, Store& store,
+                         const std::function<void(const CellRow&)>& on_row, const std::atomic<bool>& stop);
+
+/// How many rows that makes.
+[[nodiscard]] std::size_t paging_rows();
+
+}  // namespace edgewise

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// The stability run: every hard family x algorithm x table type, judged by the exact oracle, with
+// certificates and depths of some, and time against signed gap. Each result is a row of the store under the
+// scene `stability`.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/store/store.hpp"
+
+namespace edgewise {
+
+/// The scene name of these rows.
+inline constexpr const char* stability_scene = "stability";
+
+struct StabilityPlan {
+    std::vector<std::string> families;  ///< empty: all
+    std::size_t count = 200;            ///< poses a family
+    std::size_t proofs = 200;           ///< of these with depth, certificate and time, at most
+    std::uint64_t seed = 1;
+    std::vector<const TableType*> types;
+    std::vector<std::string> algorithms;
+    std::vector<Polyhedron> real;  ///< for the family of real hulls; without any its rows are unavailable
+};
+
+struct StabilityRow {
+    CellRow cell;
+    std::vector<FigureRow> figures;
+};
+
+struct StabilitySummary {
+    std::size_t rows = 0, failed = 0, unavailable = 0;
+};
+
+/// Throws std::invalid_argument that lists the known names when a family is unknown. `on_row` is called with
+/// each row as soon as it is there.
+StabilitySummary run_stability(const StabilityPlan& plan,
+                               const std::function<void(const StabilityRow&)>& on_row,
+                               const std::atomic<bool>& stop);
+
+/// How many rows that makes.
+[[nodiscard]] std::size_t stability_rows(const StabilityPlan& plan);
+
+}  // namespace edgewise

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/stability_cases.hpp"
+
+#include "edgewise/truth/moore_wilhelms.hpp"
+#include "edgewise/truth/depth/exact_depth.hpp"
+#include "edgewise/truth/pair_error.hpp"
+
+namespace edgewise {
+
+namespace {
+
+bool same_bodies(const hard::Pair& p, const hard::Pair& q) {
+    return p.a.vertices == q.a.vertices && p.b.vertices == q.b.vertices && p.a.faces == q.a.faces &&
+           p.b.faces == q.b.faces;
+}
+
+}  // namespace
+
+StabilityCases::StabilityCases(const HardFamily& family, std::size_t count, std::uint64_t seed, bool single,
+                               std::span<const Polyhedron> real) {
+    hard::Maker maker(seed, single, real);
+    hard::Pair last;
+    for (std::size_t poses = 0; poses < count;) {
+        hard::Pair pair = family.make(maker);
+        poses += pair.poses.size();
+        if (!family.warm && !cases_.empty() && same_bodies(pair, last)) {
+            auto& known = cases_.back().poses;
+            known.insert(known.end(), pair.poses.begin(), pair.poses.end());
+            truths_.back().resize(known.size());
+            continue;
+        }
+        auto a = body_from_case(pair.a);
+        auto b = body_from_case(pair.b);
+        std::string error = !a ? a.error : !b ? b.error : "";
+        for (const auto& [pose_a, pose_b] : pair.poses) {
+            if (error.empty()) error = pair_error(a->vertices, pose_a, b->vertices, pose_b);
+        }
+        if (error.empty()) {
+            truths_.emplace_back(pair.poses.size());
+            cases_.push_back({std::move(*a), std::move(*b), pair.poses});
+            last = std::move(pair);
+        } else {
+            refused_ += pair.poses.size();
+            if (first_refusal_.empty()) first_refusal_ = error;
+        }
+    }
+}
+
+const ExactDistance& StabilityCases::exact(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
+                                           const Polyhedron& stored_b) {
+    Truth& truth = truths_[index][pose];
+    if (!truth.distance) {
+        const auto& [pose_a, pose_b] = cases_[index].poses[pose];
+        truth.distance = *exact_distance(stored_a.vertices, pose_a, stored_b.vertices, pose_b);
+    }
+    return *truth.distance;
+}
+
+double StabilityCases::depth(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
+                             const Polyhedron& stored_b) {
+    Truth& truth = truths_[index][pose];
+    if (!truth.depth) {
+        const auto& [pose_a, pose_b] = cases_[index].poses[pose];
+        const SimplexSeed& seed = exact(index, pose, stored_a, stored_b).simplex;
+        truth.depth = exact_depth(stored_a.vertices, pose_a, stored_b.vertices, pose_b, seed)->depth;
+    }
+    return *truth.depth;
+}
+
+std::optional<bool> StabilityCases::control(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
+                                            const Polyhedron& stored_b) {
+    Truth& truth = truths_[index][pose];
+    if (!truth.control) {
+        const auto& [pose_a, pose_b] = cases_[index].poses[pose];
+        truth.control = moore_wilhelms(stored_a, stored_b, relative_pose(pose_a, pose_b));
+    }
+    return *truth.control;
+}
+
+}  // namespace edgewise

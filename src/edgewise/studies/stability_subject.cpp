@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/stability_subject.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "edgewise/measure/statistics.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/bench/certificates.hpp"
+
+namespace edgewise {
+
+namespace {
+
+constexpr int timed_rounds = 5;
+
+/// Signed gap over scale -> its bin: "0" near contact, else the lower edge, negative for overlaps.
+std::string bin_of(double gap) {
+    double edge = 0;
+    for (const double e : stability_gaps) {
+        if (std::abs(gap) >= e) edge = e;
+    }
+    return edge == 0 ? "0" : fmt::format("{}{:.0e}", gap < 0 ? "-" : "", edge);
+}
+
+bool holds(const Certificate& known, const ExactDistance& exact) {
+    return known.lower <= exact.distance && exact.distance <= known.upper;
+}
+
+std::vector<std::string> all_bins() {
+    std::vector<std::string> bins;
+    for (std::size_t i = stability_gaps.size(); i-- > 0;) bins.push_back(bin_of(-stability_gaps[i]));
+    bins.push_back("0");
+    for (const double e : stability_gaps) bins.push_back(bin_of(e));
+    return bins;
+}
+
+}  // namespace
+
+Workload StabilitySubject::workload_of(std::size_t index) const {
+    const StabilityCase& given = cases_.all()[index];
+    Workload workload;
+    workload.bodies = {given.a, given.b};
+    workload.pair_count = 1;
+    workload.warm = warm_;
+    for (const auto& [pose_a, pose_b] : given.poses) workload.queries.push_back({0, 1, 0, pose_a, pose_b});
+    return workload;
+}
+
+void StabilitySubject::run(StabilityTally& tally) {
+    if (cases_.refused() > 0) tally.add_refusal(cases_.refused(), cases_.first_refusal());
+    for (std::size_t i = 0; i < cases_.all().size(); ++i) ask(i, tally);
+    time(tally);
+}
+
+void StabilitySubject::ask(std::size_t index, StabilityTally& tally) {
+    const Workload workload = workload_of(index);
+    const std::string error = runner_->load(workload.bodies);
+    if (!error.empty()) {
+        tally.add_refusal(workload.queries.size(), error);
+        return;
+    }
+    const auto answers = runner_->answer(workload);
+    for (std::size_t pose = 0; pose < answers.size(); ++pose) {
+        judge_pose(index, pose, answers[pose], tally);
+        if (proven_ < proofs_) prove_pose(index, pose, tally);
+    }
+}
+
+void StabilitySubject::judge_pose(std::size_t index, std::size_t pose, const Distance& answer,
+                                  StabilityTally& tally) {
+    const auto stored = runner_->stored_bodies();
+    const auto& [pose_a, pose_b] = cases_.all()[index].poses[pose];
+    const ExactDistance& exact = cases_.exact(index, pose, stored[0], stored[1]);
+    const AccuracyBand band =
+        accuracy_band(stored[0].vertices, pose_a, stored[1].vertices, pose_b, type_.eps);
+    const bool apart = answer.status == Status::separated;
+    std::optional<double> depth;
+    if (apart && exact.verdict != ExactVerdict::separated)
+        depth = cases_.depth(index, pose, stored[0], stored[1]);
+    tally.add({judge({apart, answer.distance}, exact, band, depth), band, answer, &exact,
+               cases_.control(index, pose, stored[0], stored[1])});
+}
+
+void StabilitySubject::prove_pose(std::size_t index, std::size_t pose, StabilityTally& tally) {
+    ++proven_;
+    const StabilityCase& given = cases_.all()[index];
+    const auto stored = runner_->stored_bodies();
+    const Query query{0, 1, 0, given.poses[pose].first, given.poses[pose].second};
+    const NamedAnswer answer = runner_->answer(query);
+    const std::vector<Polyhedron> bodies = {given.a, given.b};
+    const auto certificates = certificates_of(answer, query, bodies, stored);
+    const ExactDistance& exact = cases_.exact(index, pose, stored[0], stored[1]);
+    const AccuracyBand band =
+        accuracy_band(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b, type_.eps);
+    StabilityProof proof;
+    proof.certificate_missed = true;
+    proof.depth_cut_short = answer.depth_cut_short;
+    if (certificates) {
+        const auto of_given = exact_distance(given.a.vertices, query.pose_a, given.b.vertices, query.pose_b);
+        proof.certificate_width = certificates->stored.width() / (band.scale > 0 ? band.scale : 1);
+        proof.certificate_missed =
+            !holds(certificates->stored, exact) || !of_given || !holds(certificates->given, *of_given);
+    }
+    if (exact.verdict != ExactVerdict::separated && answer.distance.status != Status::separated) {
+        const double off = std::abs(answer.depth - cases_.depth(index, pose, stored[0], stored[1]));
+        proof.depth_error = error_beyond(off, band);
+    }
+    tally.add(proof);
+}
+
+/// Cold queries of the first cases, gap by gap.
+void StabilitySubject::time(StabilityTally& tally) {
+    std::map<std::string, Workload> bins;
+    std::vector<Polyhedron> bodies;
+    std::size_t taken = 0;
+    for (std::size_t i = 0; i < cases_.all().size() && taken < proofs_; ++i) {
+        const Workload one = workload_of(i);
+        if (!runner_->load(one.bodies).empty()) continue;
+        const auto stored = runner_->stored_bodies();
+        const auto first = static_cast<std::uint32_t>(bodies.size());
+        bodies.insert(bodies.end(), one.bodies.begin(), one.bodies.end());
+        for (std::size_t pose = 0; pose < one.queries.size() && taken < proofs_; ++pose, ++taken) {
+            const ExactDistance& exact = cases_.exact(i, pose, stored[0], stored[1]);
+            const auto& query = one.queries[pose];
+            const double scale =
+                accuracy_band(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b, type_.eps)
+                    .scale;
+            const bool apart = exact.verdict == ExactVerdict::separated;
+            const double gap = apart ? exact.distance : -cases_.depth(i, pose, stored[0], stored[1]);
+            bins[bin_of(gap / (scale > 0 ? scale : 1))].queries.push_back(
+                {first, first + 1, 0, query.pose_a, query.pose_b});
+        }
+    }
+    if (bodies.empty() || !runner_->load(bodies).empty()) bins.clear();
+    const double clock = calibrate();
+    for (const std::string& bin : all_bins()) {
+        const Workload& workload = bins[bin];
+        std::vector<double> ns;
+        for (int round = 0; round < timed_rounds && !workload.queries.empty(); ++round) {
+            const std::vector<std::uint8_t> one_class(workload.queries.size(), 0);
+            ns.push_back(runner_->time(workload, one_class, clock).separated_ns /
+                         static_cast<double>(workload.queries.size()));
+        }
+        tally.add_time(bin, median(ns));
+    }
+}
+
+}  // namespace edgewise

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// What one table costs beside its own bytes: in each allocator, in pages, and in cache lines that queries
+// touch. Measured on tables that are really built, each allocator's in turn.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgewise/geometry/result.hpp"
+#include "edgewise/measure/cache/lines_touched.hpp"
+#include "edgewise/bench/registry.hpp"
+
+namespace edgewise {
+
+struct AllocatorCost {
+    std::string allocator;
+    std::optional<std::size_t> taken;          ///< bytes; nothing: see `reason`
+    std::optional<std::size_t> by_statistics;  ///< by the allocator's own count, where it keeps one
+    std::optional<std::size_t> resident;       ///< bytes of pages in memory, where it can be told
+    std::string reason;
+};
+
+/// Of a table with these parts of a body that it can store.
+[[nodiscard]] std::vector<AllocatorCost> allocator_costs(const TableType& type, const Polyhedron& body,
+                                                         Parts parts);
+
+/// What this algorithm's queries read in the scene `tumble` at 0.1 rad a step, bodies of this shape: the
+/// first warm ones. Fails where the scene does: for bodies without a volume.
+[[nodiscard]] Result<LinesTouched> lines_in_tumble(const TableType& type, const std::string& algorithm,
+                                                   const Polyhedron& body);
+
+/// Bytes of a whole table per additional edge, over bodies whose rings take indices of these widths in the
+/// narrowest form.
+struct WidthSlope {
+    int offset_bits, neighbour_bits;
+    std::size_t least_vertices, most_vertices;
+    double bytes_per_edge;
+};
+
+/// Fitted over spheres of 8 to 100 000 vertices, range by range; takes seconds a table type.
+[[nodiscard]] std::vector<WidthSlope> slopes_by_width(const TableType& type, Parts parts);
+
+}  // namespace edgewise

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/sweep/heap_of_cell.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "edgewise/bench/memory/allocators.hpp"
+#include "edgewise/bench/memory/jemalloc.hpp"
+#include "edgewise/bench/trace/trace_places.hpp"
+#include "edgewise/table/table_memory.hpp"
+
+namespace edgewise {
+
+namespace {
+
+/// What `build` allocates; what it returns is kept until it was measured.
+HeapStructure measured(const std::string& name,
+                       const std::function<std::shared_ptr<const void>(TableAllocator&)>& build) {
+    const auto allocator = make_allocator(AllocatorKind::jemalloc);
+    const std::shared_ptr<const void> kept = build(*allocator);
+    const std::size_t classes = allocator->by_its_statistics().value_or(0);
+    if (classes != allocator->taken())
+        throw std::logic_error(name + ": jemalloc's statistics are not the sum of its size classes");
+    return {name, allocator->requested(), classes, allocator->resident().value_or(0)};
+}
+
+/// Blocks of such sizes, written to as their owner would.
+HeapStructure blocks(const std::string& name, const std::vector<std::size_t>& sizes) {
+    return measured(name, [&](TableAllocator& allocator) {
+        auto owned = std::make_shared<std::vector<std::pmr::vector<std::byte>>>();
+        for (const std::size_t size : sizes)
+            if (size > 0) owned->emplace_back(size, std::byte{1}, &allocator);
+        return owned;
+    });
+}
+
+/// Boxes and orders for every body, pairs for the fullest frame.
+std::vector<std::size_t> broad_phase_sizes(const Workload& workload) {
+    std::vector<std::size_t> sizes;
+    for (const std::uint32_t element : TracePlaces::element_bytes)
+        sizes.push_back(element * workload.instances.size());
+    std::size_t most_pairs = 0;
+    for (std::size_t i = 0; i < workload.frames.size(); ++i) {
+        const bool last = i + 1 == workload.frames.size();
+        const std::size_t end = last ? workload.queries.size() : workload.frames[i + 1].first_query;
+        most_pairs = std::max(most_pairs, end - workload.frames[i].first_query);
+    }
+    sizes.back() = TracePlaces::element_bytes.back() * most_pairs;
+    return sizes;
+}
+
+}  // namespace
+
+HeapUse heap_of_cell(const TableType& type, Parts parts, const Polyhedron& body, const Workload& workload,
+                     std::size_t pair_bytes) {
+    HeapUse use;
+    try {
+        use.structures.push_back(measured("table", [&](TableAllocator& allocator) {
+            const TablesIn placed(allocator);
+            return type.make_table(body, parts);
+        }));
+        if (workload.warm)
+            use.structures.push_back(blocks("pair_caches", {workload.pair_count * pair_bytes}));
+        if (!workload.frames.empty() && !workload.frames.front().boxes.empty())
+            use.structures.push_back(blocks("broad_phase", broad_phase_sizes(workload)));
+    } catch (const std::exception& problem) {
+        use.structures.clear();
+        use.reason = problem.what();
+        use.remedy = JemallocArena::available()
+                         ? "see the reason"
+                         : "install libjemalloc-dev and build again, without sanitizers";
+    }
+    return use;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/sweep/shared_queries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/truth/moore_wilhelms.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/bench/cell.hpp"
+#include "edgewise/bench/parallel.hpp"
+#include "edgewise/table/canonical.hpp"
+
+namespace edgewise {
+
+namespace {
+
+/// Good enough to place pairs by; what is placed is then checked exactly like everything else.
+double placing_distance(const Polyhedron& a, const Pose& pose_a, const Polyhedron& b, const Pose& pose_b) {
+    SimplexPair<Canonical, Canonical> cold;
+    return Gjk::query(Canonical(a), Canonical(b), relative_pose(pose_a, pose_b), cold).distance;
+}
+
+/// The control holds every vertex and edge against every face: seconds a pair of the largest bodies. All
+/// checked queries up to some 400 vertices, then as many as take as long.
+std::size_t control_stride(const Polyhedron& body, std::size_t checked) {
+    constexpr double most_work = 2000.0 * 386 * 768;  // vertices x faces
+    const double work = static_cast<double>(checked) * static_cast<double>(body.vertex_count()) *
+                        static_cast<double>(body.face_count());
+    return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(work / most_work)));
+}
+
+std::string print_of(std::span<const Polyhedron> bodies) {
+    Fingerprint print;
+    for (const Polyhedron& body : bodies) print.add(body);
+    return print.hex();
+}
+
+}  // namespace
+
+Group::Group(const Plan& plan, const SceneChoice& scene, const NamedShape& shape)
+    : asks_control_(plan.control) {
+    auto parameters = complete_parameters(scene.name, scene.parameters);
+    if (!parameters) throw std::invalid_argument(parameters.error);
+    parameters_ = std::move(*parameters);
+    auto workload =
+        make_scene(scene.name, shape.body, parameters_, plan.seed, plan.queries, placing_distance);
+    if (!workload) throw std::invalid_argument(workload.error);
+    workload_ = std::move(*workload);
+    const std::size_t wanted = std::min(plan.checked, workload_.queries.size());
+    for (std::size_t k = 0; k < wanted; ++k) checked_.push_back(k * workload_.queries.size() / wanted);
+}
+
+const std::vector<ExactDistance>& Group::exact(std::span<const Polyhedron> bodies) {
+    auto [place, is_new] = exact_.try_emplace(print_of(bodies));
+    if (is_new) place->second = work_out(bodies);
+    return place->second;
+}
+
+std::vector<ExactDistance> Group::work_out(std::span<const Polyhedron> bodies) const {
+    std::vector<ExactDistance> answers(checked_.size());
+    for_each_index(checked_.size(), [&](std::size_t k) {
+        const Query& query = workload_.queries[checked_[k]];
+        const auto answer = exact_distance(bodies[query.body_a].vertices, query.pose_a,
+                                           bodies[query.body_b].vertices, query.pose_b);
+        if (!answer) throw std::logic_error(answer.error);
+        answers[k] = *answer;
+    });
+    return answers;
+}
+
+const std::vector<std::optional<bool>>& Group::control(std::span<const Polyhedron> bodies) {
+    auto [place, is_new] = control_.try_emplace(print_of(bodies));
+    if (!is_new || !asks_control_) return place->second;
+    std::vector<std::optional<bool>>& says = place->second;
+    says.resize(checked_.size());
+    const std::size_t stride = control_stride(bodies.front(), checked_.size());
+    for_each_index((checked_.size() + stride - 1) / stride, [&](std::size_t nth) {
+        const std::size_t k = nth * stride;
+        const Query& query = workload_.queries[checked_[k]];
+        says[k] = moore_wilhelms(bodies[query.body_a], bodies[query.body_b],
+                                 relative_pose(query.pose_a, query.pose_b));
+    });
+    return says;
+}
+
+}  // namespace edgewise

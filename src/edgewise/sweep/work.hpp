@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+//
+// What a plan comes to in this program: its names looked up, its bodies made. All that can be wrong with a
+// plan is wrong here, before a store is opened.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/sweep/axes.hpp"
+#include "edgewise/sweep/plan.hpp"
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/sweep/shapes_of.hpp"
+
+namespace edgewise {
+
+/// A scene of the plan, with what of the plan it is for; of a scene file one of its points.
+struct SceneWork {
+    SceneChoice choice;      ///< with every parameter
+    std::string kind, text;  ///< of a scene file: its kind of scene, and its JSON; else empty
+    std::size_t queries = 0;
+    std::vector<const NamedShape*> shapes;
+    std::vector<const TableType*> types;
+    std::vector<std::string> algorithms;
+    std::vector<Axes> axes;  ///< the plain cell first
+
+    /// Whether the caches of this shape's cells are modelled.
+    [[nodiscard]] bool models_caches(const NamedShape& shape) const;
+};
+
+struct SweepWork {
+    Plan plan;
+    std::vector<const TableType*> types;
+    std::vector<std::string> algorithms;
+    std::vector<MachineChoice> machines;  ///< to model the caches of
+    std::vector<NamedShape> shapes;
+    std::deque<NamedShape> file_shapes;  ///< of scene files
+    std::vector<SceneWork> scenes;
+
+    SweepWork() = default;
+    SweepWork(SweepWork&&) = default;  ///< scenes point at shapes, which stay where they are
+    SweepWork(const SweepWork&) = delete;
+    SweepWork& operator=(const SweepWork&) = delete;
+    SweepWork& operator=(SweepWork&&) = delete;
+    ~SweepWork() = default;
+
+    /// The cells of a scene and any of its shapes, each once.
+    void each_cell(
+        const SceneWork& scene,
+        const std::function<void(const TableType&, const std::string& algorithm, const Axes&)>& use) const;
+    [[nodiscard]] std::size_t cells() const;
+};
+
+/// Throws std::invalid_argument: what, where, what to do. `warn` hears of what is only a pity.
+[[nodiscard]] SweepWork prepare_sweep(const Plan& plan,
+                                      const std::function<void(const std::string& line)>& warn);
+
+}  // namespace edgewise

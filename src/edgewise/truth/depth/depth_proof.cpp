@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+//
+// The inner point is the mean c of the first four points of the polytope. To stay in integers the surface is
+// looked at from there, four times as large: 4 p - 4 c.
+#include "edgewise/truth/depth/depth_proof.hpp"
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace edgewise {
+
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+void require(bool holds, const char* otherwise) {
+    if (!holds) throw std::logic_error(std::string("exact depth: ") + otherwise);
+}
+
+/// Every vertex of both bodies, without the filter that the search relies on.
+void require_supporting(ExactPair& bodies, const IntegerVec& normal, const mpz_class& height) {
+    mpz_class highest_a = dot(normal, bodies.a.world(0));
+    for (std::uint32_t i = 1; i < bodies.a.size(); ++i) {
+        highest_a = std::max(highest_a, dot(normal, bodies.a.world(i)));
+    }
+    mpz_class lowest_b = dot(normal, bodies.b.world(0));
+    for (std::uint32_t i = 1; i < bodies.b.size(); ++i) {
+        lowest_b = std::min(lowest_b, dot(normal, bodies.b.world(i)));
+    }
+    require(highest_a - lowest_b == height, "the plane does not bound A - B");
+}
+
+class Surface {
+  public:
+    explicit Surface(const ExpandingPolytope& polytope) {
+        IntegerVec centre;
+        for (int i = 0; i < 4; ++i) centre += polytope.points()[i].point;
+        for (const DifferencePoint& p : polytope.points()) points_.push_back(4 * p.point - centre);
+        for (const ExpandingPolytope::Face& f : polytope.faces()) {
+            if (!f.removed) faces_.push_back(f.corner);
+        }
+        for (const Corners& c : faces_) {
+            for (int i = 0; i < 3; ++i) {
+                const bool fresh = apex_.emplace(std::pair(c[i], c[(i + 1) % 3]), c[(i + 2) % 3]).second;
+                require(fresh, "two faces lie on the same side of an edge");
+            }
+        }
+    }
+
+    void require_convex() const {
+        for (const Corners& c : faces_) {
+            const IntegerVec& p = points_[c[0]];
+            const IntegerVec normal = cross(points_[c[1]] - p, points_[c[2]] - p);
+            const mpz_class height = dot(normal, p);
+            require(sgn(height) > 0, "the inner point is not below a face");
+            for (int i = 0; i < 3; ++i) {
+                const auto beyond = apex_.find(std::pair(c[(i + 1) % 3], c[i]));
+                require(beyond != apex_.end(), "the polytope is not closed");
+                require(dot(normal, points_[beyond->second]) <= height, "the polytope has a dent");
+            }
+        }
+        for (std::size_t i = 1; i < faces_.size(); ++i) {
+            require(!ray_meets(faces_[i]), "the polytope covers itself twice");
+        }
+    }
+
+  private:
+    /// The ray from the inner point through the middle of the first face.
+    [[nodiscard]] bool ray_meets(const Corners& c) const {
+        IntegerVec ray = points_[faces_[0][0]];
+        ray += points_[faces_[0][1]];
+        ray += points_[faces_[0][2]];
+        for (int i = 0; i < 3; ++i) {
+            const IntegerVec side = cross(points_[c[i]], points_[c[(i + 1) % 3]]);
+            if (sgn(dot(side, ray)) < 0) return false;
+        }
+        return true;
+    }
+
+    std::vector<IntegerVec> points_;
+    std::vector<Corners> faces_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>
+        apex_;  ///< by the directed edge before it
+};
+
+/// Planes are computed again from the corners: what the search keeps is not trusted.
+void require_nearest(const ExpandingPolytope& polytope, const IntegerVec& normal, const mpz_class& height) {
+    const mpz_class squared_height = height * height;
+    const mpz_class squared_normal = dot(normal, normal);
+    for (const ExpandingPolytope::Face& f : polytope.faces()) {
+        if (f.removed) continue;
+        const IntegerVec& p = polytope.points()[f.corner[0]].point;
+        const IntegerVec n =
+            cross(polytope.points()[f.corner[1]].point - p, polytope.points()[f.corner[2]].point - p);
+        const mpz_class h = dot(n, p);
+        require(sgn(h) >= 0, "the origin is outside of the polytope");
+        require(h * h * squared_normal >= squared_height * dot(n, n), "a face is nearer");
+    }
+}
+
+}  // namespace
+
+void require_depth(ExactPair& bodies, const ExpandingPolytope& polytope, std::uint32_t face) {
+    for (const DifferencePoint& p : polytope.points()) {
+        require(p.point == bodies.difference(p.pair), "a point is not the difference of its vertices");
+    }
+    const ExpandingPolytope::Face& f = polytope.faces()[face];
+    require(sgn(f.squared_normal) > 0, "a face without a normal");
+    require_supporting(bodies, f.normal, f.height);
+    require_nearest(polytope, f.normal, f.height);
+    Surface(polytope).require_convex();
+}
+
+}  // namespace edgewise

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+//
+// GJK over the filter's coordinates, shifted by the exact offset between the bodies rounded once, so the
+// guess is good however far from the origin the pair is. Stops when nothing gets better; no tolerance is
+// needed where nothing depends on the answer.
+#include "edgewise/truth/depth/seed_simplex.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgewise {
+
+namespace {
+
+constexpr int iteration_limit = 64;  // a cap on wasted time only: exact iterations take over from there
+
+/// A - B in doubles, in units that keep the largest of the two shapes and the offset near 1.
+class RoundedDifference {
+  public:
+    explicit RoundedDifference(ExactPair& bodies) : a_(bodies.a.filter()), b_(bodies.b.filter()) {
+        const IntegerVec apart = bodies.difference({0, 0});
+        std::array<long, 3> exponents{};
+        const mpz_class* entries[] = {&apart.x, &apart.y, &apart.z};
+        long unit = std::max(a_.exponent(), b_.exponent());
+        for (int i = 0; i < 3; ++i) {
+            offset_[i] = mpz_get_d_2exp(&exponents[i], entries[i]->get_mpz_t());
+            exponents[i] += bodies.unit;
+            if (offset_[i] != 0) unit = std::max(unit, exponents[i]);
+        }
+        for (int i = 0; i < 3; ++i) offset_[i] = scaled(offset_[i], exponents[i] - unit);
+        scale_a_ = scaled(1, a_.exponent() - unit);
+        scale_b_ = scaled(1, b_.exponent() - unit);
+    }
+
+    [[nodiscard]] Vec3d point(VertexPair pair) const {
+        return scale_a_ * a_.shape(pair.a) - scale_b_ * b_.shape(pair.b) + offset_;
+    }
+
+    [[nodiscard]] VertexPair lowest(const Vec3d& direction) const {
+        return {a_.lowest(direction), b_.lowest(-direction)};
+    }
+
+  private:
+    static double scaled(double x, long exponent) {
+        return std::ldexp(x, static_cast<int>(std::max(exponent, -4000L)));
+    }
+
+    SupportFilter& a_;
+    SupportFilter& b_;
+    Vec3d offset_;
+    double scale_a_ = 1;
+    double scale_b_ = 1;
+};
+
+bool holds(const MinimumSimplex<Vec3d>& simplex, VertexPair pair) {
+    const auto end = simplex.pair.begin() + simplex.size;
+    return std::find(simplex.pair.begin(), end, pair) != end;
+}
+
+double squared_distance(const MinimumSimplex<Vec3d>& simplex) {
+    return simplex.height * simplex.height / squared_norm(simplex.direction);
+}
+
+void descend(const RoundedDifference& difference, MinimumSimplex<Vec3d>& simplex) {
+    for (int i = 0; i < iteration_limit && simplex.size < 4 && simplex.height > 0; ++i) {
+        const VertexPair pair = difference.lowest(simplex.direction);
+        const Vec3d point = difference.point(pair);
+        if (holds(simplex, pair) || !(dot(simplex.direction, point) < simplex.height)) return;
+        MinimumSimplex<Vec3d> next = simplex;
+        if (!add_point(next, point, pair)) return;
+        if (next.size < 4 && !(squared_distance(next) < squared_distance(simplex))) return;
+        simplex = next;
+    }
+}
+
+}  // namespace
+
+SimplexSeed seed_simplex(ExactPair& bodies, const SimplexSeed& start) {
+    SimplexSeed seed;
+    seed.size = 1;
+    if (!bodies.a.filter().usable() || !bodies.b.filter().usable()) return seed;
+    const RoundedDifference difference(bodies);
+    MinimumSimplex<Vec3d> simplex;
+    for (int i = 0; i < start.size; ++i) {
+        const VertexPair pair = start.pair[i];
+        if (pair.a >= bodies.a.size() || pair.b >= bodies.b.size()) continue;
+        const Vec3d point = difference.point(pair);
+        if (simplex.size > 0 && !(dot(simplex.direction, point) < simplex.height)) continue;
+        if (simplex.size < 4) static_cast<void>(add_point(simplex, point, pair));
+    }
+    if (simplex.size == 0) static_cast<void>(add_point(simplex, difference.point({0, 0}), VertexPair{0, 0}));
+    descend(difference, simplex);
+    seed.size = simplex.size;
+    seed.pair = simplex.pair;
+    return seed;
+}
+
+}  // namespace edgewise

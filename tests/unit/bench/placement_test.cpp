@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// How tables are placed changes what they cost and nothing else: every allocator, shared or a copy each,
+// gives the plain answers, bit by bit; another order of vertices gives the same distances to rounding.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "edgewise/measure/cache/lines_touched.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/bench/memory/jemalloc.hpp"
+#include "edgewise/bench/registry.hpp"
+
+namespace edgewise {
+namespace {
+
+const Workload& tumble() {
+    static const Workload workload = *make_scene("tumble", *make_shape("sphere38"),
+                                                 *complete_parameters("tumble", {{"bodies", 8}}), 1, 600, {});
+    return workload;
+}
+
+struct Placed {
+    std::vector<Distance> answers;
+    MemoryUse memory;
+    LinesTouched touched;
+};
+
+Placed place(const TableType& type, const std::string& algorithm, const TableOptions& options) {
+    const auto runner = type.make_runner(algorithm);
+    runner->place_tables(options);
+    const bool each = options.sharing == Sharing::per_instance;
+    const auto& instances = tumble().instances;
+    EXPECT_EQ(each ? runner->load(tumble().bodies, instances) : runner->load(tumble().bodies), "");
+    LineCounter lines;
+    runner->trace(tumble(), 100, lines);
+    return {runner->answer(tumble()), runner->memory(), lines.sums()};
+}
+
+class Placement : public ::testing::TestWithParam<const char*> {
+  protected:
+    [[nodiscard]] static const TableType& type() {
+        const std::string names[] = {GetParam()};
+        return *select_table_types(names).front();
+    }
+};
+
+TEST_P(Placement, LeavesTheAnswersAsTheyAre) {
+    for (const std::string& algorithm : type().algorithms) {
+        const Placed plain = place(type(), algorithm, {});
+        EXPECT_EQ(plain.memory.tables, 1U);
+        EXPECT_GT(plain.touched.queries, 0U);
+        EXPECT_GE(plain.touched.lines, 2 * plain.touched.queries) << "each query reads both tables";
+        for (const AllocatorKind allocator :
+             {AllocatorKind::arena, AllocatorKind::jemalloc, AllocatorKind::libc}) {
+            if (allocator == AllocatorKind::jemalloc && !JemallocArena::available()) continue;
+            const Placed other =
+                place(type(), algorithm, {VertexOrder::given, Sharing::per_instance, allocator});
+            EXPECT_EQ(other.memory.tables, tumble().instances.size());
+            EXPECT_EQ(other.memory.requested, 8 * plain.memory.requested);
+            EXPECT_GE(other.memory.taken, other.memory.requested);
+            EXPECT_EQ(other.touched.reads, plain.touched.reads);
+            ASSERT_EQ(other.answers.size(), plain.answers.size());
+            for (std::size_t i = 0; i < plain.answers.size(); ++i) {
+                EXPECT_EQ(other.answers[i].distance, plain.answers[i].distance);
+                EXPECT_EQ(other.answers[i].point_a, plain.answers[i].point_a);
+                EXPECT_EQ(other.answers[i].steps, plain.answers[i].steps);
+            }
+        }
+    }
+}
+
+TEST_P(Placement, AnotherOrderGivesTheSameDistances) {
+    const double allowed = type().eps > 1e-10 ? 1e-5 : 1e-13;
+    for (const std::string& algorithm : type().algorithms) {
+        const Placed plain = place(type(), algorithm, {});
+        for (const VertexOrder order : {VertexOrder::bfs, VertexOrder::spatial}) {
+            const Placed other = place(type(), algorithm, {order, Sharing::shared, AllocatorKind::arena});
+            for (std::size_t i = 0; i < plain.answers.size(); ++i)
+                EXPECT_NEAR(other.answers[i].distance, plain.answers[i].distance, allowed);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Placement, ::testing::Values("aos_f64", "lean_f32", "points_soa_f64"),
+                         [](const auto& of) { return std::string(of.param); });
+
+/// Building is timed as often as asked, and every layout of the family can be refitted.
+TEST(BuildTimes, AreAsManyAsAsked) {
+    const std::string all[] = {"all"};
+    for (const TableType* type : select_table_types(all)) {
+        const auto runner = type->make_runner(type->algorithms.front());
+        ASSERT_EQ(runner->load(tumble().bodies), "");
+        const BuildTimes times = runner->build_times(3);
+        EXPECT_EQ(times.build_ns.size(), 3U) << type->name;
+        EXPECT_EQ(times.refit_ns.size(), 3U) << type->name;
+    }
+}
+
+}  // namespace
+}  // namespace edgewise

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// A limit on memory, where the system lets one be set; else the reason. And pages that leave memory and come
+// back.
+#include "edgewise/measure/process/memory_limit.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "edgewise/measure/process/page_faults.hpp"
+#include "edgewise/measure/cache/page_reuse.hpp"
+#include "edgewise/bench/memory/table_mapping.hpp"
+
+namespace edgewise {
+namespace {
+
+TEST(MemoryLimit, KnowsTheProcessesOwnGroupInBothVersions) {
+    const std::string first = "12:cpu,cpuacct:/a\n4:memory:/process/b\n0::/c\n";
+    EXPECT_EQ(control_group_in(first, "memory"), "/process/b");
+    EXPECT_EQ(control_group_in(first, "cpuacct"), "/a");
+    EXPECT_EQ(control_group_in(first, "cpu"), "/a");
+    EXPECT_EQ(control_group_in(first, ""), "/c");
+    EXPECT_EQ(control_group_in("0::/user.slice/x\n", ""), "/user.slice/x");
+    EXPECT_EQ(control_group_in("0::/user.slice/x\n", "memory"), "");
+    EXPECT_EQ(control_group_in("nonsense\n", "memory"), "");
+}
+
+/// A made-up version 2: the folder is made in the own group, or, where that hands memory not down, above.
+TEST(MemoryLimit, TakesTheFirstGroupThatHandsMemoryDown) {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::temp_directory_path() / ("edgewise-cgroup-" + std::to_string(getpid()));
+    fs::create_directories(root / "sys/fs/cgroup/own");
+    fs::create_directories(root / "proc/self");
+    std::ofstream(root / "sys/fs/cgroup/cgroup.controllers") << "memory";
+    std::ofstream(root / "proc/self/cgroup") << "0::/own\n";
+    const auto limit = MemoryLimit::make(root);
+    EXPECT_FALSE(limit.value);
+    EXPECT_NE(limit.reason.find("not handed down"), std::string::npos) << limit.reason;
+    EXPECT_TRUE(fs::is_empty(root / "sys/fs/cgroup/own")) << "what was tried is removed";
+    fs::remove_all(root);
+}
+
+TEST(MemoryLimit, IsThereOrSaysWhyNot) {
+    EXPECT_FALSE(MemoryLimit::make("/nowhere").value);
+    EXPECT_FALSE(MemoryLimit::make("/nowhere").reason.empty());
+    const auto limit = MemoryLimit::make();
+    if (!limit.value) {
+        EXPECT_FALSE(limit.reason.empty());
+        GTEST_SKIP() << "no limit may be set here: " << limit.reason;
+    }
+    EXPECT_EQ((*limit.value)->set_bytes(std::uint64_t{64} << 20), "");
+    EXPECT_EQ((*limit.value)->set_bytes(0), "") << "none";
+    EXPECT_NE((*limit.value)->take_in(-5), "") << "no such process";
+    EXPECT_TRUE((*limit.value)->holds().value);
+}
+
+TEST(TableMapping, OfAFileLetsItsPagesGoAndComeBack) {
+    const TableMapping mapping(Backing::file);
+    constexpr std::size_t page = 4096, pages = 100;
+    for (std::size_t i = 0; i < pages; ++i) std::memset(mapping.base() + i * page, static_cast<int>(i), page);
+    EXPECT_EQ(mapping.resident(pages * page), pages * page);
+    ASSERT_TRUE(mapping.evict(pages * page));
+    EXPECT_EQ(mapping.resident(pages * page), 0U);
+    const PageFaults before = page_faults();
+    for (std::size_t i = 0; i < pages; ++i)
+        ASSERT_EQ(std::to_integer<std::size_t>(mapping.base()[i * page]), i);
+    const PageFaults faults = page_faults().since(before);
+    EXPECT_EQ(faults.major, pages) << "each page is read from the disk, and none ahead";
+    EXPECT_EQ(mapping.resident(pages * page), pages * page);
+}
+
+TEST(TableMapping, OfMemoryCannotLetGo) {
+    const TableMapping mapping(Backing::memory);
+    std::memset(mapping.base(), 1, 4096);
+    EXPECT_FALSE(mapping.evict(4096));
+    EXPECT_EQ(std::to_integer<int>(mapping.base()[17]), 1);
+}
+
+TEST(PageReuse, SeesTablesOnlyAndPagesOnly) {
+    PageReuse reuse(4096);
+    const auto read = [&](std::uint64_t address, TraceSide side) {
+        reuse.on_access({address, 8, AccessKind::read, 0, 0, side});
+    };
+    for (int pass = 0; pass < 2; ++pass) {
+        if (pass == 1) reuse.start_counting();
+        for (std::uint64_t i = 0; i < 10; ++i) {
+            read(i * 4096 + 4092, TraceSide::table_a);  // two pages each
+            read(1 << 30, TraceSide::scene);
+            reuse.on_query_end(true);
+        }
+    }
+    EXPECT_EQ(reuse.pages(), 11U);
+    EXPECT_DOUBLE_EQ(reuse.fetches_per_query(11), 0);
+    EXPECT_DOUBLE_EQ(reuse.fetches_per_query(10), 1.1) << "eleven pages in turn through room for ten";
+}
+
+}  // namespace
+}  // namespace edgewise

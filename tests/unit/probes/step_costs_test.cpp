@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// Costs of steps: what is counted is counted right, whatever the times are; scenes without steps say so.
+#include "edgewise/sweep/measure_steps.hpp"
+
+#include <gtest/gtest.h>
+
+#include "edgewise/studies/single_cell.hpp"
+
+namespace edgewise {
+namespace {
+
+SingleCell cell_of(const char* scene, const SceneParameters& parameters, std::size_t queries = 3000) {
+    return SingleCell({"aos_f64", "gjk", scene, "cube8", parameters, queries, 1});
+}
+
+TEST(StepCosts, CountWhatAStepAsks) {
+    const SingleCell cell = cell_of("tumble", {{"bodies", 50}, {"in_time_order", 1}, {"steps", 1000}});
+    const StepCosts costs = step_costs(cell.runner(), cell.workload());
+    ASSERT_GT(costs.steps, 10U);
+    EXPECT_EQ(costs.bodies, 50);
+    const auto& frames = cell.workload().frames;
+    const std::size_t first = frames[1].first_query, last = frames[costs.steps + 1].first_query;
+    EXPECT_DOUBLE_EQ(costs.pairs, static_cast<double>(last - first) / static_cast<double>(costs.steps));
+    EXPECT_GE(costs.box_tests, costs.pairs) << "each near pair was tested";
+    EXPECT_LT(costs.box_tests, 50 * 49 / 2.0) << "and not all pairs";
+    EXPECT_GT(costs.step_ns, 0);
+    EXPECT_DOUBLE_EQ(costs.equation_2() - costs.equation_1(), costs.bodies * costs.update_ns);
+    EXPECT_DOUBLE_EQ(costs.equation_1(), costs.box_tests * costs.box_test_ns + costs.pairs * costs.pair_ns);
+}
+
+TEST(StepCosts, AreNotThereWithoutSteps) {
+    const SingleCell cold = cell_of("static", {});
+    EXPECT_EQ(step_costs(cold.runner(), cold.workload()).steps, 0U);
+    EXPECT_FALSE(step_costs(cold.runner(), cold.workload()).reason.empty());
+    const SingleCell one = cell_of("tumble", {{"in_time_order", 1}, {"steps", 1}}, 30);
+    EXPECT_EQ(step_costs(one.runner(), one.workload()).steps, 0U) << "no step has one before it";
+    EXPECT_FALSE(step_costs(one.runner(), one.workload()).remedy.empty());
+}
+
+}  // namespace
+}  // namespace edgewise

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// Made-up report data with scenes from files, by the names that the store uses.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/reader.hpp"
+
+namespace edgewise {
+
+/// "time.all_ns" -> value.
+using MadeUp = std::map<std::string, double>;
+
+inline std::vector<StoredFigure> figures_of(const MadeUp& values) {
+    std::vector<StoredFigure> figures;
+    for (const auto& [name, value] : values) {
+        const std::size_t dot = name.find('.');
+        figures.push_back({name.substr(0, dot), name.substr(dot + 1), value, "1", "", ""});
+    }
+    return figures;
+}
+
+inline ReportCell made_up_cell(const std::string& scene, const std::string& algorithm,
+                               const std::string& parameters, const MadeUp& values) {
+    ReportCell cell;
+    cell.scene = cell.scene_label = scene;
+    cell.scene_parameters = parameters;
+    cell.shape = "sphere", cell.shape_source = "built-in", cell.vertices = 8, cell.edges = 18;
+    cell.algorithm = algorithm, cell.layout = "aos", cell.precision = "f64", cell.table = "aos_f64";
+    cell.status = "verified";
+    cell.figures = figures_of(values);
+    return cell;
+}
+
+inline void add_scene(ReportData& data, const std::string& name, const std::string& varied) {
+    const std::string vary = varied.empty() ? "" : R"(,"vary":{")" + varied + R"(":[1]})";
+    data.scene_files.emplace_back(name, R"({"scene":"tumble")" + vary + "}");
+}
+
+/// Both algorithms at one point of a scene.
+inline void add_both(ReportData& data, const std::string& scene, const std::string& parameters,
+                     const MadeUp& values) {
+    for (const char* algorithm : {"vclip", "gjk"})
+        data.from_files.push_back(made_up_cell(scene, algorithm, parameters, values));
+}
+
+inline MadeUp times(double ns) {
+    return {{"time.all_ns", ns},          {"time.all_ns_low", ns * .9}, {"time.all_ns_high", ns * 1.1},
+            {"time.all_ratio", ns / 100}, {"time.separated_ns", ns},    {"time.overlapping_ns", ns / 2}};
+}
+
+/// Rows of a chart's data where `field` is `value`.
+inline std::vector<ChartJson> rows_where(const ChartJson& values, const std::string& field,
+                                         const ChartJson& value) {
+    std::vector<ChartJson> rows;
+    for (const ChartJson& row : values)
+        if (row.contains(field) && row[field] == value) rows.push_back(row);
+    return rows;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+//
+// The report's chapter on caches, from made-up figures whose tables are known.
+#include <gmock/gmock.h>
+
+#include "edgewise/reports/tables/cache_tables.hpp"
+#include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/page/report.hpp"
+#include "report_store.hpp"
+
+namespace edgewise {
+namespace {
+
+using testing::HasSubstr;
+
+/// A traced cell with so many misses under LRU, tree-PLRU and random replacement.
+std::string traced_sql(const std::string& hash, const std::string& precision, double lru, double plru,
+                       double random) {
+    std::string sql = cell_sql(hash, "static", "cube8", 8, "vclip", precision, "verified", "");
+    const auto add = [&](const std::string& probe, const std::string& name, double value) {
+        sql += figure_sql(hash, probe, name, std::to_string(value), "misses");
+    };
+    add("caches", "zen5.L1D.misses_per_query", lru);
+    add("caches", "zen5/tree_plru.L1D.misses_per_query", plru);
+    add("caches", "zen5/random.L1D.misses_per_query", random);
+    add("caches", "zen5.L1 dTLB.misses_per_query", 0.5);
+    add("caches", "zen5.L1D.field.vertex", lru / 2);
+    add("caches", "zen5.L1D.step.settle", lru / 4);
+    sql += figure_sql(hash, "caches", "zen5.modelled_memory_ns", "70", "ns, model of unverified latencies");
+    add("reuse", "line_knee_bytes", 2048);
+    add("reuse", "lines_per_query", lru);
+    add("reuse", "line_misses_at_2^10", 5);
+    add("reuse", "page_misses_at_2^14", 1);
+    sql += figure_sql(hash, "caches", "host.L1D.misses_per_query", "null", "misses", "sysfs is silent");
+    return sql;
+}
+
+std::string traced_store_sql() {
+    return empty_store_sql() + "insert into build values('b2','r2','g++','-O3','Release','{}');" +
+           "insert into meta values('build','b2');" + traced_sql("h-a", "f64", 10, 12, 11) +
+           traced_sql("h-b", "f32", 8, 7, 14) + traced_sql("h-c", "mixed", 9.95, 12, 8.1) +
+           cell_sql("h-d", "static", "cube8", 8, "gjk", "f64", "verified", "");
+}
+
+std::vector<std::string> texts(const std::vector<GridCell>& row) {
+    std::vector<std::string> all;
+    for (const GridCell& cell : row) all.push_back(cell.text);
+    return all;
+}
+
+TEST_F(Report, OfCachesRanksByLinesAndNamesMachines) {
+    const ReportData data = read_report(make_store(traced_store_sql()));
+    const auto cells = modelled_cells(data);
+    ASSERT_EQ(cells.size(), 3U) << "the cell without a trace is not there";
+    EXPECT_EQ(cells[0]->table, "aos_f32");
+    EXPECT_EQ(modelled_machines(data), (std::vector<std::string>{"host", "zen5"}));
+    const TextGrid grid = misses_grid(data);
+    ASSERT_EQ(grid.rows.size(), 3U);
+    EXPECT_THAT(texts(grid.rows[0]), testing::Contains("8"));
+    EXPECT_EQ(working_sets_grid(data).rows.size(), 3U);
+    EXPECT_THAT(texts(grid.rows[0]), testing::Contains("70 *")) << "no source proves its latencies";
+    EXPECT_EQ(broken_down_levels(data, "zen5"), std::vector<std::string>{"L1D"}) << "not the TLB";
+    EXPECT_EQ(breakdown_grid(data, "zen5", "L1D", "field.").columns.back().title, "vertex");
+    EXPECT_EQ(breakdown_grid(data, "zen5", "L1D", "step.").columns.back().title, "settle");
+}
+
+/// f64 and f32 swap places under random replacement; f64 and mixed are a tie under LRU, which is no order.
+TEST_F(Report, OfCachesSaysWhetherThePolicyMatters) {
+    const TextGrid grid = policy_grid(read_report(make_store(traced_store_sql())));
+    ASSERT_EQ(grid.rows.size(), 2U);
+    EXPECT_EQ(texts(grid.rows[0])[3], "zen5/random");
+    EXPECT_EQ(texts(grid.rows[0])[4], "L1D");
+    EXPECT_THAT(texts(grid.rows[0]), testing::IsSupersetOf({"3", "2", "yes"}));
+    EXPECT_THAT(grid.rows[0].back().text, testing::AllOf(HasSubstr("aos_f32"), HasSubstr("14")));
+    EXPECT_THAT(texts(grid.rows[1]), testing::IsSupersetOf({"3", "0", "no"}));
+}
+
+TEST_F(Report, OfCachesDrawsMissesAgainstSize) {
+    const Chart chart = misses_chart(read_report(make_store(traced_store_sql())));
+    const ChartJson& values = chart.spec["data"]["values"];
+    ASSERT_EQ(values.size(), 6U);
+    EXPECT_EQ(values[0]["bytes"], 1024);
+    fs::remove(directory_ / "store.db");
+    EXPECT_TRUE(misses_chart(read_report(make_store())).spec.is_null()) << "nothing was traced";
+}
+
+TEST_F(Report, OfCachesIsInBothPagesOrSaysHowToGetIt) {
+    (void)write_report(make_store(traced_store_sql()), (directory_ / "out").string(), "");
+    for (const char* page : {"out/index.html", "out/report.md"})
+        EXPECT_THAT(text(page), testing::AllOf(HasSubstr("zen5/random"), HasSubstr("sysfs is silent")));
+    fs::remove(directory_ / "store.db");
+    (void)write_report(make_store(), (directory_ / "out").string(), "");
+    EXPECT_THAT(text("out/report.md"), HasSubstr("edgewise sweep --caches all"));
+}
+
+}  // namespace
+}  // namespace edgewise

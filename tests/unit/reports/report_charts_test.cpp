@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+//
+// The report's parts that need no store: intervals, numbers as text, and what the charts promise about their
+// marks.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/tables/ratio_interval.hpp"
+#include "edgewise/reports/tables/text.hpp"
+#include "report_store.hpp"
+
+namespace edgewise {
+namespace {
+
+TEST(MedianInterval, HoldsNinetyFivePercentByCounting) {
+    // Oracle: count all 2^n ways the n values can fall below or above the median.
+    for (std::size_t n = 6; n <= 16; ++n) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < n; ++i) values.push_back(static_cast<double>(n - 1 - i));
+        const auto interval = median_interval(values);
+        ASSERT_TRUE(interval);
+        ASSERT_FALSE(interval->whole_range);
+        const auto k = static_cast<std::size_t>(interval->low) + 1;  // the values are n-1 .. 0
+        EXPECT_EQ(interval->high, static_cast<double>(n - k));
+        const auto outside = [&](std::size_t order) {
+            std::size_t ways = 0;
+            for (std::size_t bits = 0; bits < (std::size_t{1} << n); ++bits)
+                if (static_cast<std::size_t>(__builtin_popcountll(bits)) < order) ++ways;
+            return 2.0 * static_cast<double>(ways) / std::ldexp(1.0, static_cast<int>(n));
+        };
+        EXPECT_LE(outside(k), 0.05) << n;
+        EXPECT_GT(outside(k + 1), 0.05) << n;
+    }
+    EXPECT_TRUE(median_interval({1, 2, 3, 4, 5})->whole_range);
+    EXPECT_FALSE(median_interval({1}));
+}
+
+TEST(SpeedError, ExactZerosStandOnALabelledFloor) {
+    ReportData data;
+    for (const double error : {0.0, 3e-16, 2e-7}) {
+        ReportCell cell;
+        cell.hash = std::to_string(error), cell.scene_label = "cold", cell.status = "verified";
+        cell.figures = {{"error", "worst_error_given", error, "scale", "", ""},
+                        {"time", "separated_ns", 10.0, "ns", "", ""}};
+        data.cells.push_back(cell);
+    }
+    const Chart chart = speed_error_chart(data);
+    const auto& values = chart.spec["data"]["values"];
+    ASSERT_EQ(values.size(), 3u);
+    EXPECT_GT(values[0]["drawn"], 0.0);
+    EXPECT_LT(values[0]["drawn"], 3e-17);
+    EXPECT_EQ(values[0]["error"], 0.0);
+    EXPECT_EQ(values[1]["drawn"], values[1]["error"]);
+    EXPECT_NE(chart.spec.dump().find("exactly 0"), std::string::npos);
+    ASSERT_EQ(chart.notes.size(), 1u);
+    EXPECT_EQ(chart.notes[0].find("1 of 3 points have an error of exactly 0"), 0u);
+}
+
+TEST(Charts, LayoutsKeepTheirColourWhateverElseIsThere) {
+    ReportData data;
+    for (const char* layout : {"soa", "lean", "aos"}) {
+        ReportCell cell;
+        cell.layout = layout;
+        data.cells.push_back(cell);
+    }
+    const ChartJson scale = layout_colour(data)["scale"];
+    EXPECT_EQ(scale["domain"], (ChartJson{"aos", "soa", "lean"}));
+    data.cells.erase(data.cells.begin() + 1);
+    EXPECT_EQ(layout_colour(data)["scale"]["range"][1], scale["range"][1]);
+}
+
+/// A panel without any row would let the next one move into its place, under a wrong name.
+TEST_F(Report, TimesHaveARowForEveryPanel) {
+    // Its scene tumble has no overlapping pair.
+    const ChartJson values = time_chart(read_report(make_store())).spec["data"]["values"];
+    std::set<std::string> scenes, panels;
+    for (const ChartJson& row : values) {
+        scenes.insert(row["scene"].get<std::string>());
+        panels.insert(row["scene"].get<std::string>() + "/" + row["pairs"].get<std::string>());
+    }
+    EXPECT_EQ(scenes.size(), 2U);
+    EXPECT_EQ(panels.size(), 4U);
+}
+
+TEST(Charts, MarksAreCappedAndSaidSo) {
+    ChartJson values = ChartJson::array();
+    for (int i = 0; i < 1000; ++i) values.push_back({{"i", i}});
+    std::vector<std::string> notes;
+    thin(values, 300, notes);
+    EXPECT_LE(values.size(), 300u);
+    EXPECT_GE(values.size(), 200u);
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(notes[0].find("of 1000 rows"), std::string::npos);
+}
+
+TEST(Text, NumbersKeepTheirMeaning) {
+    EXPECT_EQ(number_text(0, "ns"), "0");
+    EXPECT_EQ(number_text(168, "B/edge"), "168");
+    EXPECT_EQ(number_text(8.0417, "B/edge"), "8.04");
+    EXPECT_EQ(number_text(1e-320, "ns"), "1.0e-320");
+    EXPECT_EQ(number_text(3.14e-16, "scale"), "3.1e-16");
+    EXPECT_EQ(number_text(87.345, "ns"), "87.34");
+    EXPECT_EQ(number_text(12345.6, "ns"), "12346");
+    EXPECT_EQ(number_text(30000, "queries"), "30000");
+}
+
+}  // namespace
+}  // namespace edgewise

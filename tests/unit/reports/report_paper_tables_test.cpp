@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+//
+// The tables of the chapter on the paper's figures from made-up data.
+#include <gmock/gmock.h>
+
+#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/paper/chapter/source_facts.hpp"
+#include "paper_data.hpp"
+
+namespace edgewise {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(PaperTables, StaticHasBothAlgorithmsInOneRow) {
+    ReportData data;
+    add_scene(data, "paper_static", "");
+    data.from_files = {made_up_cell("paper_static", "vclip", "{}", times(400)),
+                       made_up_cell("paper_static", "gjk", "{}", times(300))};
+    const TextGrid grid = static_grid(data);
+    ASSERT_EQ(grid.rows.size(), 1U);
+    EXPECT_EQ(grid.rows[0][3].text, "400");
+    EXPECT_EQ(grid.rows[0][4].text, "300");
+    EXPECT_EQ(grid.rows[0][5].text, "0.750");
+    EXPECT_FALSE(grid.rows[0][6].why.empty()) << "builds were not timed";
+}
+
+TEST(PaperTables, CostsStandTermByTerm) {
+    ReportData data;
+    add_scene(data, "paper_bodies", "bodies");
+    add_both(data, "paper_bodies", R"({"bodies":100})",
+             {{"cost.pairs_per_step", 50}, {"cost.equation_2_ns", 900}, {"cost.step_ns", 1000}});
+    const TextGrid grid = cost_grid(data, true);
+    ASSERT_EQ(grid.rows.size(), 2U);
+    EXPECT_EQ(grid.rows[0].size(), grid.columns.size());
+    EXPECT_EQ(grid.rows[0][2].text, "100");
+    EXPECT_EQ(grid.rows[0].back().text, "0.900");
+    EXPECT_TRUE(cost_grid(data, false).rows.empty());
+}
+
+TEST(PaperTables, NeedsAreRatiosToThePlainCell) {
+    ReportData data;
+    add_scene(data, "paper_needs", "");
+    data.from_files = {made_up_cell("paper_needs", "gjk", "{}", times(100)),
+                       made_up_cell("paper_needs", "gjk", "{}", times(40))};
+    data.from_files[1].axes = "needs=verdict";
+    data.from_files[1].table += " needs=verdict";
+    const TextGrid grid = needs_grid(data);
+    ASSERT_EQ(grid.rows.size(), 2U) << "separated and overlapping";
+    EXPECT_EQ(grid.rows[0][4].text, "100");
+    EXPECT_EQ(grid.rows[0][5].text, "0.400");
+    EXPECT_THAT(grid.rows[0][6].why, HasSubstr("needs=distance"));
+}
+
+TEST(PaperTables, RobustnessIsInPercentWithItsNumber) {
+    ReportData data;
+    add_scene(data, "paper_static", "");
+    add_both(data, "paper_static", "{}",
+             {{"error.checked", 400},
+              {"error.wrong_verdicts", 0},
+              {"error.control_checked", 200},
+              {"error.control_disagreements", 5},
+              {"error.control_disagreements_outside_band", 0}});
+    const TextGrid grid = robustness_grid(data);
+    ASSERT_EQ(grid.rows.size(), 4U) << "each algorithm in all scenes and in the one";
+    EXPECT_EQ(grid.rows[0][3].text, "400");
+    EXPECT_EQ(grid.rows[0][4].text, "0");
+    EXPECT_FALSE(grid.rows[0][5].why.empty()) << "pairs in the band were not counted";
+    EXPECT_EQ(grid.rows[0][7].text, "2.5 (5)");
+    EXPECT_EQ(grid.rows[0][8].text, "0");
+}
+
+/// Counted from the source by cmake/count_source.cmake.
+TEST(PaperTables, SourceIsCounted) {
+    const auto facts = source_facts();
+    ASSERT_EQ(facts.size(), 5U);
+    EXPECT_EQ(facts[0].algorithm, "V-Clip");
+    EXPECT_GT(facts[0].files, 10);
+    EXPECT_GT(facts[0].code_lines, facts[1].code_lines);
+    EXPECT_THAT(facts[0].tolerances, testing::Contains("vertex_derivative"));
+    EXPECT_EQ(facts[1].files, 3);
+    EXPECT_THAT(facts[1].tolerances, testing::Contains("support_noise"));
+    EXPECT_EQ(source_grid().rows.size(), 5U);
+}
+
+}  // namespace
+}  // namespace edgewise

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+//
+// The answer to the thrash at 386 vertices, from made-up stores in which it is the cache, paging, both,
+// neither, or not known.
+#include <gmock/gmock.h>
+
+#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
+#include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
+#include "paper_data.hpp"
+
+namespace edgewise {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// V-Clip on aos_f64 at the slowest and the fastest turn: memory time and the knee of the pages.
+void add_thrash(ReportData& data, int vertices, double memory_ns, double page_knee) {
+    const std::string scene = "paper_thrash_" + std::to_string(vertices);
+    add_scene(data, scene, "rotation_step");
+    for (const char* step : {"0.0166667", "3.1415927"})
+        add_both(data, scene, std::string(R"({"bodies":300,"rotation_step":)") + step + "}",
+                 {{"caches.pentium3_coppermine.modelled_memory_ns", memory_ns},
+                  {"reuse.line_knee_bytes", page_knee / 8},
+                  {"reuse.page_knee_bytes", page_knee}});
+}
+
+ReportData made_up(double memory_ns, double page_knee) {
+    ReportData data;
+    add_thrash(data, 8, 5000, 1e6);
+    add_thrash(data, 38, 10000, 2e6);
+    add_thrash(data, 386, memory_ns, page_knee);
+    return data;
+}
+
+constexpr double thrashing = 2e5, calm = 2e4;  ///< memory time, ns: 20 times and twice that of 38 vertices
+constexpr double large = 1e8, small = 4e6;     ///< pages, bytes: more than 64 MiB, and not with 1000 bodies
+
+TEST(PaperThrash, IsTheCache) {
+    const std::string text = thrash_paragraph(made_up(thrashing, small));
+    EXPECT_THAT(text, StartsWith("It is the cache, not paging"));
+    EXPECT_THAT(text, AllOf(HasSubstr("on-board cache\" (section 5) holds"), HasSubstr("by a factor of 20"),
+                            HasSubstr("swapping) does not account for it")));
+}
+
+TEST(PaperThrash, IsPaging) {
+    const std::string text = thrash_paragraph(made_up(calm, large));
+    EXPECT_THAT(text, StartsWith("It is paging, not the cache"));
+    EXPECT_THAT(text, AllOf(HasSubstr("swapping) holds"), HasSubstr("the tables do not fit the cache")));
+    // 300 bodies turn over 1e8 bytes: 64 MiB are too little from 300 x 67108864 / 1e8 = 201.3 on.
+    EXPECT_THAT(text, HasSubstr("from 202 bodies of 386 vertices on"));
+    EXPECT_THAT(text, HasSubstr("it passes 64 MiB from 386 vertices on, with 386 from 0.017 rad a step on"));
+}
+
+TEST(PaperThrash, IsBothOrNeither) {
+    EXPECT_THAT(thrash_paragraph(made_up(thrashing, large)), StartsWith("Both:"));
+    EXPECT_THAT(thrash_paragraph(made_up(calm, small)), StartsWith("Neither"));
+}
+
+/// A factor of 12 in what takes next to no time makes no figure.
+TEST(PaperThrash, IsNotACacheThatCostsNothing) {
+    ReportData data;
+    add_thrash(data, 38, 10, 2e6);
+    add_thrash(data, 386, 200, small);
+    EXPECT_EQ(cache_is_a_cause(data), false);
+}
+
+/// If bodies of 38 vertices page as well, paging is not what sets 386 apart.
+TEST(PaperThrash, IsNotPagingAtEverySize) {
+    ReportData data;
+    add_thrash(data, 38, 10, large);
+    add_thrash(data, 386, 10, large);
+    EXPECT_EQ(paging_is_a_cause(data), false);
+}
+
+TEST(PaperThrash, HeedsMeasuredFaults) {
+    ReportData data = made_up(calm, small);
+    ReportCell row = made_up_cell(
+        "paging", "vclip", R"({"bodies":600})",
+        {{"paging.limit_bytes.0", 2e8}, {"paging.held_bytes.0", 1e8}, {"paging.faults_per_query.0", 0.5}});
+    row.vertices = 386;
+    data.paging.push_back(row);
+    EXPECT_EQ(paging_is_a_cause(data), true);
+    EXPECT_THAT(thrash_paragraph(data), HasSubstr("600 bodies: 0.500 faults a query with 95.37 MiB"));
+    data.paging[0].figures = figures_of(
+        {{"paging.limit_bytes.0", 2e8}, {"paging.held_bytes.0", 1e8}, {"paging.faults_per_query.0", 0}});
+    EXPECT_EQ(paging_is_a_cause(data), false);
+    EXPECT_EQ(paging_grid(data).rows.size(), 1U);
+}
+
+TEST(PaperThrash, SaysWhatIsMissing) {
+    const std::string nothing = thrash_paragraph({});
+    EXPECT_THAT(nothing, AllOf(HasSubstr("Whether the cache makes figure 8 is not known"),
+                               HasSubstr("Whether paging makes it is not known"),
+                               HasSubstr("no verified cell of paper_thrash_386"),
+                               HasSubstr("the store holds no paging run"), Not(HasSubstr("nan"))));
+    ReportData data = made_up(thrashing, large);
+    for (ReportCell& cell : data.from_files)
+        for (StoredFigure& figure : cell.figures)
+            if (figure.probe == "caches") figure.value.reset(), figure.reason = "not modelled here";
+    EXPECT_FALSE(cache_is_a_cause(data));
+    EXPECT_THAT(thrash_paragraph(data), AllOf(HasSubstr("not modelled here"), HasSubstr("Paging makes it."),
+                                              HasSubstr("(section 5) cannot be judged")));
+}
+
+TEST(PaperThrash, TellsWhatLayoutsDoToIt) {
+    ReportData data = made_up(thrashing, large);
+    ReportCell lean = made_up_cell("paper_thrash_386", "vclip", R"({"bodies":300,"rotation_step":0.0166667})",
+                                   {{"caches.pentium3_coppermine.modelled_memory_ns", thrashing / 4},
+                                    {"reuse.line_knee_bytes", large / 16},
+                                    {"reuse.page_knee_bytes", large / 2}});
+    lean.layout = "lean", lean.table = "lean_f64";
+    data.from_files.push_back(lean);
+    EXPECT_THAT(thrash_paragraph(data), HasSubstr("lean_f64 0.500, 0.500, 0.250"));
+    EXPECT_EQ(thrash_grid(data).rows.size(), data.from_files.size());
+}
+
+/// Times of this machine stand in it, or it says that they are missing.
+TEST(PaperThrash, TellsWhatThisMachineDoes) {
+    ReportData data = made_up(calm, large);
+    EXPECT_THAT(thrash_paragraph(data), HasSubstr("On this machine it was not timed"));
+    for (const int vertices : {38, 386}) {
+        const std::string scene = "paper_angular_" + std::to_string(vertices);
+        add_scene(data, scene, "rotation_step");
+        add_both(data, scene, R"({"rotation_step":3.1415927})",
+                 {{"time.all_ns", vertices == 38 ? 1000.0 : 15000.0}});
+    }
+    EXPECT_THAT(thrash_paragraph(data), HasSubstr("rises from 1 to 15 us, by a factor of 15 at half a turn"));
+}
+
+}  // namespace
+}  // namespace edgewise

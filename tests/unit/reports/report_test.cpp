@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+//
+// The report against small stores written with raw SQL from the schema: what is in the store is in the
+// report, what was not measured is never a number, what failed stands first, and nothing is fetched when the
+// page is viewed.
+#include "edgewise/reports/page/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+
+#include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/tables/tables.hpp"
+#include "report_store.hpp"
+
+namespace edgewise {
+namespace {
+
+/// One CSV file as rows of fields, by RFC 4180.
+std::vector<std::vector<std::string>> parse_csv(const std::string& csv) {
+    std::vector<std::vector<std::string>> rows{{""}};
+    bool quoted = false;
+    for (std::size_t i = 0; i < csv.size(); ++i) {
+        if (quoted && csv[i] == '"' && i + 1 < csv.size() && csv[i + 1] == '"')
+            rows.back().back() += csv[i++];
+        else if (csv[i] == '"')
+            quoted = !quoted;
+        else if (!quoted && csv[i] == ',')
+            rows.back().emplace_back();
+        else if (!quoted && csv[i] == '\r' && i + 1 < csv.size() && csv[i + 1] == '\n')
+            rows.push_back({""}), ++i;
+        else
+            rows.back().back() += csv[i];
+    }
+    rows.pop_back();
+    return rows;
+}
+
+TEST_F(Report, SummaryCountsTheLatestBuildOnly) {
+    const ReportSummary summary = write_report(make_store(), (directory_ / "out").string(), "");
+    EXPECT_EQ(summary.cells, 5u);
+    EXPECT_EQ(summary.verified, 3u);
+    EXPECT_EQ(summary.failed, 1u);
+    EXPECT_EQ(summary.unavailable, 1u);
+    EXPECT_EQ(summary.build, "b2");
+    EXPECT_FALSE(summary.charts);
+    EXPECT_EQ(text("out/results.csv").find(",old,"), std::string::npos);
+    EXPECT_NE(text("out/index.html").find("other builds in the store, not shown</td><td>b1<"),
+              std::string::npos);
+}
+
+/// Separated pairs alone have been timed: all pairs together are these.
+TEST_F(Report, RoundsHaveRatiosByKindAndOfAllPairs) {
+    const ReportData data = read_report(make_store(
+        store_sql() + "insert into round values('b2','h-null',0,10,1000,10,5000,10,1000,30,3000);"));
+    for (const ReportCell& cell : data.cells) {
+        if (cell.hash == "h-full") {
+            ASSERT_EQ(cell.rounds.size(), 7u);
+            EXPECT_EQ(cell.rounds[5].all_ratio, cell.rounds[5].separated_ratio);
+            EXPECT_DOUBLE_EQ(cell.rounds[5].all_ratio.value_or(0), 1.005);
+            EXPECT_FALSE(cell.rounds[5].overlapping_ratio);
+        }
+        if (cell.hash == "h-null") {
+            EXPECT_DOUBLE_EQ(cell.rounds.at(0).all_ratio.value_or(0), 3);
+        }
+    }
+}
+
+TEST_F(Report, EveryCellAndFigureIsInTheCsv) {
+    (void)write_report(make_store(), (directory_ / "out").string(), "");
+    const auto rows = parse_csv(text("out/results.csv"));
+    ASSERT_FALSE(rows.empty());
+    std::map<std::string, int> lines;
+    for (const auto& row : rows) {
+        ASSERT_EQ(row.size(), rows[0].size());
+        ++lines[row[1]];
+    }
+    EXPECT_EQ(lines["h-full"], 13);
+    EXPECT_EQ(lines["h-null"], 13);
+    EXPECT_EQ(lines["h-bare"], 1);
+    EXPECT_EQ(lines["h-failed"], 1);
+    EXPECT_EQ(lines["h-gone"], 1);
+}
+
+TEST_F(Report, CsvKeepsQuotesCommasAndExactNumbers) {
+    (void)write_report(make_store(), (directory_ / "out").string(), "");
+    bool reason = false, error = false, shape = false;
+    for (const auto& row : parse_csv(text("out/results.csv"))) {
+        reason = reason || row[16] == "3 wrong verdicts, \"first\" at 17";
+        shape = shape || row[4] == "cow</script><b>&\"";
+        error = error || (row[18] == "worst_error_given" && std::stod(row[20]) == 2.5e-16);
+    }
+    EXPECT_TRUE(reason && error && shape);
+}
+
+TEST_F(Report, WhatWasNotMeasuredIsNeverANumber) {
+    (void)write_report(make_store(), (directory_ / "out").string(), "");
+    int null_rows = 0;
+    for (const auto& row : parse_csv(text("out/results.csv")))
+        if (row[1] == "h-null" && row[18].find("overlapping") == 0) {
+            ++null_rows;
+            EXPECT_EQ(row[19], "not measured");
+            EXPECT_EQ(row[20], "");
+            EXPECT_EQ(row[22], "no overlapping pair in this cell");
+        }
+    EXPECT_EQ(null_rows, 4);
+    const TextGrid grid =
+        time_grid(read_report((directory_ / "store.db").string()), "tumble", PairKind::Overlapping, "");
+    ASSERT_EQ(grid.rows.size(), 1u);
+    for (std::size_t column = 4; column < 8; ++column) {
+        EXPECT_EQ(grid.rows[0][column].text, "not measured");
+        EXPECT_EQ(grid.rows[0][column].why, "no overlapping pair in this cell");
+    }
+    for (const std::string page : {"out/index.html", "out/report.md"}) {
+        EXPECT_NE(text(page).find("not measured"), std::string::npos) << page;
+        EXPECT_NE(text(page).find("no overlapping pair in this cell"), std::string::npos) << page;
+    }
+}
+
+TEST_F(Report, ChartsLeaveOutWhatWasNotMeasuredAndSaySo) {
+    const ReportData data = read_report(make_store());
+    const Chart chart = time_chart(data);
+    std::size_t rows = 0;
+    for (const auto& row : chart.spec["data"]["values"]) {
+        if (row["ns"].is_null()) continue;  // keeps a panel's place, draws nothing
+        EXPECT_GT(row["ns"], 0.0);
+        ++rows;
+    }
+    EXPECT_EQ(rows, 3u);  // h-full twice, h-null once
+    ASSERT_FALSE(chart.notes.empty());
+    bool said = false;
+    for (const std::string& note : chart.notes)
+        said = said || note.find("no overlapping pair in this cell") != std::string::npos;
+    EXPECT_TRUE(said);
+}
+
+TEST_F(Report, FailedCellsStandFirstWithTheirReasons) {
+    (void)write_report(make_store(), (directory_ / "out").string(), "");
+    const std::string page = text("out/index.html");
+    const auto failed = page.find("3 wrong verdicts, &quot;first&quot; at 17"),
+               gone = page.find("mesh unreadable");
+    EXPECT_LT(failed, gone);
+    EXPECT_LT(gone, page.find("id=\"machine\""));
+    EXPECT_NE(page.find("3 cells verified, 1 failed, 1 unavailable."), std::string::npos);
+    const std::string markdown = text("out/report.md");
+    EXPECT_LT(markdown.find("3 wrong verdicts"), markdown.find("## Machine and build"));
+}
+
+TEST_F(Report, FactsNameMachineBuildSeedPlanAndCounters) {
+    (void)write_report(make_store(), (directory_ / "out").string(), "");
+    for (const std::string page : {"out/index.html", "out/report.md"})
+        for (const std::string fact : {"Test CPU", "r2", "-O3", "quick", "18446744073709551615",
+                                       "unavailable: cycles (no PMU – bare metal)"})
+            EXPECT_NE(text(page).find(fact), std::string::npos) << fact << " in " << page;
+    EXPECT_NE(text("out/index.html").find("g++ &lt;12&gt;"), std::string::npos);
+}
+
+/// Bundles that only look like bundles: what is tested is how they are inlined.
+void make_bundles(const fs::path& directory) {
+    fs::create_directories(directory);
+    for (const std::string name : {"vega", "vega-lite", "vega-embed"}) {
+        write_file(directory / (name + ".min.js"),
+                   "const t='</script><!--';\n//# sourceMappingURL=" + name + ".map\n");
+        write_file(directory / (name + ".LICENSE"), "Copyright of " + name + "\n");
+    }
+}
+
+TEST_F(Report, PageFetchesNothingAndEscapesNames) {
+    make_bundles(directory_ / "bundles");
+    const auto summary =
+        write_report(make_store(), (directory_ / "out").string(), (directory_ / "bundles").string());
+    EXPECT_TRUE(summary.charts);
+    const std::string page = text("out/index.html");
+    const std::regex fetched(R"re(<(link|iframe|object|embed|img|base)\b|@import|url\(\s*["']?(?!["'#]))re"
+                             R"re(|\b(src|href|action)\s*=\s*["']?(?!["'#]))re",
+                             std::regex::icase);
+    std::smatch found;
+    EXPECT_FALSE(std::regex_search(page, found, fetched)) << found.str();
+    EXPECT_NE(page.find("Content-Security-Policy\" content=\"default-src 'none'"), std::string::npos);
+    EXPECT_EQ(page.find("cow</script>"), std::string::npos);
+    EXPECT_NE(page.find("cow&lt;/script&gt;&lt;b&gt;&amp;&quot;"), std::string::npos);
+    EXPECT_NE(page.find("cow\\u003c/script>"), std::string::npos);
+    EXPECT_EQ(page.find("sourceMappingURL"), std::string::npos);
+    EXPECT_NE(page.find("Copyright of vega-lite"), std::string::npos);
+}
+
+TEST_F(Report, ScriptElementsOpenAndCloseInPairs) {
+    make_bundles(directory_ / "bundles");
+    (void)write_report(make_store(), (directory_ / "out").string(), (directory_ / "bundles").string());
+    const std::string page = text("out/index.html");
+    const auto count = [&](const std::string& word) {
+        std::size_t n = 0;
+        for (auto at = page.find(word); at != std::string::npos; at = page.find(word, at + 1)) ++n;
+        return n;
+    };
+    EXPECT_EQ(count("<script"), 4u + 3u + 1u);  // charts, bundles, the page's own
+    EXPECT_EQ(count("</script>"), count("<script"));
+    EXPECT_EQ(count("<!--"), 0u);
+}
+
+TEST_F(Report, WithoutBundlesThePageSaysSoAndShowsTables) {
+    const auto summary =
+        write_report(make_store(), (directory_ / "out").string(), (directory_ / "none").string());
+    EXPECT_FALSE(summary.charts);
+    EXPECT_FALSE(summary.note.empty());
+    const std::string page = text("out/index.html");
+    EXPECT_NE(page.find("The chart bundles were not available"), std::string::npos);
+    EXPECT_EQ(page.find("<script"), std::string::npos);
+    EXPECT_NE(page.find("id=\"chart-bytes\">\n<div class=\"wide\"><table>"), std::string::npos);
+}
+
+TEST_F(Report, TheSameStoreGivesTheSameBytes) {
+    const std::string store = make_store();
+    for (const char* out : {"one", "two"}) (void)write_report(store, (directory_ / out).string(), "");
+    for (const std::string name : {"index.html", "report.md", "results.csv", "figures/time.vl.json"}) {
+        EXPECT_EQ(text("one/" + name), text("two/" + name)) << name;
+        EXPECT_GT(text("one/" + name).size(), 200u) << name;
+    }
+}
+
+TEST_F(Report, BadStoresGiveOneClearLine) {
+    EXPECT_NE(failure((directory_ / "absent.db").string()).find("no results store at"), std::string::npos);
+    write_file(directory_ / "text.db",
+               "this is no database, just a long enough line of text to be read as one\n");
+    EXPECT_NE(failure((directory_ / "text.db").string()).find("is not a results store"), std::string::npos);
+    const std::string empty = make_store(empty_store_sql());
+    EXPECT_NE(failure(empty).find("holds no cell"), std::string::npos);
+    fs::remove(directory_ / "store.db");
+    EXPECT_NE(failure(make_store("create table other(a);")).find("is not a results store"),
+              std::string::npos);
+    fs::remove(directory_ / "store.db");
+    const std::string newer = store_sql() + "pragma user_version = 999;";
+    EXPECT_NE(failure(make_store(newer)).find("schema version 999"), std::string::npos);
+}
+
+TEST_F(Report, BytesTableAsMarkdown) {
+    const TextGrid grid = bytes_grid(read_report(make_store()), "cube8");
+    EXPECT_EQ(
+        grid_markdown(grid),
+        "*Bytes per edge of the built tables, cube8*\n\n"
+        "| algorithm | table type | voronoi planes | topology | total | paper's subtotal (slope) | total "
+        "(slope) "
+        "| table, bytes |\n"
+        "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n"
+        "| vclip | aos_f64 | 128 | 40 | not measured (1) | 168 | not measured (1) | not measured (1) |\n"
+        "| gjk | aos_f32 | not measured (1) | not measured (1) | not measured (1) | not measured (1) "
+        "| not measured (1) | not measured (1) |\n"
+        "\n1. no such figure is stored\n\n");
+}
+
+TEST_F(Report, RatioIntervalsComeFromTheRounds) {
+    const ReportData data = read_report(make_store());
+    const TextGrid grid = time_grid(data, "static", PairKind::Separated, "");
+    ASSERT_FALSE(grid.rows.empty());
+    EXPECT_EQ(grid.rows[0][6].text, "1.000");
+    EXPECT_EQ(grid.rows[0][7].text, "1.000 to 1.006");
+    for (const ReportCell& cell : data.cells)
+        for (const StoredRound& round : cell.rounds) EXPECT_FALSE(round.overlapping_ratio);
+}
+
+}  // namespace
+}  // namespace edgewise

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+//
+// Mesh files written by the test itself: formats, groupings, node transforms, concave and open meshes, and
+// files that are no mesh at all.
+#include "edgewise/scene/mesh/mesh_file.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "geometry_bodies.hpp"
+#include "mesh_texts.hpp"
+
+/// Asked by the leak checker of sanitizer builds: Assimp's readers leak when they give up on a damaged file.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }
+
+namespace edgewise {
+namespace {
+
+using testing::all_violations;
+using testing::box_faces;
+using testing::box_points;
+using testing::Dice;
+using testing::Faces;
+using testing::Points;
+
+using testing::collada_text;
+using testing::LShape;
+using testing::obj_object;
+using testing::off_text;
+using testing::ply_text;
+using testing::shifted;
+using testing::stl_text;
+
+using Bodies = Result<std::vector<MeshBody>>;
+
+/// A folder of its own for each test, removed at its end.
+class MeshFile : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+        const std::string name = "edgewise_mesh_" + std::to_string(getpid()) + "_" + info->name();
+        folder_ = std::filesystem::temp_directory_path() / name;
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::string write(const std::string& name, const std::string& text) {
+        const std::string path = (folder_ / name).string();
+        std::ofstream(path, std::ios::binary) << text;
+        return path;
+    }
+    [[nodiscard]] std::string folder() const { return folder_.string(); }
+
+  private:
+    std::filesystem::path folder_;
+};
+
+void expect_cube(const Bodies& bodies, double volume_expected) {
+    ASSERT_TRUE(bodies) << bodies.error;
+    EXPECT_EQ(bodies.warning, "");
+    ASSERT_EQ(bodies->size(), 1u);
+    const Polyhedron& body = bodies->front().body;
+    EXPECT_EQ(body.vertex_count(), 8u);
+    EXPECT_EQ(body.face_count(), 6u);
+    EXPECT_NEAR(volume(body), volume_expected, 1e-6 * volume_expected);
+    EXPECT_EQ(all_violations(body), "");
+}
+
+void expect_refused(const std::string& path, const std::string& expected) {
+    for (const MeshGrouping grouping : {MeshGrouping::one_hull, MeshGrouping::each_mesh}) {
+        const Bodies bodies = read_mesh_file(path, grouping);
+        EXPECT_FALSE(bodies) << path;
+        EXPECT_EQ(bodies.error.rfind(path, 0), 0u) << bodies.error;
+        EXPECT_NE(bodies.error.find(expected), std::string::npos) << bodies.error;
+        EXPECT_EQ(bodies.error.find('\n'), std::string::npos) << bodies.error;
+    }
+}
+
+TEST_F(MeshFile, ReadsACubeInEveryFormat) {
+    const Points points = box_points(Vec3d(1, 0.5, 0.25));
+    const Faces faces = box_faces();
+    const std::pair<const char*, std::string> files[] = {{"cube.obj", obj_object("cube", points, faces)},
+                                                         {"cube.off", off_text(points, faces)},
+                                                         {"cube.ply", ply_text(points, faces)},
+                                                         {"cube.stl", stl_text(points, faces)}};
+    for (const auto& [name, text] : files) {
+        SCOPED_TRACE(name);
+        for (const MeshGrouping grouping : {MeshGrouping::one_hull, MeshGrouping::each_mesh}) {
+            const Bodies bodies = read_mesh_file(write(name, text), grouping);
+            expect_cube(bodies, 1);
+            ASSERT_TRUE(bodies);
+            EXPECT_EQ(bodies->front().name, "cube");
+        }
+    }
+}
+
+TEST_F(MeshFile, GroupsSeveralMeshes) {
+    const Points near = box_points(Vec3d(0.5, 0.5, 0.5));
+    const Points far = shifted(near, Vec3d(3, 0, 0));
+    const std::string text = obj_object("left", near, box_faces()) + obj_object("right", far, box_faces(), 9);
+    const std::string path = write("pair.obj", text);
+
+    const Bodies each = read_mesh_file(path, MeshGrouping::each_mesh);
+    ASSERT_TRUE(each) << each.error;
+    ASSERT_EQ(each->size(), 2u);
+    EXPECT_EQ(each.warning, "");
+    EXPECT_EQ((*each)[0].name, "pair#1");
+    EXPECT_EQ((*each)[1].name, "pair#2");
+    for (const MeshBody& part : *each) EXPECT_DOUBLE_EQ(volume(part.body), 1);
+
+    const Bodies one = read_mesh_file(path, MeshGrouping::one_hull);
+    ASSERT_TRUE(one) << one.error;
+    ASSERT_EQ(one->size(), 1u);
+    EXPECT_EQ(one->front().name, "pair");
+    EXPECT_DOUBLE_EQ(volume(one->front().body), 4);
+    EXPECT_NE(one.warning.find("hull volume / mesh volume = 2"), std::string::npos) << one.warning;
+}
+
+TEST_F(MeshFile, WarnsOfAConcaveMesh) {
+    const LShape shape;
+    const std::string path = write("angle.obj", obj_object("angle", shape.points, shape.faces));
+    const Bodies bodies = read_mesh_file(path, MeshGrouping::one_hull);
+    ASSERT_TRUE(bodies) << bodies.error;
+    EXPECT_DOUBLE_EQ(volume(bodies->front().body), 3.5);
+    EXPECT_EQ(bodies.warning,
+              path + ": the mesh is concave; its hull is used, hull volume / mesh volume = 1.1667");
+}
+
+TEST_F(MeshFile, SaysWhenTheRatioIsUnknown) {
+    Faces open = box_faces();
+    open.pop_back();
+    const std::string path = write("open.off", off_text(box_points(Vec3d(1, 1, 1)), open));
+    const Bodies bodies = read_mesh_file(path, MeshGrouping::one_hull);
+    ASSERT_TRUE(bodies) << bodies.error;
+    EXPECT_DOUBLE_EQ(volume(bodies->front().body), 8);
+    EXPECT_NE(bodies.warning.find("not closed"), std::string::npos) << bodies.warning;
+    EXPECT_NE(bodies.warning.find("unknown"), std::string::npos) << bodies.warning;
+}
+
+TEST_F(MeshFile, APointCloudIsAPointSet) {
+    const Bodies bodies =
+        read_mesh_file(write("cloud.ply", ply_text(box_points(Vec3d(1, 1, 1)), {})), MeshGrouping::one_hull);
+    expect_cube(bodies, 8);
+}
+
+TEST_F(MeshFile, AppliesTheTransformsOfAllNodes) {
+    const std::string scale = "2 0 0 0  0 3 0 0  0 0 4 0  0 0 0 1";
+    const std::string shift = "1 0 0 10  0 1 0 20  0 0 1 30  0 0 0 1";
+    const Bodies bodies =
+        read_mesh_file(write("nodes.dae", collada_text(scale, shift)), MeshGrouping::each_mesh);
+    expect_cube(bodies, 24);
+    if (!bodies) return;
+    Vec3d low = bodies->front().body.vertices[0];
+    for (const Vec3d& v : bodies->front().body.vertices) low = low.cwiseMin(v);
+    EXPECT_EQ(
+        low, Vec3d(19, 58.5, 118));  // scaled after the shift: 2 * (10 - 0.5), 3 * (20 - 0.5), 4 * (30 - 0.5)
+}
+
+TEST_F(MeshFile, AMirroredNodeStaysConvex) {
+    const std::string mirror = "-1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1";
+    const std::string same = "1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1";
+    expect_cube(read_mesh_file(write("mirror.dae", collada_text(mirror, same)), MeshGrouping::one_hull), 1);
+}
+
+TEST_F(MeshFile, RefusesFilesThatHoldNoBody) {
+    expect_refused(folder() + "/nowhere.obj", "no such file");
+    expect_refused(folder(), "is a directory");
+    expect_refused(write("empty.obj", ""), "is empty (0 bytes)");
+    expect_refused(write("letter.txt", "Dear reader, this is no mesh.\n"), "cannot be read as a mesh");
+    expect_refused(write("comment.obj", "# nothing but a comment\n"), "has no mesh inside");
+    expect_refused(write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 8\n"),
+                   "its PLY header does not end");
+    const Points square = {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(1, 1, 0), Vec3d(0, 1, 0)};
+    expect_refused(write("square.obj", obj_object("square", square, {{0, 1, 2, 3}})), "flat");
+    for (const double value :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        Points broken = box_points(Vec3d(1, 1, 1));
+        broken[3].y() = value;
+        expect_refused(write("broken.off", off_text(broken, box_faces())), ": y = " + std::to_string(value));
+    }
+}
+
+TEST_F(MeshFile, NamesTheMeshThatIsFlat) {
+    const Points square = {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(1, 1, 0), Vec3d(0, 1, 0)};
+    const std::string text = obj_object("solid", box_points(Vec3d(1, 1, 1)), box_faces()) +
+                             obj_object("floor", square, {{0, 1, 2, 3}}, 9);
+    const Bodies bodies = read_mesh_file(write("room.obj", text), MeshGrouping::each_mesh);
+    EXPECT_FALSE(bodies);
+    EXPECT_NE(bodies.error.find("(mesh 2 'floor'): flat"), std::string::npos) << bodies.error;
+}
+
+TEST_F(MeshFile, SurvivesGarbage) {
+    Dice dice(51);
+    const std::string good[] = {obj_object("cube", box_points(Vec3d(1, 1, 1)), box_faces()),
+                                off_text(box_points(Vec3d(1, 1, 1)), box_faces()),
+                                ply_text(box_points(Vec3d(1, 1, 1)), box_faces()),
+                                stl_text(box_points(Vec3d(1, 1, 1)), box_faces())};
+    const char* endings[] = {".obj", ".off", ".ply", ".stl"};
+    int refused = 0, accepted = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        std::string text = good[trial % 4];
+        const std::size_t hits = 1 + dice.below(3);
+        for (std::size_t k = 0; k < hits; ++k)
+            text[dice.below(text.size())] = static_cast<char>(dice.below(256));
+        if (trial % 10 == 0) text.resize(dice.below(text.size()) + 1);
+        const Bodies bodies =
+            read_mesh_file(write(std::string("garbage") + endings[trial % 4], text), MeshGrouping::one_hull);
+        if (bodies) {
+            EXPECT_EQ(all_violations(bodies->front().body), "");
+        } else {
+            EXPECT_NE(bodies.error, "");
+        }
+        ++(bodies ? accepted : refused);
+    }
+    std::printf("damaged files: %d refused, %d read\n", refused, accepted);
+    EXPECT_GT(refused, 20);
+    EXPECT_GT(accepted, 20);
+}
+
+}  // namespace
+}  // namespace edgewise

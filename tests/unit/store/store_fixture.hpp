@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// What the tests of the store share: a directory of their own and rounds to put in.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <tuple>
+
+#include "edgewise/store/store.hpp"
+
+namespace edgewise {
+
+/// A directory of its own for each test, gone afterwards.
+class StoreTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (std::filesystem::temp_directory_path() / "edgewise-store-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        directory_ = name;
+        path_ = (directory_ / "test.db").string();
+    }
+    void TearDown() override { std::filesystem::remove_all(directory_); }
+
+    std::filesystem::path directory_;
+    std::string path_;
+};
+
+/// Every number different, so that no two columns can be swapped unseen.
+inline Round sample_round(int number) {
+    const auto n = static_cast<std::uint64_t>(number);
+    return {number,
+            {n * 100 + 1, n * 100 + 2, number + 0.125, number + 0.25},
+            {n * 100 + 3, n * 100 + 4, number + 0.375, number + 0.5}};
+}
+
+inline bool equal(const Round& a, const Round& b) {
+    const auto tied = [](const Round& r) {
+        return std::tie(r.number, r.timing.separated_queries, r.timing.overlapping_queries,
+                        r.timing.separated_ns, r.timing.overlapping_ns, r.baseline.separated_queries,
+                        r.baseline.overlapping_queries, r.baseline.separated_ns, r.baseline.overlapping_ns);
+    };
+    return tied(a) == tied(b);
+}
+
+}  // namespace edgewise

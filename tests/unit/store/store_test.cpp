@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+//
+// The store: what goes in comes out, files of others stay as they are, and a killed process loses no
+// committed round.
+#include "edgewise/store/store.hpp"
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+
+#include "edgewise/store/schema.hpp"
+#include "store_fixture.hpp"
+
+namespace edgewise {
+namespace {
+
+BuildRow sample_build(const std::string& id = "build-1") {
+    return {id, "abc123", "g++ 12", "-O3 -ffp-contract=off", "Release", R"({"cpu":{"name":"x"}})"};
+}
+
+CellRow sample_cell(const std::string& hash = "cell-1") {
+    return {hash,
+            "tumble",
+            R"({"rotation_step":0.01})",
+            "sphere386",
+            "built-in",
+            "vclip",
+            "aos",
+            "f64",
+            "aos_f64",
+            386,
+            1152,
+            768,
+            42,
+            100'000,
+            "verified",
+            "",
+            "gap_tolerance=1e-06"};
+}
+
+void expect_equal(const CellRow& a, const CellRow& b) {
+    const auto tied = [](const CellRow& c) {
+        return std::tie(c.hash, c.scene, c.scene_parameters, c.shape, c.shape_source, c.algorithm, c.layout,
+                        c.precision, c.table, c.vertices, c.edges, c.faces, c.seed, c.queries, c.status,
+                        c.reason);
+    };
+    EXPECT_TRUE(tied(a) == tied(b)) << a.hash << " " << b.hash;
+}
+
+void expect_equal(const FigureRow& a, const FigureRow& b) {
+    EXPECT_EQ(a.probe, b.probe);
+    EXPECT_EQ(a.figure.name, b.figure.name);
+    EXPECT_EQ(a.figure.value, b.figure.value);
+    EXPECT_EQ(a.figure.unit, b.figure.unit);
+    EXPECT_EQ(a.figure.reason, b.figure.reason);
+    EXPECT_EQ(a.figure.remedy, b.figure.remedy);
+}
+
+/// Runs SQL past the store, as a foreign program would.
+void run_sql(const std::string& path, const std::string& sql) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
+    char* message = nullptr;
+    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, &message), SQLITE_OK) << message;
+    sqlite3_close(database);
+}
+
+std::string bytes_of(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Opening must fail with one line that holds the path and `words`, and must leave every byte as it was.
+void expect_refused(const std::string& path, const std::string& words) {
+    const std::string before = bytes_of(path);
+    try {
+        const Store store(path);
+        ADD_FAILURE() << "opened " << path;
+    } catch (const std::runtime_error& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find(path), std::string::npos) << text;
+        EXPECT_NE(text.find(words), std::string::npos) << text;
+        EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    }
+    EXPECT_EQ(bytes_of(path), before);
+    EXPECT_FALSE(std::filesystem::exists(path + "-wal"));
+}
+
+TEST_F(StoreTest, EveryFieldComesBackAfterReopening) {
+    CellRow cell = sample_cell();
+    cell.seed = std::numeric_limits<std::uint64_t>::max() - 5;  // beyond what a signed number holds
+    cell.status = "failed";
+    cell.reason = "query 17: wrong verdict, \"quoted\", and umlaut \xc3\xa4";
+    const std::vector<FigureRow> figures = {
+        {"bytes", {"paper", 168.0, "B/edge", "", ""}},
+        {"bytes", {"tiny", 5e-324, "1", "", ""}},
+        {"counters", {"misses", std::nullopt, "1", "no counters", "run on the bare machine"}},
+        {"error", {"worst", 0.1, "1", "", ""}}};
+    {
+        Store store(path_);
+        store.put_build(sample_build());
+        store.put_cell("build-1", cell, figures);
+        store.set_meta("plan", "quick");
+        store.set_meta("plan", "paper");
+    }
+    const Store store(path_);
+    const auto found = store.find_cell("build-1", "cell-1");
+    ASSERT_TRUE(found);
+    expect_equal(*found, cell);
+    const auto back = store.figures("build-1", "cell-1");
+    ASSERT_EQ(back.size(), figures.size());
+    for (std::size_t i = 0; i < back.size(); ++i) expect_equal(back[i], figures[i]);
+    EXPECT_EQ(store.find_meta("plan"), "paper");
+    EXPECT_EQ(store.find_meta("none"), std::nullopt);
+}
+
+TEST_F(StoreTest, TheBuildComesBackAndIsReplaced) {
+    Store store(path_);
+    BuildRow first = sample_build();
+    first.compiler = "another";
+    store.put_build(first);
+    store.put_cell("build-1", sample_cell(), {});
+    store.put_build(sample_build());  // although a cell refers to it
+    const auto build = store.find_build("build-1");
+    ASSERT_TRUE(build);
+    EXPECT_EQ(build->git_revision, "abc123");
+    EXPECT_EQ(build->compiler, "g++ 12");
+    EXPECT_EQ(build->flags, "-O3 -ffp-contract=off");
+    EXPECT_EQ(build->build_type, "Release");
+    EXPECT_EQ(build->machine_json, R"({"cpu":{"name":"x"}})");
+    EXPECT_TRUE(store.find_cell("build-1", "cell-1"));
+}
+
+TEST_F(StoreTest, ReplacesTheSameCellAndKeepsItsRounds) {
+    Store store(path_);
+    store.put_build(sample_build());
+    store.put_cell("build-1", sample_cell(),
+                   std::vector<FigureRow>{{"a", {"x", 1.0, "1"}}, {"a", {"y", 2.0, "1"}}});
+    const std::vector<std::pair<std::string, Round>> round = {{"cell-1", sample_round(0)}};
+    store.put_round("build-1", round);
+
+    CellRow changed = sample_cell();
+    changed.queries = 7;
+    store.put_cell("build-1", changed, std::vector<FigureRow>{{"a", {"y", 3.0, "1"}}});
+    EXPECT_EQ(store.find_cell("build-1", "cell-1")->queries, 7u);
+    const auto figures = store.figures("build-1", "cell-1");
+    ASSERT_EQ(figures.size(), 1u);  // x is gone
+    EXPECT_EQ(figures[0].figure.value, 3.0);
+    EXPECT_EQ(store.rounds_done("build-1", "cell-1"), std::set<int>{0});
+}
+
+TEST_F(StoreTest, KeepsBuildsApart) {
+    Store store(path_);
+    for (const char* id : {"build-1", "build-2"}) {
+        store.put_build(sample_build(id));
+        CellRow cell = sample_cell();
+        cell.reason = id;
+        store.put_cell(id, cell, std::vector<FigureRow>{{"a", {"x", id[6] - '0' + 0.0, "1"}}});
+    }
+    const std::vector<std::pair<std::string, Round>> round = {{"cell-1", sample_round(3)}};
+    store.put_round("build-2", round);
+    EXPECT_EQ(store.find_cell("build-1", "cell-1")->reason, "build-1");
+    EXPECT_EQ(store.find_cell("build-2", "cell-1")->reason, "build-2");
+    EXPECT_EQ(store.figures("build-1", "cell-1")[0].figure.value, 1.0);
+    EXPECT_EQ(store.figures("build-2", "cell-1")[0].figure.value, 2.0);
+    EXPECT_TRUE(store.rounds_done("build-1", "cell-1").empty());
+    EXPECT_EQ(store.rounds_done("build-2", "cell-1"), std::set<int>{3});
+    EXPECT_FALSE(store.find_cell("build-3", "cell-1"));
+    EXPECT_FALSE(store.find_build("build-3"));
+}
+
+TEST_F(StoreTest, RoundsComeBackInOrderAndReplaceEachOther) {
+    Store store(path_);
+    for (const int number : {2, 0, 5}) {
+        const std::vector<std::pair<std::string, Round>> rounds = {{"cell-1", sample_round(number)},
+                                                                   {"cell-2", sample_round(number + 1)}};
+        store.put_round("build-1", rounds);
+    }
+    Round changed = sample_round(5);
+    changed.baseline.overlapping_ns = 1e9;
+    store.put_round("build-1", std::vector<std::pair<std::string, Round>>{{"cell-1", changed}});
+
+    EXPECT_EQ(store.rounds_done("build-1", "cell-1"), (std::set<int>{0, 2, 5}));
+    EXPECT_EQ(store.rounds_done("build-1", "cell-2"), (std::set<int>{1, 3, 6}));
+    const auto rounds = store.rounds("build-1", "cell-1");
+    ASSERT_EQ(rounds.size(), 3u);
+    EXPECT_TRUE(equal(rounds[0], sample_round(0)));
+    EXPECT_TRUE(equal(rounds[1], sample_round(2)));
+    EXPECT_TRUE(equal(rounds[2], changed));
+}
+
+TEST_F(StoreTest, AFailingWriteChangesNothing) {
+    Store store(path_);
+    store.put_build(sample_build());
+    store.put_cell("build-1", sample_cell(), std::vector<FigureRow>{{"a", {"x", 1.0, "1"}}});
+
+    Round broken = sample_round(2);
+    broken.timing.separated_ns =
+        std::numeric_limits<double>::quiet_NaN();  // SQLite's null, which the column refuses
+    const std::vector<std::pair<std::string, Round>> rounds = {{"cell-1", sample_round(2)},
+                                                               {"cell-2", broken}};
+    EXPECT_THROW(store.put_round("build-1", rounds), std::runtime_error);
+    EXPECT_TRUE(store.rounds_done("build-1", "cell-1").empty());
+
+    EXPECT_THROW(
+        store.put_cell("build-1", sample_cell(), std::vector<FigureRow>{{"a", {"z", std::nullopt, "1"}}}),
+        std::runtime_error);  // neither value nor reason
+    ASSERT_EQ(store.figures("build-1", "cell-1").size(), 1u);
+    EXPECT_EQ(store.figures("build-1", "cell-1")[0].figure.name, "x");
+
+    EXPECT_THROW(store.put_cell("no such build", sample_cell(), {}), std::runtime_error);
+    CellRow strange = sample_cell();
+    strange.status = "perhaps";
+    EXPECT_THROW(store.put_cell("build-1", strange, {}), std::runtime_error);
+    EXPECT_EQ(store.find_cell("build-1", "cell-1")->status, "verified");
+    store.put_cell("build-1", sample_cell("cell-9"), {});  // and goes on
+    EXPECT_TRUE(store.find_cell("build-1", "cell-9"));
+}
+
+TEST_F(StoreTest, AValueThatIsNotFiniteIsNullWithAReason) {
+    Store store(path_);
+    store.put_build(sample_build());
+    const double infinity = std::numeric_limits<double>::infinity();
+    store.put_cell("build-1", sample_cell(),
+                   std::vector<FigureRow>{{"a", {"x", std::nan(""), "1"}}, {"a", {"y", -infinity, "1"}}});
+    for (const FigureRow& row : store.figures("build-1", "cell-1")) {
+        EXPECT_FALSE(row.figure.value);
+        EXPECT_NE(row.figure.reason.find("not a finite number"), std::string::npos) << row.figure.reason;
+    }
+    EXPECT_EQ(store.figures("build-1", "cell-1").size(), 2u);
+}
+
+TEST_F(StoreTest, RefusesWhatIsNotItsOwn) {
+    const auto file = [&](const char* name) { return (directory_ / name).string(); };
+    std::ofstream(file("short.txt")) << "hello\n";
+    expect_refused(file("short.txt"), "not an SQLite file");
+    std::ofstream(file("long.txt")) << std::string(5000, 'x');
+    expect_refused(file("long.txt"), "not an SQLite file");
+
+    run_sql(file("foreign.db"), "create table songs(name text); insert into songs values('x')");
+    expect_refused(file("foreign.db"), "not an Edgewise store");
+    run_sql(file("versioned.db"), "create table songs(name text); pragma user_version = 1");
+    expect_refused(file("versioned.db"), "not an Edgewise store");
+
+    { const Store store(path_); }
+    run_sql(path_, "pragma journal_mode = delete; pragma user_version = " +
+                       std::to_string(store_schema_version + 1));
+    expect_refused(path_, "newer program");
+}
+
+TEST_F(StoreTest, RefusesPathsThatCannotBeAStore) {
+    EXPECT_THROW(Store(""), std::runtime_error);
+    EXPECT_THROW(Store(directory_.string()), std::runtime_error);
+    const std::string missing = (directory_ / "missing" / "test.db").string();
+    try {
+        const Store store(missing);
+        ADD_FAILURE();
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find(missing), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("directory"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(StoreTest, AnEmptyFileBecomesAStoreAndItsVersionIsInThePragma) {
+    std::ofstream(path_).close();
+    { Store(path_).set_meta("a", "b"); }
+    EXPECT_EQ(Store(path_).find_meta("a"), "b");
+    const std::string header = bytes_of(path_).substr(0, 72);
+    ASSERT_EQ(header.size(), 72u);
+    // sqlite.org/fileformat.html: big-endian, user_version at 60, application_id at 68.
+    EXPECT_EQ(header[63], static_cast<char>(store_schema_version));
+    EXPECT_EQ(header.substr(68, 4), "EdGe");
+}
+
+TEST_F(StoreTest, TwoStoresOnOneFileSeeEachOther) {
+    Store one(path_);
+    Store two(path_);
+    for (int i = 0; i < 20; ++i) {
+        Store& writer = i % 2 == 0 ? one : two;
+        writer.put_round("build-1", std::vector<std::pair<std::string, Round>>{{"cell-1", sample_round(i)}});
+    }
+    EXPECT_EQ(one.rounds_done("build-1", "cell-1").size(), 20u);
+    EXPECT_EQ(two.rounds_done("build-1", "cell-1").size(), 20u);
+}
+
+}  // namespace
+}  // namespace edgewise

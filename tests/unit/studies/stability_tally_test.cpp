@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// What a stability row counts, from answers that were made up.
+#include "edgewise/studies/stability_tally.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/bench/registry.hpp"
+
+namespace edgewise {
+namespace {
+
+std::map<std::string, std::optional<double>> figures_of(const StabilityTally& tally) {
+    std::map<std::string, std::optional<double>> result;
+    for (const Figure& figure : tally.figures()) result[figure.name] = figure.value;
+    return result;
+}
+
+TEST(StabilityTally, SumsWhatTheAnswersCounted) {
+    StabilityTally tally(1e-12, 1e-9);
+    const ExactDistance exact;
+    StabilityJudgement judged;
+    judged.exact = &exact;
+    judged.answer.status = Status::separated;
+    judged.answer.escapes = 2;
+    judged.answer.refinements = 1;
+    tally.add(judged);
+    judged.answer.escapes = 3;
+    judged.answer.cycles = judged.answer.fallbacks = 1;
+    tally.add(judged);
+    auto found = figures_of(tally);
+    EXPECT_EQ(found["cases"], 2);
+    EXPECT_EQ(found["escapes"], 5);
+    EXPECT_EQ(found["refinements"], 2);
+    EXPECT_EQ(found["cycles"], 1);
+    EXPECT_EQ(found["fallbacks"], 1);
+}
+
+TEST(StabilityTally, CountsCapHitsApartFromWrongDepths) {
+    StabilityTally tally(1e-12, 1e-9);
+    StabilityProof proof;
+    tally.add(proof);
+    proof.depth_cut_short = true;
+    tally.add(proof);
+    proof.depth_error = 1;
+    tally.add(proof);
+    auto found = figures_of(tally);
+    EXPECT_EQ(found["certificates"], 3);
+    EXPECT_EQ(found["cap_hits"], 2);
+    EXPECT_EQ(found["depths_beyond"], 1);
+}
+
+/// Concentric spheres are about equally deep all round: EPA wants more faces than its limit.
+TEST(StabilityTally, ARunnerSaysThatADepthWasCutShort) {
+    const auto type = select_table_types(std::vector<std::string>{"aos_f64"}).front();
+    const auto runner = type->make_runner("gjk");
+    Rng rng(1);
+    for (const char* name : {"cube8", "sphere9602"}) {
+        const Polyhedron body = *make_shape(name);
+        ASSERT_EQ(runner->load(std::vector{body, body}), "");
+        const NamedAnswer answer = runner->answer(Query{0, 1, 0, {}, {rng.rotation(), Vec3d::Zero()}});
+        EXPECT_EQ(answer.distance.status, Status::overlapping) << name;
+        EXPECT_EQ(answer.depth_cut_short, body.vertex_count() > 8) << name;
+        EXPECT_GT(answer.depth, 1) << name;
+        EXPECT_LT(answer.depth, 2.1) << name;
+    }
+}
+
+}  // namespace
+}  // namespace edgewise

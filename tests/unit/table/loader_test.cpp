@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// Loaders by themselves; that no answer depends on them is a contract test of every table type.
+#include "edgewise/table/loader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/layout_parts/rings.hpp"
+
+namespace edgewise {
+namespace {
+
+struct Read {
+    const void* address;
+    std::size_t bytes;
+    Field field;
+    bool operator==(const Read&) const = default;
+};
+
+struct Recorder {
+    std::vector<Read> reads;
+    void read(const void* address, std::size_t bytes, Field field) {
+        reads.push_back({address, bytes, field});
+    }
+};
+
+TEST(Loader, DirectIsTheLocationItself) {
+    const double value = 3;
+    EXPECT_EQ(&Direct::load(value, Field::vertex), &value);
+}
+
+TEST(Loader, TracedIsTheLocationItselfAndSaysSo) {
+    Recorder recorder;
+    const Traced<Recorder> loader{&recorder};
+    const double number = 3;
+    const Plane<float> plane{Vec3<float>(1, 2, 3), 4};
+    EXPECT_EQ(&loader.load(number, Field::vertex), &number);
+    EXPECT_EQ(&loader.load(plane, Field::face_plane), &plane);
+    const std::vector<Read> expected = {{&number, 8, Field::vertex}, {&plane, 16, Field::face_plane}};
+    EXPECT_EQ(recorder.reads, expected);
+}
+
+TEST(Loader, RingsReportTheirOffsetsAndEveryEntry) {
+    const auto body = make_shape("cube8");
+    ASSERT_TRUE(body) << body.error;
+    BlockPlan plan;
+    const RingSlots slots(plan, *body, Parts::features);
+    const Block block(plan);
+    const Rings rings(block, slots, *body);
+    Recorder recorder;
+    const Traced<Recorder> loader{&recorder};
+    std::vector<Index> direct, traced;
+    for (const Index v : rings.neighbours(Direct{}, 5)) direct.push_back(v);
+    for (const Index v : rings.neighbours(loader, 5)) traced.push_back(v);
+    EXPECT_EQ(direct, traced);
+    ASSERT_EQ(recorder.reads.size(), 5U);  // two offsets, three neighbours
+    EXPECT_EQ(recorder.reads[0], (Read{rings.vertex_offset + 5, 4, Field::vertex_ring}));
+    EXPECT_EQ(recorder.reads[1], (Read{rings.vertex_offset + 6, 4, Field::vertex_ring}));
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const Index at = rings.vertex_offset[5] + i;
+        EXPECT_EQ(recorder.reads[2 + i], (Read{rings.neighbour + at, 4, Field::neighbour}));
+    }
+}
+
+}  // namespace
+}  // namespace edgewise
