@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The table of `hot_cold`, with the planes of an edge made when a query first asks for one (layout_parts/lazy.hpp).
-// What V-Clip never walks over is never worked out, and as planes lie apart from what every edge has, pages
-// that hold only such planes are never touched. The canonical body must stay at hand.
+// The table of `hot_cold`, with the planes of an edge made when a query first asks for one
+// (layout_parts/lazy.hpp). What V-Clip never walks over is never worked out, and as planes lie apart from
+// what every edge has, pages that hold only such planes are never touched. The canonical body must stay at
+// hand.
 #pragma once
 
 #include "edgewise/layout_parts/hot_cold_table.hpp"

@@ -15,12 +15,12 @@
 #include <memory>
 
 #include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/table/body_facts.hpp"
-#include "edgewise/table/contract.hpp"
 #include "edgewise/layout_parts/linked_builder.hpp"
 #include "edgewise/layout_parts/linked_list.hpp"
-#include "edgewise/table/loader.hpp"
 #include "edgewise/layout_parts/voronoi.hpp"
+#include "edgewise/table/body_facts.hpp"
+#include "edgewise/table/contract.hpp"
+#include "edgewise/table/loader.hpp"
 
 namespace edgewise {
 

@@ -10,27 +10,28 @@
 
 namespace edgewise::probes {
 
-class build final : public Probe {
+class build final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "build"; }
     [[nodiscard]] std::string_view summary() const override {
         return "median time to build a table, and to refit it in place to the body deformed";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        const BuildTimes& times = subject.build;
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        const measure::BuildTimes& times = subject.build;
         const char* const no_refit = "this layout cannot be refitted in place";
-        const std::vector<double> ratios =
-            times.refit_ns.empty() ? std::vector<double>{} : paired_ratios(times.refit_ns, times.build_ns);
+        const std::vector<double> ratios = times.refit_ns.empty()
+                                               ? std::vector<double>{}
+                                               : measure::paired_ratios(times.refit_ns, times.build_ns);
         return {of("build_ns", times.build_ns, "ns", "no table was built", "run the sweep again"),
                 of("refit_ns", times.refit_ns, "ns", no_refit, "build a new table"),
                 of("refit_over_build", ratios, "1", no_refit, "build a new table")};
     }
 
   private:
-    static Figure of(const char* name, const std::vector<double>& sample, const char* unit,
-                     const char* reason, const char* remedy) {
-        if (const auto middle = median(sample)) return {name, middle, unit};
+    static measure::Figure of(const char* name, const std::vector<double>& sample, const char* unit,
+                              const char* reason, const char* remedy) {
+        if (const auto middle = measure::median(sample)) return {name, middle, unit};
         return {name, std::nullopt, unit, reason, remedy};
     }
 };

@@ -15,23 +15,23 @@
 
 namespace edgewise::probes {
 
-class bytes final : public Probe {
+class bytes final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "bytes"; }
     [[nodiscard]] std::string_view summary() const override {
         return "bytes per edge by component, total, and slopes per additional edge";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        const TableBytes& table = subject.table;
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        const measure::TableBytes& table = subject.table;
         const double edges = static_cast<double>(table.edges);
-        std::vector<Figure> result;
-        for (const ComponentBytes& component : table.components) {
+        std::vector<measure::Figure> result;
+        for (const measure::ComponentBytes& component : table.components) {
             result.push_back({component.name, component.bytes / edges, "B/edge"});
         }
         result.push_back(paper_slope(subject));
         result.push_back({"total_bytes_per_edge", table.total / edges, "B/edge"});
-        result.push_back(slope("slope_bytes_per_edge", subject, &TableBytes::total));
+        result.push_back(slope("slope_bytes_per_edge", subject, &measure::TableBytes::total));
         result.push_back({"table_bytes", table.total, "B"});
         return result;
     }
@@ -44,29 +44,31 @@ class bytes final : public Probe {
         return static_cast<int>(std::lower_bound(std::begin(limits), std::end(limits), vertices) -
                                 std::begin(limits));
     }
-    static int widest(const Subject& subject) {
+    static int widest(const measure::Subject& subject) {
         int most = 0;
-        for (const TableBytes& table : subject.sizes) most = std::max(most, widths_of(table.vertices));
+        for (const measure::TableBytes& table : subject.sizes)
+            most = std::max(most, widths_of(table.vertices));
         return most;
     }
 
-    static Figure paper_slope(const Subject& subject) {
+    static measure::Figure paper_slope(const measure::Subject& subject) {
         if (subject.table.paper_subtotal > 0) {
-            return slope("paper_bytes_per_edge", subject, &TableBytes::paper_subtotal);
+            return slope("paper_bytes_per_edge", subject, &measure::TableBytes::paper_subtotal);
         }
         return {"paper_bytes_per_edge", std::nullopt, "B/edge", "this table stores no Voronoi planes",
                 "choose a layout and an algorithm that store them, such as aos with vclip"};
     }
 
-    static Figure slope(const char* name, const Subject& subject, double TableBytes::*quantity) {
+    static measure::Figure slope(const char* name, const measure::Subject& subject,
+                                 double measure::TableBytes::*quantity) {
         std::vector<double> edges, sizes;
         const int wanted = std::min(widths_of(subject.table.vertices), widest(subject));
-        for (const TableBytes& table : subject.sizes) {
+        for (const measure::TableBytes& table : subject.sizes) {
             if (widths_of(table.vertices) != wanted) continue;
             edges.push_back(static_cast<double>(table.edges));
             sizes.push_back(table.*quantity);
         }
-        const auto line = least_squares(edges, sizes);
+        const auto line = measure::least_squares(edges, sizes);
         if (line) return {name, line->slope, "B/edge"};
         return {name, std::nullopt, "B/edge", "no family of bodies to fit a slope over", ""};
     }

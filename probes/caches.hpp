@@ -11,35 +11,35 @@
 
 namespace edgewise::probes {
 
-class caches final : public Probe {
+class caches final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "caches"; }
     [[nodiscard]] std::string_view summary() const override {
         return "modelled misses by machine, level, cause, field and step; bytes brought in vain; memory time";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        const SceneTrace& trace = *subject.trace;
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        const measure::SceneTrace& trace = *subject.trace;
         if (!trace.traced())
             return {{"misses_per_query", std::nullopt, "misses", trace.reason, trace.remedy}};
-        std::vector<Figure> all;
-        for (const ModelledMachine& machine : trace.machines) add_machine(machine, subject, all);
-        for (const ModelledMachine& machine : trace.policies) {
-            for (const LevelMisses& level : machine.steady.caches)
+        std::vector<measure::Figure> all;
+        for (const measure::ModelledMachine& machine : trace.machines) add_machine(machine, subject, all);
+        for (const measure::ModelledMachine& machine : trace.policies) {
+            for (const measure::LevelMisses& level : machine.steady.caches)
                 add(all, trace, machine.name + "." + level.level + ".misses_per_query", level.misses.all());
         }
         return all;
     }
 
   private:
-    static void add(std::vector<Figure>& all, const SceneTrace& trace, const std::string& name,
-                    std::uint64_t count, const char* unit = "misses") {
+    static void add(std::vector<measure::Figure>& all, const measure::SceneTrace& trace,
+                    const std::string& name, std::uint64_t count, const char* unit = "misses") {
         all.push_back({name, static_cast<double>(count) / static_cast<double>(trace.queries), unit});
     }
 
-    static void add_machine(const ModelledMachine& machine, const Subject& subject,
-                            std::vector<Figure>& all) {
-        const SceneTrace& trace = *subject.trace;
+    static void add_machine(const measure::ModelledMachine& machine, const measure::Subject& subject,
+                            std::vector<measure::Figure>& all) {
+        const measure::SceneTrace& trace = *subject.trace;
         if (!machine.reason.empty()) {
             for (const char* name : {".L1D.misses_per_query", ".modelled_memory_ns"})
                 all.push_back({machine.name + name, std::nullopt, "misses", machine.reason,
@@ -53,15 +53,17 @@ class caches final : public Probe {
         for (std::size_t i = 0; i < machine.cold.size(); ++i)
             add(all, trace, machine.name + "." + machine.steady.caches[i].level + ".cold_misses_per_query",
                 machine.cold[i]);
-        for (const LevelMisses& level : machine.steady.caches) add_breakdown(machine.name, level, trace, all);
+        for (const measure::LevelMisses& level : machine.steady.caches)
+            add_breakdown(machine.name, level, trace, all);
         add(all, trace, machine.name + ".fetched_bytes_per_query", machine.steady.fetched.bytes, "B");
         add(all, trace, machine.name + ".unused_bytes_per_query", machine.steady.fetched.unused, "B");
         all.push_back(memory_time(machine, trace));
     }
 
-    static void add_level(const ModelledMachine& machine, const LevelMisses& steady, const LevelMisses& warm,
-                          const Subject& subject, std::vector<Figure>& all) {
-        const SceneTrace& trace = *subject.trace;
+    static void add_level(const measure::ModelledMachine& machine, const measure::LevelMisses& steady,
+                          const measure::LevelMisses& warm, const measure::Subject& subject,
+                          std::vector<measure::Figure>& all) {
+        const measure::SceneTrace& trace = *subject.trace;
         const std::string at = machine.name + "." + steady.level + ".";
         add(all, trace, at + "misses_per_query", steady.misses.all());
         add(all, trace, at + "capacity_per_query", steady.misses.capacity);
@@ -78,8 +80,8 @@ class caches final : public Probe {
     }
 
     /// By what was read and by what read it; what was never accessed is left out.
-    static void add_breakdown(const std::string& machine, const LevelMisses& level, const SceneTrace& trace,
-                              std::vector<Figure>& all) {
+    static void add_breakdown(const std::string& machine, const measure::LevelMisses& level,
+                              const measure::SceneTrace& trace, std::vector<measure::Figure>& all) {
         const std::string at = machine + "." + level.level + ".";
         for (std::size_t i = 0; i < trace.fields.size(); ++i) {
             if (trace.heat.by_field[i] == 0) continue;
@@ -91,7 +93,8 @@ class caches final : public Probe {
         }
     }
 
-    static Figure memory_time(const ModelledMachine& machine, const SceneTrace& trace) {
+    static measure::Figure memory_time(const measure::ModelledMachine& machine,
+                                       const measure::SceneTrace& trace) {
         const std::string name = machine.name + ".modelled_memory_ns";
         const char* const unit = machine.steady.proved ? "ns, model" : "ns, model of unverified latencies";
         if (!machine.steady.memory_ns) {

@@ -9,15 +9,15 @@
 
 namespace edgewise::probes {
 
-class cost final : public Probe {
+class cost final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "cost"; }
     [[nodiscard]] std::string_view summary() const override {
         return "a step's tests and times by part, and the paper's cost functions beside the whole";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        const StepCosts& costs = subject.costs;
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        const measure::StepCosts& costs = subject.costs;
         if (costs.steps == 0) return {{"step_ns", std::nullopt, "ns", costs.reason, costs.remedy}};
         return {
             {"steps", static_cast<double>(costs.steps), "steps"},

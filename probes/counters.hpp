@@ -9,16 +9,16 @@
 
 namespace edgewise::probes {
 
-class counters final : public Probe {
+class counters final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "counters"; }
     [[nodiscard]] std::string_view summary() const override {
         return "hardware counters a query, or why not; page faults, context switches, migrations a query";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        std::vector<Figure> all;
-        for (const PassRecord& record : subject.counted)
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        std::vector<measure::Figure> all;
+        for (const measure::PassRecord& record : subject.counted)
             all.push_back(
                 {record.event, record.value, record.unit, record.refusal.reason, record.refusal.remedy});
         if (all.empty())

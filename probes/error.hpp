@@ -13,7 +13,7 @@
 
 namespace edgewise::probes {
 
-class error final : public Probe {
+class error final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "error"; }
     [[nodiscard]] std::string_view summary() const override {
@@ -21,21 +21,21 @@ class error final : public Probe {
                "fallbacks and refinements";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
         const auto count = [&](auto is) {
             return static_cast<double>(std::count_if(subject.checked.begin(), subject.checked.end(), is));
         };
-        using Answer = const CheckedAnswer&;
+        using Answer = const measure::CheckedAnswer&;
         const double separated = count([](Answer a) { return a.separated; });
         const double touching = count([](Answer a) { return a.touching; });
         const double checked = static_cast<double>(subject.checked.size());
-        const AnswerCounts& counts = subject.counts;
-        std::vector<Figure> all = {
+        const measure::AnswerCounts& counts = subject.counts;
+        std::vector<measure::Figure> all = {
             {"checked", checked, "queries"},
-            worst("worst_error_stored", subject, &CheckedAnswer::error_stored),
-            worst("worst_error_given", subject, &CheckedAnswer::error_given),
-            at_quantile("p99_error_stored", subject, &CheckedAnswer::error_stored, 0.99),
-            worst("witness_error", subject, &CheckedAnswer::witness_error),
+            worst("worst_error_stored", subject, &measure::CheckedAnswer::error_stored),
+            worst("worst_error_given", subject, &measure::CheckedAnswer::error_given),
+            at_quantile("p99_error_stored", subject, &measure::CheckedAnswer::error_stored, 0.99),
+            worst("witness_error", subject, &measure::CheckedAnswer::witness_error),
             {"wrong_verdicts", count([](Answer a) { return a.verdict_wrong; }), "queries"},
             {"verdicts_in_band", count([](Answer a) { return a.in_band; }), "queries"},
             {"separated", separated, "queries"},
@@ -54,9 +54,9 @@ class error final : public Probe {
 
   private:
     /// How often the paper's control disagrees: of checked answers, and of these outside the band.
-    static void add_control(const Subject& subject, std::vector<Figure>& all) {
+    static void add_control(const measure::Subject& subject, std::vector<measure::Figure>& all) {
         double asked = 0, disagrees = 0, outside = 0;
-        for (const CheckedAnswer& answer : subject.checked) {
+        for (const measure::CheckedAnswer& answer : subject.checked) {
             if (!answer.control_disagrees) continue;
             ++asked;
             disagrees += *answer.control_disagrees;
@@ -72,24 +72,26 @@ class error final : public Probe {
         add("control_disagreements_outside_band", outside);
     }
 
-    static std::vector<double> column(const Subject& subject, double CheckedAnswer::*error) {
+    static std::vector<double> column(const measure::Subject& subject,
+                                      double measure::CheckedAnswer::*error) {
         std::vector<double> result;
-        for (const CheckedAnswer& answer : subject.checked) result.push_back(answer.*error);
+        for (const measure::CheckedAnswer& answer : subject.checked) result.push_back(answer.*error);
         return result;
     }
 
-    static Figure worst(const char* name, const Subject& subject, double CheckedAnswer::*error) {
+    static measure::Figure worst(const char* name, const measure::Subject& subject,
+                                 double measure::CheckedAnswer::*error) {
         return at_quantile(name, subject, error, 1.0);
     }
 
-    static Figure at_quantile(const char* name, const Subject& subject, double CheckedAnswer::*error,
-                              double p) {
-        const auto value = quantile(column(subject, error), p);
+    static measure::Figure at_quantile(const char* name, const measure::Subject& subject,
+                                       double measure::CheckedAnswer::*error, double p) {
+        const auto value = measure::quantile(column(subject, error), p);
         if (value) return {name, value, "scale"};
         return {name, std::nullopt, "scale", "no query was checked", "check more queries"};
     }
 
-    static Figure mean_steps(const AnswerCounts& counts) {
+    static measure::Figure mean_steps(const measure::AnswerCounts& counts) {
         if (counts.queries == 0) return {"mean_steps", std::nullopt, "steps", "no query was asked", ""};
         return {"mean_steps", static_cast<double>(counts.steps) / static_cast<double>(counts.queries),
                 "steps"};

@@ -8,22 +8,22 @@
 
 namespace edgewise::probes {
 
-class heap final : public Probe {
+class heap final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "heap"; }
     [[nodiscard]] std::string_view summary() const override {
         return "one table, pair caches, broad phase in jemalloc: requested, size classes, slack, resident";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        const HeapUse& use = subject.heap;
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        const measure::HeapUse& use = subject.heap;
         if (use.structures.empty()) {
             return {{"table.requested_bytes", std::nullopt, "B",
                      use.reason.empty() ? "no structure was built in the heap" : use.reason,
                      use.remedy.empty() ? "sweep the cell again" : use.remedy}};
         }
-        std::vector<Figure> all;
-        for (const HeapStructure& structure : use.structures) {
+        std::vector<measure::Figure> all;
+        for (const measure::HeapStructure& structure : use.structures) {
             const auto requested = static_cast<double>(structure.requested),
                        classes = static_cast<double>(structure.size_classes);
             all.push_back({structure.name + ".requested_bytes", requested, "B"});

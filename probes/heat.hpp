@@ -8,19 +8,19 @@
 
 namespace edgewise::probes {
 
-class heat final : public Probe {
+class heat final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "heat"; }
     [[nodiscard]] std::string_view summary() const override {
         return "accesses by field, hottest lines, and the part of tables and features ever touched";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        const SceneTrace& trace = *subject.trace;
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        const measure::SceneTrace& trace = *subject.trace;
         if (!trace.traced()) return {{"touched_part", std::nullopt, "1", trace.reason, trace.remedy}};
-        const SceneHeat& found = trace.heat;
-        const TouchedTables& tables = found.tables;
-        std::vector<Figure> all = {
+        const measure::SceneHeat& found = trace.heat;
+        const measure::TouchedTables& tables = found.tables;
+        std::vector<measure::Figure> all = {
             {"touched_part", static_cast<double>(tables.bytes) / static_cast<double>(tables.of_bytes), "1"},
             {"touched_bytes", static_cast<double>(tables.bytes), "B"},
             {"lines_of_half_the_accesses", static_cast<double>(found.lines_of_half), "lines"},
@@ -41,7 +41,8 @@ class heat final : public Probe {
     }
 
   private:
-    static Figure feature(const char* name, const std::optional<double>& part, const std::string& features) {
+    static measure::Figure feature(const char* name, const std::optional<double>& part,
+                                   const std::string& features) {
         if (part) return {name, part, "1"};
         return {name, std::nullopt, "1", "the layout stores nothing for " + features + " one by one",
                 "a layout that does"};

@@ -9,26 +9,28 @@
 
 namespace edgewise::probes {
 
-class lines final : public Probe {
+class lines final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "lines"; }
     [[nodiscard]] std::string_view summary() const override {
         return "distinct cache lines a query touches in both tables, and bytes and reads it asks for";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        const LinesTouched& touched = subject.touched;
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        const measure::LinesTouched& touched = subject.touched;
         const auto mean = [&](const char* name, double sum, const char* unit) {
             if (touched.queries == 0)
-                return Figure{name, std::nullopt, unit, "no query was traced", "ask for more queries"};
+                return measure::Figure{name, std::nullopt, unit, "no query was traced",
+                                       "ask for more queries"};
             if (touched.reads == 0)
-                return Figure{name, std::nullopt, unit, "the layout does not tell its loader what it reads",
-                              "read through the loader"};
-            return Figure{name, sum / static_cast<double>(touched.queries), unit};
+                return measure::Figure{name, std::nullopt, unit,
+                                       "the layout does not tell its loader what it reads",
+                                       "read through the loader"};
+            return measure::Figure{name, sum / static_cast<double>(touched.queries), unit};
         };
         const auto touched_lines = static_cast<double>(touched.lines);
         return {mean("lines_per_query", touched_lines, "lines"),
-                mean("line_bytes_per_query", touched_lines * static_cast<double>(cache_line), "B"),
+                mean("line_bytes_per_query", touched_lines * static_cast<double>(measure::cache_line), "B"),
                 mean("read_bytes_per_query", static_cast<double>(touched.bytes), "B"),
                 mean("reads_per_query", static_cast<double>(touched.reads), "reads")};
     }

@@ -8,20 +8,20 @@
 
 namespace edgewise::probes {
 
-class memory final : public Probe {
+class memory final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "memory"; }
     [[nodiscard]] std::string_view summary() const override {
         return "bytes of all tables: asked for, taken by the allocator, resident; part ever materialised";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        const MemoryUse& use = subject.memory;
-        const Figure resident =
-            use.resident
-                ? Figure{"resident_bytes", use.resident, "B"}
-                : Figure{"resident_bytes", std::nullopt, "B",
-                         "this allocator's pages cannot be told from other memory", "allocator=arena"};
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        const measure::MemoryUse& use = subject.memory;
+        const measure::Figure resident =
+            use.resident ? measure::Figure{"resident_bytes", use.resident, "B"}
+                         : measure::Figure{"resident_bytes", std::nullopt, "B",
+                                           "this allocator's pages cannot be told from other memory",
+                                           "allocator=arena"};
         return {{"tables", static_cast<double>(use.tables), "tables"},
                 {"requested_bytes", use.requested, "B"},
                 {"taken_bytes", use.taken, "B"},

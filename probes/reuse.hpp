@@ -9,17 +9,17 @@
 
 namespace edgewise::probes {
 
-class reuse final : public Probe {
+class reuse final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "reuse"; }
     [[nodiscard]] std::string_view summary() const override {
         return "lines and pages: touched, working sets, misses in caches of every size, and the knee";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        const SceneTrace& trace = *subject.trace;
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        const measure::SceneTrace& trace = *subject.trace;
         if (!trace.traced()) return {{"line_knee_bytes", std::nullopt, "B", trace.reason, trace.remedy}};
-        std::vector<Figure> all;
+        std::vector<measure::Figure> all;
         add_unit(trace, trace.lines, "line", 10, 26, all);
         add_unit(trace, trace.pages, "page", 14, 30, all);
         return all;
@@ -27,8 +27,8 @@ class reuse final : public Probe {
 
   private:
     /// Caches of 2^least to 2^most bytes.
-    static void add_unit(const SceneTrace& trace, const ReuseOf& unit, const std::string& name, int least,
-                         int most, std::vector<Figure>& all) {
+    static void add_unit(const measure::SceneTrace& trace, const measure::ReuseOf& unit,
+                         const std::string& name, int least, int most, std::vector<measure::Figure>& all) {
         const auto bytes = static_cast<double>(unit.unit_bytes);
         const auto queries = static_cast<double>(trace.queries), tables = static_cast<double>(trace.tables);
         const std::string units = name + "s";
@@ -36,8 +36,8 @@ class reuse final : public Probe {
         all.push_back({units + "_of_scene", static_cast<double>(unit.distinct), units});
         all.push_back({units + "_of_body", static_cast<double>(unit.of_tables) / tables, units});
         all.push_back(of_frame(trace, unit, units));
-        all.push_back(
-            {name + "_knee_bytes", static_cast<double>(knee(unit.steady, unit.with_scene)) * bytes, "B"});
+        all.push_back({name + "_knee_bytes",
+                       static_cast<double>(measure::knee(unit.steady, unit.with_scene)) * bytes, "B"});
         for (int power = least; power <= most; power += 1) {
             const std::uint64_t size = (std::uint64_t{1} << power) / unit.unit_bytes;
             all.push_back({name + "_misses_at_2^" + std::to_string(power),
@@ -45,7 +45,8 @@ class reuse final : public Probe {
         }
     }
 
-    static Figure of_frame(const SceneTrace& trace, const ReuseOf& unit, const std::string& units) {
+    static measure::Figure of_frame(const measure::SceneTrace& trace, const measure::ReuseOf& unit,
+                                    const std::string& units) {
         if (trace.frames > 0)
             return {units + "_of_frame",
                     static_cast<double>(unit.in_frames) / static_cast<double>(trace.frames), units};

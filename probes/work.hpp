@@ -9,16 +9,16 @@
 
 namespace edgewise::probes {
 
-class work final : public Probe {
+class work final : public measure::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "work"; }
     [[nodiscard]] std::string_view summary() const override {
         return "unchanged answers; of GJK: support points kept, hops of a climb, subsets tried";
     }
 
-    [[nodiscard]] std::vector<Figure> figures(const Subject& subject) const override {
-        const AlgorithmWork& inside = subject.work;
-        std::vector<Figure> all = {
+    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+        const measure::AlgorithmWork& inside = subject.work;
+        std::vector<measure::Figure> all = {
             share("unchanged", subject.counts.unchanged, subject.counts.warm, "no query starts warm")};
         if (inside.queries == 0) {
             all.push_back({"support_unchanged", std::nullopt, "1", inside.reason, inside.remedy});
@@ -42,7 +42,8 @@ class work final : public Probe {
 
   private:
     /// Part over whole, or why there is no such thing.
-    static Figure share(std::string name, std::uint64_t part, std::uint64_t whole, const char* reason) {
+    static measure::Figure share(std::string name, std::uint64_t part, std::uint64_t whole,
+                                 const char* reason) {
         if (whole == 0) return {std::move(name), std::nullopt, "1", reason, "another scene"};
         return {std::move(name), static_cast<double>(part) / static_cast<double>(whole), "1"};
     }

@@ -14,11 +14,11 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "edgewise/reports/tables/scene_label.hpp"
 #include "edgewise/reports/store_query.hpp"
+#include "edgewise/reports/tables/scene_label.hpp"
 #include "edgewise/store/schema.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -30,14 +30,14 @@ std::int64_t pragma(const ReadOnlyDatabase& database, const std::string& name) {
 }
 
 void check_schema(const ReadOnlyDatabase& database) {
-    if (pragma(database, "application_id") != store_application_id)
+    if (pragma(database, "application_id") != store::store_application_id)
         throw std::runtime_error(
             fmt::format("{} is not a results store: name one that a sweep wrote", database.path()));
     const std::int64_t version = pragma(database, "user_version");
-    if (version != store_schema_version)
+    if (version != store::store_schema_version)
         throw std::runtime_error(
             fmt::format("{} has schema version {}, this program reads {}: write a new store with a sweep",
-                        database.path(), version, store_schema_version));
+                        database.path(), version, store::store_schema_version));
 }
 
 std::string latest_build(const ReadOnlyDatabase& database) {
@@ -162,7 +162,7 @@ std::vector<ReportCell> take_out(std::vector<ReportCell>& cells, IsOne is_one) {
 
 /// Scenes by name, the rows of other runs, and the cells of scenes from files.
 void sort_out(ReportData& data) {
-    const std::string prefix = scene_file_key;
+    const std::string prefix = store::scene_file_key;
     std::set<std::string> names;
     for (const auto& [key, value] : data.meta) {
         if (key.rfind(prefix, 0) != 0) continue;
@@ -221,4 +221,4 @@ ReportData read_report(const std::string& store, const std::string& build) {
     return data;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// One stored number, or the reason why there is none.
 struct StoredFigure {
@@ -67,4 +67,4 @@ struct ReportData {
 /// what to do.
 [[nodiscard]] ReportData read_report(const std::string& store, const std::string& build = {});
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

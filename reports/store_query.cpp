@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 ReadOnlyDatabase::ReadOnlyDatabase(const std::string& path) : path_(path) {
     std::error_code ignored;
@@ -62,4 +62,4 @@ std::optional<double> StoreQuery::real(int column) const {
     return sqlite3_column_double(statement_, column);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 class ReadOnlyDatabase {
   public:
@@ -47,4 +47,4 @@ class StoreQuery {
     sqlite3_stmt* statement_ = nullptr;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

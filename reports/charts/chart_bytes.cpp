@@ -7,7 +7,7 @@
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -156,4 +156,4 @@ Chart bytes_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -2,11 +2,11 @@
 //
 // Misses a query against the size of a cache, from exact reuse distances: one line an algorithm x table type,
 // a row of panels a scene; lines of 64 bytes left, pages of 4 KiB right.
-#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -97,4 +97,4 @@ Chart misses_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

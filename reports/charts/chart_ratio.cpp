@@ -9,7 +9,7 @@
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -137,4 +137,4 @@ Chart ratio_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

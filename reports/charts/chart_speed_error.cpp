@@ -10,7 +10,7 @@
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -139,4 +139,4 @@ Chart speed_error_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

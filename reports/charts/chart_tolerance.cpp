@@ -8,7 +8,7 @@
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -74,4 +74,4 @@ Chart tolerance_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

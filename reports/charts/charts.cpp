@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <set>
 
-#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
+#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -222,4 +222,4 @@ ChartJson table_lines(const ReportData& data, const ChartJson& values, const Cha
               {"opacity", picked_opacity({"layout", "precision"})}}}};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

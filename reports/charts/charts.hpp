@@ -12,7 +12,7 @@
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// Members keep the order in which they were added: the specifications stay readable.
 using ChartJson = nlohmann::ordered_json;
@@ -88,4 +88,4 @@ class Omissions {
 /// The first rows of a chart's data under the given fields.
 [[nodiscard]] TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fields);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

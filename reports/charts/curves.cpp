@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <set>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::vector<ChartJson> span_layers(const CurveAxis& x_axis, double from, double 
     return {bar, text};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

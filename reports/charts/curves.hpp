@@ -10,7 +10,7 @@
 
 #include "edgewise/reports/charts/charts.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// An axis of numbers.
 struct CurveAxis {
@@ -51,4 +51,4 @@ struct Curves {
 [[nodiscard]] std::vector<ChartJson> span_layers(const CurveAxis& x, double from, double to, int row,
                                                  const std::string& label);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

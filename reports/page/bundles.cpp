@@ -10,7 +10,7 @@
 
 #include "edgewise/reports/page/files.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::string bundle_scripts(const std::filesystem::path& directory) {
     return out;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 [[nodiscard]] bool have_bundles(const std::filesystem::path& directory);
 /// The three as <script> elements with their licences, safe to stand in HTML; empty when one is missing.
@@ -16,4 +16,4 @@ namespace edgewise {
 /// JSON that may stand in a <script> element: every '<' becomes \u003c.
 [[nodiscard]] std::string inline_json(const std::string& json);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

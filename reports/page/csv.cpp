@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::string results_csv(const ReportData& data) {
     return out;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

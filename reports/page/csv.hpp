@@ -9,8 +9,8 @@
 
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 [[nodiscard]] std::string results_csv(const ReportData& data);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -18,7 +18,7 @@
 
 extern char** environ;
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -82,4 +82,4 @@ StaticFigures write_figures(const std::vector<Chart>& charts, const std::filesys
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

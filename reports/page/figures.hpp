@@ -11,7 +11,7 @@
 
 #include "edgewise/reports/charts/charts.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 struct StaticFigures {
     std::map<std::string, std::string> svg;  ///< by chart name
@@ -23,4 +23,4 @@ struct StaticFigures {
 [[nodiscard]] StaticFigures write_figures(const std::vector<Chart>& charts, const std::filesystem::path& out,
                                           const std::filesystem::path& bundles);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 std::optional<std::string> read_file(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
@@ -36,4 +36,4 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
     if (failed) throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), failed.message()));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -8,11 +8,11 @@
 #include <optional>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// Null when the file cannot be read.
 [[nodiscard]] std::optional<std::string> read_file(const std::filesystem::path& path);
 /// Throws std::runtime_error with one line naming the file.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -5,14 +5,14 @@
 
 #include <fmt/core.h>
 
-#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/page/page.hpp"
 #include "edgewise/reports/page/page_parts.hpp"
 #include "edgewise/reports/paper/chapter/paper_chapter.hpp"
+#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::string report_markdown(const ReportData& data, const std::vector<Chart>& ch
     return out + section("All cells") + grid_markdown(cells_grid(data));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -10,9 +10,9 @@
 #include "edgewise/reports/page/figures.hpp"
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 [[nodiscard]] std::string report_markdown(const ReportData& data, const std::vector<Chart>& charts,
                                           const StaticFigures& figures);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

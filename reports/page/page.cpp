@@ -5,14 +5,14 @@
 
 #include <fmt/core.h>
 
-#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/page/page_parts.hpp"
 #include "edgewise/reports/page/page_shell.hpp"
 #include "edgewise/reports/paper/chapter/paper_chapter.hpp"
+#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -153,4 +153,4 @@ std::string page_html(const ReportData& data, const std::vector<Chart>& charts, 
     return out + "</body>\n</html>\n";
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -11,7 +11,7 @@
 #include "edgewise/reports/page/figures.hpp"
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// "246 cells verified, 3 failed, 1 unavailable."
 [[nodiscard]] std::string verdict_line(const ReportData& data);
@@ -30,4 +30,4 @@ namespace edgewise {
 [[nodiscard]] std::string page_html(const ReportData& data, const std::vector<Chart>& charts,
                                     const StaticFigures& figures, const std::string& scripts);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

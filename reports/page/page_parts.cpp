@@ -8,7 +8,7 @@
 #include "edgewise/reports/page/bundles.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::string markdown_chart(const Chart& chart, const StaticFigures& figures, con
     return out;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

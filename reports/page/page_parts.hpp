@@ -8,7 +8,7 @@
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/page/figures.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// One paragraph; `style` is a class of the style sheet, or empty.
 [[nodiscard]] std::string html_paragraph(const std::string& text, const std::string& style = {});
@@ -24,4 +24,4 @@ namespace edgewise {
 [[nodiscard]] std::string markdown_chart(const Chart& chart, const StaticFigures& figures,
                                          const std::string& level);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

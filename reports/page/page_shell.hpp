@@ -3,7 +3,7 @@
 // The fixed text of the page: its style and the few lines of script that turn specifications into charts.
 #pragma once
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// Nothing is loaded from anywhere; scripts and styles only as they stand in the page; no eval.
 inline constexpr const char* page_policy =
@@ -64,4 +64,4 @@ document.querySelectorAll('script[type="application/json"][data-chart]').forEach
 });
 )js";
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -14,7 +14,7 @@
 #include "edgewise/reports/page/markdown.hpp"
 #include "edgewise/reports/page/page.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -57,4 +57,4 @@ ReportSummary write_report(const std::string& store, const std::string& out_dire
     return summary(data, figures, !scripts.empty(), out / "index.html");
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 struct ReportSummary {
     std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
@@ -23,4 +23,4 @@ struct ReportSummary {
 ReportSummary write_report(const std::string& store, const std::string& out_directory,
                            const std::string& bundle_directory);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/page/page.hpp"
+#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -150,4 +150,4 @@ std::string stability_explanation(const ReportData& data) {
            "GJK gave instead, refinements close answers that it worked out again in wider arithmetic.";
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

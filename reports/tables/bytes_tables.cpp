@@ -8,7 +8,7 @@
 
 #include "edgewise/reports/tables/tables.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -93,4 +93,4 @@ TextGrid bytes_grid(const ReportData& data, const std::string& shape) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

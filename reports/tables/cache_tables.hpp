@@ -10,7 +10,7 @@
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// Cells whose caches were modelled, fewest misses of the first machine first; by scene.
 [[nodiscard]] std::vector<const ReportCell*> modelled_cells(const ReportData& data);
@@ -35,4 +35,4 @@ namespace edgewise {
 /// One line a scene, algorithm and level: whether tree-PLRU or random replacement ranks the tables otherwise.
 [[nodiscard]] TextGrid policy_grid(const ReportData& data);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -9,7 +9,7 @@
 #include "edgewise/reports/tables/summary.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -61,4 +61,4 @@ TextGrid error_grid(const ReportData& data) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

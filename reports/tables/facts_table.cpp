@@ -11,7 +11,7 @@
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -141,7 +141,7 @@ TextGrid facts_grid(const ReportData& data) {
     add(grid, "seed", seeds(data));
     bool plan = false;
     for (const auto& [key, value] : data.meta) {
-        if (key.starts_with(drawing_key) || key.starts_with(scene_file_key))
+        if (key.starts_with(store::drawing_key) || key.starts_with(store::scene_file_key))
             continue;  // in places of their own
         if (key == "build" || key == "seed") continue;
         plan = plan || key == "plan";
@@ -154,4 +154,4 @@ TextGrid facts_grid(const ReportData& data) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -12,7 +12,7 @@
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -107,7 +107,7 @@ TextGrid scene_memory_grid(const ReportData& data) {
 }
 
 std::vector<Drawing> drawings(const ReportData& data) {
-    constexpr std::string_view prefix = drawing_key;
+    constexpr std::string_view prefix = store::drawing_key;
     std::vector<Drawing> result;
     for (const auto& [key, value] : data.meta) {
         if (key.starts_with(prefix)) result.push_back({key.substr(prefix.size()), value});
@@ -115,4 +115,4 @@ std::vector<Drawing> drawings(const ReportData& data) {
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

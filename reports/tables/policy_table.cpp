@@ -10,7 +10,7 @@
 
 #include "edgewise/reports/tables/cache_tables.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -98,4 +98,4 @@ TextGrid policy_grid(const ReportData& data) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

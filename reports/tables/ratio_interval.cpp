@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -35,4 +35,4 @@ std::optional<RatioInterval> median_interval(std::vector<double> ratios) {
     return RatioInterval{ratios[k - 1], ratios[ratios.size() - k], false};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 struct RatioInterval {
     double low = 0, high = 0;
@@ -18,4 +18,4 @@ struct RatioInterval {
 /// Null when there are fewer than two ratios.
 [[nodiscard]] std::optional<RatioInterval> median_interval(std::vector<double> ratios);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -70,4 +70,4 @@ void label_scenes(std::vector<ReportCell>& cells) {
     for (ReportCell& cell : cells) cell.scene_label = label(cell, keys[cell.scene]);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -9,8 +9,8 @@
 
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 void label_scenes(std::vector<ReportCell>& cells);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

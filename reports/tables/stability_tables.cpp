@@ -7,7 +7,7 @@
 #include "edgewise/reports/tables/summary.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -67,4 +67,4 @@ TextGrid stability_grid(const ReportData& data) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

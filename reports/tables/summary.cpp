@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 GridCell summary_cell(const std::vector<const ReportCell*>& rows, const char* probe,
                       const SummaryColumn& column) {
@@ -28,4 +28,4 @@ GridCell summary_cell(const std::vector<const ReportCell*>& rows, const char* pr
     return shown;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -8,7 +8,7 @@
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 struct SummaryColumn {
     const char* title;
@@ -20,4 +20,4 @@ struct SummaryColumn {
 [[nodiscard]] GridCell summary_cell(const std::vector<const ReportCell*>& rows, const char* probe,
                                     const SummaryColumn& column);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

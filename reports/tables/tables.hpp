@@ -10,7 +10,7 @@
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 enum class PairKind { Separated, Overlapping };
 [[nodiscard]] std::string pair_name(
@@ -61,4 +61,4 @@ struct Drawing {
 /// Scene labels in order.
 [[nodiscard]] std::vector<std::string> scene_labels(const ReportData& data);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

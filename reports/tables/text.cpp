@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::string plural(std::size_t count, const std::string& noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

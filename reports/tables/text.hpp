@@ -7,7 +7,7 @@
 
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// At most three or four significant digits, by unit: "168", "12.4", "3.1e-16", "0" only for exactly 0.
 [[nodiscard]] std::string number_text(double value, const std::string& unit = {});
@@ -15,4 +15,4 @@ namespace edgewise {
 [[nodiscard]] std::string markdown_text(const std::string& text);              ///< one line; escapes | and <
 [[nodiscard]] std::string plural(std::size_t count, const std::string& noun);  ///< "1 cell", "2 cells"
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -9,7 +9,7 @@
 
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::string grid_markdown(const TextGrid& grid) {
     return out + "\n";
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -8,7 +8,7 @@
 
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 struct GridCell {
     std::string text;
@@ -33,4 +33,4 @@ struct TextGrid {
 [[nodiscard]] std::string grid_html(const TextGrid& grid);
 [[nodiscard]] std::string grid_markdown(const TextGrid& grid);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -11,7 +11,7 @@
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -81,4 +81,4 @@ TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairK
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

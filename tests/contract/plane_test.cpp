@@ -32,7 +32,8 @@ struct Expected {
 };
 
 template <class P>
-void compare(const P& plane, const Expected& expected, const Polyhedron& body, Rng& rng, Worst& worst) {
+void compare(const P& plane, const Expected& expected, const Polyhedron& body, scene::Rng& rng,
+             Worst& worst) {
     for (int i = 0; i < 4; ++i) {
         const Vec3d p = to_single(Vec3d(body.vertices[rng.below(body.vertex_count())] + rng.in_cube(2)));
         // A derived plane's normal has any length.
@@ -73,7 +74,7 @@ Expected towards_face(const Polyhedron& body, HalfEdge h) {
 }
 
 template <class T>
-void compare_edge_planes(const T& table, const Polyhedron& body, Rng& rng, Worst& worst) {
+void compare_edge_planes(const T& table, const Polyhedron& body, scene::Rng& rng, Worst& worst) {
     for (const auto v : table.all_vertices()) {
         std::size_t at = 0;
         for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
@@ -89,7 +90,7 @@ void compare_edge_planes(const T& table, const Polyhedron& body, Rng& rng, Worst
 TYPED_TEST(Planes, VoronoiPlanesAreTheDerivedOnes) {
     if constexpr (has_features) {
         using T = typename TypeParam::Table;
-        Rng rng(1);
+        scene::Rng rng(1);
         for (const auto& [name, body] : test_bodies()) {
             Worst worst;
             compare_edge_planes(T(body, Parts::features), body, rng, worst);
@@ -117,7 +118,7 @@ TYPED_TEST(Planes, VoronoiPlanesAreTheDerivedOnes) {
 TYPED_TEST(Planes, FacePlanesAreOutwardAndHoldTheirVertices) {
     if constexpr (has_features) {
         using T = typename TypeParam::Table;
-        Rng rng(2);
+        scene::Rng rng(2);
         for (const auto& [name, body] : test_bodies()) {
             SCOPED_TRACE(name);
             const T table(body, Parts::features);
@@ -173,7 +174,7 @@ TYPED_TEST(Planes, DirectionsRunFromTailToHead) {
 TYPED_TEST(Planes, AreTheSameNumbersEveryTime) {
     if constexpr (has_features) {
         using T = typename TypeParam::Table;
-        Rng rng(3);
+        scene::Rng rng(3);
         for (const auto& [name, body] : test_bodies()) {
             const T table(body, Parts::features), other(body, Parts::features);
             for (const auto v : table.all_vertices()) {

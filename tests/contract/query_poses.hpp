@@ -15,7 +15,7 @@ namespace edgewise {
 /// Of a body beside itself, turned any way, middles up to 2.5 extents apart.
 [[nodiscard]] inline std::vector<Transform<double>> query_poses(std::size_t count, const Polyhedron& body,
                                                                 std::uint64_t seed) {
-    Rng rng(seed);
+    scene::Rng rng(seed);
     const double size = extent(body.vertices);
     Vec3d middle = Vec3d::Zero();
     for (const Vec3d& v : body.vertices) middle += v / static_cast<double>(body.vertex_count());

@@ -21,11 +21,11 @@ TYPED_TEST_SUITE(RingQuestions, TableTypes);
 template <class Edge>
 struct Lowest {
     std::optional<Edge> edge;
-    Compute value = 0, largest = 0;
+    Compute value = 0, reports::largest = 0;
     bool tie = false;
 
     void see(Edge e, Compute candidate) {
-        largest = std::max(largest, std::abs(candidate));
+        reports::largest = std::max(reports::largest, std::abs(candidate));
         tie = candidate < value ? false : tie || (edge && candidate == value);
         if (!(candidate < value)) return;
         value = candidate;
@@ -75,7 +75,7 @@ void ask_about_slope(const T& table, typename T::Vertex v, const Vec3<Compute>& 
 }
 
 template <class Range>
-auto any_of(const Range& range, std::size_t count, Rng& rng) {
+auto any_of(const Range& range, std::size_t count, scene::Rng& rng) {
     auto at = range.begin();
     for (std::uint64_t n = rng.below(count); n > 0; --n) ++at;
     return *at;
@@ -84,7 +84,7 @@ auto any_of(const Range& range, std::size_t count, Rng& rng) {
 TYPED_TEST(RingQuestions, AgreeWithSinglePlanesAndBreakTiesAlike) {
     if constexpr (has_features) {
         using T = typename TypeParam::Table;
-        Rng rng(1);
+        scene::Rng rng(1);
         for (const auto& [name, body] : test_bodies()) {
             SCOPED_TRACE(name);
             const T table(body, Parts::features);

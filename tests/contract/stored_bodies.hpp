@@ -10,8 +10,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "edgewise/geometry/hull/flat_hull.hpp"
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/hull/flat_hull.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/table/stored_body.hpp"
@@ -49,14 +49,14 @@ struct NamedBody {
 }
 
 [[nodiscard]] inline Polyhedron shape(const std::string& name) {
-    const auto body = make_shape(name);
+    const auto body = scene::make_shape(name);
     EXPECT_TRUE(body) << body.error;
     return as_stored(*body);
 }
 
 /// A lopsided hull far off its own origin: no symmetry, faces of every size.
 [[nodiscard]] inline Polyhedron random_hull(std::uint64_t seed) {
-    Rng rng(seed);
+    scene::Rng rng(seed);
     std::vector<Vec3d> points;
     for (int i = 0; i < 60; ++i)
         points.push_back(rng.in_ball().cwiseProduct(Vec3d(1, 0.6, 0.3)) + Vec3d(2, -1, 0.5));

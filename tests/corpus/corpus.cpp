@@ -14,16 +14,16 @@
 namespace edgewise {
 namespace {
 
-std::vector<Case> read_all() {
+std::vector<scene::Case> read_all() {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(corpus_folder)) {
         if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
-    std::vector<Case> cases;
+    std::vector<scene::Case> cases;
     for (const auto& file : files) {
         std::ifstream stream(file);
-        CaseReader reader(stream, file.filename().string());
+        scene::CaseReader reader(stream, file.filename().string());
         while (auto line = reader.next()) {
             EXPECT_TRUE(*line) << line->error;
             if (*line) cases.push_back(**line);
@@ -32,7 +32,7 @@ std::vector<Case> read_all() {
     return cases;
 }
 
-void reverse(CaseBody& body) {
+void reverse(scene::CaseBody& body) {
     std::reverse(body.vertices.begin(), body.vertices.end());
     if (!body.faces) return;
     for (std::vector<Index>& face : *body.faces) {
@@ -40,7 +40,7 @@ void reverse(CaseBody& body) {
     }
 }
 
-void scale(CaseBody& body, Pose& pose, double factor) {
+void scale(scene::CaseBody& body, Pose& pose, double factor) {
     for (Vec3d& v : body.vertices) v *= factor;
     pose.translation *= factor;
 }
@@ -86,42 +86,42 @@ double exact_shift(double a, double b, double size) {
 
 }  // namespace
 
-const std::vector<Case>& corpus() {
-    static const std::vector<Case> all = read_all();
+const std::vector<scene::Case>& corpus() {
+    static const std::vector<scene::Case> all = read_all();
     return all;
 }
 
-Case swapped(const Case& given) {
-    Case result = given;
+scene::Case swapped(const scene::Case& given) {
+    scene::Case result = given;
     std::swap(result.a, result.b);
     std::swap(result.pose_a, result.pose_b);
     return result;
 }
 
-Case reversed(const Case& given) {
-    Case result = given;
+scene::Case reversed(const scene::Case& given) {
+    scene::Case result = given;
     reverse(result.a);
     reverse(result.b);
     return result;
 }
 
-Case scaled_by_power(const Case& given, int exponent) {
-    Case result = given;
+scene::Case scaled_by_power(const scene::Case& given, int exponent) {
+    scene::Case result = given;
     scale(result.a, result.pose_a, std::ldexp(1.0, exponent));
     scale(result.b, result.pose_b, std::ldexp(1.0, exponent));
     return result;
 }
 
-Case turned(const Case& given, int turn) {
+scene::Case turned(const scene::Case& given, int turn) {
     const Mat3d rotation = quarter_turn(turn);
-    Case result = given;
+    scene::Case result = given;
     result.pose_a = turned(given.pose_a, rotation);
     result.pose_b = turned(given.pose_b, rotation);
     return result;
 }
 
-std::optional<Case> moved_exactly(const Case& given) {
-    Case result = given;
+std::optional<scene::Case> moved_exactly(const scene::Case& given) {
+    scene::Case result = given;
     Vec3d &a = result.pose_a.translation, &b = result.pose_b.translation;
     const double largest = std::max(max_abs(a), max_abs(b)), size = largest > 0 ? largest : 1;
     Vec3d shift;

@@ -12,8 +12,8 @@
 #include <cstdio>
 
 #include "corpus.hpp"
-#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/bench/registry.hpp"
+#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 #include "judged_case.hpp"
 
@@ -26,7 +26,7 @@ struct Worst {
 };
 
 struct Subject {
-    const TableType& type;
+    const bench::TableType& type;
     std::string algorithm;
 };
 
@@ -36,7 +36,7 @@ class Corpus : public testing::TestWithParam<Subject> {
   protected:
     void SetUp() override { runner_ = GetParam().type.make_runner(GetParam().algorithm); }
 
-    void expect_right(const Case& given) {
+    void expect_right(const scene::Case& given) {
         const double eps = GetParam().type.eps;
         const JudgedCase judged = judge_case(*runner_, {eps, eps > Tolerance<double>::eps}, given);
         if (!judged.answered) {
@@ -61,12 +61,12 @@ class Corpus : public testing::TestWithParam<Subject> {
 
     Worst worst_;
     std::vector<std::string> wrong_;
-    std::unique_ptr<Runner> runner_;
+    std::unique_ptr<bench::Runner> runner_;
 };
 
 TEST_P(Corpus, IsAnsweredRightHoweverItIsGiven) {
     ASSERT_GE(corpus().size(), 180U);
-    for (const Case& given : corpus()) {
+    for (const scene::Case& given : corpus()) {
         expect_right(given);
         expect_right(swapped(given));
         expect_right(reversed(given));
@@ -81,14 +81,14 @@ TEST_P(Corpus, IsAnsweredRightHoweverItIsGiven) {
 
 /// So what judges the cases below is right about them too.
 TEST(CorpusMotion, LeavesTheExactDistanceAsItIs) {
-    for (const Case& given : corpus()) {
-        const auto exact = [&](const Case& of) {
-            return exact_distance(of.a.vertices, of.pose_a, of.b.vertices, of.pose_b);
+    for (const scene::Case& given : corpus()) {
+        const auto exact = [&](const scene::Case& of) {
+            return truth::exact_distance(of.a.vertices, of.pose_a, of.b.vertices, of.pose_b);
         };
         const auto still = exact(given);
         ASSERT_TRUE(still) << given.id << ": " << still.error;
         for (const int turn : {1, 10, 23}) {
-            const Case there = turned(given, turn);
+            const scene::Case there = turned(given, turn);
             EXPECT_EQ(exact(there)->distance, still->distance) << given.id;
             EXPECT_EQ(exact(moved_exactly(there).value_or(there))->distance, still->distance) << given.id;
         }
@@ -98,7 +98,7 @@ TEST(CorpusMotion, LeavesTheExactDistanceAsItIs) {
 TEST_P(Corpus, IsAnsweredRightInAWorldTurnedAndMoved) {
     int moved = 0;
     for (std::size_t i = 0; i < corpus().size(); ++i) {
-        const Case& given = corpus()[i];
+        const scene::Case& given = corpus()[i];
         expect_right(turned(given, 1 + static_cast<int>(i) % (quarter_turns - 1)));
         const auto elsewhere =
             moved_exactly(turned(given, 1 + static_cast<int>(i + 7) % (quarter_turns - 1)));
@@ -114,32 +114,32 @@ TEST_P(Corpus, IsAnsweredRightInAWorldTurnedAndMoved) {
 }
 
 /// The answer to the case scaled by 2^power must be the answer to the case, scaled; to the bit.
-void expect_scaled(const Case& given, int power, Runner& runner, int& compared) {
+void expect_scaled(const scene::Case& given, int power, bench::Runner& runner, int& compared) {
     SCOPED_TRACE(given.id + " times 2^" + std::to_string(power));
-    const auto answer_to = [&](const Case& of) -> std::optional<NamedAnswer> {
-        const auto a = body_from_case(of.a);
-        const auto b = body_from_case(of.b);
+    const auto answer_to = [&](const scene::Case& of) -> std::optional<bench::NamedAnswer> {
+        const auto a = scene::body_from_case(of.a);
+        const auto b = scene::body_from_case(of.b);
         if (!a || !b || !runner.load(std::vector<Polyhedron>{*a, *b}).empty()) return std::nullopt;
-        return runner.answer(Query{0, 1, 0, of.pose_a, of.pose_b});
+        return runner.answer(scene::Query{0, 1, 0, of.pose_a, of.pose_b});
     };
-    const auto plain = answer_to(given), scaled = answer_to(scaled_by_power(given, power));
-    ASSERT_EQ(plain.has_value(), scaled.has_value());
+    const auto plain = answer_to(given), scene::scaled = answer_to(scaled_by_power(given, power));
+    ASSERT_EQ(plain.has_value(), scene::scaled.has_value());
     if (!plain) return;
     const double factor = std::ldexp(1.0, power);
-    EXPECT_EQ(plain->distance.status, scaled->distance.status);
-    EXPECT_EQ(plain->distance.distance * factor, scaled->distance.distance);
-    EXPECT_EQ(Vec3d(plain->distance.point_a * factor), scaled->distance.point_a);
-    EXPECT_EQ(Vec3d(plain->distance.point_b * factor), scaled->distance.point_b);
-    EXPECT_EQ(plain->distance.steps, scaled->distance.steps);
-    EXPECT_EQ(plain->feature_a.vertices, scaled->feature_a.vertices);
-    EXPECT_EQ(plain->depth * factor, scaled->depth);
+    EXPECT_EQ(plain->distance.status, scene::scaled->distance.status);
+    EXPECT_EQ(plain->distance.distance * factor, scene::scaled->distance.distance);
+    EXPECT_EQ(Vec3d(plain->distance.point_a * factor), scene::scaled->distance.point_a);
+    EXPECT_EQ(Vec3d(plain->distance.point_b * factor), scene::scaled->distance.point_b);
+    EXPECT_EQ(plain->distance.steps, scene::scaled->distance.steps);
+    EXPECT_EQ(plain->feature_a.vertices, scene::scaled->feature_a.vertices);
+    EXPECT_EQ(plain->depth * factor, scene::scaled->depth);
     ++compared;
 }
 
 TEST_P(Corpus, IsAnsweredAlikeAtEveryScale) {
     const bool stored_single = GetParam().type.single_storage;
     int compared = 0;
-    for (const Case& given : corpus()) {
+    for (const scene::Case& given : corpus()) {
         for (const int power : {-20, -13, 20, stored_single ? 13 : -60, stored_single ? 7 : 60}) {
             expect_scaled(given, power, *runner_, compared);
         }
@@ -149,7 +149,7 @@ TEST_P(Corpus, IsAnsweredAlikeAtEveryScale) {
 
 std::vector<Subject> subjects() {
     std::vector<Subject> all;
-    for (const TableType& type : table_types()) {
+    for (const bench::TableType& type : bench::table_types()) {
         for (const std::string& algorithm : type.algorithms) all.push_back({type, algorithm});
     }
     return all;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/bench/certificates.hpp"
+#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/truth/accuracy_band.hpp"
 #include "edgewise/truth/depth/exact_depth.hpp"
 
@@ -17,22 +17,22 @@ namespace {
 
 class Judge {
   public:
-    Judge(Runner& runner, const Exactness& exactness, const Case& given, const Query& query,
-          std::span<const Polyhedron> bodies, JudgedCase& result)
+    Judge(bench::Runner& runner, const Exactness& exactness, const scene::Case& given,
+          const scene::Query& query, std::span<const Polyhedron> bodies, JudgedCase& result)
         : runner_(runner),
           given_(given),
           query_(query),
           bodies_(bodies),
           single_(exactness.as_single),
           result_(result) {
-        const auto exact = exact_distance(vertices(0), query.pose_a, vertices(1), query.pose_b);
+        const auto exact = truth::exact_distance(vertices(0), query.pose_a, vertices(1), query.pose_b);
         if (!exact) {
             complain("no exact answer: " + exact.error);
             return;
         }
         exact_ = *exact;
-        band_ = accuracy_band(vertices(0), query.pose_a, vertices(1), query.pose_b, exactness.eps);
-        const NamedAnswer answer = runner.answer(query);
+        band_ = truth::accuracy_band(vertices(0), query.pose_a, vertices(1), query.pose_b, exactness.eps);
+        const bench::NamedAnswer answer = runner.answer(query);
         if (answer.distance.status == Status::failed) {
             result_.refusal = "too far apart for this precision";
             return;
@@ -59,15 +59,16 @@ class Judge {
         return error == 0 ? 0 : (error - band_.band) / band_.scale;
     }
 
-    void distance(const NamedAnswer& answer) {
+    void distance(const bench::NamedAnswer& answer) {
         std::optional<double> depth;
-        if (exact_.verdict != ExactVerdict::separated) {
+        if (exact_.verdict != truth::ExactVerdict::separated) {
             const auto found =
-                exact_depth(vertices(0), query_.pose_a, vertices(1), query_.pose_b, exact_.simplex);
+                truth::exact_depth(vertices(0), query_.pose_a, vertices(1), query_.pose_b, exact_.simplex);
             if (!found) return complain("no exact depth: " + found.error);
             depth = found->depth;
         }
-        const Judgement judged = judge({result_.apart, answer.distance.distance}, exact_, band_, depth);
+        const truth::Judgement judged =
+            truth::judge({result_.apart, answer.distance.distance}, exact_, band_, depth);
         if (judged.verdict_wrong)
             complain("wrong verdict: " + std::string(to_string(answer.distance.status)));
         if (!(judged.error <= allowed(verified_error_double)))
@@ -78,7 +79,7 @@ class Judge {
         if (depth && !result_.apart) penetration(answer, *depth);
     }
 
-    void witness(const NamedAnswer& answer) {
+    void witness(const bench::NamedAnswer& answer) {
         const double between = norm(Vec3d(answer.distance.point_a - answer.distance.point_b));
         // World coordinates far from the origin hold no finer difference.
         const double coarse = 4 * Tolerance<double>::eps *
@@ -89,7 +90,7 @@ class Judge {
         result_.witness = beyond(error);
     }
 
-    void penetration(const NamedAnswer& answer, double depth) {
+    void penetration(const bench::NamedAnswer& answer, double depth) {
         const double error = std::abs(answer.depth - depth);
         if (!(error <= allowed(verified_depth_error_double)))
             complain(fmt::format("depth {} instead of {}", answer.depth, depth));
@@ -98,39 +99,39 @@ class Judge {
         result_.depth = beyond(error);
     }
 
-    void certificates(const NamedAnswer& answer) {
+    void certificates(const bench::NamedAnswer& answer) {
         const std::vector<Vec3d>&a = given_.a.vertices, &b = given_.b.vertices;
-        const auto known = certificates_of(answer, query_, bodies_, runner_.stored_bodies(), a, b);
+        const auto known = bench::certificates_of(answer, query_, bodies_, runner_.stored_bodies(), a, b);
         if (!known) return complain("no certificate: " + known.error);
-        const auto given = exact_distance(a, query_.pose_a, b, query_.pose_b);
+        const auto given = truth::exact_distance(a, query_.pose_a, b, query_.pose_b);
         if (!(known->stored.lower <= exact_.distance && exact_.distance <= known->stored.upper))
             complain("the certificate of the stored bodies misses the exact distance");
         if (!(known->given.lower <= given->distance && given->distance <= known->given.upper))
             complain("the certificate of the given bodies misses the exact distance");
     }
 
-    Runner& runner_;
-    const Case& given_;
-    const Query& query_;
+    bench::Runner& runner_;
+    const scene::Case& given_;
+    const scene::Query& query_;
     std::span<const Polyhedron> bodies_;
     bool single_;
     JudgedCase& result_;
-    ExactDistance exact_;
-    AccuracyBand band_;
+    truth::ExactDistance exact_;
+    truth::AccuracyBand band_;
 };
 
 }  // namespace
 
-JudgedCase judge_case(Runner& runner, const Exactness& exactness, const Case& given) {
+JudgedCase judge_case(bench::Runner& runner, const Exactness& exactness, const scene::Case& given) {
     JudgedCase result;
-    const auto a = body_from_case(given.a);
-    const auto b = body_from_case(given.b);
+    const auto a = scene::body_from_case(given.a);
+    const auto b = scene::body_from_case(given.b);
     result.refusal = !a ? a.error : !b ? b.error : "";
     if (!result.refusal.empty()) return result;
     const std::vector<Polyhedron> bodies = {*a, *b};
     result.refusal = runner.load(bodies);
     if (!result.refusal.empty()) return result;
-    const Query query{0, 1, 0, given.pose_a, given.pose_b};
+    const scene::Query query{0, 1, 0, given.pose_a, given.pose_b};
     Judge(runner, exactness, given, query, bodies, result);
     return result;
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/scene/case_file.hpp"
 #include "edgewise/bench/runner.hpp"
+#include "edgewise/scene/case_file.hpp"
 
 namespace edgewise {
 
@@ -28,6 +28,7 @@ struct Exactness {
 
 /// Verdict outside the band, distance, witness points, depth, and the certificates of the stored and of the
 /// given bodies.
-[[nodiscard]] JudgedCase judge_case(Runner& runner, const Exactness& exactness, const Case& given);
+[[nodiscard]] JudgedCase judge_case(bench::Runner& runner, const Exactness& exactness,
+                                    const scene::Case& given);
 
 }  // namespace edgewise

@@ -10,10 +10,10 @@
 #include <cstdio>
 
 #include "corpus.hpp"
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/bench/registry.hpp"
 #include "edgewise/truth/accuracy_band.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
@@ -22,7 +22,7 @@ namespace {
 
 struct Asked {
     std::vector<Polyhedron> bodies;
-    Query query;
+    scene::Query query;
 };
 
 /// How many vertices are lowest along a direction, to a billionth of the size.
@@ -36,9 +36,10 @@ std::size_t lowest(const Polyhedron& body, const Pose& pose, const Vec3d& along)
 }
 
 /// Apart, and the nearest points lie inside one feature each that nothing is parallel to.
-bool has_unique_features(std::span<const Polyhedron> stored, const Query& query) {
-    const auto exact = exact_distance(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b);
-    if (!exact || exact->verdict != ExactVerdict::separated) return false;
+bool has_unique_features(std::span<const Polyhedron> stored, const scene::Query& query) {
+    const auto exact =
+        truth::exact_distance(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b);
+    if (!exact || exact->verdict != truth::ExactVerdict::separated) return false;
     const Vec3d along = exact->separation;
     const std::size_t on_a = lowest(stored[0], query.pose_a, along);
     const std::size_t on_b = lowest(stored[1], query.pose_b, Vec3d(-along));
@@ -53,16 +54,16 @@ std::vector<Index> sorted(std::vector<Index> names) {
 
 std::vector<Asked> questions() {
     std::vector<Asked> all;
-    for (const Case& given : corpus()) {
-        const auto a = body_from_case(given.a);
-        const auto b = body_from_case(given.b);
+    for (const scene::Case& given : corpus()) {
+        const auto a = scene::body_from_case(given.a);
+        const auto b = scene::body_from_case(given.b);
         all.push_back({{*a, *b}, {0, 1, 0, given.pose_a, given.pose_b}});
     }
-    Rng rng(3);
+    scene::Rng rng(3);
     for (const char* name : {"cube8", "sphere38", "sphere386"}) {
-        const Polyhedron body = *make_shape(name);
+        const Polyhedron body = *scene::make_shape(name);
         for (int i = 0; i < 400; ++i) {
-            Query query{0, 1, 0, {rng.rotation(), Vec3d::Zero()}, {rng.rotation(), Vec3d::Zero()}};
+            scene::Query query{0, 1, 0, {rng.rotation(), Vec3d::Zero()}, {rng.rotation(), Vec3d::Zero()}};
             query.pose_b.translation = extent(body.vertices) * rng.uniform(0.3, 1.5) * rng.on_sphere();
             all.push_back({{body, body}, query});
         }
@@ -75,12 +76,12 @@ struct Tally {
     double difference = 0;  ///< of distances, over scale
 };
 
-void compare(Runner& plain, Runner& other, const Asked& asked, double eps, Tally& tally) {
+void compare(bench::Runner& plain, bench::Runner& other, const Asked& asked, double eps, Tally& tally) {
     if (!plain.load(asked.bodies).empty() || !other.load(asked.bodies).empty()) return;
-    const NamedAnswer expected = plain.answer(asked.query), found = other.answer(asked.query);
+    const bench::NamedAnswer expected = plain.answer(asked.query), found = other.answer(asked.query);
     const auto stored = plain.stored_bodies();
-    const AccuracyBand band =
-        accuracy_band(stored[0].vertices, asked.query.pose_a, stored[1].vertices, asked.query.pose_b, eps);
+    const truth::AccuracyBand band = truth::accuracy_band(stored[0].vertices, asked.query.pose_a,
+                                                          stored[1].vertices, asked.query.pose_b, eps);
     const double off = std::abs(expected.distance.distance - found.distance.distance);
     ++tally.compared;
     if (off > 0) tally.difference = std::max(tally.difference, (off - band.band) / band.scale);
@@ -93,13 +94,14 @@ void compare(Runner& plain, Runner& other, const Asked& asked, double eps, Tally
 
 TEST(LayoutsAgree, OnFeaturesStatusAndDistance) {
     const auto all = questions();
-    for (const TableType& type : table_types()) {
+    for (const bench::TableType& type : bench::table_types()) {
         const bool single = type.eps > Tolerance<double>::eps;
-        const auto is_plain = [&](const TableType& t) {
+        const auto is_plain = [&](const bench::TableType& t) {
             return t.layout == "aos" && t.storage == type.storage && t.eps == type.eps;
         };
-        const auto plain = std::find_if(table_types().begin(), table_types().end(), is_plain);
-        if (plain == table_types().end() || plain->name == type.name || !type.serves("vclip")) continue;
+        const auto plain = std::find_if(bench::table_types().begin(), bench::table_types().end(), is_plain);
+        if (plain == bench::table_types().end() || plain->name == type.name || !type.serves("vclip"))
+            continue;
         const auto of_plain = plain->make_runner("vclip"), of_type = type.make_runner("vclip");
         Tally tally;
         for (const Asked& asked : all) compare(*of_plain, *of_type, asked, type.eps, tally);

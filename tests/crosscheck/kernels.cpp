@@ -22,8 +22,8 @@ namespace {
 volatile Word sink;
 
 template <class Kernel>
-void run(const std::string& name, const CacheGeometry& geometry, Kernel kernel) {
-    CacheModel model(geometry);
+void run(const std::string& name, const measure::CacheGeometry& geometry, Kernel kernel) {
+    measure::CacheModel model(geometry);
     sink = kernel(ModelMemory{model});
     std::printf("%s %llu %llu %llu\n", name.c_str(),
                 static_cast<unsigned long long>(model.counts(0).accesses),
@@ -47,7 +47,7 @@ std::vector<Word> cycle(std::size_t count) {
     return next;
 }
 
-void run_all(const CacheGeometry& geometry) {
+void run_all(const measure::CacheGeometry& geometry) {
     for (const std::size_t kibibytes : {12, 40, 200}) {
         std::vector<Word> words = cycle(kibibytes * 1024 / word_bytes);
         const Word steps = 50000;
@@ -62,15 +62,15 @@ void run_all(const CacheGeometry& geometry) {
     }
 }
 
-CacheGeometry geometry_of(char** values) {
+measure::CacheGeometry geometry_of(char** values) {
     const auto number = [&](int i) {
         return static_cast<std::uint32_t>(std::strtoul(values[i], nullptr, 10));
     };
     const auto sets = [&](int i) { return number(i) / number(i + 1) / number(1); };
-    CacheGeometry geometry;
+    measure::CacheGeometry geometry;
     geometry.line_bytes = number(1);
     geometry.levels = {{"D1", sets(2), number(3)}, {"LL", sets(4), number(5)}};
-    geometry.crossing = LineCrossing::merge;
+    geometry.crossing = measure::LineCrossing::merge;
     return geometry;
 }
 

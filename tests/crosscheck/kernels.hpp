@@ -30,15 +30,15 @@ struct RealMemory {
 
 /// The same accesses to a model.
 struct ModelMemory {
-    CacheModel& model;
+    measure::CacheModel& model;
 
     Word read(const Word* at) const { return read_at(reinterpret_cast<const char*>(at)); }
     void write(Word* at, Word value) const {
-        model.access(reinterpret_cast<std::uintptr_t>(at), word_bytes, AccessKind::write);
+        model.access(reinterpret_cast<std::uintptr_t>(at), word_bytes, measure::AccessKind::write);
         *at = value;
     }
     Word read_at(const char* at) const {
-        model.access(reinterpret_cast<std::uintptr_t>(at), word_bytes, AccessKind::read);
+        model.access(reinterpret_cast<std::uintptr_t>(at), word_bytes, measure::AccessKind::read);
         Word value;
         std::memcpy(&value, at, sizeof value);
         return value;

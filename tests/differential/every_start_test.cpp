@@ -67,7 +67,7 @@ std::vector<Turn> turns() {
     Mat3d about_z, corner;
     about_z << h, -h, 0, h, h, 0, 0, 0, 1;
     corner << h, 0, h, 0.5, h, -0.5, -0.5, h, 0.5;  // 45 degrees about y, then about x: an edge first
-    Rng rng(7);
+    scene::Rng rng(7);
     return {{"aligned", Mat3d::Identity()},
             {"45 degrees", about_z},
             {"45 degrees twice", corner},
@@ -80,7 +80,7 @@ RandomPair placed(const Polyhedron& cube, const Mat3d& rotation, const Vec3d& di
     RandomPair pair;
     pair.pose_b.rotation = rotation;
     pair.pose_b.translation = 4 * direction;
-    const auto exact = exact_distance(cube.vertices, pair.pose_a, cube.vertices, pair.pose_b);
+    const auto exact = truth::exact_distance(cube.vertices, pair.pose_a, cube.vertices, pair.pose_b);
     EXPECT_TRUE(exact) << exact.error;
     pair.pose_b.translation += exact->separation * ((exact->distance - gap) / exact->distance);
     return pair;

@@ -18,12 +18,12 @@ namespace edgewise {
 /// A question and its exact answer.
 struct CheckedPair {
     RandomPair pair;
-    ExactDistance exact;
-    AccuracyBand band;
+    truth::ExactDistance exact;
+    truth::AccuracyBand band;
     double size = 0;  ///< of the larger body
     Transform<double> a_from_b;
 
-    [[nodiscard]] bool separated() const { return exact.verdict == ExactVerdict::separated; }
+    [[nodiscard]] bool separated() const { return exact.verdict == truth::ExactVerdict::separated; }
 
     /// Apart, or one well inside the other, by more than a thousandth of the size.
     [[nodiscard]] bool clear_of_contact() const {
@@ -33,12 +33,12 @@ struct CheckedPair {
 
 [[nodiscard]] inline CheckedPair check_pair(const Polyhedron& a, const Polyhedron& b, const RandomPair& pair,
                                             double eps) {
-    const auto exact = exact_distance(a.vertices, pair.pose_a, b.vertices, pair.pose_b);
+    const auto exact = truth::exact_distance(a.vertices, pair.pose_a, b.vertices, pair.pose_b);
     EXPECT_TRUE(exact) << exact.error;
     CheckedPair checked;
     checked.pair = pair;
     if (exact) checked.exact = *exact;
-    checked.band = accuracy_band(a.vertices, pair.pose_a, b.vertices, pair.pose_b, eps);
+    checked.band = truth::accuracy_band(a.vertices, pair.pose_a, b.vertices, pair.pose_b, eps);
     checked.size = std::max(extent(a.vertices), extent(b.vertices));
     checked.a_from_b = relative_pose(pair.pose_a, pair.pose_b);
     return checked;
@@ -66,7 +66,7 @@ struct Judged {
 [[nodiscard]] inline Judged judge_answer(const Distance& answer, const CheckedPair& checked,
                                          const Polyhedron& a, const Polyhedron& b) {
     const bool apart = answer.status == Status::separated;
-    const Judgement judgement = judge({apart, answer.distance}, checked.exact, checked.band);
+    const truth::Judgement judgement = truth::judge({apart, answer.distance}, checked.exact, checked.band);
     Judged result;
     result.verdict_wrong = judgement.verdict_wrong || answer.status == Status::failed;
     result.distance_error = finite_or_worst(judgement.error_over_scale);

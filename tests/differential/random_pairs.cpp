@@ -19,7 +19,7 @@ Distance canonical_distance(const Polyhedron& a, const Polyhedron& b, const Rand
 }
 
 /// Quarter turns: rotations without rounding.
-Mat3d quarter_turns(Rng& rng) {
+Mat3d quarter_turns(scene::Rng& rng) {
     Mat3d turn = Mat3d::Zero();
     const auto first = static_cast<int>(rng.below(3));
     for (int row = 0; row < 3; ++row) turn(row, (row + first) % 3) = 1;  // a cyclic order is a rotation
@@ -28,7 +28,7 @@ Mat3d quarter_turns(Rng& rng) {
 }
 
 /// Spread over the decades between 2^-low and 2^-high.
-double power(Rng& rng, int low, int high) {
+double power(scene::Rng& rng, int low, int high) {
     const auto exponent = low + static_cast<int>(rng.below(static_cast<std::uint64_t>(high - low)));
     return std::ldexp(rng.uniform(0.5, 1), -exponent);
 }
@@ -55,15 +55,15 @@ RandomPair PairMaker::next() {
 }
 
 void PairMaker::orient(RandomPair& pair) {
-    const Quaternion of_a = rng_.orientation();
-    Quaternion of_b = of_a;
+    const scene::Quaternion of_a = rng_.orientation();
+    scene::Quaternion of_b = of_a;
     if (pair.relation == Relation::generic) of_b = rng_.orientation();
     if (pair.relation == Relation::nearly_parallel) {
         const Vec3d axis = rng_.on_sphere();
-        of_b = normalised(rotation_about(axis, power(rng_, 2, 54)) * of_a);
+        of_b = normalised(scene::rotation_about(axis, power(rng_, 2, 54)) * of_a);
     }
-    pair.pose_a.rotation = rotation_matrix(of_a);
-    pair.pose_b.rotation = rotation_matrix(of_b);
+    pair.pose_a.rotation = scene::rotation_matrix(of_a);
+    pair.pose_b.rotation = scene::rotation_matrix(of_b);
 }
 
 /// Parallel faces, exact touching, edge on edge: whatever quarter turns and quarters of the body's reach

@@ -45,7 +45,7 @@ class PairMaker {
 
     const Polyhedron& a_;
     const Polyhedron& b_;
-    Rng rng_;
+    scene::Rng rng_;
     double size_;
     int count_ = 0;
 };

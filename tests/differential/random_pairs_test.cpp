@@ -73,9 +73,9 @@ struct Setting {
 
 /// A shape beside the same shape at three quarters of its size.
 Setting make_setting(const std::string& name) {
-    const auto body = make_shape(name);
+    const auto body = scene::make_shape(name);
     EXPECT_TRUE(body) << body.error;
-    Setting setting{name, as_stored(*body), as_stored(scaled(*body, 0.75)), {}};
+    Setting setting{name, as_stored(*body), as_stored(scene::scaled(*body, 0.75)), {}};
     PairMaker maker(setting.a, setting.b, 1);
     for (int i = 0; i < pairs_a_shape; ++i) {
         setting.pairs.push_back(check_pair(setting.a, setting.b, maker.next(), compute_eps));
@@ -158,8 +158,8 @@ void expect_every_regime(const Setting& setting) {
         const bool close = checked.separated() && checked.exact.distance < 1e-3 * checked.size;
         far += checked.separated() && !close;
         near += close;
-        touching += checked.exact.verdict == ExactVerdict::touching;
-        overlapping += checked.exact.verdict == ExactVerdict::overlapping;
+        touching += checked.exact.verdict == truth::ExactVerdict::touching;
+        overlapping += checked.exact.verdict == truth::ExactVerdict::overlapping;
         generic_near += close && checked.pair.relation == Relation::generic;
     }
     std::printf("%s: %d apart, %d near, %d touching, %d overlapping\n", setting.name.c_str(), far, near,

@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/bench/runner_for.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/layouts/aos.hpp"
-#include "edgewise/bench/runner_for.hpp"
 #include "judged_case.hpp"
 #include "pair_bytes.hpp"
 
@@ -19,7 +19,7 @@ namespace edgewise {
 
 inline nlohmann::json json_of(const Vec3d& v) { return {v.x(), v.y(), v.z()}; }
 
-inline nlohmann::json json_of(const CaseBody& body) {
+inline nlohmann::json json_of(const scene::CaseBody& body) {
     nlohmann::json vertices = nlohmann::json::array();
     for (const Vec3d& v : body.vertices) vertices.push_back(json_of(v));
     return {{"vertices", vertices}};
@@ -31,7 +31,7 @@ inline nlohmann::json json_of(const Pose& pose) {
             {"t", json_of(pose.translation)}};
 }
 
-[[noreturn]] inline void report(const Case& given, const JudgedCase& judged, std::string_view table) {
+[[noreturn]] inline void report(const scene::Case& given, const JudgedCase& judged, std::string_view table) {
     const nlohmann::json line = {{"id", given.id},
                                  {"a", json_of(given.a)},
                                  {"b", json_of(given.b)},
@@ -43,11 +43,11 @@ inline nlohmann::json json_of(const Pose& pose) {
 }
 
 template <class Algorithm, class P>
-void fuzz_table(const Case& given) {
+void fuzz_table(const scene::Case& given) {
     using Compute = typename P::Compute;
     // Planes stored in single keep V-Clip from the bounds of double even where double computes.
     const bool as_single = std::is_same_v<typename P::Stored, float>;
-    RunnerFor<Algorithm, aos<P>, aos<P, Traced<TraceSink>>> runner;
+    bench::RunnerFor<Algorithm, aos<P>, aos<P, Traced<measure::TraceSink>>> runner;
     const JudgedCase judged = judge_case(runner, {Tolerance<Compute>::eps, as_single}, given);
     if (!judged.complaints.empty()) report(given, judged, P::name);
 }

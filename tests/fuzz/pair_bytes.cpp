@@ -60,8 +60,8 @@ Mat3d rotation(Reader& reader, Form form) {
     Mat3d result;
     if (form == quaternions) {
         const auto whole = [&] { return static_cast<double>(static_cast<std::int8_t>(reader.byte())); };
-        const Quaternion q{whole(), whole(), whole(), whole()};
-        return squared_norm(q) > 0 ? rotation_matrix(normalised(q)) : Mat3d(Mat3d::Identity());
+        const scene::Quaternion q{whole(), whole(), whole(), whole()};
+        return squared_norm(q) > 0 ? scene::rotation_matrix(normalised(q)) : Mat3d(Mat3d::Identity());
     }
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) result(row, column) = reader.number();
@@ -69,14 +69,14 @@ Mat3d rotation(Reader& reader, Form form) {
     return result;
 }
 
-CaseBody body(Reader& reader, std::size_t count, const char* where) {
-    CaseBody result;
+scene::CaseBody body(Reader& reader, std::size_t count, const char* where) {
+    scene::CaseBody result;
     result.where = where;
     for (std::size_t i = 0; i < count; ++i) result.vertices.push_back(reader.point());
     return result;
 }
 
-bool is_sound(const CaseBody& body, const Pose& pose) {
+bool is_sound(const scene::CaseBody& body, const Pose& pose) {
     for (const Vec3d& v : body.vertices) {
         if (!v.allFinite()) return false;
     }
@@ -103,12 +103,12 @@ void append(std::vector<std::uint8_t>& bytes, const Pose& pose) {
 
 }  // namespace
 
-std::optional<Case> pair_from_bytes(std::span<const std::uint8_t> bytes) {
+std::optional<scene::Case> pair_from_bytes(std::span<const std::uint8_t> bytes) {
     Reader reader(bytes);
     const std::size_t count_a = 1 + reader.byte() % most_vertices;
     const std::size_t count_b = 1 + reader.byte() % most_vertices;
     const Form form = static_cast<Form>(reader.byte() % forms);
-    Case result;
+    scene::Case result;
     result.id = "fuzz";
     for (Pose* pose : {&result.pose_a, &result.pose_b}) {
         pose->rotation = rotation(reader, form);
@@ -120,7 +120,7 @@ std::optional<Case> pair_from_bytes(std::span<const std::uint8_t> bytes) {
     return result;
 }
 
-std::optional<std::vector<std::uint8_t>> bytes_from_pair(const Case& given) {
+std::optional<std::vector<std::uint8_t>> bytes_from_pair(const scene::Case& given) {
     if (given.a.vertices.size() > most_vertices || given.b.vertices.size() > most_vertices)
         return std::nullopt;
     std::vector<std::uint8_t> bytes = {static_cast<std::uint8_t>(given.a.vertices.size() - 1),

@@ -15,9 +15,9 @@
 namespace edgewise {
 
 /// Nothing when the bytes are no pair: a number that is not finite, or no rotation.
-[[nodiscard]] std::optional<Case> pair_from_bytes(std::span<const std::uint8_t> bytes);
+[[nodiscard]] std::optional<scene::Case> pair_from_bytes(std::span<const std::uint8_t> bytes);
 
 /// Nothing when the case has more vertices than a pair of bytes holds. Faces as given are left out.
-[[nodiscard]] std::optional<std::vector<std::uint8_t>> bytes_from_pair(const Case& given);
+[[nodiscard]] std::optional<std::vector<std::uint8_t>> bytes_from_pair(const scene::Case& given);
 
 }  // namespace edgewise

@@ -17,11 +17,11 @@
 #include <string_view>
 #include <vector>
 
+#include "edgewise/bench/cell.hpp"
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/bench/cell.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
-#include "edgewise/bench/registry.hpp"
 
 namespace edgewise {
 namespace {
@@ -29,25 +29,25 @@ namespace {
 constexpr const char* shapes[] = {"tetra4", "cube8", "sphere38", "sphere386"};
 
 /// What was hashed -> the hash, so far.
-using Prints = std::map<std::string, Fingerprint>;
+using Prints = std::map<std::string, bench::Fingerprint>;
 
-Plan golden_plan() {
-    Plan plan;
+sweep::Plan golden_plan() {
+    sweep::Plan plan;
     plan.seed = 20010168;
     plan.queries = 2000;
     return plan;
 }
 
-void add(Fingerprint& print, const Vec3d& v) { print.add(v.x()).add(v.y()).add(v.z()); }
+void add(bench::Fingerprint& print, const Vec3d& v) { print.add(v.x()).add(v.y()).add(v.z()); }
 
-void add(Fingerprint& print, const Pose& pose) {
+void add(bench::Fingerprint& print, const Pose& pose) {
     for (int row = 0; row < 3; ++row) add(print, Vec3d(pose.rotation.row(row)));
     add(print, pose.translation);
 }
 
-void add(Fingerprint& print, const Workload& workload) {
+void add(bench::Fingerprint& print, const scene::Workload& workload) {
     for (const Polyhedron& body : workload.bodies) print.add(body);
-    for (const Query& query : workload.queries) {
+    for (const scene::Query& query : workload.queries) {
         print.add(std::uint64_t{query.body_a})
             .add(std::uint64_t{query.body_b})
             .add(std::uint64_t{query.pair});
@@ -56,7 +56,7 @@ void add(Fingerprint& print, const Workload& workload) {
     }
 }
 
-void add(Fingerprint& print, const Distance& answer) {
+void add(bench::Fingerprint& print, const Distance& answer) {
     print.add(static_cast<std::uint64_t>(answer.status)).add(answer.distance);
     add(print, answer.point_a);
     add(print, answer.point_b);
@@ -66,24 +66,24 @@ void add(Fingerprint& print, const Distance& answer) {
 }
 
 /// Every table type and algorithm on one scene and shape.
-void add_answers(Prints& prints, const Workload& workload, const std::string& detail) {
-    for (const TableType& type : table_types()) {
+void add_answers(Prints& prints, const scene::Workload& workload, const std::string& detail) {
+    for (const bench::TableType& type : bench::table_types()) {
         for (const std::string& algorithm : type.algorithms) {
             const auto runner = type.make_runner(algorithm);
             const std::string error = runner->load(workload.bodies);
             if (!error.empty()) throw std::runtime_error(type.name + ": " + error);
-            Fingerprint& print = prints[type.name + " " + algorithm + detail];
+            bench::Fingerprint& print = prints[type.name + " " + algorithm + detail];
             for (const Distance& answer : runner->answer(workload)) add(print, answer);
         }
     }
 }
 
 /// Every access of a trace: addresses, sizes, kinds, fields and steps.
-class TracePrint final : public TraceListener {
+class TracePrint final : public measure::TraceListener {
   public:
-    explicit TracePrint(Fingerprint& print) : print_(print) {}
+    explicit TracePrint(bench::Fingerprint& print) : print_(print) {}
 
-    void on_access(const TracedAccess& access) override {
+    void on_access(const measure::TracedAccess& access) override {
         print_.add(access.address).add(std::uint64_t{access.bytes});
         print_.add(static_cast<std::uint64_t>(access.kind)).add(std::uint64_t{access.field});
         print_.add(std::uint64_t{access.step}).add(static_cast<std::uint64_t>(access.side));
@@ -92,18 +92,18 @@ class TracePrint final : public TraceListener {
     void on_frame_end() override { print_.add(std::uint64_t{1} << 32); }
 
   private:
-    Fingerprint& print_;
+    bench::Fingerprint& print_;
 };
 
 /// What every table type and algorithm reads and writes in a scene with a broad phase.
 void add_traces(Prints& prints) {
-    auto body = make_shape("sphere38");
+    auto body = scene::make_shape("sphere38");
     if (!body) throw std::runtime_error(body.error);
-    Plan plan = golden_plan();
+    sweep::Plan plan = golden_plan();
     plan.queries = 600;
-    const SceneChoice scene{"tumble", {{"bodies", 30}, {"in_time_order", 1}, {"rotation_step", 0.3}}};
-    const Group group(plan, scene, {"sphere38", "built-in", std::move(*body), ""});
-    for (const TableType& type : table_types()) {
+    const sweep::SceneChoice scene{"tumble", {{"bodies", 30}, {"in_time_order", 1}, {"rotation_step", 0.3}}};
+    const sweep::Group group(plan, scene, {"sphere38", "built-in", std::move(*body), ""});
+    for (const bench::TableType& type : bench::table_types()) {
         for (const std::string& algorithm : type.algorithms) {
             const auto runner = type.make_runner(algorithm);
             const std::string error = runner->load(group.workload().bodies);
@@ -116,13 +116,14 @@ void add_traces(Prints& prints) {
 
 Prints all_prints(bool details) {
     Prints prints;
-    for (const SceneInfo& scene : list_scenes()) {
+    for (const scene::SceneInfo& scene : scene::list_scenes()) {
         // The questions of tumble, to more tables and closer by.
         if (scene.name == "pressure" || scene.name == "proximity") continue;
         for (const char* shape : shapes) {
-            auto body = make_shape(shape);
+            auto body = scene::make_shape(shape);
             if (!body) throw std::runtime_error(body.error);
-            const Group group(golden_plan(), {scene.name, {}}, {shape, "built-in", std::move(*body), ""});
+            const sweep::Group group(golden_plan(), {scene.name, {}},
+                                     {shape, "built-in", std::move(*body), ""});
             const std::string detail = details ? fmt::format(" {} {}", scene.name, shape) : "";
             add(prints["queries " + scene.name + (details ? fmt::format(" {}", shape) : "")],
                 group.workload());

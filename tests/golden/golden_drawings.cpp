@@ -11,8 +11,8 @@
 #include <iterator>
 #include <string>
 
-#include "edgewise/scene/shapes.hpp"
 #include "edgewise/bench/draw_layout.hpp"
+#include "edgewise/scene/shapes.hpp"
 
 namespace edgewise {
 namespace {
@@ -29,7 +29,8 @@ int run(const std::filesystem::path& folder, bool update) {
     int different = 0;
     for (const char* name : drawn) {
         const std::string names[] = {name};
-        const std::string svg = draw_layout(*select_table_types(names).front(), shape, *make_shape(shape));
+        const std::string svg =
+            bench::draw_layout(*bench::select_table_types(names).front(), shape, *scene::make_shape(shape));
         const std::filesystem::path file = folder / fmt::format("{}_{}.svg", name, shape);
         if (update) std::ofstream(file, std::ios::binary) << svg;
         if (text_of(file) == svg) continue;

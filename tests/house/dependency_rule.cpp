@@ -11,8 +11,9 @@ namespace edgewise::house {
 
 namespace {
 
-const std::set<std::string> src_rooms = {"geometry", "table", "layout_parts", "algorithms", "truth", "scene",
-                                         "measure",  "store", "bench",        "sweep",      "studies", "cli"};
+const std::set<std::string> src_rooms = {"geometry", "table", "layout_parts", "algorithms",
+                                         "truth",    "scene", "measure",      "store",
+                                         "bench",    "sweep", "studies",      "cli"};
 const std::set<std::string> root_rooms = {"layouts", "probes", "reports"};
 
 /// Direct edges as designed.

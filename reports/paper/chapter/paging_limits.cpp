@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 std::vector<PagingLimit> paging_limits(const ReportCell& row) {
     std::vector<PagingLimit> limits;
@@ -22,4 +22,4 @@ std::vector<PagingLimit> paging_limits(const ReportCell& row) {
     }
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -7,7 +7,7 @@
 
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// What one limit of a paging row says; null where the store has no value.
 struct PagingLimit {
@@ -17,4 +17,4 @@ struct PagingLimit {
 /// In the order of the store's numbers, until one is not there.
 [[nodiscard]] std::vector<PagingLimit> paging_limits(const ReportCell& row);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -6,7 +6,7 @@
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -48,4 +48,4 @@ TextGrid paging_grid(const ReportData& data) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

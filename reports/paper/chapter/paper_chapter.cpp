@@ -10,7 +10,7 @@
 #include "edgewise/reports/page/page_parts.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::string paper_chapter_markdown(const ReportData& data, const std::vector<Cha
     return out;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -12,7 +12,7 @@
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// One part: words, then its charts, then its grids; one without charts and rows is left out.
 struct ChapterPart {
@@ -33,4 +33,4 @@ struct ChapterPart {
 [[nodiscard]] std::string paper_chapter_markdown(const ReportData& data, const std::vector<Chart>& charts,
                                                  const StaticFigures& figures);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -7,7 +7,7 @@
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -66,4 +66,4 @@ TextGrid cost_grid(const ReportData& data, bool of_bodies) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -10,7 +10,7 @@
 #include "edgewise/reports/paper/chapter/source_facts.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -75,4 +75,4 @@ TextGrid build_grid(const ReportData& data) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

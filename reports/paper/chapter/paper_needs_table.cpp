@@ -9,7 +9,7 @@
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -60,4 +60,4 @@ TextGrid needs_grid(const ReportData& data) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -3,14 +3,14 @@
 // What the chapter on the paper's figures consists of; see paper_chapter.hpp. One function a part.
 #include <algorithm>
 
-#include "edgewise/reports/paper/claims/claims.hpp"
 #include "edgewise/reports/paper/chapter/paper_chapter.hpp"
-#include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
 #include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/paper/charts/paper_charts.hpp"
+#include "edgewise/reports/paper/claims/claims.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -134,4 +134,4 @@ std::vector<ChapterPart> chapter_parts(const ReportData& data) {
     return parts;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

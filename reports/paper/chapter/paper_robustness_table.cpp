@@ -10,7 +10,7 @@
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -87,4 +87,4 @@ TextGrid robustness_grid(const ReportData& data) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -7,10 +7,10 @@
 #include <tuple>
 
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
-#include "edgewise/reports/tables/text.hpp"
 #include "edgewise/reports/paper/charts/turn.hpp"
+#include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -105,4 +105,4 @@ TextGrid file_scene_grid(const StoredScene& scene) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

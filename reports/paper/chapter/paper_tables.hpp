@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// V-Clip and GJK side by side in the scene without coherence, by shape and table type; preprocessing apart.
 [[nodiscard]] TextGrid static_grid(const ReportData& data);
@@ -28,4 +28,4 @@ namespace edgewise {
 /// What building and refitting a table costs, and what it takes.
 [[nodiscard]] TextGrid build_grid(const ReportData& data);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

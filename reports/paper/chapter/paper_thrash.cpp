@@ -13,11 +13,11 @@
 #include "edgewise/reports/paper/chapter/paging_limits.hpp"
 #include "edgewise/reports/paper/chapter/paper_thrash_here.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
-#include "edgewise/reports/tables/text.hpp"
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
+#include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -246,4 +246,4 @@ std::string thrash_paragraph(const ReportData& data) {
     return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -9,7 +9,7 @@
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// Cache, paging or both; from what size, speed, number of bodies and memory on; what each layout does to it;
 /// and which sentence of the paper holds. What the store lacks is said to be missing, and why.
@@ -19,4 +19,4 @@ namespace edgewise {
 /// Every limit of the paging run: page faults measured and predicted.
 [[nodiscard]] TextGrid paging_grid(const ReportData& data);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

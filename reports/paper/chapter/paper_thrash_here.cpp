@@ -8,7 +8,7 @@
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::string thrash_here(const ReportData& data) {
     return out + ".";
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

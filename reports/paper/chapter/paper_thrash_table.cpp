@@ -5,10 +5,10 @@
 
 #include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
-#include "edgewise/reports/tables/text.hpp"
 #include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
+#include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -60,4 +60,4 @@ TextGrid thrash_grid(const ReportData& data) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

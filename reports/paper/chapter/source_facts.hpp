@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 struct SourceFacts {
     std::string algorithm;
@@ -17,4 +17,4 @@ struct SourceFacts {
 
 [[nodiscard]] std::vector<SourceFacts> source_facts();
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -80,4 +80,4 @@ const ReportCell* nearest_cell(const StoredScene& scene, const std::string& algo
     return nearest;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

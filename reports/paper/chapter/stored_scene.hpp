@@ -10,7 +10,7 @@
 
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 struct StoredScene {
     std::string name, kind;  ///< "paper_angular_8", "tumble"
@@ -37,4 +37,4 @@ struct StoredScene {
 [[nodiscard]] const ReportCell* nearest_cell(const StoredScene& scene, const std::string& algorithm,
                                              const std::string& table, double wanted);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -12,7 +12,7 @@
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -136,4 +136,4 @@ std::optional<bool> paging_is_a_cause(const ReportData& data) {
     return found;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

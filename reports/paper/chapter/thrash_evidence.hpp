@@ -11,7 +11,7 @@
 
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// A number, or the reason why there is none.
 struct ThrashEvidence {
@@ -51,4 +51,4 @@ struct ThrashEvidence {
 /// enough. Null when neither reuse distances of pages nor such a measurement are stored.
 [[nodiscard]] std::optional<bool> paging_is_a_cause(const ReportData& data);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 inline constexpr std::array<int, 3> thrash_vertices = {8, 38, 386};
 /// The angle a step at which curves against the size of a cache are shown: the paper's fastest, 7 rad/s, at
@@ -42,4 +42,4 @@ inline constexpr double least_faults = least_share * papers_growth_ns / old_disk
 /// "Hundreds of such primitives": fewer than this.
 inline constexpr double more_than_hundreds = 1000;
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

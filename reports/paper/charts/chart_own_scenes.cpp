@@ -8,7 +8,7 @@
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/charts/turn.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::vector<Chart> own_scene_charts(const ReportData& data) {
     return charts;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -13,7 +13,7 @@
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/charts/turn.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -115,4 +115,4 @@ Chart paper_angular_chart(const ReportData& data, int number) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

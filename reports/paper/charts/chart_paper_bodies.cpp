@@ -3,12 +3,12 @@
 // Figure 5 of the paper: tests of pairs against bodies, at constant occupancy. The number of tests does not
 // depend on algorithm or table, so a scene is one line.
 #include "edgewise/reports/charts/curves.hpp"
-#include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/paper/charts/paper_charts.hpp"
 
 #include <map>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -110,4 +110,4 @@ Chart paper_bodies_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

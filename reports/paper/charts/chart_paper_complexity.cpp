@@ -3,10 +3,10 @@
 // The paper's scalability in complexity: time and memory against the vertices of a body. Panels: coherent
 // queries, cold ones (hill climbing from anywhere), bytes of a table.
 #include "edgewise/reports/charts/curves.hpp"
-#include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/paper/charts/paper_charts.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -81,4 +81,4 @@ Chart paper_complexity_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/reports/charts/curves.hpp"
-#include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
+#include "edgewise/reports/paper/charts/paper_charts.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -144,4 +144,4 @@ Chart paper_here_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "edgewise/reports/charts/curves.hpp"
-#include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/paper/charts/paper_charts.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -74,4 +74,4 @@ Chart paper_linear_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -5,11 +5,11 @@
 #include <fmt/core.h>
 
 #include "edgewise/reports/charts/curves.hpp"
-#include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
+#include "edgewise/reports/paper/charts/paper_charts.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -81,4 +81,4 @@ Chart paper_misses_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

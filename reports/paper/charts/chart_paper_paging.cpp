@@ -6,7 +6,7 @@
 #include "edgewise/reports/paper/chapter/paging_limits.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -103,4 +103,4 @@ Chart paper_paging_chart(const ReportData& data) {
     return chart;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -3,7 +3,7 @@
 // See paper_charts.hpp.
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 std::vector<Chart> chapter_charts(const ReportData& data) {
     std::vector<Chart> charts = {paper_linear_chart(data),     paper_angular_chart(data, 6),
@@ -16,4 +16,4 @@ std::vector<Chart> chapter_charts(const ReportData& data) {
     return charts;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

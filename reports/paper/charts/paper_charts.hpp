@@ -9,7 +9,7 @@
 
 #include "edgewise/reports/charts/charts.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// The parts of the chapter that hold charts; a chart names its own.
 inline constexpr const char* dynamic_section = "dynamic";
@@ -39,4 +39,4 @@ inline constexpr const char* own_section = "own";  ///< a user's own scenes
 /// All of the above that have something to draw.
 [[nodiscard]] std::vector<Chart> chapter_charts(const ReportData& data);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

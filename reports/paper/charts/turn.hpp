@@ -10,7 +10,7 @@
 
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// w mod 2 pi, then the smaller of that and the rest of the turn: 0 to pi.
 [[nodiscard]] inline double folded_angle(double w) {
@@ -28,4 +28,4 @@ inline constexpr double random_turn = std::numbers::pi / 2 + 2 / std::numbers::p
     return scene_number(cell, "random_orientation").value_or(0) != 0;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

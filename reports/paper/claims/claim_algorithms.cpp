@@ -6,7 +6,7 @@
 #include "edgewise/reports/paper/claims/claim_fits.hpp"
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -180,4 +180,4 @@ std::vector<Claim> algorithm_claims(const ReportData& data) {
             judge_analog(data)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -12,7 +12,7 @@
 
 #include "edgewise/reports/tables/ratio_interval.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -169,4 +169,4 @@ std::vector<Evidence> values_of(const std::vector<CurvePoint>& curve) {
     return values;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -10,7 +10,7 @@
 #include "edgewise/reports/paper/claims/evidence.hpp"
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// Which cells; an empty scene or shape means any. The table is the paper's record in double, one table a
 /// body.
@@ -65,4 +65,4 @@ struct CurveRange {
                                                      const std::vector<CurvePoint>& b);
 [[nodiscard]] std::vector<Evidence> values_of(const std::vector<CurvePoint>& curve);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -5,7 +5,7 @@
 
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -136,4 +136,4 @@ std::vector<Claim> coherence_claims(const ReportData& data) {
             judge_caching(data, caching_steps, gains_in_steps)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -5,7 +5,7 @@
 
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -137,4 +137,4 @@ std::vector<Claim> complexity_claims(const ReportData& data) {
     return {judge_scaled(data), judge_flat(data), judge_slower(data), judge_rise(data), judge_uneven(data)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -4,7 +4,7 @@
 // about the share of collision detection in a whole simulation.
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::vector<Claim> cost_claims(const ReportData& data) {
             judge_equation_2(data), judge_updates(data)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -5,7 +5,7 @@
 
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -147,4 +147,4 @@ std::vector<Claim> ease_claims(const ReportData& data) {
             judge_deforming(data)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

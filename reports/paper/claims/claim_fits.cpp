@@ -9,7 +9,7 @@
 #include <cmath>
 #include <optional>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -103,4 +103,4 @@ Evidence interpolated(const std::vector<CurvePoint>& curve, double x) {
     return no_evidence(fmt::format("no stored sizes lie on both sides of {:g}", x));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -7,7 +7,7 @@
 
 #include "edgewise/reports/paper/claims/claim_cells.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// The slope of log y over log x by least squares. Its interval is what the slope can be while every y stays
 /// within its own interval. None with fewer than three points above 0, for which a slope has no test.
@@ -23,4 +23,4 @@ struct LogOrPower {
 /// At x between two points, along the power law through both; at a point, that one.
 [[nodiscard]] Evidence interpolated(const std::vector<CurvePoint>& curve, double x);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

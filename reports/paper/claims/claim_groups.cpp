@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -48,4 +48,4 @@ Evidence slowest_time(const ReportData& data, int vertices, const std::string& a
     return cell ? time_of(*cell) : no_slow_cell(vertices, algorithm);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

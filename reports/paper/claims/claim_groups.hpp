@@ -10,7 +10,7 @@
 #include "edgewise/reports/paper/claims/claim_cells.hpp"
 #include "edgewise/reports/paper/claims/claim_rules.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 [[nodiscard]] std::vector<Claim> memory_claims(const ReportData& data);
 [[nodiscard]] std::vector<Claim> cost_claims(const ReportData& data);
@@ -57,4 +57,4 @@ inline constexpr CurveRange figure_6_speeds{0, 12.57}, figures_7_and_8_speeds{1,
 /// The shape of so many vertices in the paper's scenes: "cube8", "sphere38".
 [[nodiscard]] std::string paper_shape(int vertices);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -3,7 +3,7 @@
 // Claims about what V-Clip's tables take (sections 4, "Scalability" and "Ease of implementation", and 5).
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::vector<Claim> memory_claims(const ReportData& data) {
             judge_claim(all_memory, {{"300 tables", many, at_least(memory_of_2000)}})};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

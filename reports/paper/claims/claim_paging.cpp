@@ -6,7 +6,7 @@
 
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::vector<Claim> paging_claims(const ReportData& data) {
             judge_claim(slow, {{"with too little memory over with enough", slower, at_least(slowed)}})};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

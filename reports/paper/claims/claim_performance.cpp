@@ -5,7 +5,7 @@
 
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::vector<Claim> performance_claims(const ReportData& data) {
             judge_comparable(data)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -7,7 +7,7 @@
 
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -155,4 +155,4 @@ std::vector<Claim> robustness_claims(const ReportData& data) {
             judge_wrong_points(hard), judge_superfluous(data)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -139,4 +139,4 @@ Claim judge_readings(const ClaimText& text, const std::vector<ClaimPart>& at_60t
     return claim;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

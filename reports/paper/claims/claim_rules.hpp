@@ -10,7 +10,7 @@
 #include "edgewise/reports/paper/claims/claims.hpp"
 #include "edgewise/reports/paper/claims/evidence.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// What a number must be, in numbers and in words.
 struct WantedBand {
@@ -60,4 +60,4 @@ inline constexpr TimeStepReading reading_half{"at steps of 1/2 s", 0.5};
 [[nodiscard]] Claim judge_readings(const ClaimText& text, const std::vector<ClaimPart>& at_60th,
                                    const std::vector<ClaimPart>& at_half);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -6,7 +6,7 @@
 #include "edgewise/reports/paper/claims/claim_fits.hpp"
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -143,4 +143,4 @@ std::vector<Claim> scalability_claims(const ReportData& data) {
         judge_shrinking(data)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

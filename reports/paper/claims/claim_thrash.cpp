@@ -6,7 +6,7 @@
 
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -176,4 +176,4 @@ std::vector<Claim> thrash_claims(const ReportData& data) {
             judge_spared(data), judge_cause(data),    judge_here(data)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

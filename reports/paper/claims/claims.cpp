@@ -11,7 +11,7 @@
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 std::vector<Claim> judge_claims(const ReportData& data) {
     std::vector<Claim> all;
@@ -36,4 +36,4 @@ std::string claims_summary(const std::vector<Claim>& claims) {
     return out;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -11,7 +11,7 @@
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// "reproduced": every part of the evidence meets the rule with its whole interval. "not reproduced": some
 /// part misses it with its whole interval. "inconclusive": an interval straddles the rule, or two readings of
@@ -38,4 +38,4 @@ struct Claim {
 /// One row a claim.
 [[nodiscard]] TextGrid claims_grid(const ReportData& data);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

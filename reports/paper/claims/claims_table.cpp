@@ -3,7 +3,7 @@
 // The claims as a grid for the report.
 #include "edgewise/reports/paper/claims/claims.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -40,4 +40,4 @@ TextGrid claims_grid(const ReportData& data) {
     return grid;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -10,7 +10,7 @@
 
 #include "edgewise/reports/tables/text.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -92,4 +92,4 @@ std::string evidence_text(const Evidence& evidence, const std::string& unit) {
     return unit == "1" || unit.empty() ? text : text + " " + unit;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

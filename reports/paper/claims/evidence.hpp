@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 struct Evidence {
     std::optional<double> value;
@@ -40,4 +40,4 @@ struct Evidence {
 /// "0.93 [0.91, 0.95] ns"; the unit 1 goes without saying.
 [[nodiscard]] std::string evidence_text(const Evidence& evidence, const std::string& unit);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

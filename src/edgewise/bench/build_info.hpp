@@ -5,12 +5,12 @@
 
 #include "edgewise/store/store.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 /// Revision, compiler and flags are fixed at build time; the machine is read now.
-[[nodiscard]] BuildRow this_build();
+[[nodiscard]] store::BuildRow this_build();
 
 /// Where the set-up left the chart bundles.
 [[nodiscard]] const char* charts_folder();
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -6,7 +6,7 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
-namespace edgewise {
+namespace edgewise::bench {
 
 Fingerprint& Fingerprint::add(std::string_view text) {
     for (const char c : text) state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001b3;
@@ -28,9 +28,11 @@ Fingerprint& Fingerprint::add(const Polyhedron& body) {
 
 std::string Fingerprint::hex() const { return fmt::format("{:016x}", state_); }
 
-std::string parameters_json(const SceneParameters& parameters) { return nlohmann::json(parameters).dump(); }
+std::string parameters_json(const scene::SceneParameters& parameters) {
+    return nlohmann::json(parameters).dump();
+}
 
-void name_cell(CellRow& cell, const Polyhedron& body) {
+void name_cell(store::CellRow& cell, const Polyhedron& body) {
     Fingerprint print;
     print.add(cell.scene)
         .add(cell.scene_parameters)
@@ -42,4 +44,4 @@ void name_cell(CellRow& cell, const Polyhedron& body) {
     cell.hash = print.add(cell.seed).add(cell.queries).add(body).hex();
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -12,7 +12,7 @@
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/store/store.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 /// FNV-1a, 64 bits: no adversary here, only mix-ups.
 class Fingerprint {
@@ -29,9 +29,9 @@ class Fingerprint {
 };
 
 /// Canonical JSON of a scene's numbers: keys sorted, shortest digits that read back the same.
-[[nodiscard]] std::string parameters_json(const SceneParameters& parameters);
+[[nodiscard]] std::string parameters_json(const scene::SceneParameters& parameters);
 
 /// Fills in `hash` from the other members and the body.
-void name_cell(CellRow& cell, const Polyhedron& body);
+void name_cell(store::CellRow& cell, const Polyhedron& body);
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

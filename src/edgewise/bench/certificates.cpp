@@ -9,7 +9,7 @@
 
 #include "edgewise/truth/exact_distance.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 namespace {
 
@@ -27,7 +27,7 @@ std::vector<Index> stored_vertices(const Polyhedron& stored, const NamedFeature&
 
 /// How far a point lies from the stored body, rounded upward.
 double outside(const Vec3d& point, const Polyhedron& stored, const Pose& pose) {
-    const auto exact = exact_distance(std::vector{point}, pose, stored.vertices, pose);
+    const auto exact = truth::exact_distance(std::vector{point}, pose, stored.vertices, pose);
     const double infinity = std::numeric_limits<double>::infinity();
     if (!exact) return infinity;
     return exact->distance == 0 ? 0 : std::nextafter(exact->distance, infinity);
@@ -54,12 +54,12 @@ double moved_by(const Polyhedron& given, std::span<const Vec3d> points, const Po
     if (points.empty()) {  // the vertices are all that is known; else they are among the points
         for (std::size_t i = 0; i < given.vertex_count(); ++i) see(given.input_index[i], given.vertices[i]);
     }
-    return std::max(farthest, from.empty() ? 0 : representation_error(from, to, rotation));
+    return std::max(farthest, from.empty() ? 0 : truth::representation_error(from, to, rotation));
 }
 
 }  // namespace
 
-Result<Certificates> certificates_of(const NamedAnswer& answer, const Query& query,
+Result<Certificates> certificates_of(const NamedAnswer& answer, const scene::Query& query,
                                      std::span<const Polyhedron> given, std::span<const Polyhedron> stored,
                                      std::span<const Vec3d> points_a, std::span<const Vec3d> points_b) {
     const Polyhedron& a = stored[query.body_a];
@@ -68,11 +68,12 @@ Result<Certificates> certificates_of(const NamedAnswer& answer, const Query& que
     const std::vector<Index> on_a = apart ? stored_vertices(a, answer.feature_a) : answer.proof_a;
     const std::vector<Index> on_b = apart ? stored_vertices(b, answer.feature_b) : answer.proof_b;
     const Vec3d along = apart ? Vec3d(answer.distance.point_b - answer.distance.point_a) : answer.normal;
-    const auto held = certify(a.vertices, query.pose_a, b.vertices, query.pose_b, {on_a}, {on_b}, along);
+    const auto held =
+        truth::certify(a.vertices, query.pose_a, b.vertices, query.pose_b, {on_a}, {on_b}, along);
     if (!held) return Result<Certificates>::failure(held.error);
     const double moved_a = moved_by(given[query.body_a], points_a, a, query.pose_a.rotation);
     const double moved_b = moved_by(given[query.body_b], points_b, b, query.pose_b.rotation);
-    return Result<Certificates>::success({*held, widen(*held, moved_a, moved_b)});
+    return Result<Certificates>::success({*held, truth::widen(*held, moved_a, moved_b)});
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -6,22 +6,22 @@
 
 #include <span>
 
-#include "edgewise/scene/workload.hpp"
 #include "edgewise/bench/runner.hpp"
+#include "edgewise/scene/workload.hpp"
 #include "edgewise/truth/certificate.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 struct Certificates {
-    Certificate stored, given;
+    truth::Certificate stored, given;
 };
 
 /// `given` and `stored` are the bodies of the query (a runner's stored_bodies); `points` those that the given
 /// bodies are the hulls of, where more is known than the hulls kept. Fails as certify does.
-[[nodiscard]] Result<Certificates> certificates_of(const NamedAnswer& answer, const Query& query,
+[[nodiscard]] Result<Certificates> certificates_of(const NamedAnswer& answer, const scene::Query& query,
                                                    std::span<const Polyhedron> given,
                                                    std::span<const Polyhedron> stored,
                                                    std::span<const Vec3d> points_a = {},
                                                    std::span<const Vec3d> points_b = {});
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

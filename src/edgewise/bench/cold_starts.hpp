@@ -10,10 +10,10 @@
 
 #include "edgewise/scene/workload.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 /// One flag a query; all zero where every query is cold.
-[[nodiscard]] inline std::vector<std::uint8_t> cold_starts(const Workload& workload) {
+[[nodiscard]] inline std::vector<std::uint8_t> cold_starts(const scene::Workload& workload) {
     std::vector<std::uint8_t> cold(workload.queries.size(), 0), met(workload.pair_count, 0);
     for (std::size_t i = 0; workload.warm && i < cold.size(); ++i) {
         std::uint8_t& known = met[workload.queries[i].pair];
@@ -31,4 +31,4 @@ namespace edgewise {
     return end;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgewise {
+namespace edgewise::bench {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::string draw_heat(const std::string& title, std::span<const std::uint32_t> a
         width, top + rows * cell + left, title, left, most, cut, body);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

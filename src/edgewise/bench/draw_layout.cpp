@@ -11,7 +11,7 @@
 #include "edgewise/layout_parts/block.hpp"
 #include "edgewise/table/table_memory.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 namespace {
 
 constexpr std::size_t line_bytes = BlockPlan::alignment;
@@ -154,4 +154,4 @@ std::string draw_layout(const TableType& type, const std::string& shape, const P
     return draw_map(fmt::format("{}, {}", type.name, shape), type.memory_map(*stored, type.all_parts()));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -9,7 +9,7 @@
 
 #include "edgewise/bench/registry.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 /// An SVG of the map. Lines beyond `most_lines` are left out, and the picture says so.
 [[nodiscard]] std::string draw_map(const std::string& title, const std::vector<MappedPiece>& map,
@@ -20,4 +20,4 @@ namespace edgewise {
 [[nodiscard]] std::string draw_layout(const TableType& type, const std::string& shape,
                                       const Polyhedron& body);
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

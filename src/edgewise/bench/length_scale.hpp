@@ -10,11 +10,11 @@
 #include <cmath>
 #include <span>
 
+#include "edgewise/bench/runner.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/scene/workload.hpp"
-#include "edgewise/bench/runner.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 /// Binary places around 1 within which bodies are taken as they are.
 inline constexpr int places_as_given = 10;
@@ -23,11 +23,11 @@ inline constexpr int places_as_given = 10;
 /// beside points of denormal coordinates.
 inline constexpr int most_places = 190;
 
-class Unit {
+class LengthScale {
   public:
-    Unit() = default;
+    LengthScale() = default;
     /// From the largest coordinate of the bodies.
-    explicit Unit(std::span<const Polyhedron> bodies) {
+    explicit LengthScale(std::span<const Polyhedron> bodies) {
         double largest = 0;
         for (const Polyhedron& body : bodies) {
             for (const Vec3d& v : body.vertices) largest = std::max(largest, max_abs(v));
@@ -47,12 +47,12 @@ class Unit {
     [[nodiscard]] Vec3d into(const Vec3d& v) const { return v * factor_; }
     [[nodiscard]] Vec3d back(const Vec3d& v) const { return v / factor_; }
     [[nodiscard]] Polyhedron into(const Polyhedron& body) const {
-        return is_one() ? body : scaled(body, factor_);
+        return is_one() ? body : scene::scaled(body, factor_);
     }
     [[nodiscard]] Polyhedron back(const Polyhedron& body) const {
-        return is_one() ? body : scaled(body, 1 / factor_);
+        return is_one() ? body : scene::scaled(body, 1 / factor_);
     }
-    [[nodiscard]] Query into(Query query) const {
+    [[nodiscard]] scene::Query into(scene::Query query) const {
         query.pose_a.translation *= factor_;
         query.pose_b.translation *= factor_;
         return query;
@@ -81,4 +81,4 @@ class Unit {
     double factor_ = 1, reach_ = 0;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -15,14 +15,14 @@
 #include "edgewise/bench/runner.hpp"
 #include "edgewise/table/needs.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 /// What a query was about.
 template <class Table>
 struct AskedPair {
     const Table &a, &b;
     const Polyhedron &body_a, &body_b;  ///< as stored
-    const Query& query;
+    const scene::Query& query;
 };
 
 /// How deep, and with that whether it is more than a touch, to the rounding of coordinates.
@@ -65,10 +65,10 @@ void name_answer(const AskedPair<Table>& asked, const Pair& pair, const Distance
 }
 
 /// Of the certificate for bodies as stored; 0 where none can be made.
-[[nodiscard]] inline double certified_width(const NamedAnswer& answer, const Query& query,
+[[nodiscard]] inline double certified_width(const NamedAnswer& answer, const scene::Query& query,
                                             std::span<const Polyhedron> stored) {
     const auto certificates = certificates_of(answer, query, stored, stored);
     return certificates ? certificates->stored.width() : 0;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -13,7 +13,7 @@
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/geometry/feature.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 template <class Table>
 [[nodiscard]] NamedFeature name_feature(const Table& table, const Polyhedron& body,
@@ -65,4 +65,4 @@ template <class TableA, class TableB>
             name_simplex(b, body_b, std::span(pair.vertex_b).first(pair.count))};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

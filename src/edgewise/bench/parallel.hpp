@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::bench {
 
 /// work(0) ... work(count - 1), in any order, several at a time. The first exception is passed on.
 template <class Work>
@@ -26,4 +26,4 @@ void for_each_index(std::size_t count, const Work& work) {
     for (std::future<void>& worker : workers) worker.get();
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace edgewise {
+namespace edgewise::bench {
 
 class Pipe {
   public:
@@ -51,4 +51,4 @@ class Pipe {
     mutable int ends_[2] = {-1, -1};
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

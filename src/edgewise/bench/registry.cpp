@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace edgewise {
+namespace edgewise::bench {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::vector<std::string> select_algorithms(std::span<const std::string> names) {
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

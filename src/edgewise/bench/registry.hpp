@@ -16,7 +16,7 @@
 #include "edgewise/table/memory_map.hpp"
 #include "edgewise/table/needs.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 struct TableType {
     std::string name;  ///< layout and precision: "aos_f64"
@@ -58,4 +58,4 @@ struct AlgorithmInfo {
 [[nodiscard]] std::vector<const TableType*> select_table_types(std::span<const std::string> names);
 [[nodiscard]] std::vector<std::string> select_algorithms(std::span<const std::string> names);
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

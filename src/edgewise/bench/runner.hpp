@@ -13,18 +13,18 @@
 
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/bench/table_options.hpp"
 #include "edgewise/geometry/feature.hpp"
 #include "edgewise/geometry/result.hpp"
+#include "edgewise/measure/cache/trace.hpp"
 #include "edgewise/measure/memory_use.hpp"
 #include "edgewise/measure/round.hpp"
-#include "edgewise/measure/cache/trace.hpp"
 #include "edgewise/scene/workload.hpp"
-#include "edgewise/bench/table_options.hpp"
 #include "edgewise/table/ledger.hpp"
 #include "edgewise/table/memory_map.hpp"
 #include "edgewise/table/needs.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 /// An answer with everything a user may ask for, in world coordinates. In contact the witness points are
 /// those of the penetration: each body's point deepest in the other.
@@ -79,41 +79,43 @@ class Runner {
 
     /// Every query of the workload in order, from cold pairs; points in A's frame. Bodies farther apart than
     /// the precision can compute with: status failed, here and below.
-    [[nodiscard]] virtual std::vector<Distance> answer(const Workload& workload) const = 0;
+    [[nodiscard]] virtual std::vector<Distance> answer(const scene::Workload& workload) const = 0;
 
     /// One query from a cold start, with features and, in contact, the depth, which also tells touching from
     /// overlapping.
-    [[nodiscard]] virtual NamedAnswer answer(const Query& query) const = 0;
+    [[nodiscard]] virtual NamedAnswer answer(const scene::Query& query) const = 0;
 
     /// Times the whole workload; `in_contact[i]` != 0 books query i under overlapping, else under separated.
     /// The clock is read where the class changes, and its cost is subtracted. In a warm scene a pair's first
     /// query, cold by nature, is answered outside the clock: the scene `cold` is for those.
-    [[nodiscard]] virtual Timing time(const Workload& workload, std::span<const std::uint8_t> in_contact,
-                                      double clock_cost_ns) const = 0;
+    [[nodiscard]] virtual measure::Timing time(const scene::Workload& workload,
+                                               std::span<const std::uint8_t> in_contact,
+                                               double clock_cost_ns) const = 0;
 
     /// Bytes of the first table.
     [[nodiscard]] virtual Ledger ledger() const = 0;
 
     /// What all tables take.
-    [[nodiscard]] virtual MemoryUse memory() const = 0;
+    [[nodiscard]] virtual measure::MemoryUse memory() const = 0;
 
     /// Times of building a table of the first body anew, and of refitting one in place to the body deformed,
     /// so often each, in turn.
-    [[nodiscard]] virtual BuildTimes build_times(int repetitions) const = 0;
+    [[nodiscard]] virtual measure::BuildTimes build_times(int repetitions) const = 0;
 
     /// Tells of the accesses of the first queries of the workload, from cold pairs, until so many have
     /// counted; of a warm scene, those that start warm count.
-    virtual PassSum trace(const Workload& workload, std::size_t limit, TraceListener& listener) const = 0;
+    virtual PassSum trace(const scene::Workload& workload, std::size_t limit,
+                          measure::TraceListener& listener) const = 0;
 
     /// A pass over the whole workload from cold pairs, ready to run as often as wanted, with nothing around
     /// the queries but setting the pairs back; for counters that are read outside. Narrow phase only: no
     /// broad phase. Not to outlive the runner nor the workload.
-    [[nodiscard]] virtual std::function<PassSum()> prepared_pass(const Workload& workload) const = 0;
+    [[nodiscard]] virtual std::function<PassSum()> prepared_pass(const scene::Workload& workload) const = 0;
 
     /// As prepared_pass, but for queries first .. last - 1, as often and far as the caller goes: pairs go on
     /// where the last call left them, and are set back where first is 0. Returns the sum of distances.
     using RangePass = std::function<double(std::size_t first, std::size_t last)>;
-    [[nodiscard]] virtual RangePass prepared_range(const Workload& workload) const = 0;
+    [[nodiscard]] virtual RangePass prepared_range(const scene::Workload& workload) const = 0;
 
     /// Bytes of one pair's cache.
     [[nodiscard]] virtual std::size_t pair_bytes() const = 0;
@@ -125,4 +127,4 @@ class Runner {
     [[nodiscard]] virtual std::vector<TableMap> memory_maps() const = 0;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -6,10 +6,10 @@
 
 #include <cstdint>
 
-#include "edgewise/geometry/vertex_order.hpp"
 #include "edgewise/bench/memory/allocators.hpp"
+#include "edgewise/geometry/vertex_order.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 enum class Sharing : std::uint8_t {
     as_scene,      ///< what the scene is about: shared, but for `pressure`
@@ -25,4 +25,4 @@ struct TableOptions {
     [[nodiscard]] bool operator==(const TableOptions&) const = default;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -12,7 +12,7 @@
 #include "edgewise/table/memory_map.hpp"
 #include "edgewise/table/stored_body.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 using Algorithms = std::tuple<VClip, Gjk>;
 
@@ -73,4 +73,4 @@ template <class Table, class TracedTable>
     return type;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

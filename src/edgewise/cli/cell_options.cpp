@@ -10,7 +10,7 @@ namespace edgewise::cli {
 namespace {
 
 /// "rotation_step=0.1".
-void take_parameter(const std::string& text, SceneParameters& parameters) {
+void take_parameter(const std::string& text, scene::SceneParameters& parameters) {
     const std::size_t equals = text.find('=');
     std::size_t used = 0;
     try {
@@ -25,7 +25,7 @@ void take_parameter(const std::string& text, SceneParameters& parameters) {
 
 }  // namespace
 
-void add_cell_options(CLI::App& command, CellChoice& choice) {
+void add_cell_options(CLI::App& command, studies::CellChoice& choice) {
     command.add_option("--table", choice.table, "table type")->capture_default_str();
     command.add_option("--algorithm", choice.algorithm, "vclip or gjk")->capture_default_str();
     command.add_option("--scene", choice.scene, "scene")->capture_default_str();

@@ -9,6 +9,6 @@
 namespace edgewise::cli {
 
 /// The choice must live until the command's action is done.
-void add_cell_options(CLI::App& command, CellChoice& choice);
+void add_cell_options(CLI::App& command, studies::CellChoice& choice);
 
 }  // namespace edgewise::cli

@@ -13,16 +13,16 @@ namespace edgewise::cli {
 namespace {
 
 struct Options {
-    CellChoice cell;
+    studies::CellChoice cell;
     int repetitions = 7;
 };
 
 int run(const Options& options, bool json) {
-    const SingleCell cell(options.cell);
-    const std::vector<ModelSpeed> speeds = model_speeds(cell, options.repetitions);
+    const studies::SingleCell cell(options.cell);
+    const std::vector<studies::ModelSpeed> speeds = studies::model_speeds(cell, options.repetitions);
     nlohmann::json rows = nlohmann::json::array();
     if (!json) fmt::print("{:<40} {:<18} {:>10} {:>12}\n", "what", "trace", "accesses", "million a s");
-    for (const ModelSpeed& speed : speeds) {
+    for (const studies::ModelSpeed& speed : speeds) {
         rows.push_back({{"what", speed.what},
                         {"trace", speed.trace},
                         {"accesses", speed.accesses},

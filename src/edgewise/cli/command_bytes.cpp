@@ -13,9 +13,9 @@
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/studies/table_memory_cost.hpp"
 #include "edgewise/sweep/decompositions.hpp"
 #include "edgewise/sweep/table_bytes.hpp"
-#include "edgewise/studies/table_memory_cost.hpp"
 
 namespace edgewise::cli {
 
@@ -35,24 +35,24 @@ struct NamedBody {
 
 NamedBody chosen_body(const Options& options) {
     if (options.mesh.empty()) {
-        auto body = make_shape(options.shape);
+        auto body = scene::make_shape(options.shape);
         if (!body) throw std::invalid_argument(body.error);
         return {options.shape, std::move(*body)};
     }
-    auto bodies = read_mesh_file(options.mesh, MeshGrouping::one_hull);
+    auto bodies = scene::read_mesh_file(options.mesh, scene::MeshGrouping::one_hull);
     if (!bodies) throw std::invalid_argument(bodies.error);
     if (!bodies.warning.empty()) fmt::print(stderr, "edgewise: {}\n", bodies.warning);
     return {(*bodies)[0].name, std::move((*bodies)[0].body)};
 }
 
-const Probe& bytes_probe() {
-    for (const auto& probe : registered_probes()) {
+const measure::Probe& bytes_probe() {
+    for (const auto& probe : measure::registered_probes()) {
         if (probe->name() == "bytes") return *probe;
     }
     throw std::runtime_error("this program was built without the bytes probe (see probes/CMakeLists.txt)");
 }
 
-Polyhedron as_stored(const TableType& type, const Polyhedron& body) {
+Polyhedron as_stored(const bench::TableType& type, const Polyhedron& body) {
     auto stored = type.stored_body(body);
     if (!stored) throw std::invalid_argument(stored.error);
     return std::move(*stored);
@@ -63,9 +63,9 @@ nlohmann::json number_or_null(const std::optional<std::size_t>& value) {
 }
 
 /// Beside the table's own bytes: allocators, pages, and lines that queries touch.
-void add_costs(const TableType& type, const Polyhedron& body, Parts parts, nlohmann::json& row) {
+void add_costs(const bench::TableType& type, const Polyhedron& body, Parts parts, nlohmann::json& row) {
     row["allocators"] = nlohmann::json::array();
-    for (const AllocatorCost& cost : allocator_costs(type, body, parts)) {
+    for (const studies::AllocatorCost& cost : studies::allocator_costs(type, body, parts)) {
         nlohmann::json entry = {{"name", cost.allocator},
                                 {"taken_bytes", number_or_null(cost.taken)},
                                 {"by_its_statistics", number_or_null(cost.by_statistics)},
@@ -75,23 +75,23 @@ void add_costs(const TableType& type, const Polyhedron& body, Parts parts, nlohm
     }
     row["queries"] = nlohmann::json::array();
     for (const std::string& algorithm : type.algorithms) {
-        const Result<LinesTouched> touched = lines_in_tumble(type, algorithm, body);
+        const Result<measure::LinesTouched> touched = studies::lines_in_tumble(type, algorithm, body);
         const auto mean = [&](std::uint64_t sum) {
             return touched ? nlohmann::json(static_cast<double>(sum) / static_cast<double>(touched->queries))
                            : nlohmann::json();
         };
-        const LinesTouched sums = touched ? *touched : LinesTouched{};
+        const measure::LinesTouched sums = touched ? *touched : measure::LinesTouched{};
         row["queries"].push_back({{"algorithm", algorithm},
                                   {"lines_per_query", mean(sums.lines)},
-                                  {"line_bytes_per_query", mean(sums.lines * cache_line)},
+                                  {"line_bytes_per_query", mean(sums.lines * measure::cache_line)},
                                   {"read_bytes_per_query", mean(sums.bytes)}});
         if (!touched) row["queries"].back()["reason"] = touched.error;
     }
 }
 
-void add_slopes(const TableType& type, Parts parts, nlohmann::json& row) {
+void add_slopes(const bench::TableType& type, Parts parts, nlohmann::json& row) {
     row["slopes_by_index_width"] = nlohmann::json::array();
-    for (const WidthSlope& slope : slopes_by_width(type, parts)) {
+    for (const studies::WidthSlope& slope : studies::slopes_by_width(type, parts)) {
         row["slopes_by_index_width"].push_back({{"offset_bits", slope.offset_bits},
                                                 {"neighbour_bits", slope.neighbour_bits},
                                                 {"least_vertices", slope.least_vertices},
@@ -100,16 +100,17 @@ void add_slopes(const TableType& type, Parts parts, nlohmann::json& row) {
     }
 }
 
-nlohmann::json row_of(const TableType& type, const NamedBody& shape, SizeFamily& sizes, bool slopes) {
+nlohmann::json row_of(const bench::TableType& type, const NamedBody& shape, sweep::SizeFamily& sizes,
+                      bool slopes) {
     const Polyhedron body = as_stored(type, shape.body);
     const Parts parts = type.all_parts();
-    Subject subject;
-    subject.table = table_bytes(type.ledger(body, parts), body);
+    measure::Subject subject;
+    subject.table = sweep::table_bytes(type.ledger(body, parts), body);
     subject.sizes = sizes.of(type, parts);
     nlohmann::json row = {
         {"layout", type.layout}, {"precision", type.precision},     {"table", type.name},
         {"shape", shape.name},   {"vertices", body.vertex_count()}, {"edges", body.edge_count()}};
-    for (const Figure& figure : bytes_probe().figures(subject)) {
+    for (const measure::Figure& figure : bytes_probe().figures(subject)) {
         const bool component =
             std::find(component_names.begin(), component_names.end(), figure.name) != component_names.end();
         (component ? row["components"] : row)[figure.name] =
@@ -180,19 +181,20 @@ void print_slopes(const nlohmann::json& rows) {
 
 int run(const Options& options, bool json) {
     const NamedBody shape = chosen_body(options);
-    SizeFamily sizes;
+    sweep::SizeFamily sizes;
     nlohmann::json rows = nlohmann::json::array();
-    for (const TableType* type : select_table_types(options.layouts))
+    for (const bench::TableType* type : bench::select_table_types(options.layouts))
         rows.push_back(row_of(*type, shape, sizes, options.slopes));
     if (json) {
-        fmt::print("{}\n", nlohmann::json{{"rows", rows}, {"decompositions", decompositions_json()}}.dump());
+        fmt::print("{}\n",
+                   nlohmann::json{{"rows", rows}, {"decompositions", sweep::decompositions_json()}}.dump());
     } else {
         fmt::print("{}: {} vertices, {} edges\n", shape.name, shape.body.vertex_count(),
                    shape.body.edge_count());
         print_table(rows);
         print_costs(rows);
         if (options.slopes) print_slopes(rows);
-        fmt::print("\n{}", decompositions_text());
+        fmt::print("\n{}", sweep::decompositions_text());
     }
     return exit_done;
 }

@@ -17,12 +17,12 @@ namespace edgewise::cli {
 namespace {
 
 /// Only where something was counted; a model of no misses has no ratio.
-std::optional<double> ratio(const CalibrationRow& row) {
+std::optional<double> ratio(const measure::CalibrationRow& row) {
     if (!row.counted || row.modelled <= 0) return std::nullopt;
     return *row.counted / row.modelled;
 }
 
-nlohmann::json json_of(const CalibrationRow& row) {
+nlohmann::json json_of(const measure::CalibrationRow& row) {
     const auto value = [](const std::optional<double>& number) {
         return number ? nlohmann::json(*number) : nlohmann::json();
     };
@@ -37,10 +37,10 @@ nlohmann::json json_of(const CalibrationRow& row) {
             {"reason", row.reason.empty() ? nlohmann::json() : nlohmann::json(row.reason)}};
 }
 
-void print(const std::vector<CalibrationRow>& rows) {
+void print(const std::vector<measure::CalibrationRow>& rows) {
     fmt::print("{:<6} {:>7} {:>11} {:>10} {:>10} {:>7} {:>8}\n", "level", "times", "KiB", "modelled",
                "counted", "ratio", "ns");
-    for (const CalibrationRow& row : rows) {
+    for (const measure::CalibrationRow& row : rows) {
         const auto number = [](const std::optional<double>& value) {
             return value ? fmt::format("{:.4f}", *value) : std::string("-");
         };
@@ -48,21 +48,21 @@ void print(const std::vector<CalibrationRow>& rows) {
                    static_cast<double>(row.bytes) / 1024, row.modelled, number(row.counted),
                    number(ratio(row)), row.ns);
     }
-    const bool none = std::none_of(rows.begin(), rows.end(),
-                                   [](const CalibrationRow& row) { return row.counted.has_value(); });
+    const bool none = std::none_of(
+        rows.begin(), rows.end(), [](const measure::CalibrationRow& row) { return row.counted.has_value(); });
     if (none && !rows.empty()) fmt::print("no counters: {}\n", rows.front().reason);
 }
 
-int run(const CalibrationOptions& options, bool json) {
-    const Fact<CacheMachine> host = host_machine();
+int run(const measure::CalibrationOptions& options, bool json) {
+    const measure::Fact<measure::CacheMachine> host = measure::host_machine();
     if (!host.value) throw std::runtime_error("this machine's caches are not known: " + host.reason);
-    const auto rows = calibrate_model(*host.value, read_machine().cpu, options);
+    const auto rows = measure::calibrate_model(*host.value, measure::read_machine().cpu, options);
     if (!json) {
         print(rows);
         return exit_done;
     }
     nlohmann::json all = nlohmann::json::array();
-    for (const CalibrationRow& row : rows) all.push_back(json_of(row));
+    for (const measure::CalibrationRow& row : rows) all.push_back(json_of(row));
     fmt::print("{}\n", nlohmann::json({{"calibration", all}}).dump());
     return exit_done;
 }
@@ -70,7 +70,7 @@ int run(const CalibrationOptions& options, bool json) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, Context& context) {
-    auto options = std::make_shared<CalibrationOptions>();
+    auto options = std::make_shared<measure::CalibrationOptions>();
     CLI::App* command = add_command(app, context, "calibrate",
                                     "Misses of random loads, modelled against counted, by level and size");
     command->add_option("--times", options->times, "memory, in sizes of each level")

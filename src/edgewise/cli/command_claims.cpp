@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json claim_json(const Claim& claim) {
+ordered_json claim_json(const reports::Claim& claim) {
     return {{"id", claim.id},           {"section", claim.section},
             {"claim", claim.claim},     {"paper", claim.paper},
             {"ours", claim.ours},       {"unit", claim.unit},
@@ -25,34 +25,34 @@ ordered_json claim_json(const Claim& claim) {
             {"rule", claim.rule},       {"deterministic", claim.deterministic}};
 }
 
-void print_json(const ReportData& data, const std::vector<Claim>& claims) {
+void print_json(const reports::ReportData& data, const std::vector<reports::Claim>& claims) {
     ordered_json all = ordered_json::array();
-    for (const Claim& claim : claims) all.push_back(claim_json(claim));
+    for (const reports::Claim& claim : claims) all.push_back(claim_json(claim));
     const ordered_json machine = ordered_json::parse(data.build.machine_json, nullptr, false);
     const ordered_json out = {{"claims", all}, {"machine", machine.is_discarded() ? nullptr : machine}};
     fmt::print("{}\n", out.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 /// A line of short columns, then one for each longer text.
-void print_table(const std::vector<Claim>& claims) {
+void print_table(const std::vector<reports::Claim>& claims) {
     std::size_t id = 0, section = 0;
-    for (const Claim& claim : claims) {
+    for (const reports::Claim& claim : claims) {
         id = std::max(id, claim.id.size());
         section = std::max(section, claim.section.size());
     }
     fmt::print("{:<{}}  {:<{}}  {}\n", "claim", id, "section", section, "verdict");
-    for (const Claim& claim : claims) {
+    for (const reports::Claim& claim : claims) {
         fmt::print("{:<{}}  {:<{}}  {}\n", claim.id, id, claim.section, section, claim.verdict);
         fmt::print("    {}\n    paper: {}\n", claim.claim, claim.paper);
         if (!claim.ours.empty()) fmt::print("    here: {}\n", claim.ours);
         if (!claim.reason.empty()) fmt::print("    why: {}\n", claim.reason);
     }
-    fmt::print("{}\n", claims_summary(claims));
+    fmt::print("{}\n", reports::claims_summary(claims));
 }
 
 int run(const std::string& store, bool json) {
-    const ReportData data = read_report(store);
-    const std::vector<Claim> claims = judge_claims(data);
+    const reports::ReportData data = reports::read_report(store);
+    const std::vector<reports::Claim> claims = reports::judge_claims(data);
     if (json)
         print_json(data, claims);
     else

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/cli/cell_options.hpp"
-#include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/studies/crosscheck.hpp"
 
 namespace edgewise::cli {
@@ -16,30 +16,31 @@ namespace edgewise::cli {
 namespace {
 
 struct Options {
-    CellChoice cell;
+    studies::CellChoice cell;
     std::vector<std::string> machines = {"pentium3_coppermine", "athlon_thunderbird", "zen2", "zen5"};
 };
 
 /// The model and Callgrind on one machine's first two levels.
 struct Compared {
     std::string machine, reason;  ///< reason: why there is nothing to compare
-    ModelledPass model, with_poses;
-    CallgrindCounts tool;
+    studies::ModelledPass model, with_poses;
+    measure::CallgrindCounts tool;
 };
 
-Compared compare(const MachineChoice& choice, const Options& options, const SingleCell& cell,
-                 const Fact<std::string>& program) {
+Compared compare(const measure::MachineChoice& choice, const Options& options,
+                 const studies::SingleCell& cell, const measure::Fact<std::string>& program) {
     Compared row{choice.name, {}, {}, {}, {}};
-    const Fact<CacheGeometry> geometry = choice.machine.value
-                                             ? callgrind_geometry(*choice.machine.value)
-                                             : Fact<CacheGeometry>::unknown(choice.machine.reason);
+    const measure::Fact<measure::CacheGeometry> geometry =
+        choice.machine.value ? measure::callgrind_geometry(*choice.machine.value)
+                             : measure::Fact<measure::CacheGeometry>::unknown(choice.machine.reason);
     if (!geometry.value || !program.value) {
         row.reason = geometry.value ? program.reason : geometry.reason;
         return row;
     }
-    row.model = model_pass(cell, *geometry.value, false);
-    row.with_poses = model_pass(cell, *geometry.value, true);
-    const Fact<CallgrindCounts> counts = callgrind_pass(options.cell, *geometry.value, *program.value);
+    row.model = studies::model_pass(cell, *geometry.value, false);
+    row.with_poses = studies::model_pass(cell, *geometry.value, true);
+    const measure::Fact<measure::CallgrindCounts> counts =
+        studies::callgrind_pass(options.cell, *geometry.value, *program.value);
     if (!counts.value) {
         row.reason = counts.reason;
         return row;
@@ -76,7 +77,7 @@ nlohmann::json json_of(const Compared& row, double queries) {
             {"callgrind", counts(row.tool.accesses, row.tool.d1_misses, row.tool.ll_misses)}};
 }
 
-nlohmann::json json_of(const PerfCount& perf, double queries) {
+nlohmann::json json_of(const studies::PerfCount& perf, double queries) {
     const bool counted = perf.count.value.has_value();
     return {{"event", perf.event},
             {"encoding", perf.encoding},
@@ -85,7 +86,7 @@ nlohmann::json json_of(const PerfCount& perf, double queries) {
             {"reason", counted ? nlohmann::json() : nlohmann::json(perf.count.reason)}};
 }
 
-void print(const PerfCount& perf, double queries) {
+void print(const studies::PerfCount& perf, double queries) {
     const std::string what =
         fmt::format("perf stat {} ({})", perf.event, perf.level.value_or("no known level"));
     if (perf.count.value) {
@@ -101,15 +102,15 @@ constexpr const char* residual_cause =
     "not fit registers), answers, setting the pairs back; in the last level also instructions.";
 
 int run(const Options& options, bool json) {
-    const std::vector<MachineChoice> machines = choose_machines(options.machines);
-    const SingleCell cell(options.cell);
+    const std::vector<measure::MachineChoice> machines = measure::choose_machines(options.machines);
+    const studies::SingleCell cell(options.cell);
     const auto queries = static_cast<double>(cell.workload().queries.size());
-    const Fact<std::string> program = program_for_valgrind();
+    const measure::Fact<std::string> program = studies::program_for_valgrind();
     nlohmann::json rows = nlohmann::json::array();
     if (!json)
         fmt::print("{:<20} {:>8} {:>9} {:>9} {:>10} {:>9} {:>8} {:>9} {:>9}\n", "a query", "accesses",
                    "callgrind", "D1 model", "with poses", "callgrind", "residual", "LL model", "callgrind");
-    for (const MachineChoice& machine : machines) {
+    for (const measure::MachineChoice& machine : machines) {
         const Compared row = compare(machine, options, cell, program);
         if (json) {
             rows.push_back(json_of(row, queries));
@@ -119,7 +120,8 @@ int run(const Options& options, bool json) {
     }
     nlohmann::json counted = nlohmann::json::array();
     const std::string self = std::filesystem::read_symlink("/proc/self/exe");
-    for (const PerfCount& perf : perf_pass(options.cell, self, read_machine().cpu)) {
+    for (const studies::PerfCount& perf :
+         studies::perf_pass(options.cell, self, measure::read_machine().cpu)) {
         counted.push_back(json_of(perf, queries));
         if (!json) print(perf, queries);
     }

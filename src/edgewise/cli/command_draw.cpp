@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "edgewise/bench/draw_layout.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/bench/draw_layout.hpp"
 
 namespace edgewise::cli {
 
@@ -21,12 +21,12 @@ struct Options {
 };
 
 int run(const Options& options, bool json) {
-    auto body = make_shape(options.shape);
+    auto body = scene::make_shape(options.shape);
     if (!body) throw std::invalid_argument(body.error);
     nlohmann::json drawings = nlohmann::json::array();
     const std::string names[] = {options.layout};
-    for (const TableType* type : select_table_types(names)) {
-        const std::string svg = draw_layout(*type, options.shape, *body);
+    for (const bench::TableType* type : bench::select_table_types(names)) {
+        const std::string svg = bench::draw_layout(*type, options.shape, *body);
         if (!json) {
             fmt::print("{}", svg);
             return exit_done;

@@ -7,40 +7,41 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/bench/draw_heat.hpp"
+#include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/cli/cell_options.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
-#include "edgewise/bench/draw_heat.hpp"
 #include "edgewise/sweep/touched_tables.hpp"
-#include "edgewise/bench/trace/trace_names.hpp"
 
 namespace edgewise::cli {
 
 namespace {
 
 struct Options {
-    CellChoice cell;
+    studies::CellChoice cell;
     bool svg = false;
 };
 
 /// Lines of the tables alone: what follows them is the scene's.
-std::span<const std::uint32_t> lines_of_tables(const HeatMap& heat, const SingleCell& cell) {
+std::span<const std::uint32_t> lines_of_tables(const measure::HeatMap& heat,
+                                               const studies::SingleCell& cell) {
     const std::size_t lines = (cell.runner().table_allocator().taken() + 63) / 64;
     return std::span(heat.accesses_by_line()).first(std::min(lines, heat.accesses_by_line().size()));
 }
 
 /// Of the first table, by the order in which the layout stores them.
-nlohmann::json features(const TableMap& map, const TouchedBytes& touched) {
+nlohmann::json features(const bench::TableMap& map, const measure::TouchedBytes& touched) {
     nlohmann::json json = nlohmann::json::object();
     const std::pair<const char*, FeatureKind> kinds[] = {
         {"vertices", FeatureKind::vertex}, {"edges", FeatureKind::edge}, {"faces", FeatureKind::face}};
     for (const auto& [name, kind] : kinds) {
-        const auto elements = touched_features(map, touched, kind);
+        const auto elements = sweep::touched_features(map, touched, kind);
         json[name] = elements ? nlohmann::json(*elements) : nlohmann::json();
     }
     return json;
 }
 
-void print(const HeatMap& heat, const TouchedTables& tables) {
+void print(const measure::HeatMap& heat, const measure::TouchedTables& tables) {
     const auto queries = static_cast<double>(heat.queries());
     fmt::print("{} queries; {} lines accessed, {} take half of all accesses, {} take 90 %\n", heat.queries(),
                heat.lines(), heat.lines_taking(0.5), heat.lines_taking(0.9));
@@ -54,20 +55,21 @@ void print(const HeatMap& heat, const TouchedTables& tables) {
     feature("edges", tables.edges);
     feature("faces", tables.faces);
     fmt::print("accesses a query\n");
-    for (std::size_t i = 0; i < field_names().size(); ++i) {
+    for (std::size_t i = 0; i < bench::field_names().size(); ++i) {
         if (const auto count = heat.accesses_by_field()[i]; count > 0)
-            fmt::print("  {:<20} {:.2f}\n", field_names()[i], static_cast<double>(count) / queries);
+            fmt::print("  {:<20} {:.2f}\n", bench::field_names()[i], static_cast<double>(count) / queries);
     }
 }
 
-nlohmann::json json_of(const HeatMap& heat, const TouchedTables& tables, const SingleCell& cell) {
+nlohmann::json json_of(const measure::HeatMap& heat, const measure::TouchedTables& tables,
+                       const studies::SingleCell& cell) {
     const auto part = [](const std::optional<double>& value) {
         return value ? nlohmann::json(*value) : nlohmann::json();
     };
     nlohmann::json fields = nlohmann::json::object();
-    for (std::size_t i = 0; i < field_names().size(); ++i)
+    for (std::size_t i = 0; i < bench::field_names().size(); ++i)
         if (const auto count = heat.accesses_by_field()[i]; count > 0)
-            fields[std::string(field_names()[i])] = count;
+            fields[std::string(bench::field_names()[i])] = count;
     return {
         {"queries", heat.queries()},
         {"accesses_by_field", fields},
@@ -81,15 +83,15 @@ nlohmann::json json_of(const HeatMap& heat, const TouchedTables& tables, const S
 }
 
 int run(const Options& options, bool json) {
-    const SingleCell cell(options.cell);
-    HeatMap heat(field_names().size(), step_names().size());
+    const studies::SingleCell cell(options.cell);
+    measure::HeatMap heat(bench::field_names().size(), bench::step_names().size());
     cell.runner().trace(cell.workload(), std::numeric_limits<std::size_t>::max(), heat);
-    const TouchedTables tables = touched_tables(cell.runner().memory_maps(), heat.touched());
+    const measure::TouchedTables tables = sweep::touched_tables(cell.runner().memory_maps(), heat.touched());
     if (options.svg) {
         const std::string title =
             fmt::format("{} {}, {} {}, {} queries", options.cell.table, options.cell.algorithm,
                         options.cell.scene, options.cell.shape, heat.queries());
-        fmt::print("{}", draw_heat(title, lines_of_tables(heat, cell)));
+        fmt::print("{}", bench::draw_heat(title, lines_of_tables(heat, cell)));
     } else if (json) {
         fmt::print("{}\n", json_of(heat, tables, cell).dump());
     } else {

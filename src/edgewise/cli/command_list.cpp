@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/measure/probe.hpp"
@@ -15,7 +16,6 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
-#include "edgewise/bench/registry.hpp"
 
 namespace edgewise::cli {
 
@@ -26,7 +26,7 @@ using nlohmann::json;
 /// One entry a layout, its precisions gathered.
 json list_layouts() {
     json result = json::array();
-    for (const TableType& type : table_types()) {
+    for (const bench::TableType& type : bench::table_types()) {
         if (result.empty() || result.back()["name"] != type.layout) {
             result.push_back({{"name", type.layout},
                               {"stores", type.stores},
@@ -41,14 +41,14 @@ json list_layouts() {
 
 json list_probes() {
     json result = json::array();
-    for (const auto& probe : registered_probes())
+    for (const auto& probe : measure::registered_probes())
         result.push_back({{"name", probe->name()}, {"summary", probe->summary()}});
     return result;
 }
 
 json list_algorithms() {
     json result = json::array();
-    for (const AlgorithmInfo& info : algorithms()) {
+    for (const bench::AlgorithmInfo& info : bench::algorithms()) {
         result.push_back(
             {{"name", info.name},
              {"summary", info.summary},
@@ -59,9 +59,9 @@ json list_algorithms() {
 
 json list_of_scenes() {
     json result = json::array();
-    for (const SceneInfo& scene : list_scenes()) {
+    for (const scene::SceneInfo& scene : scene::list_scenes()) {
         json parameters = json::array();
-        for (const ParameterInfo& p : scene.parameters) {
+        for (const scene::ParameterInfo& p : scene.parameters) {
             parameters.push_back(
                 {{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"default", p.standard}});
         }
@@ -73,7 +73,7 @@ json list_of_scenes() {
 /// Those that come along, each with its text: to start one's own from.
 json list_scene_files() {
     json result = json::array();
-    for (const SceneText& text : scene_texts()) {
+    for (const scene::SceneText& text : scene::scene_texts()) {
         json file = json::parse(text.json);
         result.push_back({{"name", text.name}, {"note", file.value("note", "")}, {"file", file}});
     }
@@ -82,7 +82,7 @@ json list_scene_files() {
 
 json list_of_shapes() {
     json result = json::array();
-    for (const ShapeInfo& shape : list_shapes()) {
+    for (const scene::ShapeInfo& shape : scene::list_shapes()) {
         result.push_back({{"name", shape.name},
                           {"vertices", shape.vertices},
                           {"edges", shape.edges},
@@ -93,13 +93,13 @@ json list_of_shapes() {
 
 json list_families() {
     json result = json::array();
-    for (const HardFamily& family : hard_families())
+    for (const scene::HardFamily& family : scene::hard_families())
         result.push_back({{"name", family.name}, {"varies", family.varies}, {"breaks", family.breaks}});
     return result;
 }
 
 /// Each level as size, ways and latency, with what its source does not prove.
-json level_json(const LevelGeometry& level, const LevelOrigin& origin, std::uint32_t line) {
+json level_json(const measure::LevelGeometry& level, const measure::LevelOrigin& origin, std::uint32_t line) {
     return {{"name", level.name},      {"bytes", std::uint64_t{level.sets} * level.ways * line},
             {"ways", level.ways},      {"latency_cycles", origin.latency_cycles},
             {"source", origin.source}, {"unverified", origin.unverified}};
@@ -107,7 +107,7 @@ json level_json(const LevelGeometry& level, const LevelOrigin& origin, std::uint
 
 json list_machines() {
     json result = json::array();
-    for (const CacheMachine& machine : cache_machines()) {
+    for (const measure::CacheMachine& machine : measure::cache_machines()) {
         json levels = json::array();
         for (std::size_t i = 0; i < machine.origins.size(); ++i)
             levels.push_back(
@@ -122,17 +122,17 @@ json list_machines() {
 
 json list_axes() {
     json result = json::array();
-    for (const AxisInfo& axis : axes_known())
+    for (const sweep::AxisInfo& axis : sweep::axes_known())
         result.push_back({{"name", axis.name}, {"values", axis.values}, {"meaning", axis.summary}});
     return result;
 }
 
 json list_plans() {
     json result = json::array();
-    for (const std::string& name : plan_names()) {
-        const Plan plan = make_plan(name);
+    for (const std::string& name : sweep::plan_names()) {
+        const sweep::Plan plan = sweep::make_plan(name);
         json scenes = json::array();
-        for (const SceneChoice& scene : plan.scenes)
+        for (const sweep::SceneChoice& scene : plan.scenes)
             scenes.push_back(scene.name + " " + json(scene.parameters).dump());
         result.push_back({{"name", name},
                           {"queries", plan.queries},

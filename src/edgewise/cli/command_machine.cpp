@@ -29,7 +29,7 @@ void print_counter(const nlohmann::json& counter) {
 }
 
 int run(bool json) {
-    nlohmann::json machine = machine_json();
+    nlohmann::json machine = measure::machine_json();
     if (json) {
         fmt::print("{}\n", machine.dump());
         return exit_done;

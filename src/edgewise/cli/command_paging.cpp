@@ -26,22 +26,23 @@ struct Options {
     std::uint64_t seed = 1;
 };
 
-Workload pressure(const Options& options) {
-    const auto parameters = complete_parameters("pressure", {{"bodies", static_cast<double>(options.bodies)},
-                                                             {"rotation_step", options.rotation_step},
-                                                             {"new_order", options.same_order ? 0 : 1}});
+scene::Workload pressure(const Options& options) {
+    const auto parameters =
+        scene::complete_parameters("pressure", {{"bodies", static_cast<double>(options.bodies)},
+                                                {"rotation_step", options.rotation_step},
+                                                {"new_order", options.same_order ? 0 : 1}});
     if (!parameters) throw std::invalid_argument(parameters.error);
-    const auto body = make_shape(options.shape);
+    const auto body = scene::make_shape(options.shape);
     if (!body) throw std::invalid_argument(body.error);
-    auto workload =
-        make_scene("pressure", *body, *parameters, options.seed, options.steps * (options.bodies - 1), {});
+    auto workload = scene::make_scene("pressure", *body, *parameters, options.seed,
+                                      options.steps * (options.bodies - 1), {});
     if (!workload) throw std::invalid_argument(workload.error);
     return std::move(*workload);
 }
 
-nlohmann::json json_of(const PagingResult& result) {
+nlohmann::json json_of(const studies::PagingResult& result) {
     nlohmann::json rows = nlohmann::json::array();
-    for (const PagingRow& row : result.rows) {
+    for (const studies::PagingRow& row : result.rows) {
         const bool measured = row.reason.empty();
         const auto value = [&](double number) {
             return measured ? nlohmann::json(number) : nlohmann::json();
@@ -64,7 +65,7 @@ nlohmann::json json_of(const PagingResult& result) {
             {"reason", result.reason.empty() ? nlohmann::json() : nlohmann::json(result.reason)}};
 }
 
-void print(const PagingResult& result) {
+void print(const studies::PagingResult& result) {
     const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
     fmt::print("{} {}: tables {:.1f} MiB, pages touched {:.1f} MiB\n", result.table, result.algorithm,
                static_cast<double>(result.table_bytes) / (1 << 20),
@@ -76,7 +77,7 @@ void print(const PagingResult& result) {
     if (!result.rows.empty())
         fmt::print("  {:>10} {:>10} {:>10} {:>10} {:>14} {:>10}\n", "limit, MiB", "predicted", "held, MiB",
                    "predicted", "faults a query", "us a query");
-    for (const PagingRow& row : result.rows) {
+    for (const studies::PagingRow& row : result.rows) {
         fmt::print("  {:>10.1f} {:>10.4f} ", static_cast<double>(row.limit_bytes) / (1 << 20),
                    row.predicted_at_limit);
         if (!row.reason.empty()) {
@@ -90,16 +91,16 @@ void print(const PagingResult& result) {
 }
 
 int run(const Options& options, bool json) {
-    const Workload workload = pressure(options);
+    const scene::Workload workload = pressure(options);
     std::vector<std::uint64_t> limits;
     for (const double mebibytes : options.limits)
         limits.push_back(static_cast<std::uint64_t>(mebibytes * (1 << 20)));
     nlohmann::json results = nlohmann::json::array();
-    for (const TableType* type : select_table_types(options.layouts)) {
+    for (const bench::TableType* type : bench::select_table_types(options.layouts)) {
         if (!type->serves(options.algorithm))
             throw std::invalid_argument(fmt::format("{} does not serve {}", type->name, options.algorithm));
-        const PagingResult result =
-            measure_paging(*type, options.algorithm, workload, [&](std::uint64_t) { return limits; });
+        const studies::PagingResult result = studies::measure_paging(*type, options.algorithm, workload,
+                                                                     [&](std::uint64_t) { return limits; });
         if (json) {
             results.push_back(json_of(result));
         } else {

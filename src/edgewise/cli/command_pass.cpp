@@ -11,15 +11,15 @@ namespace edgewise::cli {
 namespace {
 
 struct Options {
-    CellChoice cell;
+    studies::CellChoice cell;
     int passes = 1;
 };
 
 int run(const Options& options) {
-    const SingleCell cell(options.cell);
-    const std::function<PassSum()> pass = cell.runner().prepared_pass(cell.workload());
+    const studies::SingleCell cell(options.cell);
+    const std::function<bench::PassSum()> pass = cell.runner().prepared_pass(cell.workload());
     static_cast<void>(pass());
-    const CallgrindRegion collected;
+    const measure::CallgrindRegion collected;
     for (int i = 0; i < options.passes; ++i) static_cast<void>(pass());
     return exit_done;
 }

@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/scene/case_file.hpp"
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/bench/registry.hpp"
+#include "edgewise/cli/command.hpp"
+#include "edgewise/scene/case_file.hpp"
 
 namespace edgewise::cli {
 
@@ -60,11 +60,11 @@ json failed_answer(const std::string& id, const std::string& error) {
     return line;
 }
 
-json certificate_json(const Certificate& certificate) {
+json certificate_json(const truth::Certificate& certificate) {
     return {{"lower", certificate.lower}, {"upper", certificate.upper}};
 }
 
-json answer_json(const std::string& id, const NamedAnswer& answer, Needs needs) {
+json answer_json(const std::string& id, const bench::NamedAnswer& answer, Needs needs) {
     json line = empty_answer(id);
     const Distance& d = answer.distance;
     line["status"] = to_string(d.status);
@@ -90,15 +90,15 @@ json answer_json(const std::string& id, const NamedAnswer& answer, Needs needs) 
 }
 
 /// Both bodies' tables are built anew for each case: cases rarely share bodies.
-json answer_case(const Case& given, Runner& runner, const Options& options) {
-    const auto a = body_from_case(given.a);
+json answer_case(const scene::Case& given, bench::Runner& runner, const Options& options) {
+    const auto a = scene::body_from_case(given.a);
     if (!a) return failed_answer(given.id, a.error);
-    const auto b = body_from_case(given.b);
+    const auto b = scene::body_from_case(given.b);
     if (!b) return failed_answer(given.id, b.error);
     const std::vector<Polyhedron> bodies = {*a, *b};
     if (const std::string error = runner.load(bodies); !error.empty()) return failed_answer(given.id, error);
-    const Query query{0, 1, 0, given.pose_a, given.pose_b};
-    const NamedAnswer answer = runner.answer(query);
+    const scene::Query query{0, 1, 0, given.pose_a, given.pose_b};
+    const bench::NamedAnswer answer = runner.answer(query);
     if (answer.distance.status == Status::failed || !std::isfinite(answer.distance.distance)) {
         return failed_answer(
             given.id,
@@ -108,21 +108,21 @@ json answer_case(const Case& given, Runner& runner, const Options& options) {
     const Needs needs = chosen_needs(options);
     json line = answer_json(given.id, answer, needs);
     if (needs < Needs::certificate) return line;
-    const auto certificates =
-        certificates_of(answer, query, bodies, runner.stored_bodies(), given.a.vertices, given.b.vertices);
+    const auto certificates = bench::certificates_of(answer, query, bodies, runner.stored_bodies(),
+                                                     given.a.vertices, given.b.vertices);
     if (!certificates) return failed_answer(given.id, certificates.error);
     line["certificate"] = certificate_json(certificates->given);
     line["stored_certificate"] = certificate_json(certificates->stored);
     return line;
 }
 
-std::unique_ptr<Runner> chosen_runner(const Options& options) {
-    const auto types = select_table_types(std::vector{options.layout});
+std::unique_ptr<bench::Runner> chosen_runner(const Options& options) {
+    const auto types = bench::select_table_types(std::vector{options.layout});
     if (types.size() != 1) {
         throw std::invalid_argument(fmt::format("--layout wants one table type, such as {}; '{}' names {}",
                                                 types.front()->name, options.layout, types.size()));
     }
-    static_cast<void>(select_algorithms(std::vector{options.algorithm}));
+    static_cast<void>(bench::select_algorithms(std::vector{options.algorithm}));
     auto runner = types.front()->make_runner(options.algorithm);
     if (!runner) {
         throw std::invalid_argument(
@@ -142,7 +142,7 @@ int run(const Options& options) {
             throw std::invalid_argument(
                 fmt::format("cannot read {}: no such file, or a directory", options.cases));
     }
-    CaseReader reader(options.cases == "-" ? std::cin : file, options.cases);
+    scene::CaseReader reader(options.cases == "-" ? std::cin : file, options.cases);
     std::size_t unreadable = 0, failed = 0;
     while (const auto line = reader.next()) {
         json answer;

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/store_path.hpp"
 #include "edgewise/reports/page/report.hpp"
-#include "edgewise/bench/build_info.hpp"
 
 namespace edgewise::cli {
 
@@ -23,7 +23,7 @@ struct Options {
 int run(const Options& options, bool json) {
     const auto beside_store = std::filesystem::path(options.store).parent_path().string();
     const std::string out = !options.out.empty() ? options.out : !beside_store.empty() ? beside_store : ".";
-    const ReportSummary summary = write_report(options.store, out, charts_folder());
+    const reports::ReportSummary summary = reports::write_report(options.store, out, bench::charts_folder());
     if (!summary.note.empty()) fmt::print(stderr, "edgewise: {}\n", summary.note);
     if (json) {
         const nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},

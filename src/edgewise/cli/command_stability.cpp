@@ -25,15 +25,15 @@ struct Options {
     std::uint64_t seed = 1;
 };
 
-StabilityPlan chosen_plan(const Options& options) {
-    StabilityPlan plan;
+studies::StabilityPlan chosen_plan(const Options& options) {
+    studies::StabilityPlan plan;
     plan.families = options.families;
     plan.count = options.count;
     plan.proofs = options.proofs;
     plan.seed = options.seed;
-    plan.types = select_table_types(options.layouts);
-    plan.algorithms = select_algorithms(options.algorithms);
-    Plan bodies = make_plan("quick");
+    plan.types = bench::select_table_types(options.layouts);
+    plan.algorithms = bench::select_algorithms(options.algorithms);
+    sweep::Plan bodies = sweep::make_plan("quick");
     bodies.shapes.clear();
     if (!options.meshes.empty()) {
         bodies.meshes = options.meshes;
@@ -43,8 +43,8 @@ StabilityPlan chosen_plan(const Options& options) {
     return plan;
 }
 
-double value_of(const StabilityRow& row, const char* name) {
-    for (const FigureRow& figure : row.figures) {
+double value_of(const studies::StabilityRow& row, const char* name) {
+    for (const store::FigureRow& figure : row.figures) {
         if (figure.figure.name == name) return figure.figure.value.value_or(0);
     }
     return 0;
@@ -58,7 +58,7 @@ void print_heading() {
         "caps", "escapes", "cycles", "fallb.", "refin.", "steps");
 }
 
-void print_row(const StabilityRow& row) {
+void print_row(const studies::StabilityRow& row) {
     const auto count = [&](const char* name) { return static_cast<std::size_t>(value_of(row, name)); };
     fmt::print(
         "{:<24} {:<9} {:<6} {:>8} {:>7} {:>6} {:>6} {:>6} {:>8.1e} {:>8.1e} {:>8.1e} {:>4} {:>7} {:>7} {:>7} "
@@ -73,13 +73,13 @@ void print_row(const StabilityRow& row) {
 }
 
 int run(const Options& options, bool json) {
-    const StabilityPlan plan = chosen_plan(options);
-    const std::size_t rows = stability_rows(plan);
+    const studies::StabilityPlan plan = chosen_plan(options);
+    const std::size_t rows = studies::stability_rows(plan);
     const auto folder = std::filesystem::path(options.store).parent_path();
     if (!folder.empty()) std::filesystem::create_directories(folder);
-    Store store(options.store);
+    store::Store store(options.store);
     if (!json) print_heading();
-    const StabilitySummary summary = store_stability(plan, store, rows, json ? nullptr : print_row);
+    const studies::StabilitySummary summary = store_stability(plan, store, rows, json ? nullptr : print_row);
     if (json) {
         const nlohmann::json line = {{"rows", summary.rows},
                                      {"verified", summary.rows - summary.failed - summary.unavailable},

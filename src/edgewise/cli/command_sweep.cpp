@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/progress.hpp"
 #include "edgewise/cli/stability_run.hpp"
@@ -16,7 +17,6 @@
 #include "edgewise/cli/store_path.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_texts.hpp"
-#include "edgewise/bench/build_info.hpp"
 #include "edgewise/studies/paging_rows.hpp"
 #include "edgewise/sweep/run.hpp"
 
@@ -43,7 +43,7 @@ bool narrowed(const Options& options) {
 
 /// Of a scene that was asked for by name, what else was named on the command line counts, not what the plan
 /// would restrict it to.
-SceneChoice unrestricted(SceneChoice scene, const Options& options) {
+sweep::SceneChoice unrestricted(sweep::SceneChoice scene, const Options& options) {
     if (!options.shapes.empty() || !options.meshes.empty()) scene.shapes.clear();
     if (!options.layouts.empty()) scene.layouts.clear();
     if (!options.algorithms.empty()) scene.algorithms.clear();
@@ -53,14 +53,14 @@ SceneChoice unrestricted(SceneChoice scene, const Options& options) {
 }
 
 /// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.
-Plan chosen_plan(const Options& options) {
-    Plan plan = make_plan(options.plan);
+sweep::Plan chosen_plan(const Options& options) {
+    sweep::Plan plan = sweep::make_plan(options.plan);
     const auto replace = [](auto& to, const auto& from) {
         if (!from.empty()) to = from;
     };
     replace(plan.layouts, options.layouts);
-    for (SceneChoice& scene : plan.scenes) {
-        if (find_scene_file(scene.name)) replace(scene.layouts, options.layouts);
+    for (sweep::SceneChoice& scene : plan.scenes) {
+        if (scene::find_scene_file(scene.name)) replace(scene.layouts, options.layouts);
     }
     replace(plan.algorithms, options.algorithms);
     replace(plan.axes, options.axes);
@@ -71,10 +71,10 @@ Plan chosen_plan(const Options& options) {
         plan.each_mesh = options.each_mesh;
     }
     if (!options.scenes.empty()) {
-        std::vector<SceneChoice> kept;
+        std::vector<sweep::SceneChoice> kept;
         for (const std::string& name : options.scenes) {
             const std::size_t before = kept.size();
-            for (const SceneChoice& scene : plan.scenes) {
+            for (const sweep::SceneChoice& scene : plan.scenes) {
                 if (scene.name == name) kept.push_back(unrestricted(scene, options));
             }
             if (kept.size() == before) kept.push_back({name});
@@ -82,7 +82,7 @@ Plan chosen_plan(const Options& options) {
         plan.scenes = kept;
     }
     replace(plan.machines, options.machines);
-    for (SceneChoice& scene : plan.scenes) replace(scene.caches, options.caches);
+    for (sweep::SceneChoice& scene : plan.scenes) replace(scene.caches, options.caches);
     plan.queries = options.queries.value_or(plan.queries);
     plan.checked = options.checked.value_or(plan.checked);
     plan.rounds = options.rounds.value_or(plan.rounds);
@@ -92,51 +92,51 @@ Plan chosen_plan(const Options& options) {
     return plan;
 }
 
-SweepSummary run_with_progress(const SweepWork& work, Store& store) {
+sweep::SweepSummary run_with_progress(const sweep::SweepWork& work, store::Store& store) {
     std::unique_ptr<Progress> progress;
-    SweepListener listener;
+    sweep::SweepListener listener;
     listener.on_start = [&](std::size_t cells) { progress = std::make_unique<Progress>("sweep", cells); };
     listener.on_done = [&](std::size_t cells, const std::string& what) { progress->advance(cells, what); };
     listener.on_warning = [&](const std::string& line) {
         if (progress) progress->clear();
         fmt::print(stderr, "edgewise: {}\n", line);
     };
-    return run_sweep(work, store, listener, stop_on_signals());
+    return sweep::run_sweep(work, store, listener, stop_on_signals());
 }
 
 /// The hard families, if the plan has them, over the sweep's table types and algorithms.
-StabilitySummary run_stability_of(const SweepWork& work, Store& store, bool& stopped) {
+studies::StabilitySummary run_stability_of(const sweep::SweepWork& work, store::Store& store, bool& stopped) {
     if (work.plan.stability == 0) return {};
-    StabilityPlan plan;
+    studies::StabilityPlan plan;
     plan.count = plan.proofs = work.plan.stability;
     plan.seed = work.plan.seed;
     plan.types = work.types;
     plan.algorithms = work.algorithms;
-    for (const NamedShape& shape : work.shapes) {
+    for (const scene::NamedShape& shape : work.shapes) {
         if (shape.error.empty() && shape.source != "built-in") plan.real.push_back(shape.body);
     }
-    const std::size_t rows = stability_rows(plan);
-    const StabilitySummary summary = store_stability(plan, store, rows, {});
+    const std::size_t rows = studies::stability_rows(plan);
+    const studies::StabilitySummary summary = store_stability(plan, store, rows, {});
     stopped = summary.rows < rows;
     return summary;
 }
 
 /// Under memory limits, if the plan has it.
-void run_paging_of(const Plan& of, Store& store, bool& stopped) {
+void run_paging_of(const sweep::Plan& of, store::Store& store, bool& stopped) {
     if (of.paging == 0) return;
-    PagingPlan plan;
+    studies::PagingPlan plan;
     plan.bodies = of.paging;
     plan.seed = of.seed;
-    Progress progress("paging", paging_rows());
-    stopped =
-        run_paging(
-            plan, this_build().id, store,
-            [&](const CellRow& row) { progress.advance(1, row.shape + " " + row.table); }, stop_on_signals())
-            .stopped;
+    Progress progress("paging", studies::paging_rows());
+    stopped = studies::run_paging(
+                  plan, bench::this_build().id, store,
+                  [&](const store::CellRow& row) { progress.advance(1, row.shape + " " + row.table); },
+                  stop_on_signals())
+                  .stopped;
 }
 
-void print_summary(const SweepSummary& summary, const StabilitySummary& stability, const std::string& store,
-                   const std::string& page, bool json) {
+void print_summary(const sweep::SweepSummary& summary, const studies::StabilitySummary& stability,
+                   const std::string& store, const std::string& page, bool json) {
     if (json) {
         nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
                                {"failed", summary.failed}, {"unavailable", summary.unavailable},
@@ -158,14 +158,14 @@ void print_summary(const SweepSummary& summary, const StabilitySummary& stabilit
 }
 
 int run(const Options& options, bool json) {
-    const SweepWork work = prepare_sweep(
+    const sweep::SweepWork work = sweep::prepare_sweep(
         chosen_plan(options), [](const std::string& line) { fmt::print(stderr, "edgewise: {}\n", line); });
     const auto folder = std::filesystem::path(options.store).parent_path();
     if (!folder.empty()) std::filesystem::create_directories(folder);
-    SweepSummary summary;
-    StabilitySummary stability;
+    sweep::SweepSummary summary;
+    studies::StabilitySummary stability;
     {
-        Store store(options.store);
+        store::Store store(options.store);
         summary = run_with_progress(work, store);
         if (!summary.stopped) stability = run_stability_of(work, store, summary.stopped);
         if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
@@ -177,7 +177,7 @@ int run(const Options& options, bool json) {
         return exit_check_failed;
     }
     const std::string out = !options.out.empty() ? options.out : folder.empty() ? "." : folder.string();
-    const ReportSummary report = write_report(options.store, out, charts_folder());
+    const reports::ReportSummary report = reports::write_report(options.store, out, bench::charts_folder());
     if (!report.note.empty()) fmt::print(stderr, "edgewise: {}\n", report.note);
     print_summary(summary, stability, options.store, report.page, json);
     return summary.failed + stability.failed > 0 ? exit_check_failed : exit_done;

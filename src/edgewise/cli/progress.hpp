@@ -44,7 +44,7 @@ class Progress {
 
     std::string title_, note_;
     ProgressState state_;
-    Stopwatch watch_;
+    measure::Stopwatch watch_;
     double next_draw_ = 0;  ///< seconds; a terminal is slow, and drawing must not disturb what is measured
     bool visible_ = false;
 };

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "edgewise/geometry/check_polyhedron.hpp"
-#include "edgewise/geometry/hull/face_shape.hpp"
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/geometry/message.hpp"
+#include "edgewise/geometry/hull/face_shape.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
+#include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/polyhedron_builder.hpp"
 
 namespace edgewise {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/hull/face_shape.hpp"
 #include "edgewise/geometry/hull/flat_hull.hpp"
-#include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 

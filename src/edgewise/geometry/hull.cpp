@@ -20,10 +20,10 @@
 #include "edgewise/geometry/hull/extreme_frame.hpp"
 #include "edgewise/geometry/hull/face_shape.hpp"
 #include "edgewise/geometry/hull/flat_hull.hpp"
-#include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
-#include "edgewise/geometry/polyhedron_builder.hpp"
 #include "edgewise/geometry/hull/qhull_facets.hpp"
+#include "edgewise/geometry/message.hpp"
+#include "edgewise/geometry/polyhedron_builder.hpp"
 #include "edgewise/geometry/single.hpp"
 
 namespace edgewise {

@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "edgewise/geometry/hull/face_plane.hpp"
-#include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
+#include "edgewise/geometry/message.hpp"
 
 namespace edgewise {
 namespace {

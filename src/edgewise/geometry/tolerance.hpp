@@ -7,7 +7,7 @@
 
 namespace edgewise {
 
-struct Twofold;
+struct DoubleDouble;
 
 /// Per scalar type that computes; all are multiples of its rounding step, so all scale with the body.
 template <class Scalar>
@@ -85,7 +85,7 @@ struct Tolerance {
 
 /// Sums of two doubles: what the sub-distance needs of the above.
 template <>
-struct Tolerance<Twofold> {
+struct Tolerance<DoubleDouble> {
     static constexpr double eps = 0x1p-100;
     static constexpr double sliver = (1024 * eps) * (1024 * eps);
     static constexpr double thin = 0;
@@ -129,7 +129,8 @@ inline constexpr double unit_length = 8 * std::numeric_limits<double>::epsilon()
 inline constexpr double largest_coordinate = 1e60;
 inline constexpr double smallest_extent = 1e-60;
 
-/// Likewise for storage in single precision, once the larger body is scaled to about 1 (bench/length_scale.hpp).
+/// Likewise for storage in single precision, once the larger body is scaled to about 1
+/// (bench/length_scale.hpp).
 inline constexpr double largest_coordinate_single = 0x1p30;
 inline constexpr double smallest_extent_single = 0x1p-30;
 

@@ -10,6 +10,6 @@
 namespace edgewise {
 
 template <class Scalar>
-using Wider = std::conditional_t<std::is_same_v<Scalar, float>, double, Twofold>;
+using Wider = std::conditional_t<std::is_same_v<Scalar, float>, double, DoubleDouble>;
 
 }  // namespace edgewise

@@ -10,10 +10,10 @@
 
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/layout_parts/block.hpp"
+#include "edgewise/layout_parts/write_geometry.hpp"
 #include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/loader.hpp"
-#include "edgewise/layout_parts/write_geometry.hpp"
 
 namespace edgewise {
 

@@ -12,8 +12,8 @@
 #pragma once
 
 #include "edgewise/geometry/polyhedron.hpp"
-#include "edgewise/table/body_facts.hpp"
 #include "edgewise/layout_parts/voronoi.hpp"
+#include "edgewise/table/body_facts.hpp"
 
 namespace edgewise {
 

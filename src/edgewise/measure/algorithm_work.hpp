@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct AlgorithmWork {
     std::uint64_t queries = 0;  ///< looked at; 0: none
@@ -22,4 +22,4 @@ struct AlgorithmWork {
     std::string reason = "not looked at", remedy;   ///< where queries is 0
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct Figure {
     std::string name;             ///< unique within its probe, e.g. "paper_bytes_per_edge"
@@ -17,4 +17,4 @@ struct Figure {
     std::string remedy = {};      ///< what would make it measurable
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct HeapStructure {
     std::string name;
@@ -21,4 +21,4 @@ struct HeapUse {
     std::string reason, remedy;  ///< why there are none
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct Refusal {
     std::string reason, remedy;
@@ -24,4 +24,4 @@ struct Measured {
     }
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct MemoryUse {
     std::uint64_t tables = 0;
@@ -22,4 +22,4 @@ struct BuildTimes {
     std::vector<double> refit_ns;  ///< the same table, in place, for the body deformed; empty: it cannot
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

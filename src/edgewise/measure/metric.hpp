@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 enum class Metric {
     instructions,
@@ -47,4 +47,4 @@ inline constexpr std::array<MetricName, 12> metrics{{
     {Metric::line_crossing_loads, "line_crossing_loads", false},
 }};
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -12,16 +12,16 @@
 #include <vector>
 
 #include "edgewise/measure/algorithm_work.hpp"
+#include "edgewise/measure/cache/lines_touched.hpp"
+#include "edgewise/measure/cache/scene_trace.hpp"
 #include "edgewise/measure/counters/count_pass.hpp"
 #include "edgewise/measure/figure.hpp"
 #include "edgewise/measure/heap_use.hpp"
-#include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/measure/memory_use.hpp"
 #include "edgewise/measure/round.hpp"
-#include "edgewise/measure/cache/scene_trace.hpp"
 #include "edgewise/measure/step_costs.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// A part of a table and what it takes.
 struct ComponentBytes {
@@ -90,4 +90,4 @@ class Probe {
 /// Every probe of this program, in the order of the manifest probes/CMakeLists.txt.
 [[nodiscard]] std::span<const std::unique_ptr<Probe>> registered_probes();
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

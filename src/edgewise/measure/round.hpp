@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct Timing {
     std::uint64_t separated_queries = 0, overlapping_queries = 0;
@@ -18,4 +18,4 @@ struct Round {
     Timing baseline;  ///< of the same round
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

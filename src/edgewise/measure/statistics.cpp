@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -128,4 +128,4 @@ std::optional<Line> least_squares(std::span<const double> x, std::span<const dou
     return Line{slope, y[0] - slope * x[0] + (sy - slope * sx) / n};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// The value below which the fraction p (0 to 1) of the sample lies; the sample needs no order.
 [[nodiscard]] std::optional<double> quantile(std::span<const double> sample, double p);
@@ -56,4 +56,4 @@ struct Line {
 /// products of the differences to the first point is an integer below 2^53, as for bytes over edges.
 [[nodiscard]] std::optional<Line> least_squares(std::span<const double> x, std::span<const double> y);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// Means a step over the steps that have one before them. A volume is a body's box in world axes; a pair of
 /// boxes is tested when sweep and prune compares their ends on the axis that it sweeps.
@@ -26,4 +26,4 @@ struct StepCosts {
     [[nodiscard]] double equation_2() const { return equation_1() + bodies * update_ns; }
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

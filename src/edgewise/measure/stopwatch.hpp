@@ -11,7 +11,7 @@
 
 #include "edgewise/measure/statistics.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class Stopwatch {
   public:
@@ -44,4 +44,4 @@ class Stopwatch {
     return median(costs).value_or(0);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -15,7 +15,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace edgewise {
+namespace edgewise::scene {
 
 struct SineCosine {
     double sine, cosine;
@@ -53,4 +53,4 @@ struct SineCosine {
     return {2 * half.sine * half.cosine, (half.cosine - half.sine) * (half.cosine + half.sine)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

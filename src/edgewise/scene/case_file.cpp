@@ -9,11 +9,11 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "edgewise/geometry/hull/flat_hull.hpp"
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/hull/flat_hull.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 using Json = nlohmann::json;
@@ -174,4 +174,4 @@ Result<Polyhedron> body_from_case(const CaseBody& body) {
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -18,7 +18,7 @@
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/result.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 struct CaseBody {
     std::string where;  ///< for messages, e.g. "cases.jsonl:12: a"
@@ -56,4 +56,4 @@ class CaseReader {
 /// The hull of the vertices, or the faces as given; an error opens with where the body stands.
 [[nodiscard]] Result<Polyhedron> body_from_case(const CaseBody& body);
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -7,7 +7,7 @@
 
 #include "edgewise/scene/angle.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 Quaternion rotation_about(const Vec3d& axis, double angle) {
     const SineCosine half = half_angle_sine_cosine(angle);
@@ -32,4 +32,4 @@ Pose pose_at(const Mat3d& rotation, const Vec3d& centre, const Vec3d& place) {
     return {rotation, place - multiply(rotation, centre)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

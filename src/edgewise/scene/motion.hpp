@@ -10,7 +10,7 @@
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/scene/quaternion.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 struct MovingBody {
     Vec3d centre;    ///< of the body, in the world
@@ -31,4 +31,4 @@ void reflect(double& coordinate, double& velocity, double half);
 /// Pose that turns a body about `centre` (body frame) and then puts that point at `place` (world).
 [[nodiscard]] Pose pose_at(const Mat3d& rotation, const Vec3d& centre, const Vec3d& place);
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

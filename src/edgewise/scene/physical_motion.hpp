@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-namespace edgewise {
+namespace edgewise::scene {
 
 inline constexpr std::string_view random_turn = "random";  ///< in place of a number
 
@@ -31,4 +31,4 @@ struct MotionUnits {
     return {name, value};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -7,7 +7,7 @@
 // comes down from far off, needs no bracket, and takes about five evaluations.
 #pragma once
 
-namespace edgewise {
+namespace edgewise::scene {
 
 /// The place s on the ray where distance_at(s) is `target`, to a tolerance. `far`: a place where the bodies
 /// surely are farther apart than that.
@@ -29,4 +29,4 @@ template <class DistanceAt>
     return s;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

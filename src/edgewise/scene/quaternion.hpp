@@ -11,7 +11,9 @@
 
 #include "edgewise/geometry/vec.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
+
+using edgewise::squared_norm;
 
 /// w + x i + y j + z k.
 struct Quaternion {
@@ -48,4 +50,4 @@ struct Quaternion {
     return r;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -17,7 +17,7 @@
 #include "edgewise/geometry/vec.hpp"
 #include "edgewise/scene/quaternion.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 class Rng {
   public:
@@ -115,4 +115,4 @@ class Rng {
     std::array<std::uint64_t, 4> state_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -19,7 +19,7 @@
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 using Json = nlohmann::json;
@@ -182,4 +182,4 @@ Result<SceneFile> read_scene_file(const std::string& path) {
     return parse_scene_file(std::filesystem::path(path).stem().string(), text.str());
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

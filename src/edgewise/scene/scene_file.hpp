@@ -22,7 +22,7 @@
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/table/needs.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 /// One point of a scene file: a scene on a body.
 struct ScenePoint {
@@ -47,4 +47,4 @@ struct SceneFile {
 /// Likewise from its text, under a name.
 [[nodiscard]] Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text);
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/scene/scene_texts.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path) {
     for (const SceneText& text : scene_texts()) {
@@ -11,4 +11,4 @@ std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path
     return std::nullopt;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -11,7 +11,7 @@
 
 #include "edgewise/scene/scene_file.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 struct SceneText {
     std::string_view name, json;
@@ -22,4 +22,4 @@ struct SceneText {
 /// The scene file of that name, or at that path if it ends in .json; nothing for any other name.
 [[nodiscard]] std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path);
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -12,7 +12,7 @@
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/scene_texts.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 struct SceneEntry {
@@ -102,4 +102,4 @@ Result<Workload> make_scene(std::string_view scene, const Polyhedron& shape, con
     return find_scene(scene)->make({shape, *parameters, seed, query_count, distance});
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

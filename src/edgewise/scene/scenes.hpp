@@ -20,7 +20,7 @@
 #include "edgewise/geometry/result.hpp"
 #include "edgewise/scene/workload.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 struct ParameterInfo {
     std::string name, unit, meaning;
@@ -48,4 +48,4 @@ struct SceneInfo {
                                           const SceneParameters& given, std::uint64_t seed,
                                           std::size_t query_count, const DistanceFunction& distance);
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

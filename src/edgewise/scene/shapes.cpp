@@ -13,7 +13,7 @@
 #include "edgewise/scene/sphere_points.hpp"
 #include "edgewise/scene/uv_sphere.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 constexpr double corner = 0.5625;  // 9/16: exact in every precision, radius 0.97 m
@@ -89,4 +89,4 @@ Polyhedron scaled(const Polyhedron& body, double factor) {
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -14,7 +14,7 @@
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/result.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 struct ShapeInfo {
     std::string name;
@@ -31,4 +31,4 @@ struct ShapeInfo {
 /// normals stay, plane offsets scale.
 [[nodiscard]] Polyhedron scaled(const Polyhedron& body, double factor);
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

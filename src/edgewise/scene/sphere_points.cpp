@@ -10,7 +10,7 @@
 
 #include "edgewise/scene/rng.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 std::vector<Vec3d> octahedral_nodes(int k) {
@@ -78,4 +78,4 @@ std::vector<Vec3d> sphere_points(SphereSize size) {
     return points;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

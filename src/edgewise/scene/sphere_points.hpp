@@ -21,7 +21,7 @@
 
 #include "edgewise/geometry/vec.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 /// To the nearest point whose coordinates are whole multiples of 2^-21.
 [[nodiscard]] Vec3d on_sphere_grid(const Vec3d& point);
@@ -46,4 +46,4 @@ inline constexpr std::size_t largest_sphere = 100000;
 
 [[nodiscard]] std::vector<Vec3d> sphere_points(SphereSize size);
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -10,7 +10,7 @@
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/sphere_points.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 constexpr int parallels = 24, meridians = 16;
@@ -36,4 +36,4 @@ std::vector<Vec3d> uv_sphere_points() {
     return points;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -9,9 +9,9 @@
 
 #include "edgewise/geometry/vec.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 /// On the same grid of coordinates as the other spheres, radii moved a little so that no quad is flat.
 [[nodiscard]] std::vector<Vec3d> uv_sphere_points();
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

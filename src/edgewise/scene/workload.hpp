@@ -14,7 +14,7 @@
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/pose.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 struct Query {
     std::uint32_t body_a, body_b;  ///< indices into Workload::bodies
@@ -49,4 +49,4 @@ using DistanceFunction =
 /// Named numeric parameters of a scene, e.g. {"rotation_step", 0.01}; part of the cell's identity.
 using SceneParameters = std::map<std::string, double>;
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -4,7 +4,7 @@
 // file's `pragma user_version`, whose store it is in `pragma application_id`.
 #pragma once
 
-namespace edgewise {
+namespace edgewise::store {
 
 inline constexpr int store_schema_version = 2;
 inline constexpr int store_application_id = 0x45644765;  ///< "EdGe", so that another program's file is known
@@ -50,4 +50,4 @@ create table if not exists round(
     primary key(build, hash, number)) without rowid;
 )sql";
 
-}  // namespace edgewise
+}  // namespace edgewise::store

@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-namespace edgewise::sqlite {
+namespace edgewise::store::sqlite {
 
 namespace {
 
@@ -142,4 +142,4 @@ void Transaction::commit() {
     open_ = false;
 }
 
-}  // namespace edgewise::sqlite
+}  // namespace edgewise::store::sqlite

@@ -14,7 +14,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace edgewise::sqlite {
+namespace edgewise::store::sqlite {
 
 class Database {
   public:
@@ -111,4 +111,4 @@ class Transaction {
     bool open_ = true;
 };
 
-}  // namespace edgewise::sqlite
+}  // namespace edgewise::store::sqlite

@@ -23,7 +23,7 @@
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/sqlite.hpp"
 
-namespace edgewise {
+namespace edgewise::store {
 
 struct Store::Implementation {
     explicit Implementation(const std::string& path) : database(path) {}
@@ -72,7 +72,7 @@ void create_schema(const sqlite::Database& database, const std::string& path) {
 }
 
 /// Text and JSON know no infinity, and SQLite turns NaN into a bare null: both become null with a reason.
-Figure storable(Figure figure) {
+measure::Figure storable(measure::Figure figure) {
     if (figure.value && !std::isfinite(*figure.value)) {
         figure.reason = fmt::format("not a finite number ({})", *figure.value);
         figure.value.reset();
@@ -85,7 +85,7 @@ void put_figures(const sqlite::Database& database, const std::string& build, con
     sqlite::Statement(database, "delete from figure where build = ? and hash = ?").bind(build, hash).run();
     sqlite::Statement insert(database, "insert into figure values(?,?,?,?,?,?,?,?)");
     for (const FigureRow& row : figures) {
-        const Figure f = storable(row.figure);
+        const measure::Figure f = storable(row.figure);
         if (!f.value && f.reason.empty()) {
             throw std::runtime_error(
                 fmt::format("cell {}: figure {}/{} has neither a value nor a reason; its probe must give one",
@@ -95,7 +95,7 @@ void put_figures(const sqlite::Database& database, const std::string& build, con
     }
 }
 
-Timing read_timing(const sqlite::Statement& s, int column) {
+measure::Timing read_timing(const sqlite::Statement& s, int column) {
     return {s.natural(column), s.natural(column + 2), s.real(column + 1), s.real(column + 3)};
 }
 
@@ -136,13 +136,14 @@ void Store::put_cell(const std::string& build, const CellRow& c, std::span<const
     transaction.commit();
 }
 
-void Store::put_round(const std::string& build, std::span<const std::pair<std::string, Round>> rounds) {
+void Store::put_round(const std::string& build,
+                      std::span<const std::pair<std::string, measure::Round>> rounds) {
     const sqlite::Database& database = implementation_->database;
     sqlite::Transaction transaction(database);
     sqlite::Statement insert(database, "insert or replace into round values(?,?,?,?,?,?,?,?,?,?,?)");
     for (const auto& [hash, round] : rounds) {
-        const Timing& t = round.timing;
-        const Timing& b = round.baseline;
+        const measure::Timing& t = round.timing;
+        const measure::Timing& b = round.baseline;
         insert
             .bind(build, hash, round.number, t.separated_queries, t.separated_ns, t.overlapping_queries,
                   t.overlapping_ns, b.separated_queries, b.separated_ns, b.overlapping_queries,
@@ -171,7 +172,8 @@ std::vector<FigureRow> Store::figures(const std::string& build, const std::strin
     s.bind(build, hash);
     std::vector<FigureRow> rows;
     while (s.step()) {
-        rows.push_back({s.text(0), Figure{s.text(1), s.optional_real(2), s.text(3), s.text(4), s.text(5)}});
+        rows.push_back(
+            {s.text(0), measure::Figure{s.text(1), s.optional_real(2), s.text(3), s.text(4), s.text(5)}});
     }
     return rows;
 }
@@ -192,14 +194,14 @@ std::set<int> Store::rounds_done(const std::string& build, const std::string& ha
     return numbers;
 }
 
-std::vector<Round> Store::rounds(const std::string& build, const std::string& hash) const {
+std::vector<measure::Round> Store::rounds(const std::string& build, const std::string& hash) const {
     sqlite::Statement s(
         implementation_->database,
         "select number, separated_queries, separated_ns, overlapping_queries, overlapping_ns, "
         "baseline_separated_queries, baseline_separated_ns, baseline_overlapping_queries, "
         "baseline_overlapping_ns from round where build = ? and hash = ? order by number");
     s.bind(build, hash);
-    std::vector<Round> rounds;
+    std::vector<measure::Round> rounds;
     while (s.step()) rounds.push_back({static_cast<int>(s.integer(0)), read_timing(s, 1), read_timing(s, 5)});
     return rounds;
 }
@@ -216,4 +218,4 @@ std::optional<std::string> Store::find_meta(const std::string& key) const {
     return s.text(0);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::store

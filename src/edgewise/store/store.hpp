@@ -18,7 +18,7 @@
 #include "edgewise/measure/figure.hpp"
 #include "edgewise/measure/round.hpp"
 
-namespace edgewise {
+namespace edgewise::store {
 
 /// What built and what ran: the provenance of every figure. `id` hashes the rest, seed and time aside.
 struct BuildRow {
@@ -43,7 +43,7 @@ struct CellRow {
 
 struct FigureRow {
     std::string probe;
-    Figure figure;
+    measure::Figure figure;
 };
 
 class Store {
@@ -63,7 +63,7 @@ class Store {
     /// null figure without a reason is refused.
     void put_cell(const std::string& build, const CellRow& cell, std::span<const FigureRow> figures);
     /// One round of several cells (by their hash), in one transaction; replaces rounds of the same number.
-    void put_round(const std::string& build, std::span<const std::pair<std::string, Round>> rounds);
+    void put_round(const std::string& build, std::span<const std::pair<std::string, measure::Round>> rounds);
 
     [[nodiscard]] std::optional<CellRow> find_cell(const std::string& build, const std::string& hash) const;
     /// By probe, then by name.
@@ -71,7 +71,7 @@ class Store {
     [[nodiscard]] std::optional<BuildRow> find_build(const std::string& id) const;
     [[nodiscard]] std::set<int> rounds_done(const std::string& build, const std::string& hash) const;
     /// By number.
-    [[nodiscard]] std::vector<Round> rounds(const std::string& build, const std::string& hash) const;
+    [[nodiscard]] std::vector<measure::Round> rounds(const std::string& build, const std::string& hash) const;
 
     /// Plan name, start time, command line ...
     void set_meta(const std::string& key, const std::string& value);
@@ -82,4 +82,4 @@ class Store {
     std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::store

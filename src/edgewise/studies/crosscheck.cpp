@@ -11,33 +11,33 @@
 #include <limits>
 #include <sstream>
 
-#include "edgewise/measure/cache/cache_model.hpp"
-#include "edgewise/measure/process/child_process.hpp"
-#include "edgewise/measure/counters/event_choice.hpp"
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
+#include "edgewise/measure/cache/cache_model.hpp"
+#include "edgewise/measure/counters/event_choice.hpp"
+#include "edgewise/measure/process/child_process.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-class ModelListener final : public TraceListener {
+class ModelListener final : public measure::TraceListener {
   public:
-    ModelListener(const CacheGeometry& geometry, bool with_poses)
+    ModelListener(const measure::CacheGeometry& geometry, bool with_poses)
         : model_(geometry), with_poses_(with_poses) {}
 
     /// A pass has no broad phase, and reads and writes a pair's cache word by word.
-    void on_access(const TracedAccess& access) override {
-        if (access.step == static_cast<std::uint8_t>(TraceStep::broad_phase)) return;
-        const std::uint32_t piece = access.side == TraceSide::scene ? 8 : access.bytes;
+    void on_access(const measure::TracedAccess& access) override {
+        if (access.step == static_cast<std::uint8_t>(bench::TraceStep::broad_phase)) return;
+        const std::uint32_t piece = access.side == measure::TraceSide::scene ? 8 : access.bytes;
         for (std::uint32_t at = 0; at < access.bytes; at += piece)
             model_.access(access.address + at, std::min(piece, access.bytes - at), access.kind);
     }
     void on_query_end(bool /*counts*/) override {
-        for (std::uint64_t word = 0; with_poses_ && word < sizeof(Query); word += 8)
-            model_.access(queries_at + query_ * sizeof(Query) + word, 8, AccessKind::read);
+        for (std::uint64_t word = 0; with_poses_ && word < sizeof(scene::Query); word += 8)
+            model_.access(queries_at + query_ * sizeof(scene::Query) + word, 8, measure::AccessKind::read);
         ++query_;
     }
 
@@ -45,12 +45,12 @@ class ModelListener final : public TraceListener {
         model_.forget_counts();
         query_ = 0;
     }
-    [[nodiscard]] const CacheModel& model() const { return model_; }
+    [[nodiscard]] const measure::CacheModel& model() const { return model_; }
 
   private:
     static constexpr std::uint64_t queries_at = std::uint64_t{1} << 40;  ///< away from all tables
 
-    CacheModel model_;
+    measure::CacheModel model_;
     bool with_poses_;
     std::uint64_t query_ = 0;
 };
@@ -80,7 +80,7 @@ std::string read_file(const fs::path& file) {
 }
 
 /// How perf is asked for an event: by its raw code, or by its own name of the few that have one.
-std::optional<std::string> perf_name(const ChosenEvent& event) {
+std::optional<std::string> perf_name(const measure::ChosenEvent& event) {
     if (event.code.type == PERF_TYPE_RAW) return fmt::format("r{:x}", event.code.config);
     if (event.code.type != PERF_TYPE_HARDWARE) return std::nullopt;
     if (event.code.config == PERF_COUNT_HW_INSTRUCTIONS) return "instructions";
@@ -89,7 +89,7 @@ std::optional<std::string> perf_name(const ChosenEvent& event) {
 }
 
 /// The count in one line of `perf stat -x,`: value, unit, event, time, part of the time in per cent.
-Fact<double> perf_count(const std::string& output, const std::string& event) {
+measure::Fact<double> perf_count(const std::string& output, const std::string& event) {
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
@@ -98,46 +98,48 @@ Fact<double> perf_count(const std::string& output, const std::string& event) {
         if (name.substr(0, name.find(':')) != event) continue;
         char* end = nullptr;
         const double number = std::strtod(value.c_str(), &end);
-        if (end == value.c_str() || *end != '\0') return Fact<double>::unknown("perf says: " + value);
+        if (end == value.c_str() || *end != '\0')
+            return measure::Fact<double>::unknown("perf says: " + value);
         if (std::strtod(part.c_str(), nullptr) < 100)
-            return Fact<double>::unknown("it shared a counter: perf's count is a guess");
+            return measure::Fact<double>::unknown("it shared a counter: perf's count is a guess");
         return {number};
     }
-    return Fact<double>::unknown("perf said nothing of it");
+    return measure::Fact<double>::unknown("perf said nothing of it");
 }
 
-Fact<std::string> perf_output(const CellChoice& choice, const std::string& program, const std::string& event,
-                              int passes) {
+measure::Fact<std::string> perf_output(const CellChoice& choice, const std::string& program,
+                                       const std::string& event, int passes) {
     std::vector<std::string> command = {"perf", "stat", "-x,", "-e", event + ":u"};
     const auto words = pass_command(choice, program, passes);
     command.insert(command.end(), words.begin(), words.end());
-    const auto outcome = run_program(command);
-    if (!outcome.value) return Fact<std::string>::unknown(outcome.reason + "; install linux-perf");
+    const auto outcome = measure::run_program(command);
+    if (!outcome.value) return measure::Fact<std::string>::unknown(outcome.reason + "; install linux-perf");
     if (outcome.value->exit_code != 0)
-        return Fact<std::string>::unknown("perf failed: " + outcome.value->err.substr(0, 200));
+        return measure::Fact<std::string>::unknown("perf failed: " + outcome.value->err.substr(0, 200));
     return {outcome.value->err};
 }
 
-Fact<double> count_by_perf(const CellChoice& choice, const std::string& program, const ChosenEvent& event) {
+measure::Fact<double> count_by_perf(const CellChoice& choice, const std::string& program,
+                                    const measure::ChosenEvent& event) {
     constexpr int passes = 20;
-    if (!event.refusal.reason.empty()) return Fact<double>::unknown(event.refusal.reason);
+    if (!event.refusal.reason.empty()) return measure::Fact<double>::unknown(event.refusal.reason);
     const std::optional<std::string> name = perf_name(event);
-    if (!name) return Fact<double>::unknown("perf has no plain name for it");
+    if (!name) return measure::Fact<double>::unknown("perf has no plain name for it");
     double counts[2] = {};
     for (int k = 0; k < 2; ++k) {
-        const Fact<std::string> output = perf_output(choice, program, *name, 1 + k * passes);
-        if (!output.value) return Fact<double>::unknown(output.reason);
-        const Fact<double> count = perf_count(*output.value, *name);
+        const measure::Fact<std::string> output = perf_output(choice, program, *name, 1 + k * passes);
+        if (!output.value) return measure::Fact<double>::unknown(output.reason);
+        const measure::Fact<double> count = perf_count(*output.value, *name);
         if (!count.value) return count;
         counts[k] = *count.value;
     }
-    if (counts[1] <= counts[0]) return Fact<double>::unknown("lost in what else the program does");
+    if (counts[1] <= counts[0]) return measure::Fact<double>::unknown("lost in what else the program does");
     return {(counts[1] - counts[0]) / passes};
 }
 
 }  // namespace
 
-ModelledPass model_pass(const SingleCell& cell, const CacheGeometry& geometry, bool with_poses) {
+ModelledPass model_pass(const SingleCell& cell, const measure::CacheGeometry& geometry, bool with_poses) {
     ModelListener listener(geometry, with_poses);
     constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
     cell.runner().trace(cell.workload(), all, listener);
@@ -148,11 +150,13 @@ ModelledPass model_pass(const SingleCell& cell, const CacheGeometry& geometry, b
             count(listener.model().counts(1).misses)};
 }
 
-Fact<CallgrindCounts> callgrind_pass(const CellChoice& choice, const CacheGeometry& geometry,
-                                     const std::string& program) {
-    using Answer = Fact<CallgrindCounts>;
+measure::Fact<measure::CallgrindCounts> callgrind_pass(const CellChoice& choice,
+                                                       const measure::CacheGeometry& geometry,
+                                                       const std::string& program) {
+    using Answer = measure::Fact<measure::CallgrindCounts>;
     const fs::path output = fs::temp_directory_path() / fmt::format("edgewise-callgrind-{}", getpid());
-    const auto outcome = run_program(callgrind_command(geometry, output, pass_command(choice, program, 1)));
+    const auto outcome =
+        measure::run_program(measure::callgrind_command(geometry, output, pass_command(choice, program, 1)));
     const std::string text = read_file(output);
     std::error_code ignored;
     fs::remove(output, ignored);
@@ -162,12 +166,13 @@ Fact<CallgrindCounts> callgrind_pass(const CellChoice& choice, const CacheGeomet
         return Answer::unknown(fmt::format("valgrind ended with {}: {}", outcome.value->exit_code,
                                            err.substr(err.size() > 300 ? err.size() - 300 : 0)));
     }
-    return parse_callgrind(text);
+    return measure::parse_callgrind(text);
 }
 
-std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program, const Cpu& cpu) {
+std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program,
+                                 const measure::Cpu& cpu) {
     std::vector<PerfCount> counts;
-    for (const ChosenEvent& event : chosen_events(cpu)) {
+    for (const measure::ChosenEvent& event : measure::chosen_events(cpu)) {
         const bool wanted = event.event == "instructions" || event.event == "l1d_fills" ||
                             event.event == "l2_demand_misses" || event.event == "llc_misses";
         if (wanted)
@@ -177,17 +182,17 @@ std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& pr
     return counts;
 }
 
-Fact<std::string> program_for_valgrind() {
+measure::Fact<std::string> program_for_valgrind() {
     const fs::path self = fs::read_symlink("/proc/self/exe");
-    const std::string flags = this_build().flags;
+    const std::string flags = bench::this_build().flags;
     if (flags.find("-march=native") == std::string::npos && flags.find("v4") == std::string::npos)
         return {self.string()};
     const fs::path sim = self.parent_path().parent_path() / "sim" / self.filename();
     if (fs::exists(sim)) return {sim.string()};
-    return Fact<std::string>::unknown(fmt::format(
+    return measure::Fact<std::string>::unknown(fmt::format(
         "this program may use instructions that Valgrind does not know, and {} is not there; make it with "
         "sh cmake/build_preset.sh sim edgewise_program",
         sim.string()));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

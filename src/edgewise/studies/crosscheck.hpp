@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/measure/process/callgrind.hpp"
 #include "edgewise/measure/machine/cpu.hpp"
 #include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/process/callgrind.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 /// Of one pass over the cell's queries, after another one.
 struct ModelledPass {
@@ -23,25 +23,27 @@ struct ModelledPass {
 };
 
 /// with_poses: the list of queries is memory too.
-[[nodiscard]] ModelledPass model_pass(const SingleCell& cell, const CacheGeometry& geometry, bool with_poses);
+[[nodiscard]] ModelledPass model_pass(const SingleCell& cell, const measure::CacheGeometry& geometry,
+                                      bool with_poses);
 
 /// The same under Callgrind. `program`: Edgewise, built for a processor that Valgrind knows.
-[[nodiscard]] Fact<CallgrindCounts> callgrind_pass(const CellChoice& choice, const CacheGeometry& geometry,
-                                                   const std::string& program);
+[[nodiscard]] measure::Fact<measure::CallgrindCounts> callgrind_pass(const CellChoice& choice,
+                                                                     const measure::CacheGeometry& geometry,
+                                                                     const std::string& program);
 
 /// An event as `perf stat` counts it over one pass in user mode: the difference of many passes and one, so
 /// that all else falls out.
 struct PerfCount {
     std::string event, encoding;
     std::optional<std::string> level;  ///< what it counts here
-    Fact<double> count;
+    measure::Fact<double> count;
 };
 /// Instructions and misses by level, by the encodings that `edgewise machine` tells; unknown where this
 /// machine does not count them, or perf does not all the time.
 [[nodiscard]] std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program,
-                                               const Cpu& cpu);
+                                               const measure::Cpu& cpu);
 
 /// A program that Valgrind can run: this one, or that of the preset `sim` beside it. Unknown: how to make it.
-[[nodiscard]] Fact<std::string> program_for_valgrind();
+[[nodiscard]] measure::Fact<std::string> program_for_valgrind();
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

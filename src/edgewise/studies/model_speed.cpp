@@ -5,23 +5,23 @@
 #include <functional>
 #include <limits>
 
+#include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/cache/reuse_distance.hpp"
 #include "edgewise/measure/cache/scene_caches.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/bench/trace/trace_names.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 namespace {
 
-using Trace = std::vector<TracedAccess>;
+using Trace = std::vector<measure::TracedAccess>;
 
-class Recorder final : public TraceListener {
+class Recorder final : public measure::TraceListener {
   public:
-    void on_access(const TracedAccess& access) override { trace_.push_back(access); }
+    void on_access(const measure::TracedAccess& access) override { trace_.push_back(access); }
     void on_query_end(bool /*counts*/) override {}
 
     [[nodiscard]] Trace take() { return std::move(trace_); }
@@ -38,9 +38,9 @@ Trace trace_of(const SingleCell& cell) {
 
 /// Reads of 8 bytes, aligned, anywhere below so many bytes.
 Trace scattered(std::uint64_t bytes) {
-    Rng rng(1);
-    Trace trace(2'000'000, {0, 8, AccessKind::read, 0, 0, TraceSide::table_a});
-    for (TracedAccess& access : trace) access.address = rng.below(bytes / 8) * 8;
+    scene::Rng rng(1);
+    Trace trace(2'000'000, {0, 8, measure::AccessKind::read, 0, 0, measure::TraceSide::table_a});
+    for (measure::TracedAccess& access : trace) access.address = rng.below(bytes / 8) * 8;
     return trace;
 }
 
@@ -50,27 +50,28 @@ ModelSpeed timed(const std::string& what, const std::string& name, const Trace& 
     pass(trace);
     std::vector<double> per_second;
     for (int i = 0; i < repetitions; ++i) {
-        const Stopwatch watch;
+        const measure::Stopwatch watch;
         pass(trace);
         per_second.push_back(static_cast<double>(trace.size()) / (watch.elapsed_ns() * 1e-9));
     }
-    return {what, name, trace.size(), median(per_second).value_or(0)};
+    return {what, name, trace.size(), measure::median(per_second).value_or(0)};
 }
 
-void add_speeds(const std::string& name, const Trace& trace, int repetitions, const CacheMachine& machine,
-                std::vector<ModelSpeed>& speeds) {
-    CacheModel model(machine.caches);
+void add_speeds(const std::string& name, const Trace& trace, int repetitions,
+                const measure::CacheMachine& machine, std::vector<ModelSpeed>& speeds) {
+    measure::CacheModel model(machine.caches);
     speeds.push_back(timed("cache model, three levels", name, trace, repetitions, [&](const Trace& all) {
-        for (const TracedAccess& access : all) model.access(access.address, access.bytes, access.kind);
+        for (const measure::TracedAccess& access : all)
+            model.access(access.address, access.bytes, access.kind);
     }));
-    ReuseDistance lines;
+    measure::ReuseDistance lines;
     speeds.push_back(timed("reuse distance, lines", name, trace, repetitions, [&](const Trace& all) {
-        for (const TracedAccess& access : all) lines.use(access.address / 64);
+        for (const measure::TracedAccess& access : all) lines.use(access.address / 64);
     }));
-    SceneCaches caches({&machine, 1}, field_names().size(), step_names().size());
+    measure::SceneCaches caches({&machine, 1}, bench::field_names().size(), bench::step_names().size());
     speeds.push_back(
         timed("one machine with TLBs, causes and reuse", name, trace, repetitions, [&](const Trace& all) {
-            for (const TracedAccess& access : all) caches.on_access(access);
+            for (const measure::TracedAccess& access : all) caches.on_access(access);
         }));
 }
 
@@ -78,7 +79,7 @@ void add_speeds(const std::string& name, const Trace& trace, int repetitions, co
 
 std::vector<ModelSpeed> model_speeds(const SingleCell& cell, int repetitions) {
     const std::string names[] = {"zen5"};
-    const MachineChoice machine = choose_machines(names).front();
+    const measure::MachineChoice machine = measure::choose_machines(names).front();
     std::vector<ModelSpeed> speeds;
     add_speeds("the cell's own", trace_of(cell), repetitions, *machine.machine.value, speeds);
     add_speeds("random in 16 KiB", scattered(1 << 14), repetitions, *machine.machine.value, speeds);
@@ -86,4 +87,4 @@ std::vector<ModelSpeed> model_speeds(const SingleCell& cell, int repetitions) {
     return speeds;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

@@ -8,7 +8,7 @@
 
 #include "edgewise/studies/single_cell.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 struct ModelSpeed {
     std::string what, trace;
@@ -20,4 +20,4 @@ struct ModelSpeed {
 /// 64 MiB. Three levels: those of zen5.
 [[nodiscard]] std::vector<ModelSpeed> model_speeds(const SingleCell& cell, int repetitions);
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

@@ -8,13 +8,13 @@
 #include <limits>
 #include <memory>
 
+#include "edgewise/bench/pipe.hpp"
+#include "edgewise/measure/cache/page_reuse.hpp"
 #include "edgewise/measure/process/memory_limit.hpp"
 #include "edgewise/measure/process/page_faults.hpp"
-#include "edgewise/measure/cache/page_reuse.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/bench/pipe.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 namespace {
 
@@ -31,16 +31,16 @@ constexpr int counted_passes = 3;
 
 /// In the child: fills memory once it is put under the limit, then counts passes, tells of each, and waits
 /// before the next, since what it holds is looked at from outside.
-[[noreturn]] void run_child(const std::function<PassSum()>& pass, const Pipe& to_child,
-                            const Pipe& to_parent) {
+[[noreturn]] void run_child(const std::function<bench::PassSum()>& pass, const bench::Pipe& to_child,
+                            const bench::Pipe& to_parent) {
     to_child.close_writing();
     if (!to_child.receive<char>()) _exit(1);
     pass();
     do {
-        const PageFaults before = page_faults();
-        const Stopwatch watch;
+        const measure::PageFaults before = measure::page_faults();
+        const measure::Stopwatch watch;
         pass();
-        const Counted counted{page_faults().since(before).major, watch.elapsed_ns()};
+        const Counted counted{measure::page_faults().since(before).major, watch.elapsed_ns()};
         to_parent.send(counted);
     } while (to_child.receive<char>());
     _exit(0);
@@ -49,7 +49,9 @@ constexpr int counted_passes = 3;
 /// The last child's end is waited for whatever happens.
 class Child {
   public:
-    Child(const std::function<PassSum()>& pass, const Pipe& to_child, const Pipe& to_parent) : id_(fork()) {
+    Child(const std::function<bench::PassSum()>& pass, const bench::Pipe& to_child,
+          const bench::Pipe& to_parent)
+        : id_(fork()) {
         if (id_ == 0) run_child(pass, to_child, to_parent);
     }
     ~Child() {
@@ -65,8 +67,8 @@ class Child {
 };
 
 /// One pass of the child: counts it and looks at what the tables hold after it. False when the child is gone.
-bool count_pass_of(const Pipe& to_child, const Pipe& to_parent, const TableAllocator& tables,
-                   const PageReuse& reuse, PagingRow& row) {
+bool count_pass_of(const bench::Pipe& to_child, const bench::Pipe& to_parent,
+                   const bench::TableAllocator& tables, const measure::PageReuse& reuse, PagingRow& row) {
     to_child.send('g');
     const std::optional<Counted> counted = to_parent.receive<Counted>();
     const std::optional<std::size_t> resident = tables.resident();
@@ -88,13 +90,14 @@ void take_means(PagingRow& row, std::uint64_t queries) {
 }
 
 /// Empty, or why there is no measurement.
-std::string measure_under(const MemoryLimit& group, const Runner& runner,
-                          const std::function<PassSum()>& pass, const PageReuse& reuse, PagingRow& row) {
-    const TableAllocator& tables = runner.table_allocator();
+std::string measure_under(const measure::MemoryLimit& group, const bench::Runner& runner,
+                          const std::function<bench::PassSum()>& pass, const measure::PageReuse& reuse,
+                          PagingRow& row) {
+    const bench::TableAllocator& tables = runner.table_allocator();
     if (!tables.evict() || tables.resident() != std::size_t{0})
         return "the tables' pages could not be dropped from memory";
     if (std::string error = group.set_bytes(row.limit_bytes); !error.empty()) return error;
-    const Pipe to_child, to_parent;
+    const bench::Pipe to_child, to_parent;
     const Child child(pass, to_child, to_parent);
     if (child.id() < 0) return "no process could be made";
     to_parent.close_writing();
@@ -108,7 +111,7 @@ std::string measure_under(const MemoryLimit& group, const Runner& runner,
 }
 
 /// Two passes, as the process under the limit runs them; the second counts.
-void trace_pages(const Runner& runner, const Workload& workload, PageReuse& reuse) {
+void trace_pages(const bench::Runner& runner, const scene::Workload& workload, measure::PageReuse& reuse) {
     constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
     runner.trace(workload, all, reuse);
     reuse.start_counting();
@@ -117,23 +120,23 @@ void trace_pages(const Runner& runner, const Workload& workload, PageReuse& reus
 
 }  // namespace
 
-PagingResult measure_paging(const TableType& type, const std::string& algorithm, const Workload& workload,
-                            const PagingLimits& limits) {
+PagingResult measure_paging(const bench::TableType& type, const std::string& algorithm,
+                            const scene::Workload& workload, const PagingLimits& limits) {
     PagingResult result;
     result.table = type.name;
     result.algorithm = algorithm;
     result.queries = workload.queries.size();
     const auto runner = type.make_runner(algorithm);
-    runner->place_tables({VertexOrder::given, Sharing::per_instance, AllocatorKind::file});
+    runner->place_tables({VertexOrder::given, bench::Sharing::per_instance, bench::AllocatorKind::file});
     result.reason = runner->load(workload.bodies, workload.instances);
     if (!result.reason.empty()) return result;
     result.keeps_recency = runner->table_allocator().keeps_recency();
     result.table_bytes = runner->table_allocator().taken();
-    PageReuse reuse(page_bytes());
+    measure::PageReuse reuse(page_bytes());
     trace_pages(*runner, workload, reuse);
     result.pages_touched = reuse.pages();
-    const auto group = MemoryLimit::make();
-    const std::function<PassSum()> pass = runner->prepared_pass(workload);
+    const auto group = measure::MemoryLimit::make();
+    const std::function<bench::PassSum()> pass = runner->prepared_pass(workload);
     for (const std::uint64_t limit : limits(reuse.pages() * page_bytes())) {
         PagingRow& row = result.rows.emplace_back();
         row.limit_bytes = limit;
@@ -145,4 +148,4 @@ PagingResult measure_paging(const TableType& type, const std::string& algorithm,
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/measure/machine/fact.hpp"
 #include "edgewise/scene/workload.hpp"
-#include "edgewise/bench/registry.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 /// One limit.
 struct PagingRow {
@@ -43,7 +43,7 @@ using PagingLimits = std::function<std::vector<std::uint64_t>(std::uint64_t touc
 
 /// The workload's tables, one for each instance, of one type. Each limit runs one pass over the workload to
 /// fill memory, then three that are counted; figures are their means.
-[[nodiscard]] PagingResult measure_paging(const TableType& type, const std::string& algorithm,
-                                          const Workload& workload, const PagingLimits& limits);
+[[nodiscard]] PagingResult measure_paging(const bench::TableType& type, const std::string& algorithm,
+                                          const scene::Workload& workload, const PagingLimits& limits);
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "edgewise/bench/cell.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/bench/cell.hpp"
 #include "edgewise/studies/paging.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 namespace {
 
@@ -39,8 +39,8 @@ std::vector<std::uint64_t> limits_for(std::uint64_t touched) {
     return limits;
 }
 
-const TableType* find_type(const std::string& name) {
-    for (const TableType& type : table_types()) {
+const bench::TableType* find_type(const std::string& name) {
+    for (const bench::TableType& type : bench::table_types()) {
         if (type.name == name) return &type;
     }
     return nullptr;
@@ -49,23 +49,23 @@ const TableType* find_type(const std::string& name) {
 std::vector<PagedCell> cells_of_this_program() {
     std::vector<PagedCell> cells;
     for (const PagedCell& cell : paged_cells) {
-        const TableType* type = find_type(cell.table);
+        const bench::TableType* type = find_type(cell.table);
         if (type && type->serves(cell.algorithm)) cells.push_back(cell);
     }
     return cells;
 }
 
-SceneParameters parameters_of(const PagingPlan& plan) {
+scene::SceneParameters parameters_of(const PagingPlan& plan) {
     return {{"bodies", static_cast<double>(plan.bodies)},
             {"rotation_step", plan.rotation_step},
             {"new_order", 1}};
 }
 
-CellRow row_of(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& body) {
-    const TableType& type = *find_type(cell.table);
-    CellRow row;
+store::CellRow row_of(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& body) {
+    const bench::TableType& type = *find_type(cell.table);
+    store::CellRow row;
     row.scene = paging_scene;
-    row.scene_parameters = parameters_json(parameters_of(plan));
+    row.scene_parameters = bench::parameters_json(parameters_of(plan));
     row.shape = cell.shape;
     row.shape_source = "built-in";
     row.algorithm = cell.algorithm;
@@ -77,15 +77,15 @@ CellRow row_of(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& 
     row.faces = body.face_count();
     row.seed = plan.seed;
     row.queries = plan.steps * (plan.bodies - 1);
-    name_cell(row, body);
+    bench::name_cell(row, body);
     return row;
 }
 
 /// Of limit i, by the names that the report knows.
-void add_limit(const PagingRow& limit, std::size_t i, std::vector<FigureRow>& figures) {
+void add_limit(const PagingRow& limit, std::size_t i, std::vector<store::FigureRow>& figures) {
     const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
     const auto add = [&](const char* name, double value, const char* unit, bool measured) {
-        Figure figure{fmt::format("{}.{}", name, i), value, unit};
+        measure::Figure figure{fmt::format("{}.{}", name, i), value, unit};
         if (measured && !limit.reason.empty()) {
             figure.value.reset();
             figure.reason = limit.reason;
@@ -101,9 +101,9 @@ void add_limit(const PagingRow& limit, std::size_t i, std::vector<FigureRow>& fi
     add("us_per_query", limit.ns_per_query / 1000, "us", true);
 }
 
-std::vector<FigureRow> figures_of(const PagingResult& result) {
+std::vector<store::FigureRow> figures_of(const PagingResult& result) {
     const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
-    std::vector<FigureRow> figures = {
+    std::vector<store::FigureRow> figures = {
         {"paging", {"table_bytes", static_cast<double>(result.table_bytes), "B"}},
         {"paging", {"touched_bytes", static_cast<double>(result.pages_touched) * page, "B"}},
         {"paging", {"keeps_recency", result.keeps_recency ? 1.0 : 0.0, "1"}}};
@@ -112,35 +112,36 @@ std::vector<FigureRow> figures_of(const PagingResult& result) {
 }
 
 /// Throws std::logic_error when a built-in scene cannot be made.
-Workload workload_of(const PagingPlan& plan, const Polyhedron& body) {
-    auto made =
-        make_scene("pressure", body, parameters_of(plan), plan.seed, plan.steps * (plan.bodies - 1), {});
+scene::Workload workload_of(const PagingPlan& plan, const Polyhedron& body) {
+    auto made = scene::make_scene("pressure", body, parameters_of(plan), plan.seed,
+                                  plan.steps * (plan.bodies - 1), {});
     if (!made) throw std::logic_error(made.error);
     return std::move(*made);
 }
 
 void run_cell(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& body, const std::string& build,
-              Store& store, CellRow& row) {
+              store::Store& store, store::CellRow& row) {
     const PagingResult result =
         measure_paging(*find_type(cell.table), cell.algorithm, workload_of(plan, body), limits_for);
     row.status = result.reason.empty() ? "verified" : "unavailable";
     row.reason = result.reason;
-    store.put_cell(build, row, result.reason.empty() ? figures_of(result) : std::vector<FigureRow>{});
+    store.put_cell(build, row, result.reason.empty() ? figures_of(result) : std::vector<store::FigureRow>{});
 }
 
 }  // namespace
 
 std::size_t paging_rows() { return cells_of_this_program().size(); }
 
-PagingSummary run_paging(const PagingPlan& plan, const std::string& build, Store& store,
-                         const std::function<void(const CellRow&)>& on_row, const std::atomic<bool>& stop) {
+PagingSummary run_paging(const PagingPlan& plan, const std::string& build, store::Store& store,
+                         const std::function<void(const store::CellRow&)>& on_row,
+                         const std::atomic<bool>& stop) {
     PagingSummary summary;
     for (const PagedCell& cell : cells_of_this_program()) {
         summary.stopped = stop;
         if (stop) break;
-        const auto body = make_shape(cell.shape);
+        const auto body = scene::make_shape(cell.shape);
         if (!body) throw std::logic_error(body.error);
-        CellRow row = row_of(cell, plan, *body);
+        store::CellRow row = row_of(cell, plan, *body);
         if (!store.find_cell(build, row.hash)) run_cell(cell, plan, *body, build, store, row);
         ++summary.rows;
         on_row(row);
@@ -148,4 +149,4 @@ PagingSummary run_paging(const PagingPlan& plan, const std::string& build, Store
     return summary;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

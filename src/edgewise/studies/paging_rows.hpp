@@ -11,7 +11,7 @@
 
 #include "edgewise/store/store.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 /// The scene name of these rows.
 inline constexpr const char* paging_scene = "paging";
@@ -30,10 +30,11 @@ struct PagingSummary {
 
 /// What the paper ran, V-Clip on its own layout, beside GJK, a lean layout and a smaller body, as far as this
 /// program has them. Rows already stored for the build are kept. `on_row` hears of each.
-PagingSummary run_paging(const PagingPlan& plan, const std::string& build, Store& store,
-                         const std::function<void(const CellRow&)>& on_row, const std::atomic<bool>& stop);
+PagingSummary run_paging(const PagingPlan& plan, const std::string& build, store::Store& store,
+                         const std::function<void(const store::CellRow&)>& on_row,
+                         const std::atomic<bool>& stop);
 
 /// How many rows that makes.
 [[nodiscard]] std::size_t paging_rows();
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

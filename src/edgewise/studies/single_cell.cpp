@@ -7,45 +7,46 @@
 
 #include "edgewise/scene/shapes.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 namespace {
 
-const TableType& table_type(const std::string& name) {
+const bench::TableType& table_type(const std::string& name) {
     const std::string names[] = {name};
-    const auto found = select_table_types(names);
+    const auto found = bench::select_table_types(names);
     if (found.size() > 1)
         throw std::invalid_argument(
             fmt::format("'{}' names several table types; name one, such as '{}'", name, found.front()->name));
     return *found.front();
 }
 
-std::unique_ptr<Group> make_group(const CellChoice& choice) {
-    auto body = make_shape(choice.shape);
+std::unique_ptr<sweep::SharedQueries> make_group(const CellChoice& choice) {
+    auto body = scene::make_shape(choice.shape);
     if (!body) throw std::invalid_argument(body.error);
-    const NamedShape shape{choice.shape, "built-in", std::move(*body), {}};
-    Plan plan;
+    const scene::NamedShape shape{choice.shape, "built-in", std::move(*body), {}};
+    sweep::Plan plan;
     plan.queries = choice.queries;
     plan.seed = choice.seed;
-    return std::make_unique<Group>(plan, SceneChoice{choice.scene, choice.parameters}, shape);
+    return std::make_unique<sweep::SharedQueries>(plan, sweep::SceneChoice{choice.scene, choice.parameters},
+                                                  shape);
 }
 
 }  // namespace
 
-SingleCell::SingleCell(const CellChoice& choice, const TableOptions& placing)
-    : type_(&table_type(choice.table)), group_(make_group(choice)) {
+SingleCell::SingleCell(const CellChoice& choice, const bench::TableOptions& placing)
+    : type_(&table_type(choice.table)), shared_(make_group(choice)) {
     const std::string names[] = {choice.algorithm};
-    const std::string algorithm = select_algorithms(names).front();
+    const std::string algorithm = bench::select_algorithms(names).front();
     if (!type_->serves(algorithm))
         throw std::invalid_argument(fmt::format("{} does not serve {}", type_->name, algorithm));
     runner_ = type_->make_runner(algorithm);
     runner_->place_tables(placing);
-    const bool table_each = placing.sharing == Sharing::per_instance ||
-                            (placing.sharing == Sharing::as_scene && workload().table_each);
+    const bool table_each = placing.sharing == bench::Sharing::per_instance ||
+                            (placing.sharing == bench::Sharing::as_scene && workload().table_each);
     const std::span<const std::uint32_t> instances =
         table_each ? std::span<const std::uint32_t>(workload().instances) : std::span<const std::uint32_t>();
     if (const std::string error = runner_->load(workload().bodies, instances); !error.empty())
         throw std::invalid_argument(error);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

@@ -6,14 +6,14 @@
 #include <memory>
 #include <string>
 
-#include "edgewise/sweep/shared_queries.hpp"
 #include "edgewise/bench/registry.hpp"
+#include "edgewise/sweep/shared_queries.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 struct CellChoice {
     std::string table = "aos_f64", algorithm = "vclip", scene = "tumble", shape = "sphere386";
-    SceneParameters parameters = {};  ///< those that differ from the scene's defaults
+    scene::SceneParameters parameters = {};  ///< those that differ from the scene's defaults
     std::size_t queries = 1000;
     std::uint64_t seed = 1;
 };
@@ -21,16 +21,16 @@ struct CellChoice {
 class SingleCell {
   public:
     /// Throws std::invalid_argument: what, where, what to do.
-    explicit SingleCell(const CellChoice& choice, const TableOptions& placing = {});
+    explicit SingleCell(const CellChoice& choice, const bench::TableOptions& placing = {});
 
-    [[nodiscard]] const TableType& type() const { return *type_; }
-    [[nodiscard]] const Workload& workload() const { return group_->workload(); }
-    [[nodiscard]] const Runner& runner() const { return *runner_; }
+    [[nodiscard]] const bench::TableType& type() const { return *type_; }
+    [[nodiscard]] const scene::Workload& workload() const { return shared_->workload(); }
+    [[nodiscard]] const bench::Runner& runner() const { return *runner_; }
 
   private:
-    const TableType* type_;
-    std::unique_ptr<Group> group_;
-    std::unique_ptr<Runner> runner_;
+    const bench::TableType* type_;
+    std::unique_ptr<sweep::SharedQueries> shared_;
+    std::unique_ptr<bench::Runner> runner_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

@@ -9,24 +9,24 @@
 #include <memory>
 #include <stdexcept>
 
-#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/bench/cell.hpp"
+#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/studies/stability_subject.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 namespace {
 
-std::vector<const HardFamily*> chosen_families(const StabilityPlan& plan) {
-    std::vector<const HardFamily*> result;
+std::vector<const scene::HardFamily*> chosen_families(const StabilityPlan& plan) {
+    std::vector<const scene::HardFamily*> result;
     std::string known;
-    for (const HardFamily& family : hard_families()) {
+    for (const scene::HardFamily& family : scene::hard_families()) {
         known += (known.empty() ? "" : ", ") + family.name;
         if (plan.families.empty()) result.push_back(&family);
     }
     for (const std::string& name : plan.families) {
-        const auto all = hard_families();
-        const auto is_named = [&](const HardFamily& family) { return family.name == name; };
+        const auto all = scene::hard_families();
+        const auto is_named = [&](const scene::HardFamily& family) { return family.name == name; };
         const auto found = std::find_if(all.begin(), all.end(), is_named);
         if (found == all.end()) {
             throw std::invalid_argument(fmt::format("unknown family '{}'; known: {}", name, known));
@@ -36,11 +36,11 @@ std::vector<const HardFamily*> chosen_families(const StabilityPlan& plan) {
     return result;
 }
 
-StabilityRow row_for(const StabilityPlan& plan, const HardFamily& family, const TableType& type,
+StabilityRow row_for(const StabilityPlan& plan, const scene::HardFamily& family, const bench::TableType& type,
                      const std::string& algorithm) {
     StabilityRow row;
     row.cell.scene = stability_scene;
-    row.cell.scene_parameters = parameters_json({{"count", static_cast<double>(plan.count)}});
+    row.cell.scene_parameters = bench::parameters_json({{"count", static_cast<double>(plan.count)}});
     row.cell.shape = family.name;
     row.cell.shape_source = "generated";
     row.cell.algorithm = algorithm;
@@ -49,12 +49,12 @@ StabilityRow row_for(const StabilityPlan& plan, const HardFamily& family, const 
     row.cell.table = type.name;
     row.cell.seed = plan.seed;
     row.cell.queries = plan.count;
-    name_cell(row.cell, Polyhedron{});
+    bench::name_cell(row.cell, Polyhedron{});
     return row;
 }
 
 /// Where planes are stored in single and computed with in double, V-Clip is as good as the planes.
-StabilityTally tally_for(const TableType& type, const std::string& algorithm) {
+StabilityTally tally_for(const bench::TableType& type, const std::string& algorithm) {
     const bool single = type.eps > Tolerance<double>::eps;
     const bool rounded_planes = type.rounded_planes && algorithm == "vclip";
     return {single || rounded_planes ? verified_error_single : verified_error_double,
@@ -64,9 +64,9 @@ StabilityTally tally_for(const TableType& type, const std::string& algorithm) {
 /// The cases of one family, for each storage of the bodies: their exact answers are shared.
 class CasesOf {
   public:
-    CasesOf(const StabilityPlan& plan, const HardFamily& family) : plan_(plan), family_(family) {}
+    CasesOf(const StabilityPlan& plan, const scene::HardFamily& family) : plan_(plan), family_(family) {}
 
-    [[nodiscard]] StabilityCases& of(const TableType& type) {
+    [[nodiscard]] StabilityCases& of(const bench::TableType& type) {
         auto& place = known_[type.storage];
         if (!place)
             place = std::make_unique<StabilityCases>(family_, plan_.count, plan_.seed, type.single_storage,
@@ -76,7 +76,7 @@ class CasesOf {
 
   private:
     const StabilityPlan& plan_;
-    const HardFamily& family_;
+    const scene::HardFamily& family_;
     std::map<std::string, std::unique_ptr<StabilityCases>> known_;
 };
 
@@ -84,7 +84,7 @@ class CasesOf {
 
 std::size_t stability_rows(const StabilityPlan& plan) {
     std::size_t subjects = 0;
-    for (const TableType* type : plan.types) {
+    for (const bench::TableType* type : plan.types) {
         for (const std::string& algorithm : plan.algorithms) subjects += type->serves(algorithm);
     }
     return subjects * chosen_families(plan).size();
@@ -94,10 +94,10 @@ StabilitySummary run_stability(const StabilityPlan& plan,
                                const std::function<void(const StabilityRow&)>& on_row,
                                const std::atomic<bool>& stop) {
     StabilitySummary summary;
-    for (const HardFamily* family : chosen_families(plan)) {
+    for (const scene::HardFamily* family : chosen_families(plan)) {
         const bool possible = family->name != "real_hulls_at_gaps" || !plan.real.empty();
         CasesOf cases(plan, *family);
-        for (const TableType* type : plan.types) {
+        for (const bench::TableType* type : plan.types) {
             for (const std::string& algorithm : plan.algorithms) {
                 if (stop) return summary;
                 if (!type->serves(algorithm)) continue;
@@ -105,7 +105,8 @@ StabilitySummary run_stability(const StabilityPlan& plan,
                 StabilityTally tally = tally_for(*type, algorithm);
                 if (possible) {
                     StabilitySubject(*type, algorithm, family->warm, cases.of(*type), plan.proofs).run(tally);
-                    for (Figure& figure : tally.figures()) row.figures.push_back({"stability", figure});
+                    for (measure::Figure& figure : tally.figures())
+                        row.figures.push_back({"stability", figure});
                 }
                 const std::string wrong = possible ? tally.what_is_wrong() : "";
                 row.cell.status = !possible ? "unavailable" : wrong.empty() ? "verified" : "failed";
@@ -120,4 +121,4 @@ StabilitySummary run_stability(const StabilityPlan& plan,
     return summary;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

@@ -15,7 +15,7 @@
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/store/store.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 /// The scene name of these rows.
 inline constexpr const char* stability_scene = "stability";
@@ -25,14 +25,14 @@ struct StabilityPlan {
     std::size_t count = 200;            ///< poses a family
     std::size_t proofs = 200;           ///< of these with depth, certificate and time, at most
     std::uint64_t seed = 1;
-    std::vector<const TableType*> types;
+    std::vector<const bench::TableType*> types;
     std::vector<std::string> algorithms;
     std::vector<Polyhedron> real;  ///< for the family of real hulls; without any its rows are unavailable
 };
 
 struct StabilityRow {
-    CellRow cell;
-    std::vector<FigureRow> figures;
+    store::CellRow cell;
+    std::vector<store::FigureRow> figures;
 };
 
 struct StabilitySummary {
@@ -48,4 +48,4 @@ StabilitySummary run_stability(const StabilityPlan& plan,
 /// How many rows that makes.
 [[nodiscard]] std::size_t stability_rows(const StabilityPlan& plan);
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/studies/stability_cases.hpp"
 
-#include "edgewise/truth/moore_wilhelms.hpp"
 #include "edgewise/truth/depth/exact_depth.hpp"
+#include "edgewise/truth/moore_wilhelms.hpp"
 #include "edgewise/truth/pair_error.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 namespace {
 
-bool same_bodies(const hard::Pair& p, const hard::Pair& q) {
+bool same_bodies(const scene::hard::Pair& p, const scene::hard::Pair& q) {
     return p.a.vertices == q.a.vertices && p.b.vertices == q.b.vertices && p.a.faces == q.a.faces &&
            p.b.faces == q.b.faces;
 }
 
 }  // namespace
 
-StabilityCases::StabilityCases(const HardFamily& family, std::size_t count, std::uint64_t seed, bool single,
-                               std::span<const Polyhedron> real) {
-    hard::Maker maker(seed, single, real);
-    hard::Pair last;
+StabilityCases::StabilityCases(const scene::HardFamily& family, std::size_t count, std::uint64_t seed,
+                               bool single, std::span<const Polyhedron> real) {
+    scene::hard::Maker maker(seed, single, real);
+    scene::hard::Pair last;
     for (std::size_t poses = 0; poses < count;) {
-        hard::Pair pair = family.make(maker);
+        scene::hard::Pair pair = family.make(maker);
         poses += pair.poses.size();
         if (!family.warm && !cases_.empty() && same_bodies(pair, last)) {
             auto& known = cases_.back().poses;
@@ -29,11 +29,11 @@ StabilityCases::StabilityCases(const HardFamily& family, std::size_t count, std:
             truths_.back().resize(known.size());
             continue;
         }
-        auto a = body_from_case(pair.a);
-        auto b = body_from_case(pair.b);
+        auto a = scene::body_from_case(pair.a);
+        auto b = scene::body_from_case(pair.b);
         std::string error = !a ? a.error : !b ? b.error : "";
         for (const auto& [pose_a, pose_b] : pair.poses) {
-            if (error.empty()) error = pair_error(a->vertices, pose_a, b->vertices, pose_b);
+            if (error.empty()) error = truth::pair_error(a->vertices, pose_a, b->vertices, pose_b);
         }
         if (error.empty()) {
             truths_.emplace_back(pair.poses.size());
@@ -46,12 +46,12 @@ StabilityCases::StabilityCases(const HardFamily& family, std::size_t count, std:
     }
 }
 
-const ExactDistance& StabilityCases::exact(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
-                                           const Polyhedron& stored_b) {
+const truth::ExactDistance& StabilityCases::exact(std::size_t index, std::size_t pose,
+                                                  const Polyhedron& stored_a, const Polyhedron& stored_b) {
     Truth& truth = truths_[index][pose];
     if (!truth.distance) {
         const auto& [pose_a, pose_b] = cases_[index].poses[pose];
-        truth.distance = *exact_distance(stored_a.vertices, pose_a, stored_b.vertices, pose_b);
+        truth.distance = *truth::exact_distance(stored_a.vertices, pose_a, stored_b.vertices, pose_b);
     }
     return *truth.distance;
 }
@@ -61,8 +61,8 @@ double StabilityCases::depth(std::size_t index, std::size_t pose, const Polyhedr
     Truth& truth = truths_[index][pose];
     if (!truth.depth) {
         const auto& [pose_a, pose_b] = cases_[index].poses[pose];
-        const SimplexSeed& seed = exact(index, pose, stored_a, stored_b).simplex;
-        truth.depth = exact_depth(stored_a.vertices, pose_a, stored_b.vertices, pose_b, seed)->depth;
+        const truth::SimplexSeed& seed = exact(index, pose, stored_a, stored_b).simplex;
+        truth.depth = truth::exact_depth(stored_a.vertices, pose_a, stored_b.vertices, pose_b, seed)->depth;
     }
     return *truth.depth;
 }
@@ -72,9 +72,9 @@ std::optional<bool> StabilityCases::control(std::size_t index, std::size_t pose,
     Truth& truth = truths_[index][pose];
     if (!truth.control) {
         const auto& [pose_a, pose_b] = cases_[index].poses[pose];
-        truth.control = moore_wilhelms(stored_a, stored_b, relative_pose(pose_a, pose_b));
+        truth.control = truth::moore_wilhelms(stored_a, stored_b, relative_pose(pose_a, pose_b));
     }
     return *truth.control;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

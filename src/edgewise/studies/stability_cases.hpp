@@ -12,7 +12,7 @@
 #include "edgewise/scene/hard/families.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 /// Two bodies that could be built, and their poses: of a warm family in time order, else all pairs of these
 /// bodies that came in a row.
@@ -24,7 +24,7 @@ struct StabilityCase {
 class StabilityCases {
   public:
     /// About `count` poses. `single`: for tables that store in single precision.
-    StabilityCases(const HardFamily& family, std::size_t count, std::uint64_t seed, bool single,
+    StabilityCases(const scene::HardFamily& family, std::size_t count, std::uint64_t seed, bool single,
                    std::span<const Polyhedron> real);
 
     [[nodiscard]] const std::vector<StabilityCase>& all() const { return cases_; }
@@ -33,8 +33,8 @@ class StabilityCases {
 
     /// Of pose `pose` of case `index` between the bodies that the tables hold: as given, or rounded to
     /// single.
-    [[nodiscard]] const ExactDistance& exact(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
-                                             const Polyhedron& stored_b);
+    [[nodiscard]] const truth::ExactDistance& exact(std::size_t index, std::size_t pose,
+                                                    const Polyhedron& stored_a, const Polyhedron& stored_b);
     /// Likewise; for pairs in contact. Worked out when first asked for.
     [[nodiscard]] double depth(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
                                const Polyhedron& stored_b);
@@ -45,7 +45,7 @@ class StabilityCases {
 
   private:
     struct Truth {
-        std::optional<ExactDistance> distance;
+        std::optional<truth::ExactDistance> distance;
         std::optional<double> depth;
         std::optional<std::optional<bool>> control;
     };
@@ -56,4 +56,4 @@ class StabilityCases {
     std::string first_refusal_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 
+#include "edgewise/bench/certificates.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/bench/certificates.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 namespace {
 
@@ -25,7 +25,7 @@ std::string bin_of(double gap) {
     return edge == 0 ? "0" : fmt::format("{}{:.0e}", gap < 0 ? "-" : "", edge);
 }
 
-bool holds(const Certificate& known, const ExactDistance& exact) {
+bool holds(const truth::Certificate& known, const truth::ExactDistance& exact) {
     return known.lower <= exact.distance && exact.distance <= known.upper;
 }
 
@@ -39,9 +39,9 @@ std::vector<std::string> all_bins() {
 
 }  // namespace
 
-Workload StabilitySubject::workload_of(std::size_t index) const {
+scene::Workload StabilitySubject::workload_of(std::size_t index) const {
     const StabilityCase& given = cases_.all()[index];
-    Workload workload;
+    scene::Workload workload;
     workload.bodies = {given.a, given.b};
     workload.pair_count = 1;
     workload.warm = warm_;
@@ -56,7 +56,7 @@ void StabilitySubject::run(StabilityTally& tally) {
 }
 
 void StabilitySubject::ask(std::size_t index, StabilityTally& tally) {
-    const Workload workload = workload_of(index);
+    const scene::Workload workload = workload_of(index);
     const std::string error = runner_->load(workload.bodies);
     if (!error.empty()) {
         tally.add_refusal(workload.queries.size(), error);
@@ -73,14 +73,14 @@ void StabilitySubject::judge_pose(std::size_t index, std::size_t pose, const Dis
                                   StabilityTally& tally) {
     const auto stored = runner_->stored_bodies();
     const auto& [pose_a, pose_b] = cases_.all()[index].poses[pose];
-    const ExactDistance& exact = cases_.exact(index, pose, stored[0], stored[1]);
-    const AccuracyBand band =
-        accuracy_band(stored[0].vertices, pose_a, stored[1].vertices, pose_b, type_.eps);
+    const truth::ExactDistance& exact = cases_.exact(index, pose, stored[0], stored[1]);
+    const truth::AccuracyBand band =
+        truth::accuracy_band(stored[0].vertices, pose_a, stored[1].vertices, pose_b, type_.eps);
     const bool apart = answer.status == Status::separated;
     std::optional<double> depth;
-    if (apart && exact.verdict != ExactVerdict::separated)
+    if (apart && exact.verdict != truth::ExactVerdict::separated)
         depth = cases_.depth(index, pose, stored[0], stored[1]);
-    tally.add({judge({apart, answer.distance}, exact, band, depth), band, answer, &exact,
+    tally.add({truth::judge({apart, answer.distance}, exact, band, depth), band, answer, &exact,
                cases_.control(index, pose, stored[0], stored[1])});
 }
 
@@ -88,23 +88,24 @@ void StabilitySubject::prove_pose(std::size_t index, std::size_t pose, Stability
     ++proven_;
     const StabilityCase& given = cases_.all()[index];
     const auto stored = runner_->stored_bodies();
-    const Query query{0, 1, 0, given.poses[pose].first, given.poses[pose].second};
-    const NamedAnswer answer = runner_->answer(query);
+    const scene::Query query{0, 1, 0, given.poses[pose].first, given.poses[pose].second};
+    const bench::NamedAnswer answer = runner_->answer(query);
     const std::vector<Polyhedron> bodies = {given.a, given.b};
-    const auto certificates = certificates_of(answer, query, bodies, stored);
-    const ExactDistance& exact = cases_.exact(index, pose, stored[0], stored[1]);
-    const AccuracyBand band =
-        accuracy_band(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b, type_.eps);
+    const auto certificates = bench::certificates_of(answer, query, bodies, stored);
+    const truth::ExactDistance& exact = cases_.exact(index, pose, stored[0], stored[1]);
+    const truth::AccuracyBand band =
+        truth::accuracy_band(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b, type_.eps);
     StabilityProof proof;
     proof.certificate_missed = true;
     proof.depth_cut_short = answer.depth_cut_short;
     if (certificates) {
-        const auto of_given = exact_distance(given.a.vertices, query.pose_a, given.b.vertices, query.pose_b);
+        const auto of_given =
+            truth::exact_distance(given.a.vertices, query.pose_a, given.b.vertices, query.pose_b);
         proof.certificate_width = certificates->stored.width() / (band.scale > 0 ? band.scale : 1);
         proof.certificate_missed =
             !holds(certificates->stored, exact) || !of_given || !holds(certificates->given, *of_given);
     }
-    if (exact.verdict != ExactVerdict::separated && answer.distance.status != Status::separated) {
+    if (exact.verdict != truth::ExactVerdict::separated && answer.distance.status != Status::separated) {
         const double off = std::abs(answer.depth - cases_.depth(index, pose, stored[0], stored[1]));
         proof.depth_error = error_beyond(off, band);
     }
@@ -113,39 +114,39 @@ void StabilitySubject::prove_pose(std::size_t index, std::size_t pose, Stability
 
 /// Cold queries of the first cases, gap by gap.
 void StabilitySubject::time(StabilityTally& tally) {
-    std::map<std::string, Workload> bins;
+    std::map<std::string, scene::Workload> bins;
     std::vector<Polyhedron> bodies;
     std::size_t taken = 0;
     for (std::size_t i = 0; i < cases_.all().size() && taken < proofs_; ++i) {
-        const Workload one = workload_of(i);
+        const scene::Workload one = workload_of(i);
         if (!runner_->load(one.bodies).empty()) continue;
         const auto stored = runner_->stored_bodies();
         const auto first = static_cast<std::uint32_t>(bodies.size());
         bodies.insert(bodies.end(), one.bodies.begin(), one.bodies.end());
         for (std::size_t pose = 0; pose < one.queries.size() && taken < proofs_; ++pose, ++taken) {
-            const ExactDistance& exact = cases_.exact(i, pose, stored[0], stored[1]);
+            const truth::ExactDistance& exact = cases_.exact(i, pose, stored[0], stored[1]);
             const auto& query = one.queries[pose];
-            const double scale =
-                accuracy_band(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b, type_.eps)
-                    .scale;
-            const bool apart = exact.verdict == ExactVerdict::separated;
+            const double scale = truth::accuracy_band(stored[0].vertices, query.pose_a, stored[1].vertices,
+                                                      query.pose_b, type_.eps)
+                                     .scale;
+            const bool apart = exact.verdict == truth::ExactVerdict::separated;
             const double gap = apart ? exact.distance : -cases_.depth(i, pose, stored[0], stored[1]);
             bins[bin_of(gap / (scale > 0 ? scale : 1))].queries.push_back(
                 {first, first + 1, 0, query.pose_a, query.pose_b});
         }
     }
     if (bodies.empty() || !runner_->load(bodies).empty()) bins.clear();
-    const double clock = calibrate();
+    const double clock = measure::calibrate();
     for (const std::string& bin : all_bins()) {
-        const Workload& workload = bins[bin];
+        const scene::Workload& workload = bins[bin];
         std::vector<double> ns;
         for (int round = 0; round < timed_rounds && !workload.queries.empty(); ++round) {
             const std::vector<std::uint8_t> one_class(workload.queries.size(), 0);
             ns.push_back(runner_->time(workload, one_class, clock).separated_ns /
                          static_cast<double>(workload.queries.size()));
         }
-        tally.add_time(bin, median(ns));
+        tally.add_time(bin, measure::median(ns));
     }
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

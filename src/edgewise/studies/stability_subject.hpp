@@ -9,13 +9,13 @@
 #include "edgewise/studies/stability_cases.hpp"
 #include "edgewise/studies/stability_tally.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 class StabilitySubject {
   public:
     /// `warm`: poses of a case keep the pair's cache. At most `proofs` poses get depth, certificate and time.
-    StabilitySubject(const TableType& type, const std::string& algorithm, bool warm, StabilityCases& cases,
-                     std::size_t proofs)
+    StabilitySubject(const bench::TableType& type, const std::string& algorithm, bool warm,
+                     StabilityCases& cases, std::size_t proofs)
         : type_(type), runner_(type.make_runner(algorithm)), warm_(warm), cases_(cases), proofs_(proofs) {}
 
     void run(StabilityTally& tally);
@@ -25,13 +25,13 @@ class StabilitySubject {
     void judge_pose(std::size_t index, std::size_t pose, const Distance& answer, StabilityTally& tally);
     void prove_pose(std::size_t index, std::size_t pose, StabilityTally& tally);
     void time(StabilityTally& tally);
-    [[nodiscard]] Workload workload_of(std::size_t index) const;
+    [[nodiscard]] scene::Workload workload_of(std::size_t index) const;
 
-    const TableType& type_;
-    std::unique_ptr<Runner> runner_;
+    const bench::TableType& type_;
+    std::unique_ptr<bench::Runner> runner_;
     bool warm_;
     StabilityCases& cases_;
     std::size_t proofs_, proven_ = 0;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

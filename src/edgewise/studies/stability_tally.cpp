@@ -8,7 +8,7 @@
 
 #include "edgewise/measure/statistics.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 namespace {
 
@@ -18,20 +18,23 @@ double witness_error(const StabilityJudgement& judged) {
     return error_beyond(std::abs(apart - judged.answer.distance), judged.band);
 }
 
-Figure at_quantile(const char* name, const std::vector<double>& sample, double p, const std::string& none) {
-    const auto value = quantile(sample, p);
+measure::Figure at_quantile(const char* name, const std::vector<double>& sample, double p,
+                            const std::string& none) {
+    const auto value = measure::quantile(sample, p);
     return {name, value, "of scale", value ? "" : sample.empty() ? none : "an error is not a number"};
 }
 
-Figure count(const std::string& name, std::uint64_t n) { return {name, static_cast<double>(n), "queries"}; }
+measure::Figure count(const std::string& name, std::uint64_t n) {
+    return {name, static_cast<double>(n), "queries"};
+}
 
-Figure worst(const char* name, const std::vector<double>& sample, const std::string& none) {
+measure::Figure worst(const char* name, const std::vector<double>& sample, const std::string& none) {
     return at_quantile(name, sample, 1, none);
 }
 
 }  // namespace
 
-double error_beyond(double error, const AccuracyBand& band) {
+double error_beyond(double error, const truth::AccuracyBand& band) {
     const double beyond = error - band.band;
     return beyond <= 0 ? 0 : beyond / (band.scale > 0 ? band.scale : 1);
 }
@@ -46,10 +49,10 @@ void StabilityTally::note(const char* what, const StabilityJudgement& judged) {
 void StabilityTally::add(const StabilityJudgement& judged) {
     ++asked_;
     const Distance& answer = judged.answer;
-    const bool apart = judged.exact->verdict == ExactVerdict::separated;
+    const bool apart = judged.exact->verdict == truth::ExactVerdict::separated;
     separated_ += apart;
-    touching_ += judged.exact->verdict == ExactVerdict::touching;
-    overlapping_ += judged.exact->verdict == ExactVerdict::overlapping;
+    touching_ += judged.exact->verdict == truth::ExactVerdict::touching;
+    overlapping_ += judged.exact->verdict == truth::ExactVerdict::overlapping;
     const bool disagrees = (answer.status == Status::separated) != apart;
     const bool near = judged.judgement.in_band || (apart && judged.exact->distance <= judged.band.band);
     in_band_ += near;
@@ -78,7 +81,7 @@ void StabilityTally::add(const StabilityJudgement& judged) {
 void StabilityTally::compare_with_control(const StabilityJudgement& judged, bool apart, bool near) {
     if (!judged.control) return;
     ++control_asked_;
-    const bool touching = judged.exact->verdict == ExactVerdict::touching;
+    const bool touching = judged.exact->verdict == truth::ExactVerdict::touching;
     const bool disagrees = *judged.control != (judged.answer.status != Status::separated);
     control_disagrees_ += disagrees;
     control_outside_ += disagrees && !near && !touching;
@@ -103,42 +106,42 @@ void StabilityTally::add_time(const std::string& bin, std::optional<double> ns) 
     times_.emplace_back(bin, ns);
 }
 
-std::vector<Figure> StabilityTally::figures() const {
+std::vector<measure::Figure> StabilityTally::figures() const {
     const std::string none = asked_ > 0 ? "not asked for" : "every case was refused: " + first_refusal_;
     const double asked = static_cast<double>(std::max<std::size_t>(asked_, 1));
-    std::vector<Figure> result = {count("cases", asked_),
-                                  count("refused", refused_),
-                                  count("separated", separated_),
-                                  count("touching", touching_),
-                                  count("overlapping", overlapping_),
-                                  count("in_band", in_band_),
-                                  count("wrong_outside_band", wrong_outside_),
-                                  count("wrong_inside_band", wrong_inside_),
-                                  count("errors_beyond", beyond_),
-                                  worst("worst_error", errors_, none),
-                                  at_quantile("p999_error", errors_, 0.999, none),
-                                  worst("worst_witness_error", witness_errors_, none),
-                                  worst("worst_depth_error", depth_errors_, none),
-                                  count("depths_beyond", depths_beyond_),
-                                  count("cap_hits", cap_hits_),
-                                  worst("worst_certificate_width", widths_, none),
-                                  count("certificates", proofs_),
-                                  count("certificates_missed", missed_),
-                                  count("control_asked", control_asked_),
-                                  count("control_disagrees", control_disagrees_),
-                                  count("control_disagrees_outside_band", control_outside_),
-                                  count("control_wrong", control_wrong_),
-                                  {"escapes", static_cast<double>(escapes_), "escapes"},
-                                  count("cycles", cycles_),
-                                  count("fallbacks", fallbacks_),
-                                  count("refinements", refinements_),
-                                  {"mean_steps", static_cast<double>(steps_) / asked, "steps"},
-                                  {"max_steps", static_cast<double>(max_steps_), "steps"}};
+    std::vector<measure::Figure> result = {count("cases", asked_),
+                                           count("refused", refused_),
+                                           count("separated", separated_),
+                                           count("touching", touching_),
+                                           count("overlapping", overlapping_),
+                                           count("in_band", in_band_),
+                                           count("wrong_outside_band", wrong_outside_),
+                                           count("wrong_inside_band", wrong_inside_),
+                                           count("errors_beyond", beyond_),
+                                           worst("worst_error", errors_, none),
+                                           at_quantile("p999_error", errors_, 0.999, none),
+                                           worst("worst_witness_error", witness_errors_, none),
+                                           worst("worst_depth_error", depth_errors_, none),
+                                           count("depths_beyond", depths_beyond_),
+                                           count("cap_hits", cap_hits_),
+                                           worst("worst_certificate_width", widths_, none),
+                                           count("certificates", proofs_),
+                                           count("certificates_missed", missed_),
+                                           count("control_asked", control_asked_),
+                                           count("control_disagrees", control_disagrees_),
+                                           count("control_disagrees_outside_band", control_outside_),
+                                           count("control_wrong", control_wrong_),
+                                           {"escapes", static_cast<double>(escapes_), "escapes"},
+                                           count("cycles", cycles_),
+                                           count("fallbacks", fallbacks_),
+                                           count("refinements", refinements_),
+                                           {"mean_steps", static_cast<double>(steps_) / asked, "steps"},
+                                           {"max_steps", static_cast<double>(max_steps_), "steps"}};
     add_curves(result);
     return result;
 }
 
-void StabilityTally::add_curves(std::vector<Figure>& to) const {
+void StabilityTally::add_curves(std::vector<measure::Figure>& to) const {
     for (std::size_t i = 0; i < failures_.size(); ++i) {
         to.push_back(count(fmt::format("failures_at_{:.0e}", stability_tolerances[i]), failures_[i]));
     }
@@ -158,4 +161,4 @@ std::string StabilityTally::what_is_wrong() const {
         first_wrong_.empty() ? "" : "; first: " + first_wrong_);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

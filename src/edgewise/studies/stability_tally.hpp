@@ -13,7 +13,7 @@
 #include "edgewise/measure/figure.hpp"
 #include "edgewise/truth/accuracy_band.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 /// Contact tolerances of the tolerance curve, relative to the scale of the pair.
 inline constexpr std::array<double, 9> stability_tolerances = {0,    1e-16, 1e-14, 1e-12, 1e-10,
@@ -23,14 +23,14 @@ inline constexpr std::array<double, 9> stability_tolerances = {0,    1e-16, 1e-1
 inline constexpr std::array<double, 4> stability_gaps = {1e-9, 1e-6, 1e-3, 1e-1};
 
 /// An error over the scale, less what the band excuses; NaN stays NaN.
-[[nodiscard]] double error_beyond(double error, const AccuracyBand& band);
+[[nodiscard]] double error_beyond(double error, const truth::AccuracyBand& band);
 
 /// One judged answer.
 struct StabilityJudgement {
-    Judgement judgement;
-    AccuracyBand band;
+    truth::Judgement judgement;
+    truth::AccuracyBand band;
     Distance answer;
-    const ExactDistance* exact = nullptr;
+    const truth::ExactDistance* exact = nullptr;
     std::optional<bool> control;  ///< Moore-Wilhelms: in contact?
 };
 
@@ -54,13 +54,13 @@ class StabilityTally {
     /// Of one bin of gaps, e.g. "-1e-03"; nothing if no case fell into it.
     void add_time(const std::string& bin, std::optional<double> ns);
 
-    [[nodiscard]] std::vector<Figure> figures() const;
+    [[nodiscard]] std::vector<measure::Figure> figures() const;
     /// Empty when there were answers and every one was right.
     [[nodiscard]] std::string what_is_wrong() const;
 
   private:
     void compare_with_control(const StabilityJudgement& judged, bool apart, bool near);
-    void add_curves(std::vector<Figure>& to) const;
+    void add_curves(std::vector<measure::Figure>& to) const;
     void note(const char* what, const StabilityJudgement& judged);
 
     double error_allowed_, depth_error_allowed_;
@@ -76,4 +76,4 @@ class StabilityTally {
     std::string first_refusal_, first_wrong_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

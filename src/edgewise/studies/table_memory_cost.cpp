@@ -7,13 +7,13 @@
 #include <map>
 #include <stdexcept>
 
+#include "edgewise/bench/memory/allocators.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/bench/memory/allocators.hpp"
 #include "edgewise/table/table_memory.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 namespace {
 
 /// Sizes of spheres between the widths' limits: ring offsets count to 6 V - 12, neighbours to V.
@@ -32,21 +32,23 @@ const Polyhedron& sphere(std::size_t vertices) {
     static std::map<std::size_t, Polyhedron> known;
     const auto found = known.find(vertices);
     if (found != known.end()) return found->second;
-    auto body = make_shape(fmt::format("sphere{}", vertices));
+    auto body = scene::make_shape(fmt::format("sphere{}", vertices));
     if (!body) throw std::logic_error(body.error);
     return known.emplace(vertices, std::move(*body)).first->second;
 }
 
 }  // namespace
 
-std::vector<AllocatorCost> allocator_costs(const TableType& type, const Polyhedron& body, Parts parts) {
+std::vector<AllocatorCost> allocator_costs(const bench::TableType& type, const Polyhedron& body,
+                                           Parts parts) {
     std::vector<AllocatorCost> costs;
-    for (const AllocatorInfo& info : allocators_known()) {
-        if (allocator_from(info.name) == AllocatorKind::file) continue;  // takes what the arena takes
+    for (const bench::AllocatorInfo& info : bench::allocators_known()) {
+        if (bench::allocator_from(info.name) == bench::AllocatorKind::file)
+            continue;  // takes what the arena takes
         AllocatorCost& cost = costs.emplace_back();
         cost.allocator = info.name;
         try {
-            const auto allocator = make_allocator(*allocator_from(info.name));
+            const auto allocator = bench::make_allocator(*bench::allocator_from(info.name));
             const TablesIn placed(*allocator);
             const auto table = type.make_table(body, parts);
             cost.taken = allocator->taken();
@@ -59,25 +61,25 @@ std::vector<AllocatorCost> allocator_costs(const TableType& type, const Polyhedr
     return costs;
 }
 
-Result<LinesTouched> lines_in_tumble(const TableType& type, const std::string& algorithm,
-                                     const Polyhedron& body) {
-    using Answer = Result<LinesTouched>;
-    const auto parameters = complete_parameters("tumble", {{"rotation_step", 0.1}});
+Result<measure::LinesTouched> lines_in_tumble(const bench::TableType& type, const std::string& algorithm,
+                                              const Polyhedron& body) {
+    using Answer = Result<measure::LinesTouched>;
+    const auto parameters = scene::complete_parameters("tumble", {{"rotation_step", 0.1}});
     if (!parameters) return Answer::failure(parameters.error);
-    const auto workload = make_scene("tumble", body, *parameters, 1, 4 * traced_queries, {});
+    const auto workload = scene::make_scene("tumble", body, *parameters, 1, 4 * measure::traced_queries, {});
     if (!workload) return Answer::failure(workload.error);
     const auto runner = type.make_runner(algorithm);
     if (const std::string error = runner->load(workload->bodies); !error.empty())
         return Answer::failure(error);
-    LineCounter lines;
-    runner->trace(*workload, traced_queries, lines);
-    const LinesTouched& touched = lines.sums();
+    measure::LineCounter lines;
+    runner->trace(*workload, measure::traced_queries, lines);
+    const measure::LinesTouched& touched = lines.sums();
     if (touched.queries == 0 || touched.reads == 0)
         return Answer::failure("no read was traced: the layout does not tell its loader");
     return Answer::success(touched);
 }
 
-std::vector<WidthSlope> slopes_by_width(const TableType& type, Parts parts) {
+std::vector<WidthSlope> slopes_by_width(const bench::TableType& type, Parts parts) {
     std::vector<WidthSlope> slopes;
     for (const WidthRange& range : width_ranges) {
         std::vector<double> edges, bytes;
@@ -87,7 +89,7 @@ std::vector<WidthSlope> slopes_by_width(const TableType& type, Parts parts) {
             edges.push_back(static_cast<double>(stored->edge_count()));
             bytes.push_back(static_cast<double>(type.ledger(*stored, parts).total()));
         }
-        const auto line = least_squares(edges, bytes);
+        const auto line = measure::least_squares(edges, bytes);
         if (!line) throw std::logic_error("three sizes make a line");
         slopes.push_back({range.offset_bits, range.neighbour_bits, range.vertices.front(),
                           range.vertices.back(), line->slope});
@@ -95,4 +97,4 @@ std::vector<WidthSlope> slopes_by_width(const TableType& type, Parts parts) {
     return slopes;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

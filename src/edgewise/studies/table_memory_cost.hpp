@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/geometry/result.hpp"
 #include "edgewise/measure/cache/lines_touched.hpp"
-#include "edgewise/bench/registry.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 
 struct AllocatorCost {
     std::string allocator;
@@ -23,13 +23,14 @@ struct AllocatorCost {
 };
 
 /// Of a table with these parts of a body that it can store.
-[[nodiscard]] std::vector<AllocatorCost> allocator_costs(const TableType& type, const Polyhedron& body,
+[[nodiscard]] std::vector<AllocatorCost> allocator_costs(const bench::TableType& type, const Polyhedron& body,
                                                          Parts parts);
 
 /// What this algorithm's queries read in the scene `tumble` at 0.1 rad a step, bodies of this shape: the
 /// first warm ones. Fails where the scene does: for bodies without a volume.
-[[nodiscard]] Result<LinesTouched> lines_in_tumble(const TableType& type, const std::string& algorithm,
-                                                   const Polyhedron& body);
+[[nodiscard]] Result<measure::LinesTouched> lines_in_tumble(const bench::TableType& type,
+                                                            const std::string& algorithm,
+                                                            const Polyhedron& body);
 
 /// Bytes of a whole table per additional edge, over bodies whose rings take indices of these widths in the
 /// narrowest form.
@@ -40,6 +41,6 @@ struct WidthSlope {
 };
 
 /// Fitted over spheres of 8 to 100 000 vertices, range by range; takes seconds a table type.
-[[nodiscard]] std::vector<WidthSlope> slopes_by_width(const TableType& type, Parts parts);
+[[nodiscard]] std::vector<WidthSlope> slopes_by_width(const bench::TableType& type, Parts parts);
 
-}  // namespace edgewise
+}  // namespace edgewise::studies

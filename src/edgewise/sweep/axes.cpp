@@ -7,7 +7,7 @@
 #include <charconv>
 #include <stdexcept>
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -34,14 +34,14 @@ VertexOrder read_order(std::string_view entry, std::string_view value) {
     return *order;
 }
 
-Sharing read_sharing(std::string_view entry, std::string_view value) {
-    if (value == "shared") return Sharing::shared;
+bench::Sharing read_sharing(std::string_view entry, std::string_view value) {
+    if (value == "shared") return bench::Sharing::shared;
     if (value != "per_instance") refuse(entry, fmt::format("wants {}", sharing_values));
-    return Sharing::per_instance;
+    return bench::Sharing::per_instance;
 }
 
-AllocatorKind read_allocator(std::string_view entry, std::string_view value) {
-    const auto allocator = allocator_from(value);
+bench::AllocatorKind read_allocator(std::string_view entry, std::string_view value) {
+    const auto allocator = bench::allocator_from(value);
     if (!allocator) refuse(entry, fmt::format("wants {}", allocator_values));
     return *allocator;
 }
@@ -95,10 +95,10 @@ std::string Axes::text() const {
     if (query.contact_tolerance != 0)
         parts.push_back(fmt::format("contact_tolerance={}", query.contact_tolerance));
     if (query.gap_tolerance != 0) parts.push_back(fmt::format("gap_tolerance={}", query.gap_tolerance));
-    const TableOptions plain;
+    const bench::TableOptions plain;
     if (tables.order != plain.order) parts.push_back(fmt::format("order={}", to_string(tables.order)));
     if (tables.sharing != plain.sharing)
-        parts.push_back(tables.sharing == Sharing::shared ? "sharing=shared" : "sharing=per_instance");
+        parts.push_back(tables.sharing == bench::Sharing::shared ? "sharing=shared" : "sharing=per_instance");
     if (tables.allocator != plain.allocator)
         parts.push_back(fmt::format("allocator={}", to_string(tables.allocator)));
     if (needs != Needs::witnesses) parts.push_back(fmt::format("needs={}", to_string(needs)));
@@ -106,7 +106,7 @@ std::string Axes::text() const {
 }
 
 bool Axes::concerns(std::string_view algorithm) const {
-    return tables != TableOptions{} || needs != Needs::witnesses || query.contact_tolerance != 0 ||
+    return tables != bench::TableOptions{} || needs != Needs::witnesses || query.contact_tolerance != 0 ||
            (query.gap_tolerance != 0 && algorithm == "gjk");
 }
 
@@ -124,4 +124,4 @@ Axes parse_axes(std::string_view text) {
     return axes;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

@@ -14,12 +14,12 @@
 #include "edgewise/bench/table_options.hpp"
 #include "edgewise/table/needs.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 struct Axes {
     QueryOptions query;
     Needs needs = Needs::witnesses;  ///< what timed and counted passes ask of every answer
-    TableOptions tables;
+    bench::TableOptions tables;
 
     void set_needs(Needs wanted) {
         needs = wanted;
@@ -42,4 +42,4 @@ struct AxisInfo {
 };
 [[nodiscard]] const std::vector<AxisInfo>& axes_known();
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

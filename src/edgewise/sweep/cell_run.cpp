@@ -3,17 +3,17 @@
 
 #include <fmt/format.h>
 
-#include "edgewise/measure/counters/count_pass.hpp"
-#include "edgewise/measure/machine/machine.hpp"
-#include "edgewise/measure/counters/software_watch.hpp"
 #include "edgewise/bench/cold_starts.hpp"
+#include "edgewise/measure/counters/count_pass.hpp"
+#include "edgewise/measure/counters/software_watch.hpp"
+#include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/sweep/heap_of_cell.hpp"
 #include "edgewise/sweep/measure_steps.hpp"
 #include "edgewise/sweep/trace_scene.hpp"
 #include "edgewise/sweep/verify.hpp"
 #include "edgewise/sweep/watch_algorithm.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -21,7 +21,7 @@ namespace {
 constexpr int build_repetitions = 15;
 
 Parts parts_of(const std::string& algorithm) {
-    for (const AlgorithmInfo& info : algorithms()) {
+    for (const bench::AlgorithmInfo& info : bench::algorithms()) {
         if (info.name == algorithm) return info.parts;
     }
     return Parts::features;
@@ -29,7 +29,7 @@ Parts parts_of(const std::string& algorithm) {
 
 }  // namespace
 
-Contender::Contender(const TableType& type, std::string algorithm, const Axes& axes, CellRow row)
+CellRun::CellRun(const bench::TableType& type, std::string algorithm, const Axes& axes, store::CellRow row)
     : type_(type), axes_(axes), row_(std::move(row)), runner_(type.make_runner(algorithm)) {
     runner_->set_options(axes.query);
     runner_->set_needs(axes.needs);
@@ -41,10 +41,10 @@ Contender::Contender(const TableType& type, std::string algorithm, const Axes& a
     row_.table = type.name;
 }
 
-void Contender::verify(Group& group) {
-    const Workload& workload = group.workload();
-    const bool table_each = axes_.tables.sharing == Sharing::per_instance ||
-                            (axes_.tables.sharing == Sharing::as_scene && workload.table_each);
+void CellRun::verify(SharedQueries& shared) {
+    const scene::Workload& workload = shared.workload();
+    const bool table_each = axes_.tables.sharing == bench::Sharing::per_instance ||
+                            (axes_.tables.sharing == bench::Sharing::as_scene && workload.table_each);
     const std::span<const std::uint32_t> instances =
         table_each ? std::span<const std::uint32_t>(workload.instances) : std::span<const std::uint32_t>();
     if (const std::string error = runner_->load(workload.bodies, instances); !error.empty()) {
@@ -52,79 +52,80 @@ void Contender::verify(Group& group) {
         return;
     }
     const std::vector<Distance> answers = runner_->answer(workload);
-    counts_ = count_answers(answers, workload.warm ? cold_starts(workload) : std::vector<std::uint8_t>{});
-    LineCounter lines;
-    runner_->trace(workload, traced_queries, lines);
+    counts_ =
+        count_answers(answers, workload.warm ? bench::cold_starts(workload) : std::vector<std::uint8_t>{});
+    measure::LineCounter lines;
+    runner_->trace(workload, measure::traced_queries, lines);
     touched_ = lines.sums();
     double sum = 0;
     for (const Distance& answer : answers) {
         in_contact_.push_back(answer.status != Status::separated);
         distances_.push_back(sum += answer.distance);
     }
-    checked_ = check_answers(group, runner_->stored_bodies(), answers, type_.eps, axes_.query);
-    row_.reason = what_is_wrong(group, checked_, type_.eps);
+    checked_ = check_answers(shared, runner_->stored_bodies(), answers, type_.eps, axes_.query);
+    row_.reason = what_is_wrong(shared, checked_, type_.eps);
     row_.status = row_.reason.empty() ? "verified" : "failed";
 }
 
-void Contender::hold_against_answers(const PassSum& sum, const char* pass) {
+void CellRun::hold_against_answers(const bench::PassSum& sum, const char* pass) {
     if (sum.queries > 0 && distances_[sum.queries - 1] == sum.distances) return;
     row_.status = "failed";
     row_.reason = fmt::format("the {} pass gave other answers: distances add up to {}, not {}", pass,
                               sum.distances, sum.queries > 0 ? distances_[sum.queries - 1] : 0);
 }
 
-void Contender::trace(const Group& group, std::size_t queries) {
+void CellRun::trace(const SharedQueries& shared, std::size_t queries) {
     if (!models_caches()) return;
     if (!verified()) {
         trace_.reason = "the cell was not verified";
         trace_.remedy = "see the cell's own reason";
         return;
     }
-    trace_ = trace_scene(*runner_, group.workload(), queries, machines_);
+    trace_ = trace_scene(*runner_, shared.workload(), queries, machines_);
     if (trace_.traced()) hold_against_answers({trace_.answered, trace_.distances}, "traced");
 }
 
 /// In the steady state: tables and pairs were all used before.
-void Contender::count(const Group& group) {
+void CellRun::count(const SharedQueries& shared) {
     if (!verified()) return;
-    static const Cpu cpu = read_machine().cpu;
-    const std::function<PassSum()> pass = runner_->prepared_pass(group.workload());
-    PassSum last = pass();
+    static const measure::Cpu cpu = measure::read_machine().cpu;
+    const std::function<bench::PassSum()> pass = runner_->prepared_pass(shared.workload());
+    bench::PassSum last = pass();
     const std::function<void()> again = [&] { last = pass(); };
-    const std::size_t queries = group.workload().queries.size();
-    counted_ = count_software(again, queries, cpu);
-    const CountedPass hardware = count_pass(again, queries, cpu);
+    const std::size_t queries = shared.workload().queries.size();
+    counted_ = measure::count_software(again, queries, cpu);
+    const measure::CountedPass hardware = measure::count_pass(again, queries, cpu);
     counted_.insert(counted_.end(), hardware.records.begin(), hardware.records.end());
     hold_against_answers(last, "counted");
 }
 
-void Contender::study(const Group& group) {
+void CellRun::study(const SharedQueries& shared) {
     if (!verified()) return;
     if (!row_.axes.empty()) {
         costs_.reason = work_.reason = "measured for the cell without further axes";
         return;
     }
-    costs_ = step_costs(*runner_, group.workload());
-    work_ = algorithm_work(row_.algorithm, type_, group);
+    costs_ = step_costs(*runner_, shared.workload());
+    work_ = algorithm_work(row_.algorithm, type_, shared);
 }
 
-Timing Contender::time(const Group& group, double clock_cost_ns) const {
-    return runner_->time(group.workload(), in_contact_, clock_cost_ns);
+measure::Timing CellRun::time(const SharedQueries& shared, double clock_cost_ns) const {
+    return runner_->time(shared.workload(), in_contact_, clock_cost_ns);
 }
 
-std::vector<FigureRow> Contender::figures(const Group& group, SizeFamily& sizes,
-                                          std::span<const Round> rounds) const {
-    std::vector<FigureRow> result;
+std::vector<store::FigureRow> CellRun::figures(const SharedQueries& shared, SizeFamily& sizes,
+                                               std::span<const measure::Round> rounds) const {
+    std::vector<store::FigureRow> result;
     if (row_.status == "unavailable") return result;
-    Subject subject;
-    const BuildTimes build = runner_->build_times(build_repetitions);
+    measure::Subject subject;
+    const measure::BuildTimes build = runner_->build_times(build_repetitions);
     subject.table = table_bytes(runner_->ledger(), runner_->stored_bodies()[0]);
     subject.memory = runner_->memory();
     subject.build = build;
     subject.touched = touched_;
     subject.trace = &trace_;
     subject.heap = heap_of_cell(type_, parts_of(row_.algorithm), runner_->stored_bodies()[0],
-                                group.workload(), runner_->pair_bytes());
+                                shared.workload(), runner_->pair_bytes());
     subject.sizes = sizes.of(type_, parts_of(row_.algorithm));
     subject.checked = checked_;
     subject.counts = counts_;
@@ -132,12 +133,12 @@ std::vector<FigureRow> Contender::figures(const Group& group, SizeFamily& sizes,
     subject.counted = counted_;
     subject.costs = costs_;
     subject.work = work_;
-    for (const auto& probe : registered_probes()) {
-        for (Figure& figure : probe->figures(subject)) {
+    for (const auto& probe : measure::registered_probes()) {
+        for (measure::Figure& figure : probe->figures(subject)) {
             result.push_back({std::string(probe->name()), std::move(figure)});
         }
     }
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

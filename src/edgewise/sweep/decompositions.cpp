@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::string decompositions_text() {
     return text + std::string(known);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

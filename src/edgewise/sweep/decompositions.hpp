@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 struct Decomposition {
     std::string_view terms;
@@ -23,4 +23,4 @@ struct Decomposition {
 /// A short table with what is known about it.
 [[nodiscard]] std::string decompositions_text();
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

@@ -10,14 +10,15 @@
 #include "edgewise/bench/trace/trace_places.hpp"
 #include "edgewise/table/table_memory.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
 /// What `build` allocates; what it returns is kept until it was measured.
-HeapStructure measured(const std::string& name,
-                       const std::function<std::shared_ptr<const void>(TableAllocator&)>& build) {
-    const auto allocator = make_allocator(AllocatorKind::jemalloc);
+measure::HeapStructure measured(
+    const std::string& name,
+    const std::function<std::shared_ptr<const void>(bench::TableAllocator&)>& build) {
+    const auto allocator = bench::make_allocator(bench::AllocatorKind::jemalloc);
     const std::shared_ptr<const void> kept = build(*allocator);
     const std::size_t classes = allocator->by_its_statistics().value_or(0);
     if (classes != allocator->taken())
@@ -26,8 +27,8 @@ HeapStructure measured(const std::string& name,
 }
 
 /// Blocks of such sizes, written to as their owner would.
-HeapStructure blocks(const std::string& name, const std::vector<std::size_t>& sizes) {
-    return measured(name, [&](TableAllocator& allocator) {
+measure::HeapStructure blocks(const std::string& name, const std::vector<std::size_t>& sizes) {
+    return measured(name, [&](bench::TableAllocator& allocator) {
         auto owned = std::make_shared<std::vector<std::pmr::vector<std::byte>>>();
         for (const std::size_t size : sizes)
             if (size > 0) owned->emplace_back(size, std::byte{1}, &allocator);
@@ -36,9 +37,9 @@ HeapStructure blocks(const std::string& name, const std::vector<std::size_t>& si
 }
 
 /// Boxes and orders for every body, pairs for the fullest frame.
-std::vector<std::size_t> broad_phase_sizes(const Workload& workload) {
+std::vector<std::size_t> broad_phase_sizes(const scene::Workload& workload) {
     std::vector<std::size_t> sizes;
-    for (const std::uint32_t element : TracePlaces::element_bytes)
+    for (const std::uint32_t element : bench::TracePlaces::element_bytes)
         sizes.push_back(element * workload.instances.size());
     std::size_t most_pairs = 0;
     for (std::size_t i = 0; i < workload.frames.size(); ++i) {
@@ -46,17 +47,17 @@ std::vector<std::size_t> broad_phase_sizes(const Workload& workload) {
         const std::size_t end = last ? workload.queries.size() : workload.frames[i + 1].first_query;
         most_pairs = std::max(most_pairs, end - workload.frames[i].first_query);
     }
-    sizes.back() = TracePlaces::element_bytes.back() * most_pairs;
+    sizes.back() = bench::TracePlaces::element_bytes.back() * most_pairs;
     return sizes;
 }
 
 }  // namespace
 
-HeapUse heap_of_cell(const TableType& type, Parts parts, const Polyhedron& body, const Workload& workload,
-                     std::size_t pair_bytes) {
-    HeapUse use;
+measure::HeapUse heap_of_cell(const bench::TableType& type, Parts parts, const Polyhedron& body,
+                              const scene::Workload& workload, std::size_t pair_bytes) {
+    measure::HeapUse use;
     try {
-        use.structures.push_back(measured("table", [&](TableAllocator& allocator) {
+        use.structures.push_back(measured("table", [&](bench::TableAllocator& allocator) {
             const TablesIn placed(allocator);
             return type.make_table(body, parts);
         }));
@@ -67,11 +68,11 @@ HeapUse heap_of_cell(const TableType& type, Parts parts, const Polyhedron& body,
     } catch (const std::exception& problem) {
         use.structures.clear();
         use.reason = problem.what();
-        use.remedy = JemallocArena::available()
+        use.remedy = bench::JemallocArena::available()
                          ? "see the reason"
                          : "install libjemalloc-dev and build again, without sanitizers";
     }
     return use;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

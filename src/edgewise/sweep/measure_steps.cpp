@@ -8,7 +8,7 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -22,7 +22,7 @@ struct StepParts {
 
 class StepWatch {
   public:
-    StepWatch(const Runner& runner, const Workload& workload)
+    StepWatch(const bench::Runner& runner, const scene::Workload& workload)
         : workload_(workload), narrow_phase_(runner.prepared_range(workload)) {
         // The last step may have been cut short.
         const std::size_t whole = workload.frames.size() - 1;
@@ -33,7 +33,7 @@ class StepWatch {
     double pass(StepParts parts) {
         double ns = 0;
         for (std::size_t i = 0; i < steps_; ++i) {
-            const Stopwatch watch;
+            const measure::Stopwatch watch;
             take(i, parts);
             if (counts(i)) ns += watch.elapsed_ns();
         }
@@ -41,8 +41,8 @@ class StepWatch {
     }
 
     /// What a step comes to, over those that count.
-    [[nodiscard]] StepCosts count() {
-        StepCosts costs;
+    [[nodiscard]] measure::StepCosts count() {
+        measure::StepCosts costs;
         std::size_t tests = 0, moves = 0, pairs = 0, bodies = 0;
         for (std::size_t i = 0; i < steps_; ++i) {
             take(i, {true, true, false});
@@ -66,7 +66,7 @@ class StepWatch {
 
   private:
     void take(std::size_t i, StepParts parts) {
-        const Frame& frame = workload_.frames[i];
+        const scene::Frame& frame = workload_.frames[i];
         if (frame.starts_anew) broad_phase_.emplace(frame.poses.size());
         if (parts.boxes) update_boxes(frame);
         const std::vector<Aabb>& boxes = parts.boxes ? boxes_ : frame.boxes;
@@ -74,11 +74,11 @@ class StepWatch {
         if (parts.queries) sum_ = sum_ + narrow_phase_(frame.first_query, end_of(i));
     }
 
-    void update_boxes(const Frame& frame) {
+    void update_boxes(const scene::Frame& frame) {
         boxes_.resize(frame.poses.size());
         for (std::size_t body = 0; body < boxes_.size(); ++body) {
             const Polyhedron& shape = workload_.bodies[workload_.instances[body]];
-            boxes_[body] = world_box(shape, frame.poses[body]).enlarged(frame.margin);
+            boxes_[body] = scene::world_box(shape, frame.poses[body]).enlarged(frame.margin);
         }
     }
 
@@ -90,8 +90,8 @@ class StepWatch {
                                                : workload_.queries.size();
     }
 
-    const Workload& workload_;
-    Runner::RangePass narrow_phase_;
+    const scene::Workload& workload_;
+    bench::Runner::RangePass narrow_phase_;
     std::optional<SweepAndPrune> broad_phase_;
     std::vector<Aabb> boxes_;
     std::size_t steps_ = 0;           ///< of a pass
@@ -108,22 +108,23 @@ std::array<double, 4> times_of(StepWatch& watch) {
     for (int i = 0; i < passes; ++i) {
         for (std::size_t k = 0; k < what.size(); ++k) times[k].push_back(watch.pass(what[k]));
     }
-    return {*median(times[0]), *median(times[1]), *median(times[2]), *median(times[3])};
+    return {*measure::median(times[0]), *measure::median(times[1]), *measure::median(times[2]),
+            *measure::median(times[3])};
 }
 
-bool has_steps(const Workload& workload) {
+bool has_steps(const scene::Workload& workload) {
     return !workload.frames.empty() && !workload.frames.front().poses.empty();
 }
 
 }  // namespace
 
-StepCosts step_costs(const Runner& runner, const Workload& workload) {
-    StepCosts costs;
+measure::StepCosts step_costs(const bench::Runner& runner, const scene::Workload& workload) {
+    measure::StepCosts costs;
     costs.reason = "the scene has no steps with a broad phase";
     costs.remedy = "tumble with in_time_order=1";
     if (!has_steps(workload)) return costs;
     StepWatch watch(runner, workload);
-    const StepCosts counted = watch.count();
+    const measure::StepCosts counted = watch.count();
     costs.reason = "no step follows another";
     costs.remedy = "ask for more queries";
     if (counted.steps == 0) return costs;
@@ -137,4 +138,4 @@ StepCosts step_costs(const Runner& runner, const Workload& workload) {
     return costs;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

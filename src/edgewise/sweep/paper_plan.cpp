@@ -5,7 +5,7 @@
 
 #include "edgewise/bench/registry.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -15,8 +15,8 @@ using Names = std::vector<std::string>;
 Names present(const Names& wanted) {
     Names names;
     for (const std::string& name : wanted) {
-        const auto types = table_types();
-        const auto is_it = [&](const TableType& type) { return type.name == name; };
+        const auto types = bench::table_types();
+        const auto is_it = [&](const bench::TableType& type) { return type.name == name; };
         if (std::any_of(types.begin(), types.end(), is_it)) names.push_back(name);
     }
     return names;
@@ -58,4 +58,4 @@ std::vector<SceneChoice> paper_scenes() {
     return scenes;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

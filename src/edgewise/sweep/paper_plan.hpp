@@ -8,9 +8,9 @@
 
 #include "edgewise/sweep/plan.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 /// Of the table types that this program has.
 [[nodiscard]] std::vector<SceneChoice> paper_scenes();
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

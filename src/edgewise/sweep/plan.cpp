@@ -12,10 +12,10 @@
 #include <span>
 #include <stdexcept>
 
-#include "edgewise/sweep/paper_plan.hpp"
 #include "edgewise/bench/registry.hpp"
+#include "edgewise/sweep/paper_plan.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -26,7 +26,7 @@ constexpr const char* real_objects[] = {"atlas_foot.stl", "hubo_foot.stl", "atla
 /// Of this program, without those that hardly differ from another.
 std::vector<std::string> widely_different_layouts() {
     std::vector<std::string> names;
-    for (const TableType& type : table_types()) {
+    for (const bench::TableType& type : bench::table_types()) {
         if (type.relative_of.empty() && (names.empty() || names.back() != type.layout))
             names.push_back(type.layout);
     }
@@ -38,7 +38,8 @@ std::vector<std::string> widely_different_layouts() {
 SceneChoice pressure(double bodies, const std::vector<std::string>& layouts) {
     SceneChoice scene{"pressure", {{"bodies", bodies}}};
     scene.shapes = {"sphere386"};
-    for (const TableType& type : table_types()) {  // a program may have been built with some only
+    for (const bench::TableType& type :
+         bench::table_types()) {  // a program may have been built with some only
         for (const std::string& wanted : layouts) {
             if (wanted == type.layout || wanted == type.name) scene.layouts.push_back(type.name);
         }
@@ -94,7 +95,7 @@ Plan quick() {
     plan.traced = 1000;
     model_caches(plan, {"sphere386"}, [](const SceneChoice& scene) {
         return scene.name == "pressure" || scene.parameters.contains("in_time_order") ||
-               scene.parameters == SceneParameters{{"rotation_step", 1}};
+               scene.parameters == scene::SceneParameters{{"rotation_step", 1}};
     });
     return plan;
 }
@@ -160,7 +161,7 @@ SceneChoice read_scene(const nlohmann::json& json) {
     constexpr std::array known = {"name",    "parameters", "shapes", "layouts", "algorithms",
                                   "queries", "plain",      "axes",   "caches"};
     refuse_unknown_members(json, known);
-    SceneChoice scene{json.at("name"), json.value("parameters", SceneParameters{})};
+    SceneChoice scene{json.at("name"), json.value("parameters", scene::SceneParameters{})};
     take(json, "shapes", scene.shapes);
     take(json, "layouts", scene.layouts);
     take(json, "algorithms", scene.algorithms);
@@ -228,4 +229,4 @@ Plan make_plan(const std::string& name) {
     return read_plan(name);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

@@ -10,14 +10,14 @@
 
 #include "edgewise/scene/workload.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 /// A scene, and what of the plan it is for: of the plan's shapes, table types and algorithms only these, all
 /// where none are named. A scene file has its own shapes, parameters and queries, and is for all table types
 /// of the program that are named.
 struct SceneChoice {
-    std::string name;                 ///< of a kind of scene or a scene file, or the path of one (.json)
-    SceneParameters parameters = {};  ///< those that differ from the scene's defaults
+    std::string name;  ///< of a kind of scene or a scene file, or the path of one (.json)
+    scene::SceneParameters parameters = {};  ///< those that differ from the scene's defaults
     std::vector<std::string> shapes = {}, layouts = {}, algorithms = {};
     std::size_t queries = 0;  ///< a cell and round; 0: the plan's
     bool plain = false;       ///< no further axes: a group's cells stand side by side, and these are large
@@ -56,4 +56,4 @@ struct Plan {
 /// Mesh files of real objects that the set-up unpacked; may be empty.
 [[nodiscard]] std::vector<std::string> default_meshes();
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

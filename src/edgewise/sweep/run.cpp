@@ -7,18 +7,18 @@
 #include <stdexcept>
 #include <utility>
 
+#include "edgewise/bench/build_info.hpp"
+#include "edgewise/bench/cell.hpp"
+#include "edgewise/bench/draw_layout.hpp"
+#include "edgewise/bench/parallel.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/bench/build_info.hpp"
-#include "edgewise/bench/cell.hpp"
-#include "edgewise/sweep/cell_run.hpp"
-#include "edgewise/bench/draw_layout.hpp"
-#include "edgewise/bench/parallel.hpp"
 #include "edgewise/store/schema.hpp"
+#include "edgewise/sweep/cell_run.hpp"
 #include "edgewise/sweep/trace_scene.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -30,7 +30,8 @@ constexpr const char* drawn_shape = "cube8";
 
 class Sweep {
   public:
-    Sweep(const SweepWork& work, Store& store, const SweepListener& listener, const std::atomic<bool>& stop)
+    Sweep(const SweepWork& work, store::Store& store, const SweepListener& listener,
+          const std::atomic<bool>& stop)
         : work_(work),
           plan_(work.plan),
           store_(store),
@@ -39,7 +40,7 @@ class Sweep {
           baseline_(baseline_type()),
           baseline_algorithm_(baseline_.serves(baseline_algorithm) ? baseline_algorithm
                                                                    : baseline_.algorithms.front()) {
-        const BuildRow build = this_build();
+        const store::BuildRow build = bench::this_build();
         build_ = build.id;
         store_.put_build(build);
         store_.set_meta("build", build_);
@@ -50,7 +51,7 @@ class Sweep {
                         "in an arena from a multiple of 2 MiB on, the first at its start, one after "
                         "the other; large pages declined; else as the axis allocator says");
         for (const SceneWork& scene : work_.scenes) {
-            if (!scene.text.empty()) store_.set_meta(scene_file_key + scene.choice.name, scene.text);
+            if (!scene.text.empty()) store_.set_meta(store::scene_file_key + scene.choice.name, scene.text);
         }
         store_drawings();
     }
@@ -58,7 +59,7 @@ class Sweep {
     SweepSummary run() {
         listener_.on_start(work_.cells());
         for (const SceneWork& scene : work_.scenes) {
-            for (const NamedShape* shape : scene.shapes) {
+            for (const scene::NamedShape* shape : scene.shapes) {
                 if (stop_) break;
                 run_group(scene, *shape);
             }
@@ -70,21 +71,21 @@ class Sweep {
   private:
     /// One picture a layout, of its first precision.
     void store_drawings() {
-        auto body = make_shape(drawn_shape);
+        auto body = scene::make_shape(drawn_shape);
         if (!body) throw std::logic_error(body.error);
         std::string last;
-        for (const TableType* type : work_.types) {
+        for (const bench::TableType* type : work_.types) {
             if (type->layout == last) continue;
             last = type->layout;
-            store_.set_meta(drawing_key + type->name, draw_layout(*type, drawn_shape, *body));
+            store_.set_meta(store::drawing_key + type->name, bench::draw_layout(*type, drawn_shape, *body));
         }
     }
 
-    [[nodiscard]] CellRow row_for(const SceneWork& scene, const NamedShape& shape) const {
-        CellRow row;
+    [[nodiscard]] store::CellRow row_for(const SceneWork& scene, const scene::NamedShape& shape) const {
+        store::CellRow row;
         row.scene = scene.choice.name;
         row.scene_kind = scene.kind;
-        row.scene_parameters = parameters_json(scene.choice.parameters);
+        row.scene_parameters = bench::parameters_json(scene.choice.parameters);
         row.shape = shape.name;
         row.shape_source = shape.source;
         row.vertices = shape.body.vertex_count();
@@ -95,72 +96,73 @@ class Sweep {
         return row;
     }
 
-    void run_group(const SceneWork& scene, const NamedShape& shape) {
-        std::vector<Contender> contenders = contenders_for(scene, shape);
+    void run_group(const SceneWork& scene, const scene::NamedShape& shape) {
+        std::vector<CellRun> cell_runs = cell_runs_for(scene, shape);
         const std::string what = scene.choice.name + " " + shape.name;
         if (!shape.error.empty()) {
-            for (Contender& contender : contenders) give_up(contender, shape.error);
-            listener_.on_done(contenders.size(), what);
+            for (CellRun& cell_run : cell_runs) give_up(cell_run, shape.error);
+            listener_.on_done(cell_runs.size(), what);
             return;
         }
-        if (all_stored(contenders)) {
-            listener_.on_done(contenders.size(), what);
+        if (all_stored(cell_runs)) {
+            listener_.on_done(cell_runs.size(), what);
             return;
         }
         Plan plan = plan_;
         plan.queries = scene.queries;
         SceneChoice made = scene.choice;
         if (!scene.kind.empty()) made.name = scene.kind;
-        Group group(plan, made, shape);
-        for (Contender& contender : contenders) contender.verify(group);
-        trace_all(group, contenders);
-        Contender baseline(baseline_, baseline_algorithm_, {}, row_for(scene, shape));
-        baseline.verify(group);
-        time_rounds(group, contenders, baseline);
+        SharedQueries shared(plan, made, shape);
+        for (CellRun& cell_run : cell_runs) cell_run.verify(shared);
+        trace_all(shared, cell_runs);
+        CellRun baseline(baseline_, baseline_algorithm_, {}, row_for(scene, shape));
+        baseline.verify(shared);
+        time_rounds(shared, cell_runs, baseline);
         if (stop_) return;
-        for (Contender& contender : contenders) {
-            contender.count(group);
-            contender.study(group);
+        for (CellRun& cell_run : cell_runs) {
+            cell_run.count(shared);
+            cell_run.study(shared);
         }
-        for (const Contender& contender : contenders) keep(contender, &group);
-        listener_.on_done(contenders.size(), what);
+        for (const CellRun& cell_run : cell_runs) keep(cell_run, &shared);
+        listener_.on_done(cell_runs.size(), what);
     }
 
     /// On all processors: nothing is timed meanwhile, and traces do not depend on what runs beside them.
-    void trace_all(const Group& group, std::vector<Contender>& contenders) const {
-        for_each_index(contenders.size(), [&](std::size_t i) {
-            if (!stop_) contenders[i].trace(group, plan_.traced);
+    void trace_all(const SharedQueries& shared, std::vector<CellRun>& cell_runs) const {
+        bench::for_each_index(cell_runs.size(), [&](std::size_t i) {
+            if (!stop_) cell_runs[i].trace(shared, plan_.traced);
         });
     }
 
-    [[nodiscard]] std::vector<Contender> contenders_for(const SceneWork& scene,
-                                                        const NamedShape& shape) const {
-        std::vector<Contender> result;
-        work_.each_cell(scene, [&](const TableType& type, const std::string& algorithm, const Axes& axes) {
-            result.emplace_back(type, algorithm, axes, row_for(scene, shape));
-            result.back().name(shape.body);
-            if (scene.models_caches(shape)) result.back().model_caches(work_.machines);
-        });
+    [[nodiscard]] std::vector<CellRun> cell_runs_for(const SceneWork& scene,
+                                                     const scene::NamedShape& shape) const {
+        std::vector<CellRun> result;
+        work_.each_cell(scene,
+                        [&](const bench::TableType& type, const std::string& algorithm, const Axes& axes) {
+                            result.emplace_back(type, algorithm, axes, row_for(scene, shape));
+                            result.back().name(shape.body);
+                            if (scene.models_caches(shape)) result.back().model_caches(work_.machines);
+                        });
         return result;
     }
 
     /// The baseline need not be among the chosen cells; a program without its layout compares with the first
     /// it has.
-    [[nodiscard]] static const TableType& baseline_type() {
-        const auto types = table_types();
-        const auto is_baseline = [](const TableType& type) { return type.name == baseline_table; };
+    [[nodiscard]] static const bench::TableType& baseline_type() {
+        const auto types = bench::table_types();
+        const auto is_baseline = [](const bench::TableType& type) { return type.name == baseline_table; };
         const auto found = std::find_if(types.begin(), types.end(), is_baseline);
         return found != types.end() ? *found : types.front();
     }
 
     /// Rounds and figures of all of them are there; counts them.
-    [[nodiscard]] bool all_stored(const std::vector<Contender>& contenders) {
+    [[nodiscard]] bool all_stored(const std::vector<CellRun>& cell_runs) {
         std::vector<std::string> states;
-        for (const Contender& contender : contenders) {
-            const auto row = store_.find_cell(build_, contender.row().hash);
+        for (const CellRun& cell_run : cell_runs) {
+            const auto row = store_.find_cell(build_, cell_run.row().hash);
             if (!row) return false;
-            if (row->status == "verified" && rounds_missing(contender).size() > 0) return false;
-            if (row->status == "verified" && lacks_caches(contender)) return false;
+            if (row->status == "verified" && rounds_missing(cell_run).size() > 0) return false;
+            if (row->status == "verified" && lacks_caches(cell_run)) return false;
             states.push_back(row->status);
         }
         for (const std::string& status : states) count(status);
@@ -168,17 +170,17 @@ class Sweep {
     }
 
     /// An earlier run may not have modelled these machines, or fewer queries.
-    [[nodiscard]] bool lacks_caches(const Contender& contender) const {
-        if (!contender.models_caches()) return false;
+    [[nodiscard]] bool lacks_caches(const CellRun& cell_run) const {
+        if (!cell_run.models_caches()) return false;
         const double wanted = trace_identity(work_.machines, plan_.traced);
-        const std::vector<FigureRow> stored = store_.figures(build_, contender.row().hash);
-        return std::none_of(stored.begin(), stored.end(), [&](const FigureRow& row) {
+        const std::vector<store::FigureRow> stored = store_.figures(build_, cell_run.row().hash);
+        return std::none_of(stored.begin(), stored.end(), [&](const store::FigureRow& row) {
             return row.probe == "caches" && row.figure.name == "identity" && row.figure.value == wanted;
         });
     }
 
-    [[nodiscard]] std::vector<int> rounds_missing(const Contender& contender) const {
-        const auto done = store_.rounds_done(build_, contender.row().hash);
+    [[nodiscard]] std::vector<int> rounds_missing(const CellRun& cell_run) const {
+        const auto done = store_.rounds_done(build_, cell_run.row().hash);
         std::vector<int> missing;
         for (int round = 0; round < plan_.rounds; ++round) {
             if (!done.contains(round)) missing.push_back(round);
@@ -186,65 +188,64 @@ class Sweep {
         return missing;
     }
 
-    void time_rounds(const Group& group, const std::vector<Contender>& contenders,
-                     const Contender& baseline) {
+    void time_rounds(const SharedQueries& shared, const std::vector<CellRun>& cell_runs,
+                     const CellRun& baseline) {
         if (!baseline.verified()) {
             listener_.on_warning(
-                "the baseline failed its check in this group: nothing to compare times with");
+                "the baseline failed its check in this shared: nothing to compare times with");
         }
-        const double clock_cost_ns = calibrate();
+        const double clock_cost_ns = measure::calibrate();
         std::vector<std::vector<int>> missing;
-        for (const Contender& contender : contenders) missing.push_back(rounds_missing(contender));
+        for (const CellRun& cell_run : cell_runs) missing.push_back(rounds_missing(cell_run));
         for (int round = 0; round < plan_.rounds && !stop_; ++round) {
-            std::vector<const Contender*> turn;
-            for (std::size_t i = 0; i < contenders.size(); ++i) {
+            std::vector<const CellRun*> turn;
+            for (std::size_t i = 0; i < cell_runs.size(); ++i) {
                 const auto& of_this = missing[i];
                 const bool lacks = std::find(of_this.begin(), of_this.end(), round) != of_this.end();
-                if (contenders[i].verified() && lacks) turn.push_back(&contenders[i]);
+                if (cell_runs[i].verified() && lacks) turn.push_back(&cell_runs[i]);
             }
             if (!turn.empty())
-                store_.put_round(build_, time_round(group, round, turn, baseline, clock_cost_ns));
+                store_.put_round(build_, time_round(shared, round, turn, baseline, clock_cost_ns));
         }
     }
 
     /// Every cell once, in an order of its own each round, the baseline somewhere among them.
-    [[nodiscard]] std::vector<std::pair<std::string, Round>> time_round(const Group& group, int number,
-                                                                        std::vector<const Contender*> turn,
-                                                                        const Contender& baseline,
-                                                                        double clock_cost_ns) const {
+    [[nodiscard]] std::vector<std::pair<std::string, measure::Round>> time_round(
+        const SharedQueries& shared, int number, std::vector<const CellRun*> turn, const CellRun& baseline,
+        double clock_cost_ns) const {
         turn.push_back(&baseline);
-        Rng rng(plan_.seed + static_cast<std::uint64_t>(number));
+        scene::Rng rng(plan_.seed + static_cast<std::uint64_t>(number));
         rng.shuffle(turn);
-        std::vector<std::pair<std::string, Round>> rounds;
-        Timing baseline_timing;
-        for (const Contender* contender : turn) {
-            const Timing timing = contender->time(group, clock_cost_ns);
-            if (contender == &baseline) {
+        std::vector<std::pair<std::string, measure::Round>> rounds;
+        measure::Timing baseline_timing;
+        for (const CellRun* cell_run : turn) {
+            const measure::Timing timing = cell_run->time(shared, clock_cost_ns);
+            if (cell_run == &baseline) {
                 baseline_timing = timing;
             } else {
-                rounds.emplace_back(contender->row().hash, Round{number, timing, {}});
+                rounds.emplace_back(cell_run->row().hash, measure::Round{number, timing, {}});
             }
         }
         for (auto& [hash, round] : rounds) round.baseline = baseline_timing;
         return rounds;
     }
 
-    /// Without a group there was nothing to measure.
-    void keep(const Contender& contender, const Group* group) {
-        std::vector<FigureRow> figures;
-        if (group) figures = contender.figures(*group, sizes_, store_.rounds(build_, contender.row().hash));
-        store_.put_cell(build_, contender.row(), figures);
-        count(contender.row().status);
-        if (contender.row().status == "failed") {
-            listener_.on_warning(fmt::format("failed: {} {} {} {}: {}", contender.row().scene,
-                                             contender.row().shape, contender.row().algorithm,
-                                             contender.row().table, contender.row().reason));
+    /// Without a shared there was nothing to measure.
+    void keep(const CellRun& cell_run, const SharedQueries* shared) {
+        std::vector<store::FigureRow> figures;
+        if (shared) figures = cell_run.figures(*shared, sizes_, store_.rounds(build_, cell_run.row().hash));
+        store_.put_cell(build_, cell_run.row(), figures);
+        count(cell_run.row().status);
+        if (cell_run.row().status == "failed") {
+            listener_.on_warning(fmt::format("failed: {} {} {} {}: {}", cell_run.row().scene,
+                                             cell_run.row().shape, cell_run.row().algorithm,
+                                             cell_run.row().table, cell_run.row().reason));
         }
     }
 
-    void give_up(Contender& contender, const std::string& reason) {
-        contender.make_unavailable(reason);
-        keep(contender, nullptr);
+    void give_up(CellRun& cell_run, const std::string& reason) {
+        cell_run.make_unavailable(reason);
+        keep(cell_run, nullptr);
     }
 
     void count(const std::string& status) {
@@ -256,10 +257,10 @@ class Sweep {
 
     const SweepWork& work_;
     const Plan& plan_;
-    Store& store_;
+    store::Store& store_;
     const SweepListener& listener_;
     const std::atomic<bool>& stop_;
-    const TableType& baseline_;
+    const bench::TableType& baseline_;
     std::string baseline_algorithm_;
     std::string build_;
     SizeFamily sizes_;
@@ -268,9 +269,9 @@ class Sweep {
 
 }  // namespace
 
-SweepSummary run_sweep(const SweepWork& work, Store& store, const SweepListener& listener,
+SweepSummary run_sweep(const SweepWork& work, store::Store& store, const SweepListener& listener,
                        const std::atomic<bool>& stop) {
     return Sweep(work, store, listener, stop).run();
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

@@ -11,7 +11,7 @@
 #include "edgewise/store/store.hpp"
 #include "edgewise/sweep/work.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 struct SweepSummary {
     std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
@@ -26,7 +26,7 @@ struct SweepListener {
 };
 
 /// `stop` is looked at between rounds.
-[[nodiscard]] SweepSummary run_sweep(const SweepWork& work, Store& store, const SweepListener& listener,
-                                     const std::atomic<bool>& stop);
+[[nodiscard]] SweepSummary run_sweep(const SweepWork& work, store::Store& store,
+                                     const SweepListener& listener, const std::atomic<bool>& stop);
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

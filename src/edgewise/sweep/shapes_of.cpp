@@ -8,7 +8,7 @@
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/shapes.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -17,22 +17,23 @@ namespace {
 /// digits back.
 constexpr double mesh_scale = 1.0 + 1.0 / 3.0;
 
-void add_mesh(const Plan& plan, const std::string& file, std::vector<NamedShape>& to,
+void add_mesh(const Plan& plan, const std::string& file, std::vector<scene::NamedShape>& to,
               const std::function<void(const std::string&)>& warn) {
     const std::string name = std::filesystem::path(file).filename().string();
-    auto bodies = read_mesh_file(file, plan.each_mesh ? MeshGrouping::each_mesh : MeshGrouping::one_hull);
+    auto bodies = scene::read_mesh_file(
+        file, plan.each_mesh ? scene::MeshGrouping::each_mesh : scene::MeshGrouping::one_hull);
     if (!bodies.warning.empty()) warn(bodies.warning);
     if (!bodies) {
         if (plan.meshes_required) throw std::invalid_argument(bodies.error);
         warn(bodies.error);
-        NamedShape missing;
+        scene::NamedShape missing;
         missing.name = std::filesystem::path(file).stem().string();
         missing.source = name;
         missing.error = bodies.error;
         to.push_back(std::move(missing));
         return;
     }
-    for (MeshBody& mesh : *bodies) {
+    for (scene::MeshBody& mesh : *bodies) {
         for (Vec3d& v : mesh.body.vertices) v *= mesh_scale;
         auto body = convex_hull(mesh.body.vertices);  // rounding moved the vertices: faces anew
         if (!body) throw std::logic_error(body.error);
@@ -42,10 +43,11 @@ void add_mesh(const Plan& plan, const std::string& file, std::vector<NamedShape>
 
 }  // namespace
 
-std::vector<NamedShape> shapes_of(const Plan& plan, const std::function<void(const std::string&)>& warn) {
-    std::vector<NamedShape> result;
+std::vector<scene::NamedShape> shapes_of(const Plan& plan,
+                                         const std::function<void(const std::string&)>& warn) {
+    std::vector<scene::NamedShape> result;
     for (const std::string& name : plan.shapes) {
-        auto body = make_shape(name);
+        auto body = scene::make_shape(name);
         if (!body) throw std::invalid_argument(body.error);
         result.push_back({name, "built-in", std::move(*body), {}});
     }
@@ -53,4 +55,4 @@ std::vector<NamedShape> shapes_of(const Plan& plan, const std::function<void(con
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

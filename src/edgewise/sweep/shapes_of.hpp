@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/sweep/shared_queries.hpp"
 #include "edgewise/sweep/plan.hpp"
+#include "edgewise/sweep/shared_queries.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 /// Throws std::invalid_argument for an unknown built-in name (a slip of the user, not of the data).
-[[nodiscard]] std::vector<NamedShape> shapes_of(const Plan& plan,
-                                                const std::function<void(const std::string&)>& warn);
+[[nodiscard]] std::vector<scene::NamedShape> shapes_of(const Plan& plan,
+                                                       const std::function<void(const std::string&)>& warn);
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

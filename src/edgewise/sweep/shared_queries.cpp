@@ -6,13 +6,13 @@
 #include <stdexcept>
 
 #include "edgewise/algorithms/gjk.hpp"
-#include "edgewise/truth/moore_wilhelms.hpp"
-#include "edgewise/scene/scenes.hpp"
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/parallel.hpp"
+#include "edgewise/scene/scenes.hpp"
 #include "edgewise/table/canonical.hpp"
+#include "edgewise/truth/moore_wilhelms.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -32,57 +32,57 @@ std::size_t control_stride(const Polyhedron& body, std::size_t checked) {
 }
 
 std::string print_of(std::span<const Polyhedron> bodies) {
-    Fingerprint print;
+    bench::Fingerprint print;
     for (const Polyhedron& body : bodies) print.add(body);
     return print.hex();
 }
 
 }  // namespace
 
-Group::Group(const Plan& plan, const SceneChoice& scene, const NamedShape& shape)
+SharedQueries::SharedQueries(const Plan& plan, const SceneChoice& scene, const scene::NamedShape& shape)
     : asks_control_(plan.control) {
-    auto parameters = complete_parameters(scene.name, scene.parameters);
+    auto parameters = scene::complete_parameters(scene.name, scene.parameters);
     if (!parameters) throw std::invalid_argument(parameters.error);
     parameters_ = std::move(*parameters);
     auto workload =
-        make_scene(scene.name, shape.body, parameters_, plan.seed, plan.queries, placing_distance);
+        scene::make_scene(scene.name, shape.body, parameters_, plan.seed, plan.queries, placing_distance);
     if (!workload) throw std::invalid_argument(workload.error);
     workload_ = std::move(*workload);
     const std::size_t wanted = std::min(plan.checked, workload_.queries.size());
     for (std::size_t k = 0; k < wanted; ++k) checked_.push_back(k * workload_.queries.size() / wanted);
 }
 
-const std::vector<ExactDistance>& Group::exact(std::span<const Polyhedron> bodies) {
+const std::vector<truth::ExactDistance>& SharedQueries::exact(std::span<const Polyhedron> bodies) {
     auto [place, is_new] = exact_.try_emplace(print_of(bodies));
     if (is_new) place->second = work_out(bodies);
     return place->second;
 }
 
-std::vector<ExactDistance> Group::work_out(std::span<const Polyhedron> bodies) const {
-    std::vector<ExactDistance> answers(checked_.size());
-    for_each_index(checked_.size(), [&](std::size_t k) {
-        const Query& query = workload_.queries[checked_[k]];
-        const auto answer = exact_distance(bodies[query.body_a].vertices, query.pose_a,
-                                           bodies[query.body_b].vertices, query.pose_b);
+std::vector<truth::ExactDistance> SharedQueries::work_out(std::span<const Polyhedron> bodies) const {
+    std::vector<truth::ExactDistance> answers(checked_.size());
+    bench::for_each_index(checked_.size(), [&](std::size_t k) {
+        const scene::Query& query = workload_.queries[checked_[k]];
+        const auto answer = truth::exact_distance(bodies[query.body_a].vertices, query.pose_a,
+                                                  bodies[query.body_b].vertices, query.pose_b);
         if (!answer) throw std::logic_error(answer.error);
         answers[k] = *answer;
     });
     return answers;
 }
 
-const std::vector<std::optional<bool>>& Group::control(std::span<const Polyhedron> bodies) {
+const std::vector<std::optional<bool>>& SharedQueries::control(std::span<const Polyhedron> bodies) {
     auto [place, is_new] = control_.try_emplace(print_of(bodies));
     if (!is_new || !asks_control_) return place->second;
     std::vector<std::optional<bool>>& says = place->second;
     says.resize(checked_.size());
     const std::size_t stride = control_stride(bodies.front(), checked_.size());
-    for_each_index((checked_.size() + stride - 1) / stride, [&](std::size_t nth) {
+    bench::for_each_index((checked_.size() + stride - 1) / stride, [&](std::size_t nth) {
         const std::size_t k = nth * stride;
-        const Query& query = workload_.queries[checked_[k]];
-        says[k] = moore_wilhelms(bodies[query.body_a], bodies[query.body_b],
-                                 relative_pose(query.pose_a, query.pose_b));
+        const scene::Query& query = workload_.queries[checked_[k]];
+        says[k] = truth::moore_wilhelms(bodies[query.body_a], bodies[query.body_b],
+                                        relative_pose(query.pose_a, query.pose_b));
     });
     return says;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

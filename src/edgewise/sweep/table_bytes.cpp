@@ -5,10 +5,10 @@
 
 #include "edgewise/scene/shapes.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
-TableBytes table_bytes(const Ledger& ledger, const Polyhedron& body) {
-    TableBytes result;
+measure::TableBytes table_bytes(const Ledger& ledger, const Polyhedron& body) {
+    measure::TableBytes result;
     result.vertices = body.vertex_count();
     result.edges = body.edge_count();
     for (std::size_t i = 0; i < component_names.size(); ++i) {
@@ -22,13 +22,13 @@ TableBytes table_bytes(const Ledger& ledger, const Polyhedron& body) {
 SizeFamily::SizeFamily() {
     for (const char* name : {"sphere8", "sphere18", "sphere38", "sphere66", "sphere102", "sphere218",
                              "sphere386", "sphere1538"}) {
-        auto body = make_shape(name);
+        auto body = scene::make_shape(name);
         if (!body) throw std::logic_error(body.error);
         bodies_.push_back(std::move(*body));
     }
 }
 
-const std::vector<TableBytes>& SizeFamily::of(const TableType& type, Parts parts) {
+const std::vector<measure::TableBytes>& SizeFamily::of(const bench::TableType& type, Parts parts) {
     auto [place, is_new] = known_.try_emplace({type.name, parts});
     if (is_new) {
         for (const Polyhedron& body : bodies_) {
@@ -40,4 +40,4 @@ const std::vector<TableBytes>& SizeFamily::of(const TableType& type, Parts parts
     return place->second;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

@@ -8,22 +8,22 @@
 #include <utility>
 #include <vector>
 
-#include "edgewise/measure/probe.hpp"
 #include "edgewise/bench/registry.hpp"
+#include "edgewise/measure/probe.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
-[[nodiscard]] TableBytes table_bytes(const Ledger& ledger, const Polyhedron& body);
+[[nodiscard]] measure::TableBytes table_bytes(const Ledger& ledger, const Polyhedron& body);
 
 /// Tables are really built, once for each table type and parts, and kept as numbers.
 class SizeFamily {
   public:
     SizeFamily();
-    [[nodiscard]] const std::vector<TableBytes>& of(const TableType& type, Parts parts);
+    [[nodiscard]] const std::vector<measure::TableBytes>& of(const bench::TableType& type, Parts parts);
 
   private:
     std::vector<Polyhedron> bodies_;
-    std::map<std::pair<std::string, Parts>, std::vector<TableBytes>> known_;
+    std::map<std::pair<std::string, Parts>, std::vector<measure::TableBytes>> known_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

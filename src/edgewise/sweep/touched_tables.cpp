@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -21,7 +21,7 @@ struct Part {
 using Components = std::array<Part, component_names.size()>;
 
 /// Books the bytes of a piece's shares; what is left of an element is padding.
-void add_shares(const MappedPiece& piece, const TouchedBytes& touched, Components& components) {
+void add_shares(const MappedPiece& piece, const measure::TouchedBytes& touched, Components& components) {
     for (std::size_t i = 0; i < piece.count; ++i) {
         std::size_t at = piece.offset + i * piece.stride;
         const std::size_t end = at + piece.stride;
@@ -52,22 +52,22 @@ bool serves(const MappedPiece& piece, FeatureKind kind) {
            });
 }
 
-std::size_t features_of(const TableMap& map, FeatureKind kind) {
+std::size_t features_of(const bench::TableMap& map, FeatureKind kind) {
     return kind == FeatureKind::vertex ? map.vertices : kind == FeatureKind::edge ? map.edges : map.faces;
 }
 
 /// Marks the features whose elements in the piece were touched: element i is of feature i mod n.
-void mark(const MappedPiece& piece, const TouchedBytes& touched, std::vector<bool>& features) {
+void mark(const MappedPiece& piece, const measure::TouchedBytes& touched, std::vector<bool>& features) {
     for (std::size_t i = 0; i < piece.count; ++i) {
         if (touched.count(piece.offset + i * piece.stride, piece.stride) > 0)
             features[i % features.size()] = true;
     }
 }
 
-std::optional<double> fraction_of(std::span<const TableMap> maps, const TouchedBytes& touched,
+std::optional<double> fraction_of(std::span<const bench::TableMap> maps, const measure::TouchedBytes& touched,
                                   FeatureKind kind) {
     Part sum;
-    for (const TableMap& map : maps) {
+    for (const bench::TableMap& map : maps) {
         const auto features = touched_features(map, touched, kind);
         if (!features) return std::nullopt;
         sum += {features->size(), features_of(map, kind)};
@@ -80,7 +80,8 @@ std::optional<double> fraction_of(std::span<const TableMap> maps, const TouchedB
 
 /// Pieces of exactly one element a feature are believed first: others may be lists of something else (the
 /// planes of `linked`).
-std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map, const TouchedBytes& touched,
+std::optional<std::vector<std::uint32_t>> touched_features(const bench::TableMap& map,
+                                                           const measure::TouchedBytes& touched,
                                                            FeatureKind kind) {
     const std::size_t count = features_of(map, kind);
     std::vector<const MappedPiece*> single, several;
@@ -99,12 +100,13 @@ std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map, 
     return features;
 }
 
-TouchedTables touched_tables(std::span<const TableMap> maps, const TouchedBytes& touched) {
+measure::TouchedTables touched_tables(std::span<const bench::TableMap> maps,
+                                      const measure::TouchedBytes& touched) {
     Components components;
-    for (const TableMap& map : maps) {
+    for (const bench::TableMap& map : maps) {
         for (const MappedPiece& piece : map.pieces) add_shares(piece, touched, components);
     }
-    TouchedTables result;
+    measure::TouchedTables result;
     for (std::size_t i = 0; i < components.size(); ++i) {
         result.bytes += components[i].touched;
         result.of_bytes += components[i].all;
@@ -117,4 +119,4 @@ TouchedTables touched_tables(std::span<const TableMap> maps, const TouchedBytes&
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

@@ -9,21 +9,22 @@
 #include <span>
 #include <vector>
 
+#include "edgewise/bench/runner.hpp"
 #include "edgewise/geometry/feature.hpp"
 #include "edgewise/measure/cache/scene_trace.hpp"
 #include "edgewise/measure/cache/touched_bytes.hpp"
-#include "edgewise/bench/runner.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 /// Of tables whose maps have the same offsets as the touched bytes; features as touched_features finds them.
-[[nodiscard]] TouchedTables touched_tables(std::span<const TableMap> maps, const TouchedBytes& touched);
+[[nodiscard]] measure::TouchedTables touched_tables(std::span<const bench::TableMap> maps,
+                                                    const measure::TouchedBytes& touched);
 
 /// Which features of a kind one table's scene touched, by their order in the layout: those of which any byte
 /// was. Arrays of one element a feature tell it, side by side or several behind each other (x, y and z).
 /// Nothing when the table has no bytes for the kind alone, or packs several features into one element.
-[[nodiscard]] std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map,
-                                                                         const TouchedBytes& touched,
+[[nodiscard]] std::optional<std::vector<std::uint32_t>> touched_features(const bench::TableMap& map,
+                                                                         const measure::TouchedBytes& touched,
                                                                          FeatureKind kind);
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

@@ -12,20 +12,21 @@
 #include "edgewise/measure/probe.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 /// The checked answers of one cell. `stored` are the bodies its tables hold; eps the rounding step that
 /// computes; `options` what the answers were allowed to give away.
-[[nodiscard]] std::vector<CheckedAnswer> check_answers(Group& group, std::span<const Polyhedron> stored,
-                                                       std::span<const Distance> answers, double eps,
-                                                       const QueryOptions& options = {});
+[[nodiscard]] std::vector<measure::CheckedAnswer> check_answers(SharedQueries& shared,
+                                                                std::span<const Polyhedron> stored,
+                                                                std::span<const Distance> answers, double eps,
+                                                                const QueryOptions& options = {});
 
 /// Empty when every checked answer is right; else what is wrong, with the first case as example.
-[[nodiscard]] std::string what_is_wrong(const Group& group, std::span<const CheckedAnswer> checked,
-                                        double eps);
+[[nodiscard]] std::string what_is_wrong(const SharedQueries& shared,
+                                        std::span<const measure::CheckedAnswer> checked, double eps);
 
 /// `cold`: a flag a query, as cold_starts says; of a scene without warm pairs all count as cold.
-[[nodiscard]] AnswerCounts count_answers(std::span<const Distance> answers,
-                                         std::span<const std::uint8_t> cold = {});
+[[nodiscard]] measure::AnswerCounts count_answers(std::span<const Distance> answers,
+                                                  std::span<const std::uint8_t> cold = {});
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

@@ -8,7 +8,7 @@
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/sweep/watched_body.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -23,7 +23,7 @@ constexpr std::array<std::uint8_t, 15> ascending = {1, 2, 4, 8, 3, 5, 6, 9, 10, 
 /// Hears which subset every sub-distance accepted, and so how many were tried before it.
 class SubsetWatch {
   public:
-    SubsetWatch(AlgorithmWork& work, std::uint32_t cached)
+    SubsetWatch(measure::AlgorithmWork& work, std::uint32_t cached)
         : work_(work), points_(std::max(1, static_cast<int>(cached))), is_first_(true) {}
 
     void iterate(std::uint8_t members) {
@@ -46,14 +46,14 @@ class SubsetWatch {
         return tried;
     }
 
-    AlgorithmWork& work_;
+    measure::AlgorithmWork& work_;
     int points_;
     bool is_first_;
 };
 
 /// How many of the simplex's vertices on one body were in the last one, or beside it.
 void compare_vertices(const WatchedBody& body, std::span<const Index> now, std::span<const Index> before,
-                      AlgorithmWork& work) {
+                      measure::AlgorithmWork& work) {
     for (const Index v : now) {
         const bool kept = std::find(before.begin(), before.end(), v) != before.end();
         const bool near = kept || std::any_of(before.begin(), before.end(),
@@ -66,12 +66,13 @@ void compare_vertices(const WatchedBody& body, std::span<const Index> now, std::
 
 class GjkWatch {
   public:
-    GjkWatch(const Workload& workload, AlgorithmWork& work) : workload_(workload), work_(work) {
+    GjkWatch(const scene::Workload& workload, measure::AlgorithmWork& work)
+        : workload_(workload), work_(work) {
         for (const Polyhedron& body : workload.bodies) bodies_.emplace_back(body, counts_);
         for (std::uint32_t i = 0; i < workload.pair_count; ++i) pairs_.emplace_back();
     }
 
-    void watch(const Query& query) {
+    void watch(const scene::Query& query) {
         const WatchedBody &a = bodies_[query.body_a], &b = bodies_[query.body_b];
         Pair cold;
         Pair& pair = workload_.warm ? pairs_[query.pair] : cold;
@@ -100,8 +101,8 @@ class GjkWatch {
         work_.vertices += counts_.vertices - before.vertices - 2 * std::uint64_t{cached};
     }
 
-    const Workload& workload_;
-    AlgorithmWork& work_;
+    const scene::Workload& workload_;
+    measure::AlgorithmWork& work_;
     ClimbCounts counts_;
     std::vector<WatchedBody> bodies_;
     std::vector<Pair> pairs_;
@@ -128,15 +129,16 @@ bool rests_on(const NamedFeature& simplex, const NamedFeature& feature) {
 }
 
 /// Of checked queries that are separated: does GJK's simplex rest on the features that V-Clip ends on?
-void compare_features(const TableType& type, const Group& group, AlgorithmWork& work) {
-    const Workload& workload = group.workload();
+void compare_features(const bench::TableType& type, const SharedQueries& shared,
+                      measure::AlgorithmWork& work) {
+    const scene::Workload& workload = shared.workload();
     const auto gjk = type.make_runner("gjk"), vclip = type.make_runner("vclip");
     if (!gjk->load(workload.bodies).empty() || !vclip->load(workload.bodies).empty()) return;
-    for (const std::size_t i : group.checked()) {
+    for (const std::size_t i : shared.checked()) {
         if (work.compared == most_compared) return;
-        const NamedAnswer by_gjk = gjk->answer(workload.queries[i]);
+        const bench::NamedAnswer by_gjk = gjk->answer(workload.queries[i]);
         if (by_gjk.distance.status != Status::separated) continue;
-        const NamedAnswer by_vclip = vclip->answer(workload.queries[i]);
+        const bench::NamedAnswer by_vclip = vclip->answer(workload.queries[i]);
         ++work.compared;
         work.same_features +=
             rests_on(by_gjk.feature_a, by_vclip.feature_a) && rests_on(by_gjk.feature_b, by_vclip.feature_b);
@@ -145,8 +147,9 @@ void compare_features(const TableType& type, const Group& group, AlgorithmWork& 
 
 }  // namespace
 
-AlgorithmWork algorithm_work(const std::string& algorithm, const TableType& type, const Group& group) {
-    AlgorithmWork work;
+measure::AlgorithmWork algorithm_work(const std::string& algorithm, const bench::TableType& type,
+                                      const SharedQueries& shared) {
+    measure::AlgorithmWork work;
     if (algorithm != "gjk") {
         work.reason = "only GJK has support points and sub-distances";
         return work;
@@ -155,12 +158,12 @@ AlgorithmWork algorithm_work(const std::string& algorithm, const TableType& type
         work.reason = "the same for every layout: see aos_f64";
         return work;
     }
-    const Workload& workload = group.workload();
+    const scene::Workload& workload = shared.workload();
     GjkWatch watch(workload, work);
     for (std::size_t i = 0; i < std::min(most_queries, workload.queries.size()); ++i)
         watch.watch(workload.queries[i]);
-    compare_features(type, group, work);
+    compare_features(type, shared, work);
     return work;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

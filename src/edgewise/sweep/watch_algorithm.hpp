@@ -5,14 +5,15 @@
 
 #include <string>
 
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/measure/algorithm_work.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
-#include "edgewise/bench/registry.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 /// For GJK on the layout of the paper in double; for anything else only the reason.
-[[nodiscard]] AlgorithmWork algorithm_work(const std::string& algorithm, const TableType& type,
-                                           const Group& group);
+[[nodiscard]] measure::AlgorithmWork algorithm_work(const std::string& algorithm,
+                                                    const bench::TableType& type,
+                                                    const SharedQueries& shared);
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

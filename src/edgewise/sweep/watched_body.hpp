@@ -10,7 +10,7 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/canonical.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 /// Calls that sought a support point, rounds of their climbs, vertices they looked at.
 struct ClimbCounts {
@@ -63,4 +63,4 @@ class WatchedBody {
 
 static_assert(SupportTable<WatchedBody>);
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

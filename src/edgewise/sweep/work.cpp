@@ -8,7 +8,7 @@
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 namespace {
 
@@ -19,16 +19,16 @@ bool allows(const Names& names, const std::string& name) {
 
 /// A misspelt name would leave a scene without cells in silence. Names of bodies that are not in the plan are
 /// right as long as there is such a body.
-void check_names(const SceneChoice& choice, const std::vector<const NamedShape*>& found) {
-    if (!choice.algorithms.empty()) static_cast<void>(select_algorithms(choice.algorithms));
+void check_names(const SceneChoice& choice, const std::vector<const scene::NamedShape*>& found) {
+    if (!choice.algorithms.empty()) static_cast<void>(bench::select_algorithms(choice.algorithms));
     std::vector<std::string> names = choice.shapes;
     for (const std::string& name : choice.caches) {
         if (name != "all") names.push_back(name);
     }
     for (const std::string& name : names) {
-        const auto is_it = [&](const NamedShape* shape) { return shape->name == name; };
+        const auto is_it = [&](const scene::NamedShape* shape) { return shape->name == name; };
         if (std::any_of(found.begin(), found.end(), is_it)) continue;
-        if (const auto body = make_shape(name); !body) throw std::invalid_argument(body.error);
+        if (const auto body = scene::make_shape(name); !body) throw std::invalid_argument(body.error);
     }
 }
 
@@ -57,43 +57,43 @@ SceneWork unplaced_work(const SceneChoice& choice, const SweepWork& work) {
 /// What the scene is for, of what the plan has.
 SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
     SceneWork scene = unplaced_work(choice, work);
-    auto complete = complete_parameters(choice.name, choice.parameters);
+    auto complete = scene::complete_parameters(choice.name, choice.parameters);
     if (!complete) throw std::invalid_argument(complete.error);
     scene.choice.parameters = std::move(*complete);
-    for (const NamedShape& shape : work.shapes) {
+    for (const scene::NamedShape& shape : work.shapes) {
         if (allows(choice.shapes, shape.name)) scene.shapes.push_back(&shape);
     }
     check_names(choice, scene.shapes);
     if (choice.layouts.empty()) return scene;
-    const std::vector<const TableType*> wanted = select_table_types(choice.layouts);
-    std::erase_if(scene.types, [&](const TableType* type) {
+    const std::vector<const bench::TableType*> wanted = bench::select_table_types(choice.layouts);
+    std::erase_if(scene.types, [&](const bench::TableType* type) {
         return std::find(wanted.begin(), wanted.end(), type) == wanted.end();
     });
     return scene;
 }
 
-const NamedShape* file_shape(const std::string& name, SweepWork& work) {
-    for (const NamedShape& known : work.file_shapes) {
+const scene::NamedShape* file_shape(const std::string& name, SweepWork& work) {
+    for (const scene::NamedShape& known : work.file_shapes) {
         if (known.name == name) return &known;
     }
-    auto body = make_shape(name);
+    auto body = scene::make_shape(name);
     if (!body) throw std::invalid_argument(body.error);
-    return &work.file_shapes.emplace_back(NamedShape{name, "built-in", std::move(*body), {}});
+    return &work.file_shapes.emplace_back(scene::NamedShape{name, "built-in", std::move(*body), {}});
 }
 
 /// One scene for each point of the file.
-void add_scene_file(const SceneFile& file, const SceneChoice& choice, SweepWork& work) {
+void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, SweepWork& work) {
     check_names(choice, {});
     SceneWork scene = unplaced_work(choice, work);
     scene.choice.name = file.name;
     scene.kind = file.kind;
     scene.text = file.text;
     if (file.queries > 0 && choice.queries == 0) scene.queries = file.queries;
-    if (!choice.layouts.empty()) scene.types = select_table_types(choice.layouts);
+    if (!choice.layouts.empty()) scene.types = bench::select_table_types(choice.layouts);
     for (Axes& axes : scene.axes) {
         if (axes.needs == Needs::witnesses) axes.set_needs(file.needs);
     }
-    for (const ScenePoint& point : file.points) {
+    for (const scene::ScenePoint& point : file.points) {
         if (!allows(choice.shapes, point.shape)) continue;
         scene.choice.parameters = point.parameters;
         scene.shapes = {file_shape(point.shape, work)};
@@ -103,7 +103,7 @@ void add_scene_file(const SceneFile& file, const SceneChoice& choice, SweepWork&
 
 /// Whether it is a scene file, whose points are added then.
 bool add_if_file(const SceneChoice& choice, SweepWork& work) {
-    const auto file = find_scene_file(choice.name);
+    const auto file = scene::find_scene_file(choice.name);
     if (!file) return false;
     if (!choice.parameters.empty())
         throw std::invalid_argument("scene file " + choice.name + ": its parameters are in the file");
@@ -113,7 +113,7 @@ bool add_if_file(const SceneChoice& choice, SweepWork& work) {
 
 }  // namespace
 
-bool SceneWork::models_caches(const NamedShape& shape) const {
+bool SceneWork::models_caches(const scene::NamedShape& shape) const {
     return std::any_of(choice.caches.begin(), choice.caches.end(),
                        [&](const std::string& name) { return name == "all" || name == shape.name; });
 }
@@ -121,16 +121,17 @@ bool SceneWork::models_caches(const NamedShape& shape) const {
 std::size_t SweepWork::cells() const {
     std::size_t count = 0;
     for (const SceneWork& scene : scenes) {
-        each_cell(scene,
-                  [&](const TableType&, const std::string&, const Axes&) { count += scene.shapes.size(); });
+        each_cell(scene, [&](const bench::TableType&, const std::string&, const Axes&) {
+            count += scene.shapes.size();
+        });
     }
     return count;
 }
 
-void SweepWork::each_cell(
-    const SceneWork& scene,
-    const std::function<void(const TableType&, const std::string& algorithm, const Axes&)>& use) const {
-    for (const TableType* type : scene.types) {
+void SweepWork::each_cell(const SceneWork& scene,
+                          const std::function<void(const bench::TableType&, const std::string& algorithm,
+                                                   const Axes&)>& use) const {
+    for (const bench::TableType* type : scene.types) {
         for (const std::string& algorithm : scene.algorithms) {
             if (!type->serves(algorithm)) continue;
             for (std::size_t i = 0; i < scene.axes.size(); ++i) {
@@ -143,15 +144,15 @@ void SweepWork::each_cell(
 SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::string& line)>& warn) {
     SweepWork work;
     work.plan = plan;
-    work.types = select_table_types(plan.layouts);
-    work.algorithms = select_algorithms(plan.algorithms);
-    work.machines = choose_machines(plan.machines);
+    work.types = bench::select_table_types(plan.layouts);
+    work.algorithms = bench::select_algorithms(plan.algorithms);
+    work.machines = measure::choose_machines(plan.machines);
     for (const SceneChoice& scene : plan.scenes) {
-        if (const auto file = find_scene_file(scene.name)) {
+        if (const auto file = scene::find_scene_file(scene.name)) {
             if (!*file) throw std::invalid_argument(file->error);
             continue;
         }
-        const auto known = complete_parameters(scene.name, scene.parameters);
+        const auto known = scene::complete_parameters(scene.name, scene.parameters);
         if (!known) throw std::invalid_argument(known.error);
     }
     work.shapes = shapes_of(plan, warn);
@@ -165,4 +166,4 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     return work;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

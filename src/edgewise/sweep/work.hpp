@@ -9,35 +9,35 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
-#include "edgewise/bench/registry.hpp"
 #include "edgewise/sweep/shapes_of.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 
 /// A scene of the plan, with what of the plan it is for; of a scene file one of its points.
 struct SceneWork {
     SceneChoice choice;      ///< with every parameter
     std::string kind, text;  ///< of a scene file: its kind of scene, and its JSON; else empty
     std::size_t queries = 0;
-    std::vector<const NamedShape*> shapes;
-    std::vector<const TableType*> types;
+    std::vector<const scene::NamedShape*> shapes;
+    std::vector<const bench::TableType*> types;
     std::vector<std::string> algorithms;
     std::vector<Axes> axes;  ///< the plain cell first
 
     /// Whether the caches of this shape's cells are modelled.
-    [[nodiscard]] bool models_caches(const NamedShape& shape) const;
+    [[nodiscard]] bool models_caches(const scene::NamedShape& shape) const;
 };
 
 struct SweepWork {
     Plan plan;
-    std::vector<const TableType*> types;
+    std::vector<const bench::TableType*> types;
     std::vector<std::string> algorithms;
-    std::vector<MachineChoice> machines;  ///< to model the caches of
-    std::vector<NamedShape> shapes;
-    std::deque<NamedShape> file_shapes;  ///< of scene files
+    std::vector<measure::MachineChoice> machines;  ///< to model the caches of
+    std::vector<scene::NamedShape> shapes;
+    std::deque<scene::NamedShape> file_shapes;  ///< of scene files
     std::vector<SceneWork> scenes;
 
     SweepWork() = default;
@@ -48,9 +48,9 @@ struct SweepWork {
     ~SweepWork() = default;
 
     /// The cells of a scene and any of its shapes, each once.
-    void each_cell(
-        const SceneWork& scene,
-        const std::function<void(const TableType&, const std::string& algorithm, const Axes&)>& use) const;
+    void each_cell(const SceneWork& scene,
+                   const std::function<void(const bench::TableType&, const std::string& algorithm,
+                                            const Axes&)>& use) const;
     [[nodiscard]] std::size_t cells() const;
 };
 
@@ -58,4 +58,4 @@ struct SweepWork {
 [[nodiscard]] SweepWork prepare_sweep(const Plan& plan,
                                       const std::function<void(const std::string& line)>& warn);
 
-}  // namespace edgewise
+}  // namespace edgewise::sweep

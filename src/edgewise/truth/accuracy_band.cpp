@@ -9,7 +9,7 @@
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -51,4 +51,4 @@ Judgement judge(const JudgedAnswer& answer, const ExactDistance& exact, const Ac
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

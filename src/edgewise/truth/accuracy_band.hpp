@@ -17,7 +17,7 @@
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 struct AccuracyBand {
     double scale = 0;
@@ -48,4 +48,4 @@ struct Judgement {
 [[nodiscard]] Judgement judge(const JudgedAnswer& answer, const ExactDistance& exact,
                               const AccuracyBand& band, std::optional<double> depth = std::nullopt);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -130,4 +130,4 @@ double brute_force_distance(const Polyhedron& a, const Pose& pose_a, const Polyh
                      edges_to_edges(world_a, world_b)});
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

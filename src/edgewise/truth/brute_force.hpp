@@ -8,10 +8,10 @@
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/pose.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 /// Distance between two solid bodies; 0 when no axis separates them.
 [[nodiscard]] double brute_force_distance(const Polyhedron& a, const Pose& pose_a, const Polyhedron& b,
                                           const Pose& pose_b);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

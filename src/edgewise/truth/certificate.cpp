@@ -14,7 +14,7 @@
 #include "edgewise/truth/exact_distance.hpp"
 #include "edgewise/truth/pair_error.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -163,4 +163,4 @@ double representation_error(std::span<const Vec3d> given, std::span<const Vec3d>
     return root_rounded_up(largest, 1, bodies.unit);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

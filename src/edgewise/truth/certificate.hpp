@@ -16,7 +16,7 @@
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/result.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 struct Certificate {
     double lower = 0;
@@ -52,4 +52,4 @@ struct WitnessClaim {
 [[nodiscard]] double representation_error(std::span<const Vec3d> given, std::span<const Vec3d> stored,
                                           const Mat3d& rotation);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

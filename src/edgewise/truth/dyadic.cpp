@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -116,4 +116,4 @@ double root_rounded_up(const mpz_class& numerator, const mpz_class& denominator,
     return std::nextafter(nearest, std::numeric_limits<double>::infinity());
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -7,7 +7,7 @@
 
 #include <gmpxx.h>
 
-namespace edgewise {
+namespace edgewise::truth {
 
 /// value = mantissa * 2^exponent, mantissa odd or zero.
 struct Dyadic {
@@ -36,4 +36,4 @@ void set_scaled(mpz_class& out, double value, long unit);
                                        long exponent);
 [[nodiscard]] double root_rounded_up(const mpz_class& numerator, const mpz_class& denominator, long exponent);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

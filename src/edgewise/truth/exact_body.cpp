@@ -8,7 +8,7 @@
 
 #include "edgewise/truth/dyadic.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -93,4 +93,4 @@ LowestPoint ExactPair::lowest(const IntegerVec& direction) {
     return result;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -15,7 +15,7 @@
 #include "edgewise/truth/minimum_norm.hpp"
 #include "edgewise/truth/support_filter.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 class ExactBody {
   public:
@@ -65,4 +65,4 @@ struct ExactPair {
     [[nodiscard]] LowestPoint lowest(const IntegerVec& direction);
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -12,7 +12,7 @@
 #include "edgewise/truth/optimality.hpp"
 #include "edgewise/truth/pair_error.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -88,4 +88,4 @@ Result<ExactDistance> exact_distance(std::span<const Vec3d> a, const Pose& pose_
     return Result<ExactDistance>::success(std::move(answer));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

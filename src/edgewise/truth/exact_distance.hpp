@@ -17,7 +17,7 @@
 #include "edgewise/geometry/result.hpp"
 #include "edgewise/truth/depth/seed_simplex.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 /// Closed sets: touching is distance exactly 0 without the interior contact of common_interior.hpp.
 enum class ExactVerdict { separated, touching, overlapping };
@@ -40,4 +40,4 @@ struct ExactDistance {
                                                    std::span<const Vec3d> b, const Pose& pose_b,
                                                    const SimplexSeed& seed = {});
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -8,7 +8,10 @@
 
 #include "edgewise/geometry/vec.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
+
+using edgewise::cross;
+using edgewise::dot;
 
 struct IntegerVec {
     mpz_class x, y, z;
@@ -62,4 +65,4 @@ inline IntegerVec& operator+=(IntegerVec& a, const IntegerVec& b) {
 [[nodiscard]] inline int sign(const mpz_class& value) { return sgn(value); }
 [[nodiscard]] inline int sign(double value) { return (value > 0) - (value < 0); }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

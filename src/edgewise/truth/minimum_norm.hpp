@@ -16,7 +16,7 @@
 
 #include "edgewise/truth/integer_vector.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 /// A vertex of body A and a vertex of body B: a point of the Minkowski difference A - B.
 struct VertexPair {
@@ -154,4 +154,4 @@ template <class Vec>
     return false;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

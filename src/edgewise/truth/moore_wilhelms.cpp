@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::optional<bool> moore_wilhelms(const Polyhedron& a, const Polyhedron& b,
     return visits(a, b, a_from_b) || visits(b, a, a_from_b.inverse());
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -15,7 +15,7 @@
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/pose.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 /// Whether the bodies interpenetrate; nothing for flat bodies, which have no inside. `a_from_b` takes B's
 /// points into A's frame. Every vertex, edge and face of one against every face of the other: a referee, not
@@ -23,4 +23,4 @@ namespace edgewise {
 [[nodiscard]] std::optional<bool> moore_wilhelms(const Polyhedron& a, const Polyhedron& b,
                                                  const Transform<double>& a_from_b);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -63,4 +63,4 @@ void require_optimal(ExactPair& bodies, const MinimumSimplex<IntegerVec>& simple
     }
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -9,7 +9,7 @@
 
 #include "edgewise/truth/exact_body.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 /// The weights of the nearest point, up to a common positive factor.
 [[nodiscard]] std::array<mpz_class, 4> simplex_weights(const MinimumSimplex<IntegerVec>& s);
@@ -17,4 +17,4 @@ namespace edgewise {
 /// Throws std::logic_error if the simplex does not carry the point of A - B nearest to the origin.
 void require_optimal(ExactPair& bodies, const MinimumSimplex<IntegerVec>& simplex);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

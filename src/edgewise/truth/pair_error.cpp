@@ -3,7 +3,7 @@
 // Every message names the body and what to give instead.
 #include "edgewise/truth/pair_error.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -27,4 +27,4 @@ std::string pair_error(std::span<const Vec3d> a, const Pose& pose_a, std::span<c
     return error.empty() ? body_error(b, pose_b, "B") : error;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

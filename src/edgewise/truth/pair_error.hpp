@@ -8,10 +8,10 @@
 
 #include "edgewise/geometry/pose.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 /// One line that says what is wrong with a pair of bodies; empty if nothing is.
 [[nodiscard]] std::string pair_error(std::span<const Vec3d> a, const Pose& pose_a, std::span<const Vec3d> b,
                                      const Pose& pose_b);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -15,7 +15,7 @@
 
 #include "edgewise/geometry/tolerance.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -102,4 +102,4 @@ Vec3d rounded_direction(const IntegerVec& direction) {
     return mantissa;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

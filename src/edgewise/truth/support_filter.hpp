@@ -13,7 +13,7 @@
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/truth/integer_vector.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 class SupportFilter {
   public:
@@ -46,4 +46,4 @@ class SupportFilter {
 /// The direction scaled by a power of two so that its largest entry is in [0.5, 1), truncated to double.
 [[nodiscard]] Vec3d rounded_direction(const IntegerVec& direction);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -52,7 +52,7 @@ struct Exact {
 };
 
 TEST(Clip, KeepsExactlyWhatNoPlaneCutsOff) {
-    Rng rng(1);
+    scene::Rng rng(1);
     int count[3] = {}, full = 0, both_ends = 0, single_points = 0;
     for (int round = 0; round < 100000; ++round) {
         Clip<double, int> clip;
@@ -83,7 +83,7 @@ TEST(Clip, KeepsExactlyWhatNoPlaneCutsOff) {
 
 /// The derivative of |tail + lambda along - point|^2 is zero there; between dyadic points exactly.
 TEST(Clip, ProjectionIsWhereTheDistanceIsLeast) {
-    Rng rng(2);
+    scene::Rng rng(2);
     double worst = 0;
     for (int i = 0; i < 10000; ++i) {
         const Vec3d tail = rng.in_cube(4);

@@ -23,7 +23,7 @@ using vclip::Segment;
 
 double exact(const Segment<double>& a, const Segment<double>& b) {
     const std::array<Vec3d, 2> ends_a = {a.tail, a.head}, ends_b = {b.tail, b.head};
-    const auto answer = exact_distance(ends_a, {}, ends_b, {});
+    const auto answer = truth::exact_distance(ends_a, {}, ends_b, {});
     EXPECT_TRUE(answer) << answer.error;
     return answer ? answer->distance : 0;
 }
@@ -53,7 +53,7 @@ void ask(Segment<double> a, Segment<double> b, Errors& worst) {
 }
 
 /// Two segments of length about 1, at an angle, whose lines pass each other at a gap.
-std::pair<Segment<double>, Segment<double>> pair_at(Rng& rng, double angle, double gap) {
+std::pair<Segment<double>, Segment<double>> pair_at(scene::Rng& rng, double angle, double gap) {
     const Vec3d u = rng.on_sphere();
     const Vec3d side = cross(u, rng.on_sphere());
     const Vec3d across = side / norm(side);
@@ -64,7 +64,7 @@ std::pair<Segment<double>, Segment<double>> pair_at(Rng& rng, double angle, doub
 }
 
 TEST(ClosestOnSegments, NearlyParallelToEveryDegree) {
-    Rng rng(1);
+    scene::Rng rng(1);
     for (int power = 0; power <= 17; ++power) {
         Errors f64, f32;
         for (int i = 0; i < 2000; ++i) {
@@ -83,7 +83,7 @@ TEST(ClosestOnSegments, NearlyParallelToEveryDegree) {
 }
 
 TEST(ClosestOnSegments, LatticeSegmentsMeetTouchAndOverlap) {
-    Rng rng(2);
+    scene::Rng rng(2);
     Errors worst;
     int meeting = 0, points = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -102,7 +102,7 @@ TEST(ClosestOnSegments, LatticeSegmentsMeetTouchAndOverlap) {
 }
 
 TEST(ClosestOnSegment, PointBeyondTheEndsAndBetween) {
-    Rng rng(3);
+    scene::Rng rng(3);
     double worst = 0;
     int tails = 0, heads = 0, between = 0;
     for (int i = 0; i < 5000; ++i) {
@@ -120,10 +120,10 @@ TEST(ClosestOnSegment, PointBeyondTheEndsAndBetween) {
 }
 
 TEST(FootOnFace, LiesInThePlaneAndStraightBelowThePoint) {
-    const auto body = make_shape("sphere38");
+    const auto body = scene::make_shape("sphere38");
     ASSERT_TRUE(body) << body.error;
     const ReferenceTable table(*body);
-    Rng rng(4);
+    scene::Rng rng(4);
     double worst = 0;
     for (int i = 0; i < 5000; ++i) {
         const auto f = static_cast<Index>(rng.below(body->face_count()));

@@ -30,7 +30,7 @@ Index face_ahead(const Polyhedron& body) {
 /// the corner lies, and from which no edge of A leads up to it.
 TEST(Escapes, AVertexBehindTheBodyLeavesTheFaceItIsUnder) {
     const std::vector<Vec3d> corner = {{0, 0, 0}, {-1, 1, 0}, {-1, -1, 1}, {-1, -1, -1}};
-    const Polyhedron a = *convex_hull(corner), b = *make_shape("cube8");
+    const Polyhedron a = *convex_hull(corner), b = *scene::make_shape("cube8");
     const ReferenceTable table_a(a), table_b(b);
     Pair pair(table_a, table_b);
     const auto tip = std::find(a.vertices.begin(), a.vertices.end(), corner[0]) - a.vertices.begin();
@@ -47,7 +47,7 @@ TEST(Escapes, AVertexBehindTheBodyLeavesTheFaceItIsUnder) {
 }
 
 TEST(Escapes, NoneWherePlainBodiesLieSideBySide) {
-    const Polyhedron cube = *make_shape("cube8");
+    const Polyhedron cube = *scene::make_shape("cube8");
     const ReferenceTable table(cube);
     Pair pair(table, table);
     const Distance answer = VClip::query(table, table, shifted(3), pair);
@@ -57,10 +57,10 @@ TEST(Escapes, NoneWherePlainBodiesLieSideBySide) {
 
 /// Tetrahedra in each other, each run from where the last one ended: now and then under a face.
 TEST(Escapes, AreCountedInPenetration) {
-    const Polyhedron body = *make_shape("tetra4");
+    const Polyhedron body = *scene::make_shape("tetra4");
     const ReferenceTable table(body);
     Pair pair(table, table);
-    Rng rng(5);
+    scene::Rng rng(5);
     int overlaps = 0, with = 0;
     for (int i = 0; i < 2000; ++i) {
         const Transform<double> pose{rng.rotation(), 0.5 * rng.on_sphere()};

@@ -34,7 +34,7 @@ int true_side(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& point
 }
 
 /// In the plane of the others but for rounding; on a coarse lattice exactly so.
-Vec3d near_plane(Rng& rng, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+Vec3d near_plane(scene::Rng& rng, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const double s = std::ldexp(std::round(rng.uniform(-8, 8)), -2);
     const double t = rng.below(3) == 0 ? 0 : std::ldexp(std::round(rng.uniform(-8, 8)), -2);
     Vec3d point = a + s * (b - a) + t * (c - a);
@@ -46,7 +46,7 @@ Vec3d near_plane(Rng& rng, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 }
 
 TEST(ExactSide, IsTheSignOfTheDeterminant) {
-    Rng rng(1);
+    scene::Rng rng(1);
     int seen[3] = {}, doubtful = 0;
     for (int i = 0; i < 100000; ++i) {
         // Lattices of 4 to 53 bits, and corners of very different size.
@@ -75,7 +75,7 @@ TEST(ExactSide, IsTheSignOfTheDeterminant) {
 
 /// In line but for their own rounding; or one step of a lattice of 52 bits off, which leaves an area of
 /// 2^-104.
-std::array<Vec3d, 3> sliver(Rng& rng) {
+std::array<Vec3d, 3> sliver(scene::Rng& rng) {
     if (rng.below(4) == 0) {
         const double n = 0x1p52 - static_cast<double>(rng.below(1000));
         return {Vec3d::Zero(), 0x1p-52 * Vec3d(n, n - 1, n - 1), 0x1p-52 * Vec3d(n - 1, n - 2, n - 2)};
@@ -86,7 +86,7 @@ std::array<Vec3d, 3> sliver(Rng& rng) {
 }
 
 TEST(ExactSide, NormalOfASliver) {
-    Rng rng(2);
+    scene::Rng rng(2);
     double worst = 0;
     int thinnest = 0;
     for (int i = 0; i < 20000; ++i) {

@@ -19,17 +19,17 @@ namespace {
 
 using Corners = std::array<Vec3d, 4>;
 
-Corners at_random(Rng& rng) {
+Corners at_random(scene::Rng& rng) {
     const Vec3d shift = rng.in_cube(1.5);
     Corners w;
     for (Vec3d& p : w) p = rng.in_cube(1) + shift;
     return w;
 }
 
-double tiny(Rng& rng) { return std::ldexp(rng.uniform(-1, 1), -static_cast<int>(rng.below(45))); }
+double tiny(scene::Rng& rng) { return std::ldexp(rng.uniform(-1, 1), -static_cast<int>(rng.below(45))); }
 
 /// The third point almost on the line of the first two, the fourth near a point of their triangle.
-Corners sliver(Rng& rng) {
+Corners sliver(scene::Rng& rng) {
     Corners w = at_random(rng);
     w[2] = w[0] + rng.uniform(-0.5, 1.5) * (w[1] - w[0]) + tiny(rng) * rng.on_sphere();
     w[3] = w[0] + rng.uniform() * (w[2] - w[0]) + rng.uniform() * (w[1] - w[0]) + tiny(rng) * rng.on_sphere();
@@ -37,7 +37,7 @@ Corners sliver(Rng& rng) {
 }
 
 /// All four in a plane, but for a little; the origin often near it.
-Corners flat(Rng& rng) {
+Corners flat(scene::Rng& rng) {
     Corners w = at_random(rng);
     const Vec3d normal = rng.on_sphere();
     const double height = rng.below(2) == 0 ? tiny(rng) : rng.uniform();
@@ -47,14 +47,14 @@ Corners flat(Rng& rng) {
 
 /// Points of a small lattice: equal points, collinear and coplanar ones, the origin in a corner, edge or
 /// face.
-Corners lattice(Rng& rng) {
+Corners lattice(scene::Rng& rng) {
     Corners w;
     for (Vec3d& p : w) p = rng.in_cube(2).array().round();
     return w;
 }
 
 /// Moved so that the origin is next to some point of the simplex.
-Corners near_contact(Rng& rng) {
+Corners near_contact(scene::Rng& rng) {
     Corners w = at_random(rng);
     Vec3d place = Vec3d::Zero();
     double sum = 0;
@@ -71,7 +71,7 @@ Corners near_contact(Rng& rng) {
 
 struct Kind {
     const char* name;
-    Corners (*make)(Rng&);
+    Corners (*make)(scene::Rng&);
     int missed_in_single;  ///< answers of 20 000 that may be off by more than rounding
 };
 
@@ -98,7 +98,7 @@ struct Seen {
 double exact_from_origin(const Corners& w, int count) {
     const Vec3d origin = Vec3d::Zero();
     const auto exact =
-        exact_distance(std::span(w).first(static_cast<std::size_t>(count)), {}, {&origin, 1}, {});
+        truth::exact_distance(std::span(w).first(static_cast<std::size_t>(count)), {}, {&origin, 1}, {});
     EXPECT_TRUE(exact) << exact.error;
     return exact ? exact->distance : 0;
 }
@@ -139,7 +139,7 @@ void ask(Corners w, int count, Seen& seen) {
 template <class Scalar>
 void ask_all() {
     constexpr bool single = sizeof(Scalar) == sizeof(float);
-    Rng rng(1);
+    scene::Rng rng(1);
     std::bitset<16> subsets;
     for (const Kind& kind : kinds) {
         Seen seen;
@@ -163,7 +163,7 @@ TEST(Johnson, SingleIsTheNearestPointOfEverySimplex) { ask_all<float>(); }
 
 /// Solid by far: then the whole simplex must answer, and only then.
 TEST(Johnson, SaysThatTheOriginIsInsideExactlyWhenItIs) {
-    Rng rng(2);
+    scene::Rng rng(2);
     int inside = 0, outside = 0;
     for (int i = 0; i < 100000; ++i) {
         const Corners w = at_random(rng);

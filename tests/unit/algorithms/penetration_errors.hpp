@@ -83,7 +83,8 @@ struct Errors {
 };
 
 /// B somewhere along a random line, up to where it leaves A; one in three shallow.
-[[nodiscard]] inline Transform<double> random_overlap(const Polyhedron& a, const Polyhedron& b, Rng& rng) {
+[[nodiscard]] inline Transform<double> random_overlap(const Polyhedron& a, const Polyhedron& b,
+                                                      scene::Rng& rng) {
     Transform<double> pose{rng.rotation(), Vec3d::Zero()};
     const Vec3d direction = rng.on_sphere();
     const double exit = brute_exit(a, b, pose, direction);

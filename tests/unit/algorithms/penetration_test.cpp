@@ -24,22 +24,22 @@ using testing::random_overlap;
 using testing::RoundedTable;
 using testing::shifted;
 
-Polyhedron random_hull(Rng& rng) {
+Polyhedron random_hull(scene::Rng& rng) {
     std::vector<Vec3d> points;
     const Vec3d stretch(1, rng.uniform(0.1, 1), rng.uniform(0.01, 1));
     for (int i = 0; i < 14; ++i) points.push_back(rng.in_ball().cwiseProduct(stretch));
     return *convex_hull(points);
 }
 
-Polyhedron shape(const std::string& name, Rng& rng) {
-    return name == "hull" ? random_hull(rng) : *make_shape(name);
+Polyhedron shape(const std::string& name, scene::Rng& rng) {
+    return name == "hull" ? random_hull(rng) : *scene::make_shape(name);
 }
 
 class RandomPairs : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 template <class Table>
 void compare_with_brute_force(const std::string& name_a, const std::string& name_b, double limit) {
-    Rng rng(7);
+    scene::Rng rng(7);
     Errors errors;
     int shallow = 0, deep = 0, face_of[3] = {};
     for (int i = 0; i < 150; ++i) {
@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, RandomPairs,
 TEST(Penetration, AlignedBoxesAreExact) {
     const Polyhedron a = box(1, 0.5, 2), b = box(0.75, 1.25, 0.5);
     const Vec3d reach(1.75, 1.75, 2.5);
-    Rng rng(3);
+    scene::Rng rng(3);
     for (int i = 0; i < 400; ++i) {
         Vec3d at;
         for (int k = 0; k < 3; ++k) at[k] = std::ldexp(std::round(std::ldexp(rng.uniform(-1.7, 1.7), 8)), -8);
@@ -117,7 +117,7 @@ TEST(Penetration, TouchingObliquelyIsDepthZero) {
         tips.push_back((i < 3 ? 1 : -1) * axis.cwiseProduct(axes));
     }
     const Polyhedron octahedron = *convex_hull(tips);
-    Rng rng(29);
+    scene::Rng rng(29);
     for (int i = 0; i < 200; ++i) {
         // A point of the octahedron of twice the size, on a face, an edge or a tip.
         const double x = std::round(rng.uniform(0, 64)) / 32;
@@ -131,10 +131,10 @@ TEST(Penetration, TouchingObliquelyIsDepthZero) {
 
 TEST(Penetration, ConcentricAndIdenticalBodies) {
     Errors errors;
-    Rng rng(11);
+    scene::Rng rng(11);
     for (const char* name : {"tetra4", "cube8", "sphere18", "sphere38"}) {
-        const Polyhedron body = *make_shape(name);
-        const Polyhedron inner = scaled(body, 0.25);
+        const Polyhedron body = *scene::make_shape(name);
+        const Polyhedron inner = scene::scaled(body, 0.25);
         for (int i = 0; i < 8; ++i) {
             Transform<double> pose = shifted(0, 0, 0);
             if (i % 2 == 1) pose.rotation = rng.rotation();
@@ -150,7 +150,7 @@ TEST(Penetration, ConcentricAndIdenticalBodies) {
 /// Beams from 1 : 1 to 1 : 10^-9, crossed at any angle or nearly parallel.
 TEST(Penetration, Needles) {
     Errors errors;
-    Rng rng(5);
+    scene::Rng rng(5);
     int overlapping = 0;
     for (int i = 0; i < 200; ++i) {
         const double thickness = std::ldexp(1.0, -static_cast<int>(rng.below(30)));
@@ -173,8 +173,8 @@ TEST(Penetration, Needles) {
 
 /// Any vertices may be the start: none, equal ones, a line, a plane, far from the origin.
 TEST(Penetration, EveryStartGivesTheSameDepth) {
-    Rng rng(13);
-    const Polyhedron a = *make_shape("sphere18"), b = *make_shape("cube8");
+    scene::Rng rng(13);
+    const Polyhedron a = *scene::make_shape("sphere18"), b = *scene::make_shape("cube8");
     double worst = 0;
     for (int i = 0; i < 300; ++i) {
         const Transform<double> pose = i % 3 == 0 ? shifted(0.25, 0.5, 0) : random_overlap(a, b, rng);
@@ -197,8 +197,8 @@ TEST(Penetration, EveryStartGivesTheSameDepth) {
 
 /// A work space too small for the query: the answer is deeper than need be, but still takes the bodies apart.
 TEST(Penetration, AFullWorkSpaceLeavesAnUpperBound) {
-    Rng rng(17);
-    const Polyhedron body = *make_shape("sphere38");
+    scene::Rng rng(17);
+    const Polyhedron body = *scene::make_shape("sphere38");
     PenetrationSpace<Canonical, Canonical> space;
     space.face_limit = 60;
     double loosest = 0;
@@ -220,8 +220,8 @@ TEST(Penetration, AFullWorkSpaceLeavesAnUpperBound) {
 
 /// Up to where the offset swallows the bodies and nothing but a point is left of the difference.
 TEST(Penetration, ApartIsDepthZero) {
-    const Polyhedron body = *make_shape("sphere18");
-    Rng rng(23);
+    const Polyhedron body = *scene::make_shape("sphere18");
+    scene::Rng rng(23);
     for (const double gap : {3.0, 1e3, 1e14, 1e16, 1e20, 1e90}) {
         for (int i = 0; i < 20; ++i) {
             const Transform<double> pose{rng.rotation(), gap * rng.on_sphere()};
@@ -236,15 +236,16 @@ TEST(Penetration, ApartIsDepthZero) {
 
 /// Sizes from 2^-300 to 2^300: the same bits but for the exponent, so nothing is absolute.
 TEST(Penetration, ScalesExactly) {
-    Rng rng(19);
-    const Polyhedron a = *make_shape("sphere18"), b = *make_shape("tetra4");
+    scene::Rng rng(19);
+    const Polyhedron a = *scene::make_shape("sphere18"), b = *scene::make_shape("tetra4");
     for (int i = 0; i < 40; ++i) {
         const Transform<double> pose{rng.rotation(), 0.5 * rng.on_sphere()};
         const Penetration answer = ask<Canonical>(a, b, pose, {});
         for (const int power : {-300, -60, -1, 60, 300}) {
             const double factor = std::ldexp(1.0, power);
             const Transform<double> other{pose.rotation, factor * pose.translation};
-            const Penetration same = ask<Canonical>(scaled(a, factor), scaled(b, factor), other, {});
+            const Penetration same =
+                ask<Canonical>(scene::scaled(a, factor), scene::scaled(b, factor), other, {});
             EXPECT_EQ(same.depth, factor * answer.depth);
             EXPECT_EQ(same.normal, answer.normal);
             EXPECT_EQ(same.point_a, factor * answer.point_a);

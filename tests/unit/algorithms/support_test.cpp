@@ -27,10 +27,10 @@ Index highest(const Polyhedron& body, const Vec3d& direction) {
 class Support : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Support, ScanAndClimbFindTheHighestVertex) {
-    const auto body = make_shape(GetParam());
+    const auto body = scene::make_shape(GetParam());
     ASSERT_TRUE(body) << body.error;
     const Canonical table(*body);
-    Rng rng(1);
+    scene::Rng rng(1);
     double worst = 0;
     for (int i = 0; i < 5000; ++i) {
         Vec3d direction = rng.on_sphere();

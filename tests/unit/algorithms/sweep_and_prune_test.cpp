@@ -32,7 +32,7 @@ std::vector<BodyPair> swept(SweepAndPrune& broad_phase, const std::vector<Aabb>&
 }
 
 /// Boxes on a coarse grid, so that equal ends and touching faces are common.
-Aabb random_box(Rng& rng, double world) {
+Aabb random_box(scene::Rng& rng, double world) {
     const auto grid = [](const Vec3d& p) { return Vec3d((p.array() * 4).round() / 4); };
     const Vec3d low = grid(rng.in_cube(world));
     const Vec3d size = grid((rng.in_cube(0.5).array() + 0.75).matrix());
@@ -40,7 +40,7 @@ Aabb random_box(Rng& rng, double world) {
 }
 
 TEST(SweepAndPrune, EqualsAllPairsOnFreshBoxes) {
-    Rng rng(11);
+    scene::Rng rng(11);
     std::size_t found = 0, possible = 0;
     for (const std::size_t count : {0U, 1U, 2U, 3U, 10U, 100U, 300U}) {
         SweepAndPrune broad_phase(count);
@@ -58,7 +58,7 @@ TEST(SweepAndPrune, EqualsAllPairsOnFreshBoxes) {
 }
 
 TEST(SweepAndPrune, EqualsAllPairsInCoherentMotionWithFewMoves) {
-    Rng rng(12);
+    scene::Rng rng(12);
     constexpr std::size_t count = 200;
     std::vector<Aabb> boxes(count);
     std::vector<Vec3d> velocities(count);

@@ -14,8 +14,8 @@ struct Steps {
     std::uint64_t whole = 0, verdict = 0;
 };
 
-Steps compare(const char* algorithm, const char* scene, const SceneParameters& parameters) {
-    const SingleCell cell({"aos_f64", algorithm, scene, "sphere38", parameters, 5000, 1});
+Steps compare(const char* algorithm, const char* scene, const scene::SceneParameters& parameters) {
+    const studies::SingleCell cell({"aos_f64", algorithm, scene, "sphere38", parameters, 5000, 1});
     const auto quick = cell.type().make_runner(algorithm);
     quick->set_needs(Needs::verdict);
     EXPECT_EQ(quick->load(cell.workload().bodies), "");

@@ -10,11 +10,11 @@
 
 #include <cstring>
 
-#include "edgewise/scene/rng.hpp"
 #include "edgewise/bench/memory/arena.hpp"
 #include "edgewise/bench/memory/jemalloc.hpp"
+#include "edgewise/scene/rng.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 namespace {
 
 class Allocators : public ::testing::TestWithParam<AllocatorKind> {};
@@ -28,7 +28,7 @@ TEST_P(Allocators, CountWhatIsAskedForAndWhatItTakes) {
     if (GetParam() == AllocatorKind::jemalloc && !JemallocArena::available())
         GTEST_SKIP() << "this program was built without jemalloc";
     const auto allocator = make_allocator(GetParam());
-    Rng rng(1);
+    scene::Rng rng(1);
     std::vector<Piece> pieces;
     std::size_t asked = 0;
     for (int i = 0; i < 300; ++i) {
@@ -93,4 +93,4 @@ TEST(Arena, IsNotSoonFull) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::bench

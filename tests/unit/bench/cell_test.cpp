@@ -10,7 +10,7 @@
 
 #include "edgewise/scene/shapes.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 namespace {
 
 /// FNV-1a by its definition, over bytes.
@@ -48,7 +48,7 @@ TEST(Cell, ParametersAreCanonicalJson) {
 
 class CellName : public ::testing::Test {
   protected:
-    CellName() : cube_(*make_shape("cube8")), tetra_(*make_shape("tetra4")) {
+    CellName() : cube_(*scene::make_shape("cube8")), tetra_(*scene::make_shape("tetra4")) {
         row_.scene = "tumble";
         row_.scene_parameters = "{}";
         row_.shape = "cube8";
@@ -58,44 +58,44 @@ class CellName : public ::testing::Test {
         row_.queries = 100;
     }
 
-    [[nodiscard]] std::string hash(const std::function<void(CellRow&)>& change,
+    [[nodiscard]] std::string hash(const std::function<void(store::CellRow&)>& change,
                                    const Polyhedron& body) const {
-        CellRow row = row_;
+        store::CellRow row = row_;
         change(row);
         name_cell(row, body);
         return row.hash;
     }
 
     Polyhedron cube_, tetra_;
-    CellRow row_;
+    store::CellRow row_;
 };
 
 TEST_F(CellName, EveryPartOfTheWorkChangesIt) {
     std::set<std::string> seen;
-    seen.insert(hash([](CellRow&) {}, cube_));
-    seen.insert(hash([](CellRow& r) { r.scene = "cold"; }, cube_));
-    seen.insert(hash([](CellRow& r) { r.scene_parameters = "{\"a\":1.0}"; }, cube_));
-    seen.insert(hash([](CellRow& r) { r.shape = "cube9"; }, cube_));
-    seen.insert(hash([](CellRow& r) { r.algorithm = "gjk"; }, cube_));
-    seen.insert(hash([](CellRow& r) { r.table = "some_f32"; }, cube_));
-    seen.insert(hash([](CellRow& r) { r.axes = "gap_tolerance=0.01"; }, cube_));
-    seen.insert(hash([](CellRow& r) { r.seed = 2; }, cube_));
-    seen.insert(hash([](CellRow& r) { r.queries = 101; }, cube_));
-    seen.insert(hash([](CellRow&) {}, tetra_));
+    seen.insert(hash([](store::CellRow&) {}, cube_));
+    seen.insert(hash([](store::CellRow& r) { r.scene = "cold"; }, cube_));
+    seen.insert(hash([](store::CellRow& r) { r.scene_parameters = "{\"a\":1.0}"; }, cube_));
+    seen.insert(hash([](store::CellRow& r) { r.shape = "cube9"; }, cube_));
+    seen.insert(hash([](store::CellRow& r) { r.algorithm = "gjk"; }, cube_));
+    seen.insert(hash([](store::CellRow& r) { r.table = "some_f32"; }, cube_));
+    seen.insert(hash([](store::CellRow& r) { r.axes = "gap_tolerance=0.01"; }, cube_));
+    seen.insert(hash([](store::CellRow& r) { r.seed = 2; }, cube_));
+    seen.insert(hash([](store::CellRow& r) { r.queries = 101; }, cube_));
+    seen.insert(hash([](store::CellRow&) {}, tetra_));
     Polyhedron nudged = cube_;
     nudged.vertices[3].y() = std::nextafter(nudged.vertices[3].y(), 9.0);
-    seen.insert(hash([](CellRow&) {}, nudged));
+    seen.insert(hash([](store::CellRow&) {}, nudged));
     EXPECT_EQ(seen.size(), 11U);
 }
 
 TEST_F(CellName, WhatCameOutOfItDoesNot) {
-    const auto with_result = [](CellRow& r) {
+    const auto with_result = [](store::CellRow& r) {
         r.status = "verified";
         r.reason = "none";
         r.hash = "old";
     };
-    EXPECT_EQ(hash(with_result, cube_), hash([](CellRow&) {}, cube_));
+    EXPECT_EQ(hash(with_result, cube_), hash([](store::CellRow&) {}, cube_));
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::bench

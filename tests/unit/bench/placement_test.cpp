@@ -6,25 +6,26 @@
 
 #include <cmath>
 
+#include "edgewise/bench/memory/jemalloc.hpp"
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/bench/memory/jemalloc.hpp"
-#include "edgewise/bench/registry.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 namespace {
 
-const Workload& tumble() {
-    static const Workload workload = *make_scene("tumble", *make_shape("sphere38"),
-                                                 *complete_parameters("tumble", {{"bodies", 8}}), 1, 600, {});
+const scene::Workload& tumble() {
+    static const scene::Workload workload =
+        *scene::make_scene("tumble", *scene::make_shape("sphere38"),
+                           *scene::complete_parameters("tumble", {{"bodies", 8}}), 1, 600, {});
     return workload;
 }
 
 struct Placed {
     std::vector<Distance> answers;
-    MemoryUse memory;
-    LinesTouched touched;
+    measure::MemoryUse memory;
+    measure::LinesTouched touched;
 };
 
 Placed place(const TableType& type, const std::string& algorithm, const TableOptions& options) {
@@ -33,7 +34,7 @@ Placed place(const TableType& type, const std::string& algorithm, const TableOpt
     const bool each = options.sharing == Sharing::per_instance;
     const auto& instances = tumble().instances;
     EXPECT_EQ(each ? runner->load(tumble().bodies, instances) : runner->load(tumble().bodies), "");
-    LineCounter lines;
+    measure::LineCounter lines;
     runner->trace(tumble(), 100, lines);
     return {runner->answer(tumble()), runner->memory(), lines.sums()};
 }
@@ -92,11 +93,11 @@ TEST(BuildTimes, AreAsManyAsAsked) {
     for (const TableType* type : select_table_types(all)) {
         const auto runner = type->make_runner(type->algorithms.front());
         ASSERT_EQ(runner->load(tumble().bodies), "");
-        const BuildTimes times = runner->build_times(3);
+        const measure::BuildTimes times = runner->build_times(3);
         EXPECT_EQ(times.build_ns.size(), 3U) << type->name;
         EXPECT_EQ(times.refit_ns.size(), 3U) << type->name;
     }
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -7,11 +7,11 @@
 
 #include <algorithm>
 
+#include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
 #include "edgewise/studies/single_cell.hpp"
-#include "edgewise/bench/trace/trace_names.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 namespace {
 
 /// Four vertices of 24 bytes, then two edges of 16 bytes of planes and 8 of topology, padded to 32.
@@ -25,13 +25,13 @@ TableMap table_at(std::size_t offset) {
 
 TEST(TouchedTables, AreCountedByComponentAndFeature) {
     const std::vector<TableMap> maps = {table_at(0), table_at(1000)};
-    TouchedBytes touched;
+    measure::TouchedBytes touched;
     touched.touch(0, 8);          // a coordinate of the first vertex
     touched.touch(24, 24);        // the second
     touched.touch(96, 16);        // the first edge's planes
     touched.touch(96 + 24, 8);    // its padding
     touched.touch(1000 + 96, 1);  // of the second table one byte
-    const TouchedTables found = touched_tables(maps, touched);
+    const measure::TouchedTables found = sweep::touched_tables(maps, touched);
     EXPECT_EQ(found.bytes, 8 + 24 + 16 + 8 + 1U);
     EXPECT_EQ(found.of_bytes, 2 * (96 + 64U));
     EXPECT_EQ(found.by_component.size(), 4U);
@@ -53,19 +53,20 @@ TEST(TouchedTables, KnowAFeatureInEachOfItsArrays) {
                             20,
                             12};
     const TableMap together = {{{0, 8, 30, {{Component::vertex_coordinates, 8}}}}, 10, 20, 12};
-    TouchedBytes touched;
+    measure::TouchedBytes touched;
     touched.touch(0, 8);         // x of vertex 0
     touched.touch(80 + 24, 8);   // y of 3
     touched.touch(160 + 72, 1);  // z of 9
     for (const TableMap& map : {apart, together}) {
-        EXPECT_EQ(touched_features(map, touched, FeatureKind::vertex), (std::vector<std::uint32_t>{0, 3, 9}));
-        EXPECT_FALSE(touched_features(map, touched, FeatureKind::face)) << "none stored";
+        EXPECT_EQ(sweep::touched_features(map, touched, FeatureKind::vertex),
+                  (std::vector<std::uint32_t>{0, 3, 9}));
+        EXPECT_FALSE(sweep::touched_features(map, touched, FeatureKind::face)) << "none stored";
     }
 }
 
 TEST(TouchedTables, DoNotGuessWithinBlocks) {
     const TableMap blocks = {{{0, 64, 2, {{Component::vertex_coordinates, 64}}}}, 10, 20, 12};
-    EXPECT_FALSE(touched_features(blocks, TouchedBytes{}, FeatureKind::vertex));
+    EXPECT_FALSE(sweep::touched_features(blocks, measure::TouchedBytes{}, FeatureKind::vertex));
 }
 
 /// The same queries read the same vertices, however they are stored.
@@ -76,11 +77,11 @@ TEST(TouchedTables, SeeTheSameVerticesInEveryLayout) {
         const auto type = std::find_if(table_types().begin(), table_types().end(),
                                        [&](const TableType& known) { return known.name == table; });
         if (type == table_types().end()) continue;  // this program has only some layouts
-        const SingleCell cell({names[0], "vclip", "tumble", "sphere386", {{"bodies", 4}}, 60, 1});
-        HeatMap heat(field_names().size(), step_names().size());
+        const studies::SingleCell cell({names[0], "vclip", "tumble", "sphere386", {{"bodies", 4}}, 60, 1});
+        measure::HeatMap heat(field_names().size(), step_names().size());
         static_cast<void>(cell.runner().trace(cell.workload(), 60, heat));
         const auto found =
-            touched_features(cell.runner().memory_maps().front(), heat.touched(), FeatureKind::vertex);
+            sweep::touched_features(cell.runner().memory_maps().front(), heat.touched(), FeatureKind::vertex);
         ASSERT_TRUE(found) << table;
         EXPECT_GT(found->size(), 10U);
         EXPECT_LT(found->size(), 386U);
@@ -90,4 +91,4 @@ TEST(TouchedTables, SeeTheSameVerticesInEveryLayout) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -8,15 +8,15 @@
 #include <cstdio>
 #include <set>
 
-#include "edgewise/measure/probe.hpp"
 #include "edgewise/bench/trace/broad_phase_trace.hpp"
-#include "edgewise/studies/single_cell.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
+#include "edgewise/measure/probe.hpp"
+#include "edgewise/studies/single_cell.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 namespace {
 
-CellChoice in_time_order(const std::string& table, const std::string& algorithm) {
+studies::CellChoice in_time_order(const std::string& table, const std::string& algorithm) {
     return {table,
             algorithm,
             "tumble",
@@ -26,31 +26,31 @@ CellChoice in_time_order(const std::string& table, const std::string& algorithm)
             1};
 }
 
-std::vector<MachineChoice> two_machines() {
+std::vector<measure::MachineChoice> two_machines() {
     const std::string names[] = {"pentium3_coppermine", "zen5"};
-    return choose_machines(names);
+    return measure::choose_machines(names);
 }
 
 class TraceScene : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(TraceScene, MissesWhatItMust) {
-    const SingleCell cell(in_time_order(GetParam().first, GetParam().second));
+    const studies::SingleCell cell(in_time_order(GetParam().first, GetParam().second));
     const auto machines = two_machines();
-    const SceneTrace trace = trace_scene(cell.runner(), cell.workload(), 0, machines);
+    const measure::SceneTrace trace = sweep::trace_scene(cell.runner(), cell.workload(), 0, machines);
     ASSERT_TRUE(trace.traced()) << trace.reason;
     EXPECT_EQ(trace.queries, cell.workload().queries.size());
     EXPECT_EQ(trace.frames, cell.workload().frames.size());
     ASSERT_EQ(trace.machines.size(), 2U);
     ASSERT_EQ(trace.policies.size(), 2U);
     EXPECT_EQ(trace.policies[0].name, "zen5/tree_plru");
-    for (const ModelledMachine& machine : trace.machines) {
-        for (const LevelMisses& level : machine.first.caches) {
+    for (const measure::ModelledMachine& machine : trace.machines) {
+        for (const measure::LevelMisses& level : machine.first.caches) {
             EXPECT_EQ(level.misses.compulsory, level.first_touches) << "the first pass starts empty";
             EXPECT_GT(level.first_touches, 0U);
         }
-        for (const LevelMisses& level : machine.steady.caches)
+        for (const measure::LevelMisses& level : machine.steady.caches)
             EXPECT_EQ(level.misses.compulsory, 0U) << "the second pass touches what the first did";
-        const LevelMisses& first = machine.steady.caches.front();
+        const measure::LevelMisses& first = machine.steady.caches.front();
         std::uint64_t by_field = 0, by_step = 0;
         for (const std::uint64_t count : first.by_field) by_field += count;
         for (const std::uint64_t count : first.by_step) by_step += count;
@@ -66,8 +66,8 @@ TEST_P(TraceScene, MissesWhatItMust) {
 }
 
 TEST_P(TraceScene, AnswersAsThePassThatIsChecked) {
-    const SingleCell cell(in_time_order(GetParam().first, GetParam().second));
-    const SceneTrace trace = trace_scene(cell.runner(), cell.workload(), 0, two_machines());
+    const studies::SingleCell cell(in_time_order(GetParam().first, GetParam().second));
+    const measure::SceneTrace trace = sweep::trace_scene(cell.runner(), cell.workload(), 0, two_machines());
     const double cold = static_cast<double>(trace.machines[1].cold.front());
     EXPECT_GE(cold, static_cast<double>(trace.lines.touched))
         << "a query from empty caches misses every line";
@@ -83,8 +83,8 @@ TEST_P(TraceScene, AnswersAsThePassThatIsChecked) {
 
 TEST_P(TraceScene, BooksTheRightSteps) {
     const bool vclip = std::string(GetParam().second) == "vclip";
-    const SingleCell cell(in_time_order(GetParam().first, GetParam().second));
-    const SceneTrace trace = trace_scene(cell.runner(), cell.workload(), 0, two_machines());
+    const studies::SingleCell cell(in_time_order(GetParam().first, GetParam().second));
+    const measure::SceneTrace trace = sweep::trace_scene(cell.runner(), cell.workload(), 0, two_machines());
     const auto steps = [&](TraceStep step) { return trace.heat.by_step[static_cast<std::size_t>(step)]; };
     for (const TraceStep state : {TraceStep::vertex_vertex, TraceStep::vertex_edge, TraceStep::vertex_face,
                                   TraceStep::edge_edge, TraceStep::edge_face})
@@ -101,17 +101,17 @@ INSTANTIATE_TEST_SUITE_P(Of, TraceScene,
                          [](const auto& of) { return std::string(of.param.first) + "_" + of.param.second; });
 
 TEST(TraceSceneFigures, AreThereForEveryMachineOrSayWhyNot) {
-    const SingleCell cell(in_time_order("aos_f64", "vclip"));
-    std::vector<MachineChoice> machines = two_machines();
-    machines.push_back({"host", Fact<CacheMachine>::unknown("made up")});
-    const SceneTrace trace = trace_scene(cell.runner(), cell.workload(), 100, machines);
-    Subject subject;
+    const studies::SingleCell cell(in_time_order("aos_f64", "vclip"));
+    std::vector<measure::MachineChoice> machines = two_machines();
+    machines.push_back({"host", measure::Fact<measure::CacheMachine>::unknown("made up")});
+    const measure::SceneTrace trace = sweep::trace_scene(cell.runner(), cell.workload(), 100, machines);
+    measure::Subject subject;
     subject.table.edges = 108;
     subject.trace = &trace;
     std::set<std::string> names;
-    for (const auto& probe : registered_probes()) {
+    for (const auto& probe : measure::registered_probes()) {
         if (probe->name() != "caches" && probe->name() != "reuse" && probe->name() != "heat") continue;
-        for (const Figure& figure : probe->figures(subject)) {
+        for (const measure::Figure& figure : probe->figures(subject)) {
             EXPECT_TRUE(names.insert(figure.name).second) << figure.name << " twice";
             EXPECT_NE(figure.value.has_value(), !figure.reason.empty()) << figure.name;
             EXPECT_TRUE(!figure.name.ends_with("cold_verified") || figure.value == 1.0) << figure.name;
@@ -125,29 +125,29 @@ TEST(TraceSceneFigures, AreThereForEveryMachineOrSayWhyNot) {
 }
 
 TEST(TraceSceneFigures, KnowWhatTheyAreOf) {
-    const std::vector<MachineChoice> two = two_machines();
-    EXPECT_EQ(trace_identity(two, 100), trace_identity(two_machines(), 100));
-    EXPECT_NE(trace_identity(two, 100), trace_identity(two, 101));
-    EXPECT_NE(trace_identity(two, 100), trace_identity(std::span(two).first(1), 100));
-    std::vector<MachineChoice> other = two;
+    const std::vector<measure::MachineChoice> two = two_machines();
+    EXPECT_EQ(sweep::trace_identity(two, 100), sweep::trace_identity(two_machines(), 100));
+    EXPECT_NE(sweep::trace_identity(two, 100), sweep::trace_identity(two, 101));
+    EXPECT_NE(sweep::trace_identity(two, 100), sweep::trace_identity(std::span(two).first(1), 100));
+    std::vector<measure::MachineChoice> other = two;
     ++other[1].machine.value->caches.levels[0].ways;
-    EXPECT_NE(trace_identity(two, 100), trace_identity(other, 100));
+    EXPECT_NE(sweep::trace_identity(two, 100), sweep::trace_identity(other, 100));
 }
 
 TEST(TraceSceneFigures, NeedAddressesThatAreTheSameInEveryRun) {
-    const SingleCell cell(in_time_order("aos_f64", "vclip"),
-                          {VertexOrder::given, Sharing::shared, AllocatorKind::libc});
-    EXPECT_FALSE(trace_scene(cell.runner(), cell.workload(), 10, two_machines()).traced());
+    const studies::SingleCell cell(in_time_order("aos_f64", "vclip"),
+                                   {VertexOrder::given, Sharing::shared, AllocatorKind::libc});
+    EXPECT_FALSE(sweep::trace_scene(cell.runner(), cell.workload(), 10, two_machines()).traced());
 }
 
 TEST(TimeOrder, AsksTheSameQueriesAsPairAfterPair) {
-    CellChoice choice = in_time_order("aos_f64", "vclip");
-    const SingleCell in_time(choice);
+    studies::CellChoice choice = in_time_order("aos_f64", "vclip");
+    const studies::SingleCell in_time(choice);
     choice.parameters["in_time_order"] = 0;
-    const SingleCell by_pair(choice);
+    const studies::SingleCell by_pair(choice);
     std::multiset<std::tuple<std::uint32_t, double, double>> first, second;
     for (const auto& [cell, set] : {std::pair{&in_time, &first}, std::pair{&by_pair, &second}}) {
-        for (const Query& query : cell->workload().queries)
+        for (const scene::Query& query : cell->workload().queries)
             set->insert({query.pair, query.pose_a.translation.x(), query.pose_b.translation.y()});
     }
     EXPECT_EQ(first, second);
@@ -156,14 +156,14 @@ TEST(TimeOrder, AsksTheSameQueriesAsPairAfterPair) {
 }
 
 TEST(BroadPhaseTraces, FindTheScenesOwnPairs) {
-    class Counter final : public TraceListener {
+    class Counter final : public measure::TraceListener {
       public:
-        void on_access(const TracedAccess&) override { ++accesses; }
+        void on_access(const measure::TracedAccess&) override { ++accesses; }
         void on_query_end(bool) override {}
         std::size_t accesses = 0;
     };
-    const SingleCell cell(in_time_order("aos_f64", "vclip"));
-    const Workload& workload = cell.workload();
+    const studies::SingleCell cell(in_time_order("aos_f64", "vclip"));
+    const scene::Workload& workload = cell.workload();
     Counter counter;
     const TracePlaces places(nullptr, 0, 8, workload.pair_count, workload.instances.size());
     BroadPhaseTrace broad_phase(places, counter);
@@ -175,4 +175,4 @@ TEST(BroadPhaseTraces, FindTheScenesOwnPairs) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::bench

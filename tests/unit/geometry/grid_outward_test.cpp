@@ -18,19 +18,19 @@ namespace {
 /// Every vertex of the body lies in the hull of the other's vertices, by exact arithmetic.
 bool exactly_contains(const Polyhedron& outer, const Polyhedron& body) {
     return std::all_of(body.vertices.begin(), body.vertices.end(), [&](const Vec3d& v) {
-        const auto exact = exact_distance(std::vector{v}, {}, outer.vertices, {});
-        return exact && exact->verdict != ExactVerdict::separated;
+        const auto exact = truth::exact_distance(std::vector{v}, {}, outer.vertices, {});
+        return exact && exact->verdict != truth::ExactVerdict::separated;
     });
 }
 
-Polyhedron random_hull(Rng& rng, const Vec3d& middle, const Vec3d& size) {
+Polyhedron random_hull(scene::Rng& rng, const Vec3d& middle, const Vec3d& size) {
     std::vector<Vec3d> points;
     for (int k = 0; k < 30; ++k) points.push_back(middle + rng.in_ball().cwiseProduct(size));
     return *convex_hull(points);
 }
 
 TEST(GridOutward, ContainsTheBody) {
-    Rng rng(4);
+    scene::Rng rng(4);
     int grown = 0, not_contained = 0;
     for (int i = 0; i < 120; ++i) {
         const Vec3d far = i % 2 == 0 ? Vec3d(1000 * rng.in_cube(1)) : Vec3d::Zero();
@@ -52,7 +52,7 @@ TEST(GridOutward, ContainsTheBody) {
 
 /// Too thin to be widened by growing, a body becomes the hull of boxes, with more vertices.
 TEST(GridOutward, ContainsThinBodies) {
-    Rng rng(5);
+    scene::Rng rng(5);
     int boxed = 0;
     for (int i = 0; i < 120; ++i) {
         const double thickness = std::ldexp(1.0, -(i % 12 + 3));
@@ -66,7 +66,7 @@ TEST(GridOutward, ContainsThinBodies) {
 }
 
 TEST(GridOutward, ABodyThatWasRoundedStaysAsItIs) {
-    Rng rng(6);
+    scene::Rng rng(6);
     for (int i = 0; i < 40; ++i) {
         const auto once = round_to_grid_outward(random_hull(rng, rng.in_cube(3), {1, 0.5, 0.2}), 0x1p-52);
         ASSERT_TRUE(once) << once.error;
@@ -75,7 +75,7 @@ TEST(GridOutward, ABodyThatWasRoundedStaysAsItIs) {
 }
 
 TEST(GridOutward, BodiesOnTheGridNeedNoGrowth) {
-    const Polyhedron cube = *make_shape("cube8");
+    const Polyhedron cube = *scene::make_shape("cube8");
     EXPECT_EQ(round_to_grid_outward(cube, 0x1p-52)->vertices, cube.vertices);
 }
 

@@ -14,7 +14,7 @@ namespace edgewise {
 namespace {
 
 TEST(Grid, MovesACoordinateByHalfAStepAtMostAndThenNoMore) {
-    Rng rng(2);
+    scene::Rng rng(2);
     double worst = 0;
     for (int i = 0; i < 100; ++i) {
         const Vec3d far = 100 * rng.in_cube(1), size = Vec3d(1, 0.3, 0.01);

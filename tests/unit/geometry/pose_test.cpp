@@ -108,7 +108,7 @@ TEST(OrthoError, IsTheLargestEntryOfTheDefect) {
 }
 
 TEST(Polished, MakesARotationOfWhatIsNearlyOne) {
-    Rng rng(11);
+    scene::Rng rng(11);
     double worst = 0;
     for (int i = 0; i < 1000; ++i) {
         Pose pose{rng.rotation(), rng.in_cube(3)};

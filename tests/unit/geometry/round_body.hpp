@@ -12,7 +12,7 @@
 namespace edgewise::testing {
 
 inline Polyhedron round_body(std::size_t vertices) {
-    Rng rng(vertices);
+    scene::Rng rng(vertices);
     std::vector<Vec3d> points;
     while (points.size() < vertices) points.push_back(rng.on_sphere());
     return *convex_hull(points);

@@ -28,7 +28,7 @@ double mean_jump(const Polyhedron& body) {
 
 TEST(VertexOrder, IsTheSameBodyUnderOtherNumbers) {
     for (const char* shape : {"tetra4", "cube8", "sphere38", "sphere386", "uv_sphere386"}) {
-        const Polyhedron body = *make_shape(shape);
+        const Polyhedron body = *scene::make_shape(shape);
         for (const VertexOrder order : all_orders) {
             SCOPED_TRACE(std::string(shape) + " " + std::string(to_string(order)));
             const auto other = reordered(body, order);
@@ -49,7 +49,7 @@ TEST(VertexOrder, IsTheSameBodyUnderOtherNumbers) {
 }
 
 TEST(VertexOrder, GivenIsTheBodyItself) {
-    const Polyhedron body = *make_shape("sphere38");
+    const Polyhedron body = *scene::make_shape("sphere38");
     EXPECT_EQ(reordered(body, VertexOrder::given)->vertices, body.vertices);
 }
 
@@ -57,7 +57,7 @@ TEST(VertexOrder, GivenIsTheBodyItself) {
 /// is.
 TEST(VertexOrder, BringsNeighboursTogether) {
     for (const char* shape : {"sphere386", "uv_sphere386", "sphere1538"}) {
-        const Polyhedron body = *make_shape(shape);
+        const Polyhedron body = *scene::make_shape(shape);
         const double given = mean_jump(body), bfs = mean_jump(*reordered(body, VertexOrder::bfs)),
                      spatial = mean_jump(*reordered(body, VertexOrder::spatial));
         std::printf("%s: neighbours are %.1f apart as given, %.1f breadth first, %.1f along the curve\n",

@@ -26,7 +26,7 @@ struct Padded {
 };
 
 TEST(BlockPlan, ArraysAreAlignedAndApartAndEveryByteIsBooked) {
-    Rng rng(1);
+    scene::Rng rng(1);
     for (int round = 0; round < 500; ++round) {
         BlockPlan plan;
         std::vector<Extent> arrays;

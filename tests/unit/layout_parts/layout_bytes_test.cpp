@@ -62,7 +62,7 @@ using Row = std::array<Bytes, 6>;
 template <class Table, class Expect>
 void expect_bytes(Expect expect) {
     for (const char* shape : {"tetra4", "cube8", "sphere386"}) {
-        const auto body = stored_body<Table>(*make_shape(shape));
+        const auto body = stored_body<Table>(*scene::make_shape(shape));
         ASSERT_TRUE(body) << body.error;
         Counts counts{body->vertex_count(), body->edge_count(), body->face_count()};
         for (Index v = 0; v < body->vertex_count(); ++v)
@@ -194,7 +194,7 @@ TEST(LayoutBytes, OfPoints) {
 
 /// The paper's figures: 168 bytes an edge and half of it, in the limit where V/E is a third.
 TEST(LayoutBytes, APaperEdgeIs168BytesAndHalfInSingle) {
-    const Polyhedron small = *make_shape("sphere38"), large = *make_shape("sphere386");
+    const Polyhedron small = *scene::make_shape("sphere38"), large = *scene::make_shape("sphere386");
     const auto slope = [&]<class Table>(const Table* /*unused*/) {
         const Bytes more = Table(large, Parts::features).ledger().paper_subtotal() -
                            Table(small, Parts::features).ledger().paper_subtotal();

@@ -11,6 +11,7 @@
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip.hpp"
+#include "edgewise/bench/memory/arena.hpp"
 #include "edgewise/layouts/aos.hpp"
 #include "edgewise/layouts/aos_padded.hpp"
 #include "edgewise/layouts/aosoa.hpp"
@@ -22,7 +23,6 @@
 #include "edgewise/layouts/soa_stagger.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/bench/memory/arena.hpp"
 #include "edgewise/table/stored_body.hpp"
 
 namespace edgewise {
@@ -48,7 +48,7 @@ void expect_same_plane(const P& a, const P& b) {
 }
 
 TYPED_TEST(LazyTable, PlanesAreThoseOfTheLayoutOnceAskedFor) {
-    const Polyhedron body = *stored_body<TypeParam>(*make_shape("sphere38"));
+    const Polyhedron body = *stored_body<TypeParam>(*scene::make_shape("sphere38"));
     const TypeParam eager(body, Parts::features);
     const LazyLayout<TypeParam> lazy(body, Parts::features);
     EXPECT_EQ(lazy.made(), 0U);
@@ -64,11 +64,11 @@ TYPED_TEST(LazyTable, PlanesAreThoseOfTheLayoutOnceAskedFor) {
 }
 
 TYPED_TEST(LazyTable, AnswersAreThoseOfTheLayoutAndFewEdgesAreMade) {
-    const Polyhedron body = *stored_body<TypeParam>(*make_shape("sphere386"));
+    const Polyhedron body = *stored_body<TypeParam>(*scene::make_shape("sphere386"));
     const TypeParam eager(body, Parts::features);
     using Made = LazyLayout<TypeParam>;
     const Made lazy(body, Parts::features);
-    Rng rng(3);
+    scene::Rng rng(3);
     Transform<double> pose;
     pose.rotation = rng.rotation();
     FeaturePair<TypeParam, TypeParam> warm_eager(eager, eager);
@@ -90,8 +90,8 @@ TYPED_TEST(LazyTable, AnswersAreThoseOfTheLayoutAndFewEdgesAreMade) {
 }
 
 TYPED_TEST(LazyTable, RefitMakesEverythingAgain) {
-    const Polyhedron body = *stored_body<TypeParam>(*make_shape("cube8"));
-    const Polyhedron larger = scaled(body, 2);
+    const Polyhedron body = *stored_body<TypeParam>(*scene::make_shape("cube8"));
+    const Polyhedron larger = scene::scaled(body, 2);
     LazyLayout<TypeParam> lazy(body, Parts::features);
     static_cast<void>(lazy.direction(0));
     refit(lazy, larger);
@@ -103,8 +103,8 @@ TYPED_TEST(LazyTable, RefitMakesEverythingAgain) {
 
 /// Pages that hold only planes nobody asked for are not there.
 TEST(Lazy, TouchesNoPageOfPlanesThatNobodyAskedFor) {
-    const Polyhedron body = *make_shape("sphere1538");
-    Arena arena;
+    const Polyhedron body = *scene::make_shape("sphere1538");
+    bench::Arena arena;
     const TablesIn placed(arena);
     const lazy<f64> table(body, Parts::features);
     const std::size_t planes = table.ledger()[Component::voronoi_planes];

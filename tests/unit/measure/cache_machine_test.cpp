@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 using nlohmann::json;
@@ -125,4 +125,4 @@ TEST(CacheMachine, SaysWhatIsWrongWithAFile) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -9,7 +9,7 @@
 #include <deque>
 #include <random>
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 using Kind = AccessKind;
@@ -194,4 +194,4 @@ TEST(CacheModel, IsAListASetOnRandomStreams) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

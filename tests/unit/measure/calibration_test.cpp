@@ -10,7 +10,7 @@
 
 #include "edgewise/measure/counters/random_chase.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 TEST(RandomChases, GoWhereTheReplayGoes) {
@@ -48,4 +48,4 @@ TEST(Calibration, ModelsWhatArithmeticSays) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

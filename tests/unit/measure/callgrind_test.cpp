@@ -7,7 +7,7 @@
 
 #include "edgewise/measure/process/child_process.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 using testing::Contains;
@@ -64,4 +64,4 @@ TEST(ChildProcess, TellsWhatAProgramSaid) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "counted_work.hpp"
-#include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/measure/counters/software_watch.hpp"
+#include "edgewise/measure/machine/machine.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 ChosenEvent stand_in(const char* name, const EventCode& code) {
@@ -190,4 +190,4 @@ TEST(SoftwareWatch, SteadyWorkHasNoFaults) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

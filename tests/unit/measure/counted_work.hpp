@@ -11,7 +11,7 @@
 
 #include "edgewise/measure/counters/perf_event.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 inline constexpr EventCode software_page_faults{PERF_TYPE_SOFTWARE, PERF_COUNT_SW_PAGE_FAULTS};
 inline constexpr EventCode software_task_clock{PERF_TYPE_SOFTWARE, PERF_COUNT_SW_TASK_CLOCK};
@@ -29,4 +29,4 @@ inline void touch_pages(int pages) {
     munmap(memory, bytes);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 CounterSample clean(std::uint64_t count) { return {count, 1000, 1000}; }
@@ -96,4 +96,4 @@ TEST(CounterArithmetic, CostIsTheMedianOfManyAndItsFloorSeesMostOfThem) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -12,7 +12,7 @@
 
 #include "counted_work.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 TEST(CounterGroup, CountsEachEventFromZeroEveryTime) {
@@ -93,4 +93,4 @@ TEST(CounterGroup, PartOfTheTimeIsRefusedNeverScaled) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -11,7 +11,7 @@
 
 #include "edgewise/measure/machine/machine_json.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 using nlohmann::json;
@@ -81,4 +81,4 @@ TEST(Counters, WhatMustHappenIsNeverZero) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -17,7 +17,7 @@
 #include "edgewise/measure/counters/perf_error.hpp"
 #include "edgewise/measure/machine/processor.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 Cpu cpu_of(const char* vendor, std::int64_t family, std::int64_t model, std::int64_t stepping = 0) {
@@ -155,4 +155,4 @@ TEST(EventChoice, EveryErrorHasAReasonAndARemedy) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -19,7 +19,7 @@
 #include "edgewise/measure/counters/event_table.hpp"
 #include "edgewise/measure/counters/libpfm.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 /// Runs `check` in a child process whose libpfm starts with a switch set: once read, it stays set.
@@ -129,4 +129,4 @@ TEST(EventEncoding, OnAnotherMakersServerTheChainStartsWithLibpfm) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -11,7 +11,7 @@
 
 #include "edgewise/measure/machine/host_machine.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ TEST_F(MachineChoices, SayWhenTheHostDoesNotTell) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -13,7 +13,7 @@
 
 #include "edgewise/measure/machine/machine_json.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 using nlohmann::json;
@@ -227,4 +227,4 @@ TEST(Machine, IdentityIsTheSameInEveryRun) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -12,11 +12,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "edgewise/measure/process/page_faults.hpp"
-#include "edgewise/measure/cache/page_reuse.hpp"
 #include "edgewise/bench/memory/table_mapping.hpp"
+#include "edgewise/measure/cache/page_reuse.hpp"
+#include "edgewise/measure/process/page_faults.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 TEST(MemoryLimit, KnowsTheProcessesOwnGroupInBothVersions) {
@@ -60,7 +60,7 @@ TEST(MemoryLimit, IsThereOrSaysWhyNot) {
 }
 
 TEST(TableMapping, OfAFileLetsItsPagesGoAndComeBack) {
-    const TableMapping mapping(Backing::file);
+    const bench::TableMapping mapping(bench::Backing::file);
     constexpr std::size_t page = 4096, pages = 100;
     for (std::size_t i = 0; i < pages; ++i) std::memset(mapping.base() + i * page, static_cast<int>(i), page);
     EXPECT_EQ(mapping.resident(pages * page), pages * page);
@@ -75,7 +75,7 @@ TEST(TableMapping, OfAFileLetsItsPagesGoAndComeBack) {
 }
 
 TEST(TableMapping, OfMemoryCannotLetGo) {
-    const TableMapping mapping(Backing::memory);
+    const bench::TableMapping mapping(bench::Backing::memory);
     std::memset(mapping.base(), 1, 4096);
     EXPECT_FALSE(mapping.evict(4096));
     EXPECT_EQ(std::to_integer<int>(mapping.base()[17]), 1);
@@ -100,4 +100,4 @@ TEST(PageReuse, SeesTablesOnlyAndPagesOnly) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -10,7 +10,7 @@
 
 #include "edgewise/measure/cache/cache_model.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 /// Random lines: near ones often, far ones now and then, with stretches on one line.
@@ -116,4 +116,4 @@ TEST(Knee, IsWhereQueriesFindWhatTheyComeBackTo) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

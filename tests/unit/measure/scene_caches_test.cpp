@@ -11,7 +11,7 @@
 #include "edgewise/measure/cache/heat_map.hpp"
 #include "edgewise/measure/cache/trace_fan_out.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 /// 8 sets of 2 ways of 64 bytes over one of 64 ways; a TLB of 4 pages.
@@ -176,4 +176,4 @@ TEST(SceneCaches, AreTheModelsOfEachMachine) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 using Sample = std::vector<double>;
@@ -267,4 +267,4 @@ TEST(Statistics, LeastSquaresLeavesResidualsThatNoLineExplains) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <thread>
 
-namespace edgewise {
+namespace edgewise::measure {
 namespace {
 
 TEST(Stopwatch, NeverRunsBackwards) {
@@ -61,4 +61,4 @@ TEST(Stopwatch, CalibrationIsAReadingAndNotNegative) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -14,8 +14,8 @@ namespace edgewise {
 namespace {
 
 /// A table of 100 bytes and 168 more an edge, of which the planes take 128.
-TableBytes table_of(std::uint64_t edges) {
-    TableBytes table;
+measure::TableBytes table_of(std::uint64_t edges) {
+    measure::TableBytes table;
     table.vertices = (edges + 6) / 3;
     table.edges = edges;
     const auto e = static_cast<double>(edges);
@@ -25,7 +25,7 @@ TableBytes table_of(std::uint64_t edges) {
     return table;
 }
 
-Round round_of(int number, double ns, double baseline_ns) {
+measure::Round round_of(int number, double ns, double baseline_ns) {
     return {number, {10, 5, 10 * ns, 5 * 2 * ns}, {10, 5, 10 * baseline_ns, 5 * 2 * baseline_ns}};
 }
 
@@ -34,7 +34,7 @@ class Probes : public ::testing::Test {
     Probes() {
         for (const std::uint64_t edges : {12U, 108U, 1152U}) sizes_.push_back(table_of(edges));
         for (int i = 0; i < 10; ++i) {
-            CheckedAnswer answer;
+            measure::CheckedAnswer answer;
             answer.separated = i < 7;
             answer.touching = i == 7;
             answer.error_stored = i * 1e-15;
@@ -56,25 +56,25 @@ class Probes : public ::testing::Test {
     }
 
     /// The figures of a probe by name; none where this program has no such probe.
-    [[nodiscard]] static std::map<std::string, Figure> figures(std::string_view name,
-                                                               const Subject& subject) {
-        std::map<std::string, Figure> result;
-        for (const auto& probe : registered_probes()) {
+    [[nodiscard]] static std::map<std::string, measure::Figure> figures(std::string_view name,
+                                                                        const measure::Subject& subject) {
+        std::map<std::string, measure::Figure> result;
+        for (const auto& probe : measure::registered_probes()) {
             if (probe->name() != name) continue;
-            for (Figure& figure : probe->figures(subject)) result[figure.name] = figure;
+            for (measure::Figure& figure : probe->figures(subject)) result[figure.name] = figure;
         }
         return result;
     }
 
-    std::vector<TableBytes> sizes_;
-    std::vector<CheckedAnswer> checked_;
-    std::vector<Round> rounds_;
-    Subject subject_;
+    std::vector<measure::TableBytes> sizes_;
+    std::vector<measure::CheckedAnswer> checked_;
+    std::vector<measure::Round> rounds_;
+    measure::Subject subject_;
 };
 
-void expect_sound(const Probe& probe, const Subject& subject) {
+void expect_sound(const measure::Probe& probe, const measure::Subject& subject) {
     std::set<std::string> names;
-    for (const Figure& figure : probe.figures(subject)) {
+    for (const measure::Figure& figure : probe.figures(subject)) {
         EXPECT_TRUE(names.insert(figure.name).second) << figure.name << " twice";
         EXPECT_FALSE(figure.unit.empty()) << figure.name;
         if (figure.value) {
@@ -88,26 +88,26 @@ void expect_sound(const Probe& probe, const Subject& subject) {
 
 TEST_F(Probes, HaveNamesOfTheirOwnAndSayWhatTheyMeasure) {
     std::set<std::string_view> names;
-    ASSERT_FALSE(registered_probes().empty());
-    for (const auto& probe : registered_probes()) {
+    ASSERT_FALSE(measure::registered_probes().empty());
+    for (const auto& probe : measure::registered_probes()) {
         EXPECT_TRUE(names.insert(probe->name()).second) << probe->name();
         EXPECT_FALSE(probe->summary().empty());
     }
 }
 
 TEST_F(Probes, EveryFigureIsANumberOrNullWithAReason) {
-    Subject untimed = subject_;
+    measure::Subject untimed = subject_;
     untimed.rounds = {};
-    Subject few_rounds = subject_;
+    measure::Subject few_rounds = subject_;
     few_rounds.rounds = few_rounds.rounds.first(2);
-    Subject without_planes = subject_;
+    measure::Subject without_planes = subject_;
     without_planes.table.paper_subtotal = 0;
-    Subject unchecked = subject_;
+    measure::Subject unchecked = subject_;
     unchecked.checked = {};
     unchecked.counts = {};
     unchecked.sizes = {};
-    for (const auto& probe : registered_probes()) {
-        for (const Subject& subject : {subject_, untimed, few_rounds, without_planes, unchecked}) {
+    for (const auto& probe : measure::registered_probes()) {
+        for (const measure::Subject& subject : {subject_, untimed, few_rounds, without_planes, unchecked}) {
             expect_sound(*probe, subject);
         }
     }

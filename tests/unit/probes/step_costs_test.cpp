@@ -10,13 +10,15 @@
 namespace edgewise {
 namespace {
 
-SingleCell cell_of(const char* scene, const SceneParameters& parameters, std::size_t queries = 3000) {
-    return SingleCell({"aos_f64", "gjk", scene, "cube8", parameters, queries, 1});
+studies::SingleCell cell_of(const char* scene, const scene::SceneParameters& parameters,
+                            std::size_t queries = 3000) {
+    return studies::SingleCell({"aos_f64", "gjk", scene, "cube8", parameters, queries, 1});
 }
 
 TEST(StepCosts, CountWhatAStepAsks) {
-    const SingleCell cell = cell_of("tumble", {{"bodies", 50}, {"in_time_order", 1}, {"steps", 1000}});
-    const StepCosts costs = step_costs(cell.runner(), cell.workload());
+    const studies::SingleCell cell =
+        cell_of("tumble", {{"bodies", 50}, {"in_time_order", 1}, {"steps", 1000}});
+    const measure::StepCosts costs = sweep::step_costs(cell.runner(), cell.workload());
     ASSERT_GT(costs.steps, 10U);
     EXPECT_EQ(costs.bodies, 50);
     const auto& frames = cell.workload().frames;
@@ -30,12 +32,12 @@ TEST(StepCosts, CountWhatAStepAsks) {
 }
 
 TEST(StepCosts, AreNotThereWithoutSteps) {
-    const SingleCell cold = cell_of("static", {});
-    EXPECT_EQ(step_costs(cold.runner(), cold.workload()).steps, 0U);
-    EXPECT_FALSE(step_costs(cold.runner(), cold.workload()).reason.empty());
-    const SingleCell one = cell_of("tumble", {{"in_time_order", 1}, {"steps", 1}}, 30);
-    EXPECT_EQ(step_costs(one.runner(), one.workload()).steps, 0U) << "no step has one before it";
-    EXPECT_FALSE(step_costs(one.runner(), one.workload()).remedy.empty());
+    const studies::SingleCell cold = cell_of("static", {});
+    EXPECT_EQ(sweep::step_costs(cold.runner(), cold.workload()).steps, 0U);
+    EXPECT_FALSE(sweep::step_costs(cold.runner(), cold.workload()).reason.empty());
+    const studies::SingleCell one = cell_of("tumble", {{"in_time_order", 1}, {"steps", 1}}, 30);
+    EXPECT_EQ(sweep::step_costs(one.runner(), one.workload()).steps, 0U) << "no step has one before it";
+    EXPECT_FALSE(sweep::step_costs(one.runner(), one.workload()).remedy.empty());
 }
 
 }  // namespace

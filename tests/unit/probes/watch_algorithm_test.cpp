@@ -13,19 +13,19 @@
 namespace edgewise {
 namespace {
 
-AlgorithmWork look(const char* scene, const char* shape, const SceneParameters& parameters,
-                   const char* algorithm = "gjk") {
-    const CellChoice choice{"aos_f64", algorithm, scene, shape, parameters, 2000, 1};
-    const SingleCell cell(choice);
-    Plan plan;
+measure::AlgorithmWork look(const char* scene, const char* shape, const scene::SceneParameters& parameters,
+                            const char* algorithm = "gjk") {
+    const studies::CellChoice choice{"aos_f64", algorithm, scene, shape, parameters, 2000, 1};
+    const studies::SingleCell cell(choice);
+    sweep::Plan plan;
     plan.queries = 2000;
     plan.checked = 300;
-    const NamedShape body{shape, "built-in", *make_shape(shape), {}};
-    const Group group(plan, SceneChoice{scene, parameters}, body);
-    return algorithm_work(algorithm, cell.type(), group);
+    const scene::NamedShape body{shape, "built-in", *scene::make_shape(shape), {}};
+    const sweep::SharedQueries shared(plan, sweep::SceneChoice{scene, parameters}, body);
+    return sweep::algorithm_work(algorithm, cell.type(), shared);
 }
 
-void expect_sound(const AlgorithmWork& work) {
+void expect_sound(const measure::AlgorithmWork& work) {
     EXPECT_GT(work.queries, 0U);
     EXPECT_LE(work.kept, work.near);
     EXPECT_LE(work.near, work.kept_of);
@@ -36,7 +36,7 @@ void expect_sound(const AlgorithmWork& work) {
 }
 
 TEST(WatchAlgorithm, NothingMovesInAStillScene) {
-    const AlgorithmWork work =
+    const measure::AlgorithmWork work =
         look("tumble", "sphere386", {{"rotation_step", 0}, {"translation_step", 0}, {"steps", 1000}});
     expect_sound(work);
     EXPECT_GT(work.kept_of, 0U);
@@ -44,12 +44,12 @@ TEST(WatchAlgorithm, NothingMovesInAStillScene) {
 }
 
 TEST(WatchAlgorithm, ClimbsFartherFromAnywhere) {
-    const AlgorithmWork coherent = look("tumble", "sphere386", {{"rotation_step", 0.01}});
-    const AlgorithmWork cold = look("cold", "sphere386", {});
-    const AlgorithmWork cold_large = look("cold", "sphere6146", {});
+    const measure::AlgorithmWork coherent = look("tumble", "sphere386", {{"rotation_step", 0.01}});
+    const measure::AlgorithmWork cold = look("cold", "sphere386", {});
+    const measure::AlgorithmWork cold_large = look("cold", "sphere6146", {});
     expect_sound(coherent);
     expect_sound(cold);
-    const auto hops = [](const AlgorithmWork& w) {
+    const auto hops = [](const measure::AlgorithmWork& w) {
         return static_cast<double>(w.hops) / static_cast<double>(w.supports);
     };
     std::printf("hops of a climb: coherent %.2f, cold %.2f, cold at 16 times the vertices %.2f\n",

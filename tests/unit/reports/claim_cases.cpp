@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace edgewise {
+namespace edgewise::reports {
 
 ReportCell make_cell(const MadeCell& made, const MadeFigures& figures) {
     ReportCell cell;
@@ -46,4 +46,4 @@ void add_angular_time(ReportData& data, int vertices, const std::string& algorit
     add_angular(data, vertices, algorithm, [ns](int) { return made_time(ns); });
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

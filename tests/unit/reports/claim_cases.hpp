@@ -13,7 +13,7 @@
 
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// The numbers that make a claim come out in each way; some have no interval that could straddle.
 struct ClaimCase {
@@ -56,4 +56,4 @@ void add_angular_time(ReportData& data, int vertices, const std::string& algorit
 inline const std::vector<std::string> both_algorithms = {"vclip", "gjk"};
 [[nodiscard]] std::string made_shape(int vertices);
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -5,7 +5,7 @@
 
 #include "claim_cases.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -204,4 +204,4 @@ std::vector<ClaimCase> count_cases() {
     return cases;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

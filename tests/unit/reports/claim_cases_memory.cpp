@@ -3,7 +3,7 @@
 // Cases of the claims about tables' bytes, caches and paging.
 #include "claim_cases.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -135,4 +135,4 @@ std::vector<ClaimCase> memory_cases() {
     };
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

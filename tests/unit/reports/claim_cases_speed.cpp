@@ -3,7 +3,7 @@
 // Cases of the claims about cost functions, speed, coherence and complexity.
 #include "claim_cases.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace {
 
@@ -159,4 +159,4 @@ std::vector<ClaimCase> speed_cases() {
     };
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -11,7 +11,7 @@
 #include "claim_cases.hpp"
 #include "edgewise/reports/paper/claims/claim_rules.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 namespace {
 
 using testing::HasSubstr;
@@ -223,4 +223,4 @@ TEST(Claims, GridHasARowForEachAndItsReason) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -9,7 +9,7 @@
 
 #include "edgewise/reports/paper/claims/claim_fits.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 namespace {
 
 TEST(Evidence, QuotientsTakeTheWorstOfBoth) {
@@ -108,4 +108,4 @@ TEST(Growth, InterpolatesAlongAPowerLaw) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -11,7 +11,7 @@
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/reader.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 /// "time.all_ns" -> value.
 using MadeUp = std::map<std::string, double>;
@@ -63,4 +63,4 @@ inline std::vector<ChartJson> rows_where(const ChartJson& values, const std::str
     return rows;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -3,12 +3,12 @@
 // The report's chapter on caches, from made-up figures whose tables are known.
 #include <gmock/gmock.h>
 
-#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/page/report.hpp"
+#include "edgewise/reports/tables/cache_tables.hpp"
 #include "report_store.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 namespace {
 
 using testing::HasSubstr;
@@ -94,4 +94,4 @@ TEST_F(Report, OfCachesIsInBothPagesOrSaysHowToGetIt) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -14,7 +14,7 @@
 #include "edgewise/reports/tables/text.hpp"
 #include "report_store.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 namespace {
 
 TEST(MedianInterval, HoldsNinetyFivePercentByCounting) {
@@ -110,4 +110,4 @@ TEST(Text, NumbersKeepTheirMeaning) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -3,11 +3,11 @@
 // The chapter on the paper's figures as a whole: there with scenes from files, not there without them.
 #include <gmock/gmock.h>
 
-#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/page/report.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "report_store.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 namespace {
 
 using testing::AllOf;
@@ -45,4 +45,4 @@ TEST_F(Report, WithoutSceneFilesHasNoSuchChapter) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -11,7 +11,7 @@
 #include "paper_data.hpp"
 #include "report_store.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 namespace {
 
 using testing::HasSubstr;
@@ -200,4 +200,4 @@ TEST(PaperCharts, AUsersSceneHasAChartOverWhatItVaries) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::reports

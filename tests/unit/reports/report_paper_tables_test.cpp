@@ -7,7 +7,7 @@
 #include "edgewise/reports/paper/chapter/source_facts.hpp"
 #include "paper_data.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 namespace {
 
 using testing::HasSubstr;
@@ -84,4 +84,4 @@ TEST(PaperTables, SourceIsCounted) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::reports

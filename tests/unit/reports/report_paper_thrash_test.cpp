@@ -8,7 +8,7 @@
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "paper_data.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 namespace {
 
 using testing::AllOf;
@@ -131,4 +131,4 @@ TEST(PaperThrash, TellsWhatThisMachineDoes) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::reports

@@ -16,7 +16,7 @@
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/store/schema.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 
 namespace fs = std::filesystem;
 
@@ -62,8 +62,9 @@ inline std::string full_cell_sql(const std::string& hash, double ns) {
 }
 
 inline std::string empty_store_sql() {
-    return "pragma application_id = " + std::to_string(store_application_id) +
-           "; pragma user_version = " + std::to_string(store_schema_version) + ";" + store_schema;
+    return "pragma application_id = " + std::to_string(store::store_application_id) +
+           "; pragma user_version = " + std::to_string(store::store_schema_version) + ";" +
+           store::store_schema;
 }
 
 /// Two builds; five cells of the latest: three verified, one failed, one unavailable, with names that need
@@ -127,4 +128,4 @@ class Report : public testing::Test {
     fs::path directory_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::reports

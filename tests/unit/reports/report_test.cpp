@@ -14,7 +14,7 @@
 #include "edgewise/reports/tables/tables.hpp"
 #include "report_store.hpp"
 
-namespace edgewise {
+namespace edgewise::reports {
 namespace {
 
 /// One CSV file as rows of fields, by RFC 4180.
@@ -260,4 +260,4 @@ TEST_F(Report, RatioIntervalsComeFromTheRounds) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::reports

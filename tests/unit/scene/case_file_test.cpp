@@ -9,7 +9,7 @@
 
 #include "edgewise/geometry/check_polyhedron.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 const char* const tetra = R"({"vertices":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]})";
@@ -142,4 +142,4 @@ TEST(CaseFile, ABadLineDoesNotLoseTheRest) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -11,7 +11,7 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 std::vector<Polyhedron> some_bodies() { return {*make_shape("cube8"), *make_shape("sphere38")}; }
@@ -44,9 +44,9 @@ Verdicts verdicts_of(const HardFamily& of, int count) {
     for (int i = 0; i < count; ++i) {
         const hard::Pair pair = of.make(maker);
         for (const auto& [pose_a, pose_b] : pair.poses) {
-            const auto exact = exact_distance(pair.a.vertices, pose_a, pair.b.vertices, pose_b);
+            const auto exact = truth::exact_distance(pair.a.vertices, pose_a, pair.b.vertices, pose_b);
             EXPECT_TRUE(exact) << of.name << ": " << exact.error;
-            ++(exact->verdict == ExactVerdict::separated ? seen.separated : seen.contact);
+            ++(exact->verdict == truth::ExactVerdict::separated ? seen.separated : seen.contact);
         }
     }
     return seen;
@@ -91,8 +91,8 @@ TEST(HardFamilies, TouchExactlyWhereTheySaySo) {
     for (int i = 0; i < 300; ++i) {
         const hard::Pair pair = family("exact_touch").make(maker);
         const auto& [pose_a, pose_b] = pair.poses.front();
-        const auto exact = exact_distance(pair.a.vertices, pose_a, pair.b.vertices, pose_b);
-        EXPECT_EQ(exact->verdict, ExactVerdict::touching) << i;
+        const auto exact = truth::exact_distance(pair.a.vertices, pose_a, pair.b.vertices, pose_b);
+        EXPECT_EQ(exact->verdict, truth::ExactVerdict::touching) << i;
     }
 }
 
@@ -110,4 +110,4 @@ TEST(HardFamilies, QuarterTurnsAreRotationsOfTheCube) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

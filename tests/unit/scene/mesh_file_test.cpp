@@ -18,7 +18,7 @@
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 using testing::all_violations;
@@ -223,4 +223,4 @@ TEST_F(MeshFile, SurvivesGarbage) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -12,7 +12,7 @@
 #include "edgewise/scene/angle.hpp"
 #include "edgewise/scene/rng.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 double worst_error(double low, double high, int samples) {
@@ -130,4 +130,4 @@ TEST(Motion, PoseTurnsAboutTheCentre) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -9,7 +9,7 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/brute_force.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 Workload pressure(std::size_t bodies, std::size_t queries) {
@@ -45,7 +45,7 @@ TEST(Pressure, PairsAreNearAndApart) {
     double least = 1e9, most = 0;
     const double spacing = norm(Vec3d(w.queries[0].pose_a.translation - w.queries[0].pose_b.translation));
     for (const Query& q : w.queries) {
-        const double d = brute_force_distance(w.bodies[0], q.pose_a, w.bodies[0], q.pose_b);
+        const double d = truth::brute_force_distance(w.bodies[0], q.pose_a, w.bodies[0], q.pose_b);
         least = std::min(least, d);
         most = std::max(most, d);
         EXPECT_NEAR(norm(Vec3d(q.pose_a.translation - q.pose_b.translation)), spacing, 0.1);
@@ -55,4 +55,4 @@ TEST(Pressure, PairsAreNearAndApart) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -10,7 +10,7 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/brute_force.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 constexpr std::size_t pairs = 12, steps = 60;
@@ -19,13 +19,13 @@ Workload proximity(const SceneParameters& more = {}) {
     SceneParameters given = {{"pairs", double(pairs)}};
     given.insert(more.begin(), more.end());
     auto workload = make_scene("proximity", *make_shape("sphere38"), *complete_parameters("proximity", given),
-                               1, pairs * steps, brute_force_distance);
+                               1, pairs * steps, truth::brute_force_distance);
     EXPECT_TRUE(workload) << workload.error;
     return std::move(*workload);
 }
 
 double distance(const Workload& w, const Query& q) {
-    return brute_force_distance(w.bodies[0], q.pose_a, w.bodies[0], q.pose_b);
+    return truth::brute_force_distance(w.bodies[0], q.pose_a, w.bodies[0], q.pose_b);
 }
 
 TEST(Proximity, StartsTheGapApart) {
@@ -66,4 +66,4 @@ TEST(Proximity, StandsStillWithoutRotation) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -12,7 +12,7 @@
 
 #include "edgewise/geometry/pose.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 /// xoshiro256** written down a second time, straight from its definition.
@@ -148,4 +148,4 @@ TEST(Rng, GoldenDoubles) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -15,7 +15,7 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/brute_force.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 using ::testing::HasSubstr;
@@ -34,7 +34,7 @@ TEST(SceneFile, ThatComesAlongMakesItsScenes) {
         EXPECT_FALSE((*file)->note.empty()) << text.name;
         const ScenePoint& point = (*file)->points.front();
         const auto made = make_scene((*file)->kind, *make_shape(point.shape), point.parameters, 1, 40,
-                                     brute_force_distance);
+                                     truth::brute_force_distance);
         EXPECT_TRUE(made) << text.name << ": " << made.error;
     }
 }
@@ -124,4 +124,4 @@ TEST(SceneFile, ThatCannotBeReadIsNamed) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -9,7 +9,7 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/brute_force.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 TEST(Scenes, DefaultsCompleteTheIdentity) {
@@ -21,7 +21,8 @@ TEST(Scenes, DefaultsCompleteTheIdentity) {
 
 void expect_refusal(const char* name, const SceneParameters& given, std::size_t count,
                     std::initializer_list<const char*> parts) {
-    const Result<Workload> w = make_scene(name, *make_shape("cube8"), given, 1, count, brute_force_distance);
+    const Result<Workload> w =
+        make_scene(name, *make_shape("cube8"), given, 1, count, truth::brute_force_distance);
     ASSERT_FALSE(w) << name;
     for (const char* part : parts) EXPECT_NE(w.error.find(part), std::string::npos) << w.error;
     EXPECT_EQ(w.error.find('\n'), std::string::npos);
@@ -48,4 +49,4 @@ TEST(Scenes, ABarrenSceneEndsWithAReason) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

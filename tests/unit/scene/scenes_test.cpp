@@ -17,7 +17,7 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/brute_force.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 Polyhedron shape(const char* name) {
@@ -28,13 +28,13 @@ Polyhedron shape(const char* name) {
 
 Workload scene(const char* name, const Polyhedron& body, std::size_t count, const SceneParameters& given = {},
                std::uint64_t seed = 1) {
-    Result<Workload> workload = make_scene(name, body, given, seed, count, brute_force_distance);
+    Result<Workload> workload = make_scene(name, body, given, seed, count, truth::brute_force_distance);
     EXPECT_TRUE(workload) << workload.error;
     return std::move(*workload);
 }
 
 double distance_of(const Workload& w, const Query& q) {
-    return brute_force_distance(w.bodies[q.body_a], q.pose_a, w.bodies[q.body_b], q.pose_b);
+    return truth::brute_force_distance(w.bodies[q.body_a], q.pose_a, w.bodies[q.body_b], q.pose_b);
 }
 
 /// Of every tenth query: brute force is slow, and neighbours in time are much alike.
@@ -109,7 +109,7 @@ TEST(Static, FillsItsBoxToTenPercentWithSeveralSizes) {
 TEST(Cold, DistancesAreUniformInOneBodySizeAndATenthOverlaps) {
     std::size_t evaluations = 0;
     const DistanceFunction counting = [&](auto& a, auto& pose_a, auto& b, auto& pose_b) {
-        return ++evaluations, brute_force_distance(a, pose_a, b, pose_b);
+        return ++evaluations, truth::brute_force_distance(a, pose_a, b, pose_b);
     };
     for (const char* name : {"tetra4", "cube8", "sphere38"}) {
         const Polyhedron body = shape(name);
@@ -117,12 +117,12 @@ TEST(Cold, DistancesAreUniformInOneBodySizeAndATenthOverlaps) {
         const Result<Workload> w = make_scene("cold", body, {}, 2, 1000, counting);
         ASSERT_TRUE(w) << w.error;
         expect_well_formed(*w, 1000);
-        double overlapping = 0, sum = 0, largest = 0;
+        double overlapping = 0, reports::sum = 0, largest = 0;
         for (const Query& q : w->queries) {
             const double d = distance_of(*w, q) / extent(body.vertices);
-            overlapping += d == 0, sum += d, largest = std::max(largest, d);
+            overlapping += d == 0, reports::sum += d, largest = std::max(largest, d);
         }
-        const double separated = 1000 - overlapping, mean = sum / separated;
+        const double separated = 1000 - overlapping, mean = reports::sum / separated;
         std::printf(
             "cold %-8s: %.1f %% overlap; distance mean %.3f, largest %.4f body sizes; %zu evaluations\n",
             name, overlapping / 10, mean, largest, evaluations);
@@ -272,4 +272,4 @@ TEST(Scenes, ExactlyAsManyQueriesAsAsked) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

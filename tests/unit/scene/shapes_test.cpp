@@ -13,7 +13,7 @@
 #include "edgewise/geometry/check_polyhedron.hpp"
 #include "edgewise/scene/sphere_points.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 struct Counts {
@@ -161,4 +161,4 @@ TEST(Shapes, WrongNamesSayWhatIsRight) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

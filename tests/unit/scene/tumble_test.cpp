@@ -11,7 +11,7 @@
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/shapes.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 Workload tumble(SceneParameters given, std::size_t queries = 2000) {
@@ -109,4 +109,4 @@ TEST(Tumble, FramesHoldPosesAndTheirBoxes) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -13,15 +13,15 @@
 #include "edgewise/store/store.hpp"
 #include "store_fixture.hpp"
 
-namespace edgewise {
+namespace edgewise::store {
 namespace {
 
 /// Writes rounds for ever, each acknowledged through the pipe once put_round has returned.
 [[noreturn]] void write_rounds(const std::string& path, int first, int pipe_end) {
     Store store(path);
     for (int number = first;; ++number) {
-        const std::vector<std::pair<std::string, Round>> rounds = {{"cell-1", sample_round(number)},
-                                                                   {"cell-2", sample_round(number)}};
+        const std::vector<std::pair<std::string, measure::Round>> rounds = {{"cell-1", sample_round(number)},
+                                                                            {"cell-2", sample_round(number)}};
         store.put_round("build-1", rounds);
         if (write(pipe_end, &number, sizeof number) != sizeof number) _exit(1);
     }
@@ -77,4 +77,4 @@ TEST_F(StoreTest, KillLosesNoAcknowledgedRound) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::store

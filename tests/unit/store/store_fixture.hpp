@@ -13,7 +13,7 @@
 
 #include "edgewise/store/store.hpp"
 
-namespace edgewise {
+namespace edgewise::store {
 
 /// A directory of its own for each test, gone afterwards.
 class StoreTest : public testing::Test {
@@ -31,15 +31,15 @@ class StoreTest : public testing::Test {
 };
 
 /// Every number different, so that no two columns can be swapped unseen.
-inline Round sample_round(int number) {
+inline measure::Round sample_round(int number) {
     const auto n = static_cast<std::uint64_t>(number);
     return {number,
             {n * 100 + 1, n * 100 + 2, number + 0.125, number + 0.25},
             {n * 100 + 3, n * 100 + 4, number + 0.375, number + 0.5}};
 }
 
-inline bool equal(const Round& a, const Round& b) {
-    const auto tied = [](const Round& r) {
+inline bool equal(const measure::Round& a, const measure::Round& b) {
+    const auto tied = [](const measure::Round& r) {
         return std::tie(r.number, r.timing.separated_queries, r.timing.overlapping_queries,
                         r.timing.separated_ns, r.timing.overlapping_ns, r.baseline.separated_queries,
                         r.baseline.overlapping_queries, r.baseline.separated_ns, r.baseline.overlapping_ns);
@@ -47,4 +47,4 @@ inline bool equal(const Round& a, const Round& b) {
     return tied(a) == tied(b);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::store

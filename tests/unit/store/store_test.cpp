@@ -18,7 +18,7 @@
 #include "edgewise/store/schema.hpp"
 #include "store_fixture.hpp"
 
-namespace edgewise {
+namespace edgewise::store {
 namespace {
 
 BuildRow sample_build(const std::string& id = "build-1") {
@@ -143,7 +143,7 @@ TEST_F(StoreTest, ReplacesTheSameCellAndKeepsItsRounds) {
     store.put_build(sample_build());
     store.put_cell("build-1", sample_cell(),
                    std::vector<FigureRow>{{"a", {"x", 1.0, "1"}}, {"a", {"y", 2.0, "1"}}});
-    const std::vector<std::pair<std::string, Round>> round = {{"cell-1", sample_round(0)}};
+    const std::vector<std::pair<std::string, measure::Round>> round = {{"cell-1", sample_round(0)}};
     store.put_round("build-1", round);
 
     CellRow changed = sample_cell();
@@ -164,7 +164,7 @@ TEST_F(StoreTest, KeepsBuildsApart) {
         cell.reason = id;
         store.put_cell(id, cell, std::vector<FigureRow>{{"a", {"x", id[6] - '0' + 0.0, "1"}}});
     }
-    const std::vector<std::pair<std::string, Round>> round = {{"cell-1", sample_round(3)}};
+    const std::vector<std::pair<std::string, measure::Round>> round = {{"cell-1", sample_round(3)}};
     store.put_round("build-2", round);
     EXPECT_EQ(store.find_cell("build-1", "cell-1")->reason, "build-1");
     EXPECT_EQ(store.find_cell("build-2", "cell-1")->reason, "build-2");
@@ -179,13 +179,13 @@ TEST_F(StoreTest, KeepsBuildsApart) {
 TEST_F(StoreTest, RoundsComeBackInOrderAndReplaceEachOther) {
     Store store(path_);
     for (const int number : {2, 0, 5}) {
-        const std::vector<std::pair<std::string, Round>> rounds = {{"cell-1", sample_round(number)},
-                                                                   {"cell-2", sample_round(number + 1)}};
+        const std::vector<std::pair<std::string, measure::Round>> rounds = {
+            {"cell-1", sample_round(number)}, {"cell-2", sample_round(number + 1)}};
         store.put_round("build-1", rounds);
     }
-    Round changed = sample_round(5);
+    measure::Round changed = sample_round(5);
     changed.baseline.overlapping_ns = 1e9;
-    store.put_round("build-1", std::vector<std::pair<std::string, Round>>{{"cell-1", changed}});
+    store.put_round("build-1", std::vector<std::pair<std::string, measure::Round>>{{"cell-1", changed}});
 
     EXPECT_EQ(store.rounds_done("build-1", "cell-1"), (std::set<int>{0, 2, 5}));
     EXPECT_EQ(store.rounds_done("build-1", "cell-2"), (std::set<int>{1, 3, 6}));
@@ -201,11 +201,11 @@ TEST_F(StoreTest, AFailingWriteChangesNothing) {
     store.put_build(sample_build());
     store.put_cell("build-1", sample_cell(), std::vector<FigureRow>{{"a", {"x", 1.0, "1"}}});
 
-    Round broken = sample_round(2);
+    measure::Round broken = sample_round(2);
     broken.timing.separated_ns =
         std::numeric_limits<double>::quiet_NaN();  // SQLite's null, which the column refuses
-    const std::vector<std::pair<std::string, Round>> rounds = {{"cell-1", sample_round(2)},
-                                                               {"cell-2", broken}};
+    const std::vector<std::pair<std::string, measure::Round>> rounds = {{"cell-1", sample_round(2)},
+                                                                        {"cell-2", broken}};
     EXPECT_THROW(store.put_round("build-1", rounds), std::runtime_error);
     EXPECT_TRUE(store.rounds_done("build-1", "cell-1").empty());
 
@@ -284,11 +284,12 @@ TEST_F(StoreTest, TwoStoresOnOneFileSeeEachOther) {
     Store two(path_);
     for (int i = 0; i < 20; ++i) {
         Store& writer = i % 2 == 0 ? one : two;
-        writer.put_round("build-1", std::vector<std::pair<std::string, Round>>{{"cell-1", sample_round(i)}});
+        writer.put_round("build-1",
+                         std::vector<std::pair<std::string, measure::Round>>{{"cell-1", sample_round(i)}});
     }
     EXPECT_EQ(one.rounds_done("build-1", "cell-1").size(), 20u);
     EXPECT_EQ(two.rounds_done("build-1", "cell-1").size(), 20u);
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::store

@@ -7,22 +7,22 @@
 
 #include <map>
 
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/bench/registry.hpp"
 
-namespace edgewise {
+namespace edgewise::studies {
 namespace {
 
 std::map<std::string, std::optional<double>> figures_of(const StabilityTally& tally) {
     std::map<std::string, std::optional<double>> result;
-    for (const Figure& figure : tally.figures()) result[figure.name] = figure.value;
+    for (const measure::Figure& figure : tally.figures()) result[figure.name] = figure.value;
     return result;
 }
 
 TEST(StabilityTally, SumsWhatTheAnswersCounted) {
     StabilityTally tally(1e-12, 1e-9);
-    const ExactDistance exact;
+    const truth::ExactDistance exact;
     StabilityJudgement judged;
     judged.exact = &exact;
     judged.answer.status = Status::separated;
@@ -56,13 +56,14 @@ TEST(StabilityTally, CountsCapHitsApartFromWrongDepths) {
 
 /// Concentric spheres are about equally deep all round: EPA wants more faces than its limit.
 TEST(StabilityTally, ARunnerSaysThatADepthWasCutShort) {
-    const auto type = select_table_types(std::vector<std::string>{"aos_f64"}).front();
+    const auto type = bench::select_table_types(std::vector<std::string>{"aos_f64"}).front();
     const auto runner = type->make_runner("gjk");
-    Rng rng(1);
+    scene::Rng rng(1);
     for (const char* name : {"cube8", "sphere9602"}) {
-        const Polyhedron body = *make_shape(name);
+        const Polyhedron body = *scene::make_shape(name);
         ASSERT_EQ(runner->load(std::vector{body, body}), "");
-        const NamedAnswer answer = runner->answer(Query{0, 1, 0, {}, {rng.rotation(), Vec3d::Zero()}});
+        const bench::NamedAnswer answer =
+            runner->answer(scene::Query{0, 1, 0, {}, {rng.rotation(), Vec3d::Zero()}});
         EXPECT_EQ(answer.distance.status, Status::overlapping) << name;
         EXPECT_EQ(answer.depth_cut_short, body.vertex_count() > 8) << name;
         EXPECT_GT(answer.depth, 1) << name;
@@ -71,4 +72,4 @@ TEST(StabilityTally, ARunnerSaysThatADepthWasCutShort) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::studies

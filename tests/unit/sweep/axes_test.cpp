@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::sweep {
 namespace {
 
 std::string error_of(const char* text) {
@@ -58,4 +58,4 @@ TEST(Axes, BadOnesAreOneClearLine) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::sweep

@@ -12,12 +12,12 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/scene_texts.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/bench/registry.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 namespace {
 
 using ::testing::HasSubstr;
@@ -51,8 +51,8 @@ class PlanFile : public ::testing::Test {
 
 std::size_t cells(const Plan& plan) {
     std::size_t served = 0;
-    const auto chosen = select_algorithms(plan.algorithms);
-    for (const TableType* type : select_table_types(plan.layouts)) {
+    const auto chosen = bench::select_algorithms(plan.algorithms);
+    for (const bench::TableType* type : bench::select_table_types(plan.layouts)) {
         for (const std::string& algorithm : type->algorithms) {
             served += static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), algorithm));
         }
@@ -64,18 +64,18 @@ TEST(Plan, EveryNamedPlanAsksForWhatThereIs) {
     for (const std::string& name : plan_names()) {
         const Plan plan = make_plan(name);
         EXPECT_EQ(plan.name, name);
-        EXPECT_FALSE(select_table_types(plan.layouts).empty());
-        EXPECT_FALSE(select_algorithms(plan.algorithms).empty());
+        EXPECT_FALSE(bench::select_table_types(plan.layouts).empty());
+        EXPECT_FALSE(bench::select_algorithms(plan.algorithms).empty());
         for (const SceneChoice& scene : plan.scenes) {
-            if (const auto file = find_scene_file(scene.name)) {
+            if (const auto file = scene::find_scene_file(scene.name)) {
                 EXPECT_TRUE(*file) << name << ": " << file->error;
                 continue;
             }
-            const auto complete = complete_parameters(scene.name, scene.parameters);
+            const auto complete = scene::complete_parameters(scene.name, scene.parameters);
             EXPECT_TRUE(complete) << name << ": " << complete.error;
         }
         for (const std::string& shape : plan.shapes) {
-            const auto body = make_shape(shape);
+            const auto body = scene::make_shape(shape);
             EXPECT_TRUE(body) << name << ": " << body.error;
         }
         EXPECT_GE(plan.meshes.size(), 3U) << "real objects are part of every plan";
@@ -99,7 +99,7 @@ TEST_F(PlanFile, OverridesWhatItNamesAndKeepsTheRestOfQuick) {
     EXPECT_EQ(plan.name, "mine");
     ASSERT_EQ(plan.scenes.size(), 1U);
     EXPECT_EQ(plan.scenes[0].name, "cold");
-    EXPECT_EQ(plan.scenes[0].parameters, (SceneParameters{{"distance", 2}}));
+    EXPECT_EQ(plan.scenes[0].parameters, (scene::SceneParameters{{"distance", 2}}));
     EXPECT_EQ(plan.shapes, std::vector<std::string>{"cube8"});
     EXPECT_TRUE(plan.meshes.empty());
     EXPECT_EQ(plan.layouts, quick.layouts);
@@ -123,4 +123,4 @@ TEST_F(PlanFile, BadOnesAreOneClearLine) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::sweep

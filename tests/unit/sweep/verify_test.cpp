@@ -13,7 +13,7 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
-namespace edgewise {
+namespace edgewise::sweep {
 namespace {
 
 using ::testing::HasSubstr;
@@ -31,15 +31,15 @@ Plan small_plan() {
 class Verify : public ::testing::Test {
   protected:
     Verify()
-        : group_(small_plan(), SceneChoice{"cold", {{"overlapping", 0.3}}},
-                 NamedShape{"cube8", "built-in", *make_shape("cube8"), ""}) {
-        for (const Query& query : group_.workload().queries) {
-            const auto exact = exact_distance(body(query.body_a).vertices, query.pose_a,
-                                              body(query.body_b).vertices, query.pose_b);
+        : shared_(small_plan(), SceneChoice{"cold", {{"overlapping", 0.3}}},
+                  scene::NamedShape{"cube8", "built-in", *scene::make_shape("cube8"), ""}) {
+        for (const scene::Query& query : shared_.workload().queries) {
+            const auto exact = truth::exact_distance(body(query.body_a).vertices, query.pose_a,
+                                                     body(query.body_b).vertices, query.pose_b);
             EXPECT_TRUE(exact) << exact.error;
             Distance answer;
             answer.status =
-                exact->verdict == ExactVerdict::separated ? Status::separated : Status::overlapping;
+                exact->verdict == truth::ExactVerdict::separated ? Status::separated : Status::overlapping;
             answer.distance = exact->distance;
             answer.point_a = exact->separation;  // as far from the other point, the origin, as the bodies are
             answer.steps = 2;
@@ -47,11 +47,11 @@ class Verify : public ::testing::Test {
         }
     }
 
-    [[nodiscard]] const Polyhedron& body(std::uint32_t i) const { return group_.workload().bodies[i]; }
+    [[nodiscard]] const Polyhedron& body(std::uint32_t i) const { return shared_.workload().bodies[i]; }
 
     /// The first checked query with this verdict.
     [[nodiscard]] std::size_t first(Status status) const {
-        for (const std::size_t i : group_.checked()) {
+        for (const std::size_t i : shared_.checked()) {
             if (answers_[i].status == status) return i;
         }
         ADD_FAILURE() << "no " << to_string(status) << " pair";
@@ -60,19 +60,19 @@ class Verify : public ::testing::Test {
 
     [[nodiscard]] std::string wrong(double epsilon = eps, const QueryOptions& options = {}) {
         return what_is_wrong(
-            group_, check_answers(group_, group_.workload().bodies, answers_, epsilon, options), epsilon);
+            shared_, check_answers(shared_, shared_.workload().bodies, answers_, epsilon, options), epsilon);
     }
 
-    Group group_;
+    SharedQueries shared_;
     std::vector<Distance> answers_;
 };
 
 TEST_F(Verify, RightAnswersPass) {
     EXPECT_EQ(wrong(), "");
-    const auto checked = check_answers(group_, group_.workload().bodies, answers_, eps);
+    const auto checked = check_answers(shared_, shared_.workload().bodies, answers_, eps);
     ASSERT_EQ(checked.size(), 60U);
     std::size_t separated = 0;
-    for (const CheckedAnswer& answer : checked) separated += answer.separated;
+    for (const measure::CheckedAnswer& answer : checked) separated += answer.separated;
     EXPECT_GT(separated, 30U);
     EXPECT_LT(separated, 55U);
 }
@@ -145,7 +145,7 @@ TEST_F(Verify, AGapToleranceAllowsThatPartOfTheDistance) {
 }
 
 TEST_F(Verify, UncheckedQueriesAreNotJudged) {
-    ASSERT_EQ(group_.checked()[1], 2U);
+    ASSERT_EQ(shared_.checked()[1], 2U);
     answers_[1].distance += 1;
     EXPECT_EQ(wrong(), "");
 }
@@ -157,7 +157,7 @@ TEST_F(Verify, CountsEverything) {
     answers_[2].steps = 9;
     answers_[3].refinements = 1;
     answers_[4].escapes = 3;
-    const AnswerCounts counts = count_answers(answers_);
+    const measure::AnswerCounts counts = count_answers(answers_);
     EXPECT_EQ(counts.queries, 120U);
     EXPECT_EQ(counts.steps, 247U);
     EXPECT_EQ(counts.fallbacks, 2U);
@@ -168,4 +168,4 @@ TEST_F(Verify, CountsEverything) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::sweep

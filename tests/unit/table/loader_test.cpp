@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/scene/shapes.hpp"
 #include "edgewise/layout_parts/rings.hpp"
+#include "edgewise/scene/shapes.hpp"
 
 namespace edgewise {
 namespace {
@@ -45,7 +45,7 @@ TEST(Loader, TracedIsTheLocationItselfAndSaysSo) {
 }
 
 TEST(Loader, RingsReportTheirOffsetsAndEveryEntry) {
-    const auto body = make_shape("cube8");
+    const auto body = scene::make_shape("cube8");
     ASSERT_TRUE(body) << body.error;
     BlockPlan plan;
     const RingSlots slots(plan, *body, Parts::features);

@@ -6,8 +6,8 @@
 
 #include "edgewise/geometry/strictly_convex.hpp"
 #include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/table/canonical.hpp"
 #include "edgewise/layout_parts/voronoi.hpp"
+#include "edgewise/table/canonical.hpp"
 
 namespace edgewise {
 

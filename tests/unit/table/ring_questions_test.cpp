@@ -34,10 +34,10 @@ Worst worst_of(const Ring& ring, DistanceOf distance_of) {
 }
 
 TEST(RingQuestions, FindTheMostViolatedPlaneAndTheFirstOfEquals) {
-    Rng rng(1);
+    scene::Rng rng(1);
     int inside = 0, ties = 0;
     for (const char* shape : {"tetra4", "cube8", "sphere38"}) {
-        const auto body = make_shape(shape);
+        const auto body = scene::make_shape(shape);
         ASSERT_TRUE(body) << body.error;
         const ReferenceTable table(*body);
         for (int i = 0; i < 3000; ++i) {
@@ -62,10 +62,10 @@ TEST(RingQuestions, FindTheMostViolatedPlaneAndTheFirstOfEquals) {
 }
 
 TEST(RingQuestions, SteepestDescentIsTheLeastSlopeAndTheFirstOfEquals) {
-    Rng rng(2);
+    scene::Rng rng(2);
     int none = 0, ties = 0;
     for (const char* shape : {"tetra4", "cube8", "sphere38"}) {
-        const auto body = make_shape(shape);
+        const auto body = scene::make_shape(shape);
         ASSERT_TRUE(body) << body.error;
         const ReferenceTable table(*body);
         for (int i = 0; i < 3000; ++i) {
@@ -99,7 +99,7 @@ struct OwnAnswers : ReferenceTable {
 };
 
 TEST(RingQuestions, ATablesOwnAnswerIsPreferred) {
-    const auto body = make_shape("cube8");
+    const auto body = scene::make_shape("cube8");
     ASSERT_TRUE(body) << body.error;
     const OwnAnswers table(*body);
     EXPECT_EQ(most_violated_vertex_plane(table, 0, Vec3d::Zero()), 3U);

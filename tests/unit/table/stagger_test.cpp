@@ -12,9 +12,9 @@
 #include <cstdio>
 #include <set>
 
+#include "edgewise/bench/memory/arena.hpp"
 #include "edgewise/layouts/soa.hpp"
 #include "edgewise/layouts/soa_stagger.hpp"
-#include "edgewise/bench/memory/arena.hpp"
 #include "round_body.hpp"
 
 namespace edgewise {
@@ -48,7 +48,7 @@ class Cache {
 
 template <template <class, class> class Layout>
 Cache walk(const Polyhedron& body) {
-    Arena arena;
+    bench::Arena arena;
     const TablesIn placed(arena);
     const Layout<f64, Direct> table(body, Parts::features);
     Cache cache;

@@ -9,7 +9,7 @@
 
 #include "exact_bodies.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -88,4 +88,4 @@ TEST(Judge, nan_is_wrong_everywhere) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -15,7 +15,7 @@
 #include "edgewise/truth/optimality.hpp"
 #include "exact_bodies.hpp"
 
-namespace edgewise::certificate_claims {
+namespace edgewise::truth::certificate_claims {
 
 struct Pair {
     Points a, b;
@@ -31,8 +31,8 @@ struct Claim {
     [[nodiscard]] Certificate certify(const Pair& pair, bool weighted = true) const {
         const std::span<const double> w =
             weighted ? std::span<const double>(weights) : std::span<const double>();
-        const auto result =
-            edgewise::certify(pair.a, pair.pose_a, pair.b, pair.pose_b, {on_a, w}, {on_b, w}, direction);
+        const auto result = edgewise::truth::certify(pair.a, pair.pose_a, pair.b, pair.pose_b, {on_a, w},
+                                                     {on_b, w}, direction);
         EXPECT_TRUE(result) << result.error;
         return result ? *result : Certificate{-1, -1};
     }
@@ -107,4 +107,4 @@ struct Truth {
     return pair;
 }
 
-}  // namespace edgewise::certificate_claims
+}  // namespace edgewise::truth::certificate_claims

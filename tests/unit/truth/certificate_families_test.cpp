@@ -11,7 +11,7 @@
 
 #include "certificate_claims.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
 using namespace certificate_claims;
@@ -159,7 +159,7 @@ struct Widths {
         good = std::max(good, width(truth.claim.certify(pair)));
         const Certificate best = truth.claim.certify(pair, false);
         features = std::max(features, width(best));
-        shaken = std::max(shaken, width(edgewise::shaken(random, truth.claim).certify(pair)));
+        shaken = std::max(shaken, width(edgewise::truth::shaken(random, truth.claim).certify(pair)));
         overlapping += truth.verdict == ExactVerdict::overlapping;
         proved += truth.square == 0 && best.upper == 0;
         for (const bool weighted : {true, false}) {
@@ -229,4 +229,4 @@ TEST(CertificateFamilies, widened_holds_the_distance_of_the_given_bodies) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -12,7 +12,7 @@
 #include "edgewise/truth/dyadic.hpp"
 #include "exact_bodies.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -148,4 +148,4 @@ TEST(Dyadic, roots_rounded_outward_enclose) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -20,7 +20,7 @@
 #include "edgewise/truth/exact_distance.hpp"
 #include "exact_bodies.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
 using Rational = CGAL::Gmpq;
@@ -184,4 +184,4 @@ TEST(CgalOpinion, agrees_far_off_and_on_skewed_poses) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -10,7 +10,7 @@
 
 #include "exact_bodies.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
 /// A unit box with a vertex inside it, sunk into the corner of a larger one: A - B is a cube from -2 to 0.5.
@@ -93,4 +93,4 @@ TEST_F(DepthProof, refuses_a_far_face_and_a_dent) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -9,7 +9,7 @@
 
 #include "edgewise/geometry/pose.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 using Points = std::vector<Vec3d>;
 
@@ -71,4 +71,4 @@ class RandomBodies {
     std::mt19937_64 bits_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -14,7 +14,7 @@
 #include "edgewise/truth/exact_distance.hpp"
 #include "exact_bodies.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
 /// Two bodies of 4 to `largest` vertices, some flattened, that overlap.
@@ -146,4 +146,4 @@ TEST(ExactDepthRandom, same_bits_under_swap_permutation_seed_and_scale) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -14,7 +14,7 @@
 
 #include "exact_bodies.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
 const Points unit_box = box({0, 0, 0}, {1, 1, 1});
@@ -142,4 +142,4 @@ TEST(ExactDepth, agrees_with_enumeration_on_a_grid) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -15,7 +15,7 @@
 #include "edgewise/truth/exact_distance.hpp"
 #include "exact_bodies.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
 struct RandomPair {
@@ -191,4 +191,4 @@ TEST(Dyadic, rounds_like_the_processor) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

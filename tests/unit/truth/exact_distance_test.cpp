@@ -12,7 +12,7 @@
 #include "edgewise/truth/optimality.hpp"
 #include "exact_bodies.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
 const Points unit_box = box({0, 0, 0}, {1, 1, 1});
@@ -206,4 +206,4 @@ TEST(ExactDistance, proof_refuses_wrong_simplices) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

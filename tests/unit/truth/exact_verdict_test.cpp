@@ -13,7 +13,7 @@
 #include "edgewise/truth/exact_distance.hpp"
 #include "exact_bodies.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
 using Whole = Vec3<long>;
@@ -114,4 +114,4 @@ TEST(ExactVerdict, cubes_on_a_decimal_lattice) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

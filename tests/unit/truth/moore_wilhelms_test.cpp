@@ -7,22 +7,22 @@
 
 #include <cstdio>
 
-#include "edgewise/truth/moore_wilhelms.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/hard/families.hpp"
 #include "edgewise/truth/exact_distance.hpp"
+#include "edgewise/truth/moore_wilhelms.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 namespace {
 
-Polyhedron box(double x, double y, double z) { return *convex_hull(hard::Maker::box(x, y, z)); }
+Polyhedron box(double x, double y, double z) { return *convex_hull(scene::hard::Maker::box(x, y, z)); }
 
 bool contact(const Polyhedron& a, const Polyhedron& b, const Pose& pose_b) {
     return moore_wilhelms(a, b, relative_pose(Pose{}, pose_b)).value();
 }
 
 TEST(MooreWilhelms, AgreesWithTheExactVerdict) {
-    hard::Maker maker(31, false, {});
+    scene::hard::Maker maker(31, false, {});
     int separated = 0, overlapping = 0;
     for (int i = 0; i < 3000; ++i) {
         const auto a = convex_hull(maker.any_solid()), b = convex_hull(maker.any_solid());
@@ -56,4 +56,4 @@ TEST(MooreWilhelms, TakesTouchAndExactCopiesForApart) {
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::truth

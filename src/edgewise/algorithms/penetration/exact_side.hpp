@@ -14,9 +14,9 @@ namespace edgewise::epa {
 
 [[nodiscard]] [[gnu::noinline]] inline int exact_side(const Vec3d& a, const Vec3d& b, const Vec3d& c,
                                                       const Vec3d& point) {
-    const TwofoldVec p = exact_difference(b, a, 1), q = exact_difference(c, a, 1);
-    const TwofoldVec r = exact_difference(point, a, 1);
-    ExactSum determinant;
+    const DoubleDoubleVec p = exact_difference(b, a, 1), q = exact_difference(c, a, 1);
+    const DoubleDoubleVec r = exact_difference(point, a, 1);
+    Expansion determinant;
     determinant.add_product(r.x, p.y, q.z);
     determinant.add_product(-r.x, p.z, q.y);
     determinant.add_product(r.y, p.z, q.x);

@@ -12,12 +12,12 @@
 namespace edgewise::epa {
 
 /// A sum of doubles without rounding: terms that do not overlap, the smallest first.
-class ExactSum {
+class Expansion {
   public:
     void add(double value) {
         int kept = 0;
         for (int i = 0; i < count_; ++i) {
-            const Twofold sum = exact_sum(value, term_[i]);
+            const DoubleDouble sum = exact_sum(value, term_[i]);
             value = sum.high;
             if (sum.low != 0) term_[kept++] = sum.low;
         }
@@ -26,26 +26,26 @@ class ExactSum {
     }
 
     void add_product(double a, double b, double c) {
-        const Twofold ab = exact_product(a, b);
+        const DoubleDouble ab = exact_product(a, b);
         for (const double part : {ab.low, ab.high}) {
             if (part == 0) continue;
-            const Twofold abc = exact_product(part, c);
+            const DoubleDouble abc = exact_product(part, c);
             add(abc.low);
             add(abc.high);
         }
     }
 
-    void add_product(const Twofold& a, const Twofold& b) {
+    void add_product(const DoubleDouble& a, const DoubleDouble& b) {
         for (const double x : {a.low, a.high}) {
             for (const double y : {b.low, b.high}) {
-                const Twofold xy = exact_product(x, y);
+                const DoubleDouble xy = exact_product(x, y);
                 add(xy.low);
                 add(xy.high);
             }
         }
     }
 
-    void add_product(const Twofold& a, const Twofold& b, const Twofold& c) {
+    void add_product(const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& c) {
         for (const double x : {a.low, a.high}) {
             for (const double y : {b.low, b.high}) {
                 for (const double z : {c.low, c.high}) {

@@ -13,9 +13,10 @@ namespace edgewise::epa {
 
 /// Rounded at the end; zero only if the corners lie on a line.
 [[nodiscard]] [[gnu::noinline]] inline Vec3d exact_cross(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-    const TwofoldVec p = exact_difference(b, a, 1), q = exact_difference(c, a, 1);
-    const auto minor = [](const Twofold& p1, const Twofold& q2, const Twofold& p2, const Twofold& q1) {
-        ExactSum sum;
+    const DoubleDoubleVec p = exact_difference(b, a, 1), q = exact_difference(c, a, 1);
+    const auto minor = [](const DoubleDouble& p1, const DoubleDouble& q2, const DoubleDouble& p2,
+                          const DoubleDouble& q1) {
+        Expansion sum;
         sum.add_product(p1, q2);
         sum.add_product(-p2, q1);
         return sum.value();

@@ -47,7 +47,7 @@ class WitnessSearch {
   private:
     /// Of the triangles that the foot makes with the edge opposite each corner, seen along the normal.
     [[nodiscard]] std::array<double, 3> corner_areas(const Face& face) const {
-        std::array<TwofoldVec, 3> spoke;
+        std::array<DoubleDoubleVec, 3> spoke;
         for (int i = 0; i < 3; ++i) spoke[i] = exact_difference(polytope_.point(face.vertex[i]), foot_, 1);
         std::array<double, 3> area;
         for (int i = 0; i < 3; ++i) {

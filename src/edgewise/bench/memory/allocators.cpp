@@ -12,7 +12,7 @@
 #include "edgewise/bench/memory/arena.hpp"
 #include "edgewise/bench/memory/jemalloc.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 namespace {
 
 constexpr std::array<std::string_view, 4> names = {"arena", "jemalloc", "libc", "file"};
@@ -123,4 +123,4 @@ std::unique_ptr<TableAllocator> make_allocator(AllocatorKind kind) {
     return std::make_unique<JemallocAllocator>();
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

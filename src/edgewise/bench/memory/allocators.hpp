@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::bench {
 
 enum class AllocatorKind : std::uint8_t { arena, jemalloc, libc, file };
 
@@ -56,4 +56,4 @@ class TableAllocator : public std::pmr::memory_resource {
 /// Throws std::runtime_error, with a remedy, when this program was built without it.
 [[nodiscard]] std::unique_ptr<TableAllocator> make_allocator(AllocatorKind kind);
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

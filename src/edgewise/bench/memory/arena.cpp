@@ -3,7 +3,7 @@
 
 #include <new>
 
-namespace edgewise {
+namespace edgewise::bench {
 
 void* Arena::do_allocate(std::size_t bytes, std::size_t align) {
     const std::size_t start = (used_ + align - 1) / align * align;
@@ -12,4 +12,4 @@ void* Arena::do_allocate(std::size_t bytes, std::size_t align) {
     return mapping_.base() + start;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -11,7 +11,7 @@
 
 #include "edgewise/bench/memory/table_mapping.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 class Arena final : public std::pmr::memory_resource {
   public:
@@ -36,4 +36,4 @@ class Arena final : public std::pmr::memory_resource {
     std::size_t used_ = 0;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::bench {
 namespace {
 
 template <class Value>
@@ -68,4 +68,4 @@ std::size_t JemallocArena::allocated() const {
 
 std::size_t JemallocArena::resident() const { return statistic(arena_, ".resident"); }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace edgewise {
+namespace edgewise::bench {
 
 class JemallocArena {
   public:
@@ -34,4 +34,4 @@ class JemallocArena {
     unsigned arena_ = 0;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

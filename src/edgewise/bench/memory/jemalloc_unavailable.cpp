@@ -3,7 +3,7 @@
 
 #include "edgewise/bench/memory/jemalloc.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 bool JemallocArena::available() { return false; }
 JemallocArena::JemallocArena() { std::abort(); }
@@ -14,4 +14,4 @@ std::size_t JemallocArena::size_class(std::size_t bytes, std::size_t /*alignment
 std::size_t JemallocArena::allocated() const { return 0; }
 std::size_t JemallocArena::resident() const { return 0; }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

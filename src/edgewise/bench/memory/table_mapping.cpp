@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::bench {
 namespace {
 
 constexpr std::size_t reserve_bytes = std::size_t{16} << 30;
@@ -146,4 +146,4 @@ bool TableMapping::evict(std::size_t used) const {
            posix_fadvise(file_, start, static_cast<off_t>(length), POSIX_FADV_DONTNEED) == 0;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

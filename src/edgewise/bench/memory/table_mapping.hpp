@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace edgewise {
+namespace edgewise::bench {
 
 enum class Backing { memory, file };
 
@@ -46,4 +46,4 @@ class TableMapping {
     std::byte* base_ = nullptr;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -3,34 +3,34 @@
 
 #include "edgewise/bench/trace/trace_names.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 namespace {
 
 /// From elements of arrays to addresses.
 struct TracedTouches {
     const TracePlaces& places;
-    TraceListener& listener;
+    measure::TraceListener& listener;
 
     void read(BroadPhaseArray array, std::size_t i, ElementPart part) const {
-        note(array, i, part, AccessKind::read);
+        note(array, i, part, measure::AccessKind::read);
     }
     void write(BroadPhaseArray array, std::size_t i, ElementPart part) const {
-        note(array, i, part, AccessKind::write);
+        note(array, i, part, measure::AccessKind::write);
     }
 
-    void note(BroadPhaseArray array, std::size_t i, ElementPart part, AccessKind kind) const {
+    void note(BroadPhaseArray array, std::size_t i, ElementPart part, measure::AccessKind kind) const {
         const auto which = static_cast<std::size_t>(array);
         listener.on_access({places.broad_phase[which] + i * TracePlaces::element_bytes[which] + part.offset,
                             static_cast<std::uint32_t>(part.bytes), kind,
                             static_cast<std::uint8_t>(broad_phase_field + which),
-                            static_cast<std::uint8_t>(TraceStep::broad_phase), TraceSide::scene});
+                            static_cast<std::uint8_t>(TraceStep::broad_phase), measure::TraceSide::scene});
     }
 };
 
 }  // namespace
 
-std::size_t BroadPhaseTrace::run(const Frame& frame) {
+std::size_t BroadPhaseTrace::run(const scene::Frame& frame) {
     if (frame.boxes.empty()) return 0;
     if (frame.starts_anew || !broad_phase_) broad_phase_.emplace(frame.boxes.size());
     TracedTouches touches{places_, listener_};
@@ -39,4 +39,4 @@ std::size_t BroadPhaseTrace::run(const Frame& frame) {
     return broad_phase_->update(frame.boxes, touches).size();
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -6,25 +6,25 @@
 
 #include <optional>
 
+#include "edgewise/bench/trace/trace_places.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 #include "edgewise/scene/workload.hpp"
-#include "edgewise/bench/trace/trace_places.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 class BroadPhaseTrace {
   public:
-    BroadPhaseTrace(const TracePlaces& places, TraceListener& listener)
+    BroadPhaseTrace(const TracePlaces& places, measure::TraceListener& listener)
         : places_(places), listener_(listener) {}
 
     /// Frames in order. Their boxes are written first, as whoever moved the bodies does. Returns how many
     /// pairs were near.
-    std::size_t run(const Frame& frame);
+    std::size_t run(const scene::Frame& frame);
 
   private:
     const TracePlaces& places_;
-    TraceListener& listener_;
+    measure::TraceListener& listener_;
     std::optional<SweepAndPrune> broad_phase_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

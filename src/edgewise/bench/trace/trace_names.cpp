@@ -5,7 +5,7 @@
 
 #include "edgewise/algorithms/sweep_and_prune.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 std::span<const std::string_view> field_names() {
     static constexpr std::array<std::string_view, broad_phase_field + broad_phase_arrays> names = {
@@ -22,4 +22,4 @@ std::span<const std::string_view> step_names() {
     return names;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -11,7 +11,7 @@
 #include "edgewise/geometry/feature.hpp"
 #include "edgewise/table/loader.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 /// Behind the fields of tables.
 inline constexpr std::uint8_t pair_cache_field = static_cast<std::uint8_t>(Field::edge_made) + 1;
@@ -46,4 +46,4 @@ enum class TraceStep : std::uint8_t {
 [[nodiscard]] std::span<const std::string_view> field_names();
 [[nodiscard]] std::span<const std::string_view> step_names();
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

@@ -10,7 +10,7 @@
 
 #include "edgewise/algorithms/sweep_and_prune.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 struct TracePlaces {
     const void* base = nullptr;  ///< of the tables
@@ -39,4 +39,4 @@ struct TracePlaces {
     static std::uint64_t page_after(std::uint64_t at) { return (at + page - 1) / page * page; }
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

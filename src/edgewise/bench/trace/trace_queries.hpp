@@ -10,19 +10,19 @@
 #include <vector>
 
 #include "edgewise/algorithms/query_options.hpp"
-#include "edgewise/measure/cache/trace.hpp"
-#include "edgewise/scene/workload.hpp"
-#include "edgewise/bench/trace/broad_phase_trace.hpp"
 #include "edgewise/bench/cold_starts.hpp"
 #include "edgewise/bench/runner.hpp"
+#include "edgewise/bench/trace/broad_phase_trace.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/bench/trace/trace_places.hpp"
+#include "edgewise/measure/cache/trace.hpp"
+#include "edgewise/scene/workload.hpp"
 
-namespace edgewise {
+namespace edgewise::bench {
 
 /// Sets the step that reads are booked under: of V-Clip the state, of GJK the iterations.
 struct StepMarks {
-    TraceSink &a, &b;
+    measure::TraceSink &a, &b;
 
     void visit(FeatureKind kind_a, FeatureKind kind_b) const { set(step_of(kind_a, kind_b)); }
     void settle() const { set(TraceStep::settle); }
@@ -41,7 +41,8 @@ struct TracedPair {
     typename Algorithm::template Pair<TracedTable, TracedTable> pair;
 
     template <class Table>
-    TracedPair(const Table& table_a, const Table& table_b, TraceSink& sink_a, TraceSink& sink_b)
+    TracedPair(const Table& table_a, const Table& table_b, measure::TraceSink& sink_a,
+               measure::TraceSink& sink_b)
         : a(table_a, {&sink_a}), b(table_b, {&sink_b}), pair(a, b) {}
 };
 
@@ -49,7 +50,7 @@ struct TracedPair {
 /// after its last.
 class FrameTrace {
   public:
-    FrameTrace(const Workload& workload, const TracePlaces& places, TraceListener& listener)
+    FrameTrace(const scene::Workload& workload, const TracePlaces& places, measure::TraceListener& listener)
         : workload_(workload), listener_(listener), broad_phase_(places, listener) {}
 
     /// Before each query, in order.
@@ -65,8 +66,8 @@ class FrameTrace {
     }
 
   private:
-    const Workload& workload_;
-    TraceListener& listener_;
+    const scene::Workload& workload_;
+    measure::TraceListener& listener_;
     BroadPhaseTrace broad_phase_;
     std::size_t next_ = 0;
 };
@@ -74,37 +75,37 @@ class FrameTrace {
 /// Tells the listener of the first queries, until so many have counted. tables(query) gives a query's two
 /// tables. Tables are only read and pairs read first and written last, so nothing is told as modified.
 template <class Algorithm, class TracedTable, class Tables>
-PassSum trace_queries(const Workload& workload, std::size_t limit, const QueryOptions& options,
-                      const TracePlaces& places, Tables tables, TraceListener& listener) {
+PassSum trace_queries(const scene::Workload& workload, std::size_t limit, const QueryOptions& options,
+                      const TracePlaces& places, Tables tables, measure::TraceListener& listener) {
     const std::vector<std::uint8_t> cold = cold_starts(workload);
-    TraceSink sink_a(listener, TraceSide::table_a, places.base);
-    TraceSink sink_b(listener, TraceSide::table_b, places.base);
+    measure::TraceSink sink_a(listener, measure::TraceSide::table_a, places.base);
+    measure::TraceSink sink_b(listener, measure::TraceSide::table_b, places.base);
     const StepMarks marks{sink_a, sink_b};
-    const auto touch_pair = [&](std::uint32_t pair, AccessKind kind) {
+    const auto touch_pair = [&](std::uint32_t pair, measure::AccessKind kind) {
         if (!workload.warm) return;
         listener.on_access({places.pair_caches + std::uint64_t{pair} * places.pair_bytes, places.pair_bytes,
                             kind, pair_cache_field, static_cast<std::uint8_t>(TraceStep::pair_cache),
-                            TraceSide::scene});
+                            measure::TraceSide::scene});
     };
     std::unordered_map<std::uint32_t, std::unique_ptr<TracedPair<Algorithm, TracedTable>>> pairs;
     FrameTrace frames(workload, places, listener);
     std::size_t counted = 0;
     PassSum sum;
     for (std::size_t i = 0; i < cold.size() && counted < limit; ++i) {
-        const Query& query = workload.queries[i];
+        const scene::Query& query = workload.queries[i];
         frames.before(i);
         const auto [table_a, table_b] = tables(query);
         auto& traced = pairs[query.pair];
         if (!traced || !workload.warm) {
             traced = std::make_unique<TracedPair<Algorithm, TracedTable>>(*table_a, *table_b, sink_a, sink_b);
         }
-        touch_pair(query.pair, AccessKind::read);
+        touch_pair(query.pair, measure::AccessKind::read);
         marks.set(TraceStep::start);
         const Transform<double> a_from_b = relative_pose(query.pose_a, query.pose_b);
         sum.distances +=
             Algorithm::query(traced->a, traced->b, a_from_b, traced->pair, options, marks).distance;
         ++sum.queries;
-        touch_pair(query.pair, AccessKind::write);
+        touch_pair(query.pair, measure::AccessKind::write);
         listener.on_query_end(!cold[i]);
         counted += !cold[i];
     }
@@ -112,4 +113,4 @@ PassSum trace_queries(const Workload& workload, std::size_t limit, const QueryOp
     return sum;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::bench

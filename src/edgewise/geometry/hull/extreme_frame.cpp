@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Twofold sums throughout: in a needle the plane's normal is a difference of nearly equal products.
+// DoubleDouble sums throughout: in a needle the plane's normal is a difference of nearly equal products.
 #include "edgewise/geometry/hull/extreme_frame.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "edgewise/geometry/hull/point_set.hpp"
 #include "edgewise/geometry/double_double.hpp"
+#include "edgewise/geometry/hull/point_set.hpp"
 
 namespace edgewise {
 namespace {
@@ -36,7 +36,7 @@ int longest_axis(std::span<const Vec3d> points) {
     return best;
 }
 
-Vec3d unit(const TwofoldVec& v) {
+Vec3d unit(const DoubleDoubleVec& v) {
     const Vec3d rounded = v.value();
     const double largest = max_abs(rounded);
     if (!(largest > 0)) return Vec3d::Zero();
@@ -54,10 +54,10 @@ ExtremeFrame extreme_frame(std::span<const Vec3d> points, std::span<const Index>
     const Vec3d& origin = points[*first];
     const auto from_origin = [&](Index i) { return exact_difference(points[i], origin, scale); };
 
-    const TwofoldVec line = from_origin(*last);
+    const DoubleDoubleVec line = from_origin(*last);
     const auto area_with = [&](Index i) { return norm(cross(line, from_origin(i)).value()); };
     const auto [third, area] = farthest(chosen, area_with);
-    const TwofoldVec normal = cross(line, from_origin(third));
+    const DoubleDoubleVec normal = cross(line, from_origin(third));
     const auto volume_with = [&](Index i) { return std::abs(dot(normal, from_origin(i)).value()); };
     const double content = farthest(chosen, volume_with).second;
 
@@ -79,8 +79,8 @@ std::vector<Vec3d> in_own_axes(std::span<const Vec3d> points, std::span<const In
     for (int row = 0; row < 3; ++row) {
         const Vec3d axis = frame.axes.row(row);
         for (std::size_t k = 0; k < chosen.size(); ++k) {
-            const TwofoldVec p = exact_difference(points[chosen[k]], frame.origin, scale);
-            result[k][row] = dot(TwofoldVec{{axis.x(), 0}, {axis.y(), 0}, {axis.z(), 0}}, p).value();
+            const DoubleDoubleVec p = exact_difference(points[chosen[k]], frame.origin, scale);
+            result[k][row] = dot(DoubleDoubleVec{{axis.x(), 0}, {axis.y(), 0}, {axis.z(), 0}}, p).value();
         }
         const CoordinateRange range = range_of_axis(result, row);
         const double factor = scale_to_unit(range.high - range.low);

@@ -9,11 +9,11 @@ namespace edgewise {
 namespace {
 
 Vec3d area_vector(std::span<const Vec3d> vertices, std::span<const Index> ring, double scale) {
-    TwofoldVec sum;
+    DoubleDoubleVec sum;
     const Vec3d& origin = vertices[ring[0]];
-    TwofoldVec previous = exact_difference(vertices[ring[1]], origin, scale);
+    DoubleDoubleVec previous = exact_difference(vertices[ring[1]], origin, scale);
     for (std::size_t k = 2; k < ring.size(); ++k) {
-        const TwofoldVec next = exact_difference(vertices[ring[k]], origin, scale);
+        const DoubleDoubleVec next = exact_difference(vertices[ring[k]], origin, scale);
         sum = sum + cross(previous, next);
         previous = next;
     }
@@ -23,10 +23,10 @@ Vec3d area_vector(std::span<const Vec3d> vertices, std::span<const Index> ring, 
 /// Minus the middle of <normal, v> over the ring. In two-fold precision: far from the origin the middle of
 /// rounded products would be off by more than the offset's own rounding.
 double middle_offset(std::span<const Vec3d> vertices, std::span<const Index> ring, const Vec3d& normal) {
-    Twofold low = accurate_dot(normal, vertices[ring[0]]);
-    Twofold high = low;
+    DoubleDouble low = accurate_dot(normal, vertices[ring[0]]);
+    DoubleDouble high = low;
     for (const Index v : ring.subspan(1)) {
-        const Twofold height = accurate_dot(normal, vertices[v]);
+        const DoubleDouble height = accurate_dot(normal, vertices[v]);
         if ((height - low).value() < 0) low = height;
         if ((height - high).value() > 0) high = height;
     }

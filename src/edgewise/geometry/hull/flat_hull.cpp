@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "edgewise/geometry/hull/extreme_frame.hpp"
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/hull/extreme_frame.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
 #include "edgewise/geometry/polyhedron_builder.hpp"
 #include "edgewise/geometry/tolerance.hpp"

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 enum class AccessKind : std::uint8_t { read, write, modify };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

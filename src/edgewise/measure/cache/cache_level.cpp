@@ -5,7 +5,7 @@
 #include <bit>
 #include <cassert>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::optional<CachedLine> CacheLevel::take(std::uint64_t line) {
     return taken;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 enum class Replacement : std::uint8_t { lru, tree_plru, random };
 
@@ -100,4 +100,4 @@ class CacheLevel {
     std::uint64_t now_ = 0, random_ = 0;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -178,4 +178,4 @@ bool CacheMachine::latencies_proved() const {
                        [](const LevelOrigin& origin) { return origin.proves("latency_cycles"); });
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -20,7 +20,7 @@
 
 #include "edgewise/measure/cache/cache_model.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// Where a level's numbers are from.
 struct LevelOrigin {
@@ -55,4 +55,4 @@ struct CacheMachine {
 /// Those that come with Edgewise, oldest first.
 [[nodiscard]] const std::vector<CacheMachine>& cache_machines();
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <utility>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 CacheModel::CacheModel(CacheGeometry geometry)
     : geometry_(std::move(geometry)),
@@ -114,4 +114,4 @@ void CacheModel::drop(std::uint64_t line) {
     for (CacheLevel& level : levels_) static_cast<void>(level.take(line));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

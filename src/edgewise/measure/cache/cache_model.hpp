@@ -24,7 +24,7 @@
 #include "edgewise/measure/cache/access_kind.hpp"
 #include "edgewise/measure/cache/cache_level.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 enum class Inclusion : std::uint8_t { non_inclusive, inclusive, exclusive };
 enum class LineCrossing : std::uint8_t { split, merge };
@@ -126,4 +126,4 @@ class CacheModel {
     Fetched before_;  ///< lines that stood there when counts were forgotten
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -40,4 +40,4 @@ Fact<std::vector<Cache>> read_caches(const std::filesystem::path& root) {
     return {std::move(caches)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

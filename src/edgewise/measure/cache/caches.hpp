@@ -11,7 +11,7 @@
 
 #include "edgewise/measure/machine/fact.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct Cache {
     Fact<std::int64_t> level, bytes, ways, line_bytes, sets;
@@ -22,4 +22,4 @@ struct Cache {
 /// In the order of sysfs (level 1 first). `root` is "/" except in tests.
 [[nodiscard]] Fact<std::vector<Cache>> read_caches(const std::filesystem::path& root);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/measure/cache/cold_caches.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 ColdCaches::ColdCaches(std::span<const CacheMachine> machines) {
     for (const CacheMachine& machine : machines) machines_.push_back({CacheModel(machine.caches), {}});
@@ -33,4 +33,4 @@ std::vector<std::uint64_t> ColdCaches::misses(std::size_t machine) const {
     return all;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

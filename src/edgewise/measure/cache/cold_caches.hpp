@@ -10,7 +10,7 @@
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class ColdCaches final : public TraceListener {
   public:
@@ -33,4 +33,4 @@ class ColdCaches final : public TraceListener {
     std::uint64_t queries_ = 0;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -5,7 +5,7 @@
 #include <functional>
 #include <numeric>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::uint64_t HeatMap::lines_taking(double part) const {
     return lines;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

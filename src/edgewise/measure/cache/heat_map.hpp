@@ -10,7 +10,7 @@
 #include "edgewise/measure/cache/touched_bytes.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class HeatMap final : public TraceListener {
   public:
@@ -39,4 +39,4 @@ class HeatMap final : public TraceListener {
     std::uint64_t queries_ = 0;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 void LineCounter::on_access(const TracedAccess& access) {
     if (access.side == TraceSide::scene) return;
@@ -26,4 +26,4 @@ void LineCounter::on_query_end(bool counts) {
     lines_.clear();
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

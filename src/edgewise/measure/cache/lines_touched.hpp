@@ -10,7 +10,7 @@
 
 #include "edgewise/measure/cache/trace.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 inline constexpr std::size_t cache_line = 64;
 
@@ -35,4 +35,4 @@ class LineCounter final : public TraceListener {
     std::vector<std::uint64_t> lines_;  ///< of this query: twice the line, and the side
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -11,7 +11,7 @@
 
 #include "edgewise/measure/machine/host_machine.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -61,4 +61,4 @@ CacheMachine with_policy(CacheMachine machine, Replacement policy) {
     return machine;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -11,7 +11,7 @@
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/measure/machine/fact.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct MachineChoice {
     std::string name;
@@ -25,4 +25,4 @@ struct MachineChoice {
 /// The same with every level of this policy, called "zen5/tree_plru".
 [[nodiscard]] CacheMachine with_policy(CacheMachine machine, Replacement policy);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

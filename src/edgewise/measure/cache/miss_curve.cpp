@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 std::uint64_t MissCurve::misses(std::uint64_t lines) const {
     if (lines >= at_.size()) return firsts_;
@@ -43,4 +43,4 @@ std::vector<MissCurve::Point> MissCurve::points(std::size_t points) const {
     return some;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

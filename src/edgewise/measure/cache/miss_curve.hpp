@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class MissCurve {
   public:
@@ -52,4 +52,4 @@ class MissCurve {
     return curve.smallest_size(0.1 * static_cast<double>(touched));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

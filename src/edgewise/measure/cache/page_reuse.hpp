@@ -7,7 +7,7 @@
 #include "edgewise/measure/cache/reuse_distance.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class PageReuse final : public TraceListener {
   public:
@@ -39,4 +39,4 @@ class PageReuse final : public TraceListener {
     std::uint64_t queries_ = 0;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

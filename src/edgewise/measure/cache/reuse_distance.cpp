@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::uint64_t ReuseDistance::use_another(std::uint64_t line) {
     return distance;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -16,7 +16,7 @@
 
 #include "edgewise/measure/cache/miss_curve.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class ReuseDistance {
   public:
@@ -57,4 +57,4 @@ class ReuseDistance {
     MissCurve curve_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

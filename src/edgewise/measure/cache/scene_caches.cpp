@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -225,4 +225,4 @@ ReuseOf SceneCaches::reuse_of(std::uint32_t unit) const {
 ReuseOf SceneCaches::lines() const { return reuse_of(line_unit); }
 ReuseOf SceneCaches::pages() const { return reuse_of(page_unit); }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

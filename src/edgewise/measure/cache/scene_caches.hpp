@@ -21,7 +21,7 @@
 #include "edgewise/measure/cache/reuse_distance.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// Why lines were missed.
 struct MissKinds {
@@ -98,4 +98,4 @@ class SceneCaches final : public TraceListener {
     bool framed_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -13,7 +13,7 @@
 
 #include "edgewise/measure/cache/scene_caches.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// A machine, or why it was not modelled.
 struct ModelledMachine {
@@ -60,4 +60,4 @@ struct SceneTrace {
     return none;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::uint64_t TouchedBytes::count(std::uint64_t from, std::uint64_t bytes) const
     return sum;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

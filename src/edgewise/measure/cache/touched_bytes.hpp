@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class TouchedBytes {
   public:
@@ -20,4 +20,4 @@ class TouchedBytes {
     std::vector<std::uint64_t> words_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

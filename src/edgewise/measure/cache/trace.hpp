@@ -10,7 +10,7 @@
 
 #include "edgewise/measure/cache/access_kind.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// Whose memory an access is to.
 enum class TraceSide : std::uint8_t { table_a, table_b, scene };
@@ -64,4 +64,4 @@ class TraceSink {
     TraceSide side_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

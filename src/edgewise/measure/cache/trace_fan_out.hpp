@@ -8,7 +8,7 @@
 
 #include "edgewise/measure/cache/trace.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class TraceFanOut final : public TraceListener {
   public:
@@ -28,4 +28,4 @@ class TraceFanOut final : public TraceListener {
     std::vector<TraceListener*> listeners_;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -8,7 +8,7 @@
 #include "edgewise/measure/counters/random_chase.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::vector<CalibrationRow> calibrate_model(const CacheMachine& machine, const C
     return rows;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

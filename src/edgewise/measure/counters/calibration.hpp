@@ -12,7 +12,7 @@
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/measure/machine/cpu.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct CalibrationRow {
     std::string level;  ///< the one whose size is in question
@@ -34,4 +34,4 @@ struct CalibrationOptions {
 [[nodiscard]] std::vector<CalibrationRow> calibrate_model(const CacheMachine& machine, const Cpu& cpu,
                                                           const CalibrationOptions& options = {});
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -13,7 +13,7 @@
 #include "edgewise/measure/counters/counter_group.hpp"
 #include "edgewise/measure/process/thread_usage.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -155,4 +155,4 @@ CountedPass count_pass(const std::function<void()>& pass, std::size_t queries, c
     return count_events(pass, queries, chosen_events(cpu), options);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -12,10 +12,10 @@
 #include <span>
 #include <vector>
 
-#include "edgewise/measure/machine/cpu.hpp"
 #include "edgewise/measure/counters/event_choice.hpp"
+#include "edgewise/measure/machine/cpu.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// An event over a pass. Without a value, `refusal` says why; `error` is the errno if the event did not open.
 struct PassRecord : ChosenEvent {
@@ -46,4 +46,4 @@ struct CountOptions {
 [[nodiscard]] CountedPass count_events(const std::function<void()>& pass, std::size_t queries,
                                        std::span<const ChosenEvent> events, const CountOptions& options = {});
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

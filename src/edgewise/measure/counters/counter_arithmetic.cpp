@@ -9,7 +9,7 @@
 
 #include "edgewise/measure/statistics.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -81,4 +81,4 @@ Measured<CounterFigure> count_per_query(std::span<const CounterSample> samples, 
                           samples.size() - sorted.good.size()}};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

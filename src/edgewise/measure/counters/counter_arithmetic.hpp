@@ -12,7 +12,7 @@
 
 #include "edgewise/measure/measured.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// One batch: what an event counted, and what else happened meanwhile.
 struct CounterSample {
@@ -47,4 +47,4 @@ struct CounterFigure {
 [[nodiscard]] Measured<CounterFigure> count_per_query(std::span<const CounterSample> samples,
                                                       const CountingCost& cost, std::size_t queries);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -13,7 +13,7 @@
 #include <cerrno>
 #include <utility>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -116,4 +116,4 @@ Measured<GroupCount> whole_time_only(const GroupCount& count) {
         free_counters);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

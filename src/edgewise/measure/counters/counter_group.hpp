@@ -11,10 +11,10 @@
 #include <cstdint>
 #include <span>
 
-#include "edgewise/measure/measured.hpp"
 #include "edgewise/measure/counters/perf_event.hpp"
+#include "edgewise/measure/measured.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// Some processors have four counters a thread for any event, and the watchdog may hold one.
 inline constexpr std::size_t largest_group = 4;
@@ -59,4 +59,4 @@ class CounterGroup {
 /// Refused unless it was on the counters all the time that it was asked for.
 [[nodiscard]] Measured<GroupCount> whole_time_only(const GroupCount& count);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -16,7 +16,7 @@
 #include "edgewise/measure/counters/perf_error.hpp"
 #include "edgewise/measure/counters/perf_event.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::vector<CounterRecord> read_counters(const Cpu& cpu) {
     return records;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

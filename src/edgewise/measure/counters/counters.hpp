@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "edgewise/measure/machine/cpu.hpp"
 #include "edgewise/measure/counters/event_choice.hpp"
+#include "edgewise/measure/machine/cpu.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct CounterRecord : ChosenEvent {
     std::optional<std::uint64_t> value;  ///< over the reference work; null: unavailable, see refusal
@@ -27,4 +27,4 @@ inline constexpr std::string_view reference_work =
 /// Counts on the calling thread; takes some milliseconds.
 [[nodiscard]] std::vector<CounterRecord> read_counters(const Cpu& cpu);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

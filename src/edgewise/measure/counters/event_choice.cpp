@@ -10,7 +10,7 @@
 #include "edgewise/measure/counters/perf_error.hpp"
 #include "edgewise/measure/machine/processor.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -99,4 +99,4 @@ const std::vector<ChosenEvent>& chosen_events(const Cpu& cpu) {
     return chosen;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

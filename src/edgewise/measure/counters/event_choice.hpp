@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/measure/counters/perf_event.hpp"
 #include "edgewise/measure/machine/cpu.hpp"
 #include "edgewise/measure/measured.hpp"
 #include "edgewise/measure/metric.hpp"
-#include "edgewise/measure/counters/perf_event.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct ChosenEvent {
     std::string event;                 ///< the metric's name, or what perf calls a software event
@@ -39,4 +39,4 @@ struct ChosenEvent {
 /// One for every metric, found out at the first call and kept: `cpu` is this machine's, always the same.
 [[nodiscard]] const std::vector<ChosenEvent>& chosen_events(const Cpu& cpu);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

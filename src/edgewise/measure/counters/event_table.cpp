@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -173,4 +173,4 @@ std::string processors_with(Metric metric) {
     return names;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
-#include "edgewise/measure/metric.hpp"
 #include "edgewise/measure/machine/processor.hpp"
+#include "edgewise/measure/metric.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// Which causes an event counts.
 enum class EventScope {
@@ -49,4 +49,4 @@ struct EventRow {
 /// "Intel Skylake, AMD Zen 3": which processors have an event for the metric.
 [[nodiscard]] std::string processors_with(Metric metric);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

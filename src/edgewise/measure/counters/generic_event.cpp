@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdint>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -66,4 +66,4 @@ const GenericEvent* find_generic(Metric metric, CpuMaker maker) {
     return nullptr;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

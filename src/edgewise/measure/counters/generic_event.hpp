@@ -7,11 +7,11 @@
 
 #include <string_view>
 
-#include "edgewise/measure/metric.hpp"
 #include "edgewise/measure/counters/perf_event.hpp"
 #include "edgewise/measure/machine/processor.hpp"
+#include "edgewise/measure/metric.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct GenericEvent {
     Metric metric;
@@ -23,4 +23,4 @@ struct GenericEvent {
 /// Null: none that counts this on a processor of that maker.
 [[nodiscard]] const GenericEvent* find_generic(Metric metric, CpuMaker maker);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

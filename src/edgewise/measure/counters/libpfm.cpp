@@ -10,7 +10,7 @@
 
 #include <utility>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -41,4 +41,4 @@ Fact<EventCode> encode_by_libpfm(const std::string& name) {
     return {EventCode{attributes.type, attributes.config}};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

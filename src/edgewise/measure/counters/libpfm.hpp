@@ -5,10 +5,10 @@
 
 #include <string>
 
-#include "edgewise/measure/machine/fact.hpp"
 #include "edgewise/measure/counters/perf_event.hpp"
+#include "edgewise/measure/machine/fact.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// Why it cannot be used: left out of this build, or it did not start. Empty: it can be.
 [[nodiscard]] std::string why_no_libpfm();
@@ -17,4 +17,4 @@ namespace edgewise {
 /// another. libpfm reads LIBPFM_ENCODE_INACTIVE and LIBPFM_FORCE_PMU once, when it starts.
 [[nodiscard]] Fact<EventCode> encode_by_libpfm(const std::string& name);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -3,7 +3,7 @@
 // A build without libpfm4: events are found by their raw codes or by the kernel's generic names.
 #include "edgewise/measure/counters/libpfm.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -15,4 +15,4 @@ std::string why_no_libpfm() { return left_out; }
 
 Fact<EventCode> encode_by_libpfm(const std::string& /*name*/) { return Fact<EventCode>::unknown(left_out); }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

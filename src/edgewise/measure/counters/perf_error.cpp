@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 Refusal explain_error(int error, bool hardware, const Cpu& cpu) {
     const bool guest = cpu.hypervisor.value.value_or(false);
@@ -36,4 +36,4 @@ Refusal explain_error(int error, bool hardware, const Cpu& cpu) {
     return {words, "see man 2 perf_event_open"};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

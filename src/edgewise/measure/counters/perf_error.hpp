@@ -7,9 +7,9 @@
 #include "edgewise/measure/machine/cpu.hpp"
 #include "edgewise/measure/measured.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// `error`: the errno. `hardware`: the event is the processor's, not the kernel's own.
 [[nodiscard]] Refusal explain_error(int error, bool hardware, const Cpu& cpu);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

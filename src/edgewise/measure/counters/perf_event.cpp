@@ -11,7 +11,7 @@
 
 #include <cerrno>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 std::string encoding_text(const EventCode& code) {
     const char* const type = code.type == PERF_TYPE_HARDWARE   ? "PERF_TYPE_HARDWARE"
@@ -64,4 +64,4 @@ std::optional<EventCount> PerfEvent::stop() {
     return EventCount{words[0], words[1], words[2]};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct EventCode {
     std::uint32_t type = 0;    ///< PERF_TYPE_*
@@ -48,4 +48,4 @@ class PerfEvent {
     int error_ = 0;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/measure/counters/random_chase.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 RandomChase::RandomChase(std::uint64_t bytes)
     : lines_(bytes / line_bytes), memory_((lines_ + 1) * words_a_line, 0) {
@@ -19,4 +19,4 @@ void RandomChase::run(std::uint64_t loads) {
     }
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

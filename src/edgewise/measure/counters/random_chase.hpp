@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class RandomChase {
   public:
@@ -45,4 +45,4 @@ class RandomChase {
     std::uint64_t state_ = 88172645463325252;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

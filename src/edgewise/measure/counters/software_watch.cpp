@@ -7,7 +7,7 @@
 
 #include "edgewise/measure/counters/perf_error.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::vector<PassRecord> count_software(const std::function<void()>& pass, std::s
     return watch.stop(queries);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "edgewise/measure/counters/count_pass.hpp"
-#include "edgewise/measure/machine/cpu.hpp"
 #include "edgewise/measure/counters/perf_event.hpp"
+#include "edgewise/measure/machine/cpu.hpp"
 #include "edgewise/measure/process/thread_usage.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class SoftwareWatch {
   public:
@@ -37,4 +37,4 @@ class SoftwareWatch {
 [[nodiscard]] std::vector<PassRecord> count_software(const std::function<void()>& pass, std::size_t queries,
                                                      const Cpu& cpu);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

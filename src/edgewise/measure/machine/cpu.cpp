@@ -12,7 +12,7 @@
 #include <sstream>
 #include <utility>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -105,4 +105,4 @@ Cpu parse_cpu(std::string_view cpuinfo) {
     return cpu;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

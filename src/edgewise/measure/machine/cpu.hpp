@@ -11,7 +11,7 @@
 
 #include "edgewise/measure/machine/fact.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct Cpu {
     Fact<std::string> vendor;  ///< "GenuineIntel", "AuthenticAMD", or Arm's implementer: "0x41"
@@ -25,4 +25,4 @@ struct Cpu {
 
 [[nodiscard]] Cpu parse_cpu(std::string_view cpuinfo);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

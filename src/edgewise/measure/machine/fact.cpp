@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::optional<std::int64_t> parse_number(std::string text) {
     return factor != 0 ? value * factor : value;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

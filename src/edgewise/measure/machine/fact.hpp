@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 template <class Value>
 struct Fact {
@@ -28,4 +28,4 @@ struct Fact {
 /// The number at the start of a text, as read_number reads it; null when there is none or when text follows.
 [[nodiscard]] std::optional<std::int64_t> parse_number(std::string text);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -5,7 +5,7 @@
 
 #include "edgewise/measure/cache/caches.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -46,4 +46,4 @@ Fact<CacheMachine> host_machine(const std::filesystem::path& root) {
     return {machine};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -10,9 +10,9 @@
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/measure/machine/fact.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// `root` is "/" except in tests.
 [[nodiscard]] Fact<CacheMachine> host_machine(const std::filesystem::path& root = "/");
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

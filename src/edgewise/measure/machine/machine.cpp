@@ -9,7 +9,7 @@
 
 #include <sstream>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -87,4 +87,4 @@ Machine read_machine(const std::filesystem::path& root) {
     return machine;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -13,7 +13,7 @@
 #include "edgewise/measure/machine/cpu.hpp"
 #include "edgewise/measure/machine/fact.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct Machine {
     Cpu cpu;
@@ -32,4 +32,4 @@ struct Machine {
 /// `root` is "/" except in tests.
 [[nodiscard]] Machine read_machine(const std::filesystem::path& root = "/");
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -129,4 +129,4 @@ std::string machine_identity(const json& machine) {
     return identity.dump();
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

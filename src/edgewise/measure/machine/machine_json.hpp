@@ -14,7 +14,7 @@
 #include "edgewise/measure/counters/counters.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// Of this machine, read now.
 [[nodiscard]] nlohmann::json machine_json();
@@ -25,4 +25,4 @@ namespace edgewise {
 /// to run, and the memory, which differs from boot to boot.
 [[nodiscard]] std::string machine_identity(const nlohmann::json& machine);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

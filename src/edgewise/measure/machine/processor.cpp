@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -94,4 +94,4 @@ CpuMaker maker_of(const Cpu& cpu) {
     return CpuMaker::other;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

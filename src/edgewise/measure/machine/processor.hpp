@@ -9,7 +9,7 @@
 
 #include "edgewise/measure/machine/cpu.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 enum class CpuMaker { intel, amd, arm, other };
 
@@ -37,4 +37,4 @@ struct Processor {
 /// Of the processor, by the vendor's name in /proc/cpuinfo.
 [[nodiscard]] CpuMaker maker_of(const Cpu& cpu);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -12,7 +12,7 @@
 #include <map>
 #include <sstream>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 Fact<CacheGeometry> callgrind_geometry(const CacheMachine& machine) {
     const auto& levels = machine.caches.levels;
@@ -70,4 +70,4 @@ Fact<CallgrindCounts> parse_callgrind(const std::string& text) {
                             events["DLmr"] + events["DLmw"]}};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

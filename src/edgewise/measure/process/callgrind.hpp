@@ -11,7 +11,7 @@
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/measure/machine/fact.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct CallgrindCounts {
     double instructions = 0, accesses = 0, d1_misses = 0, ll_misses = 0;
@@ -29,4 +29,4 @@ struct CallgrindCounts {
 /// From the text of its output file.
 [[nodiscard]] Fact<CallgrindCounts> parse_callgrind(const std::string& text);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

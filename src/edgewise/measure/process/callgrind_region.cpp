@@ -3,10 +3,10 @@
 
 #include <valgrind/callgrind.h>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 bool CallgrindRegion::available() { return true; }
 CallgrindRegion::CallgrindRegion() { CALLGRIND_TOGGLE_COLLECT; }
 CallgrindRegion::~CallgrindRegion() { CALLGRIND_TOGGLE_COLLECT; }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -3,7 +3,7 @@
 // While one lives, Callgrind collects, if the program runs under it with --collect-atstart=no; else nothing.
 #pragma once
 
-namespace edgewise {
+namespace edgewise::measure {
 
 class CallgrindRegion {
   public:
@@ -16,4 +16,4 @@ class CallgrindRegion {
     CallgrindRegion& operator=(const CallgrindRegion&) = delete;
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -12,7 +12,7 @@
 
 extern "C" char** environ;
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -59,4 +59,4 @@ Fact<ProcessOutcome> run_program(const std::vector<std::string>& command) {
     return {ProcessOutcome{code, out.text(), err.text()}};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -8,7 +8,7 @@
 
 #include "edgewise/measure/machine/fact.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct ProcessOutcome {
     int exit_code = 0;     ///< 128 and the signal when one ended it
@@ -18,4 +18,4 @@ struct ProcessOutcome {
 /// Found by PATH unless named with a slash. Unknown: it cannot be started.
 [[nodiscard]] Fact<ProcessOutcome> run_program(const std::vector<std::string>& command);
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

@@ -13,7 +13,7 @@
 #include <system_error>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 namespace {
 
@@ -124,4 +124,4 @@ Fact<MemoryInGroup> MemoryLimit::holds() const {
     return {held};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

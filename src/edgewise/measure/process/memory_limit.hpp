@@ -13,7 +13,7 @@
 
 #include "edgewise/measure/machine/fact.hpp"
 
-namespace edgewise {
+namespace edgewise::measure {
 
 /// What the group holds, in bytes.
 struct MemoryInGroup {
@@ -46,4 +46,4 @@ class MemoryLimit {
     bool second_;  ///< version 2
 };
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

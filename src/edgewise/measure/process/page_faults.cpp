@@ -3,7 +3,7 @@
 
 #include <sys/resource.h>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 PageFaults page_faults() {
     rusage usage{};
@@ -11,4 +11,4 @@ PageFaults page_faults() {
     return {static_cast<std::uint64_t>(usage.ru_minflt), static_cast<std::uint64_t>(usage.ru_majflt)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

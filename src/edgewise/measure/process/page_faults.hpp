@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct PageFaults {
     std::uint64_t minor = 0, major = 0;
@@ -18,4 +18,4 @@ struct PageFaults {
 
 [[nodiscard]] PageFaults page_faults();
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

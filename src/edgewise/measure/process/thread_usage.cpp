@@ -3,7 +3,7 @@
 
 #include <sys/resource.h>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 ThreadUsage thread_usage() {
     rusage usage{};
@@ -12,4 +12,4 @@ ThreadUsage thread_usage() {
             static_cast<std::uint64_t>(usage.ru_nvcsw) + static_cast<std::uint64_t>(usage.ru_nivcsw)};
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

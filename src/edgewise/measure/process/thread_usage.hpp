@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace edgewise {
+namespace edgewise::measure {
 
 struct ThreadUsage {
     std::uint64_t minor_faults = 0, major_faults = 0;
@@ -21,4 +21,4 @@ struct ThreadUsage {
 /// Since the thread began.
 [[nodiscard]] ThreadUsage thread_usage();
 
-}  // namespace edgewise
+}  // namespace edgewise::measure

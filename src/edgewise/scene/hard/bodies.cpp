@@ -4,7 +4,7 @@
 #include "edgewise/scene/hard/families.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 
-namespace edgewise::hard {
+namespace edgewise::scene::hard {
 
 namespace {
 
@@ -151,4 +151,4 @@ Pair real_hulls_at_gaps(Maker& maker) {
     return at_gap(maker, std::move(a), std::move(b), maker.rng.rotation(), maker.rng.rotation(), gap * size);
 }
 
-}  // namespace edgewise::hard
+}  // namespace edgewise::scene::hard

@@ -5,7 +5,7 @@
 
 #include "edgewise/scene/hard/families.hpp"
 
-namespace edgewise::hard {
+namespace edgewise::scene::hard {
 
 Pair grazing(Maker& maker) {
     CaseBody a{"a", maker.any_solid(), {}}, b{"b", maker.any_solid(), {}};
@@ -75,4 +75,4 @@ Pair tie_rich_solids(Maker& maker) {
             {{Pose{common, Vec3d::Zero()}, Pose{product(common, maker.quarter_turn()), place}}}};
 }
 
-}  // namespace edgewise::hard
+}  // namespace edgewise::scene::hard

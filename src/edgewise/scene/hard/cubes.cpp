@@ -4,7 +4,7 @@
 // 10^6 poses each: cycles on lattices and at identical poses, false verdicts on quarter turns.
 #include "edgewise/scene/hard/families.hpp"
 
-namespace edgewise::hard {
+namespace edgewise::scene::hard {
 
 namespace {
 
@@ -49,4 +49,4 @@ Pair cubes_quarter_turns(Maker& maker) {
     return cubes({}, {maker.quarter_turn(), on_lattice(maker, 0.05, 50)});
 }
 
-}  // namespace edgewise::hard
+}  // namespace edgewise::scene::hard

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/scene/hard/families.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 namespace {
 
@@ -70,4 +70,4 @@ const std::vector<HardFamily> all = {
 
 std::span<const HardFamily> hard_families() { return all; }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

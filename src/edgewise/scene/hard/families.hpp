@@ -12,7 +12,7 @@
 
 #include "edgewise/scene/hard/maker.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 struct HardFamily {
     std::string name;
@@ -65,4 +65,4 @@ namespace hard {
 
 }  // namespace hard
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "edgewise/scene/angle.hpp"
-#include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
+#include "edgewise/scene/motion.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
-namespace edgewise::hard {
+namespace edgewise::scene::hard {
 
 namespace {
 
@@ -111,10 +111,10 @@ Mat3d product(const Mat3d& a, const Mat3d& b) {
 
 void set_gap(const CaseBody& a, const Pose& pose_a, const CaseBody& b, Pose& pose_b, const Vec3d& away,
              double gap) {
-    auto exact = exact_distance(a.vertices, pose_a, b.vertices, pose_b);
+    auto exact = truth::exact_distance(a.vertices, pose_a, b.vertices, pose_b);
     if (exact->distance == 0) {
         pose_b.translation = pose_a.translation + away * far_off(a, b);
-        exact = exact_distance(a.vertices, pose_a, b.vertices, pose_b);
+        exact = truth::exact_distance(a.vertices, pose_a, b.vertices, pose_b);
     }
     if (exact->distance == 0) return;
     const Vec3d towards_a = exact->separation / norm(exact->separation);
@@ -130,4 +130,4 @@ Pair at_gap(Maker& maker, CaseBody a, CaseBody b, const Mat3d& rotation_a, const
     return {std::move(a), std::move(b), {{pose_a, pose_b}}};
 }
 
-}  // namespace edgewise::hard
+}  // namespace edgewise::scene::hard

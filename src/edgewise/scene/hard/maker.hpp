@@ -13,7 +13,7 @@
 #include "edgewise/scene/case_file.hpp"
 #include "edgewise/scene/rng.hpp"
 
-namespace edgewise::hard {
+namespace edgewise::scene::hard {
 
 /// Two bodies and where they are, in time order.
 struct Pair {
@@ -73,4 +73,4 @@ void set_gap(const CaseBody& a, const Pose& pose_a, const CaseBody& b, Pose& pos
 [[nodiscard]] Pair at_gap(Maker& maker, CaseBody a, CaseBody b, const Mat3d& rotation_a,
                           const Mat3d& rotation_b, double gap);
 
-}  // namespace edgewise::hard
+}  // namespace edgewise::scene::hard

@@ -5,7 +5,7 @@
 
 #include "edgewise/scene/hard/families.hpp"
 
-namespace edgewise::hard {
+namespace edgewise::scene::hard {
 
 namespace {
 
@@ -85,4 +85,4 @@ Pair noisy_rotation(Maker& maker) {
     return at_gap(maker, std::move(a), std::move(b), rotation_a, rotation_b, gap);
 }
 
-}  // namespace edgewise::hard
+}  // namespace edgewise::scene::hard

@@ -3,7 +3,7 @@
 // Families 17 and 18: many poses of one pair, asked in order with the pair's cache kept.
 #include "edgewise/scene/hard/families.hpp"
 
-namespace edgewise::hard {
+namespace edgewise::scene::hard {
 
 namespace {
 
@@ -72,4 +72,4 @@ Pair bad_warm_start(Maker& maker) {
     return pair;
 }
 
-}  // namespace edgewise::hard
+}  // namespace edgewise::scene::hard

@@ -5,7 +5,7 @@
 
 #include "edgewise/scene/hard/families.hpp"
 
-namespace edgewise::hard {
+namespace edgewise::scene::hard {
 
 namespace {
 
@@ -108,4 +108,4 @@ Pair extreme_numbers(Maker& maker) {
     return pair;
 }
 
-}  // namespace edgewise::hard
+}  // namespace edgewise::scene::hard

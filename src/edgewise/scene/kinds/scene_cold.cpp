@@ -4,12 +4,12 @@
 // random direction until their distance is the wanted one: uniform in 0 to 1 body size. About one pair in ten
 // overlaps instead: centres at 50 to 100 % of their distance at contact along that direction, uniformly.
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/place_pair.hpp"
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/scene/kinds/scene_setup.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 struct PairMaker {
@@ -68,4 +68,4 @@ Result<Workload> make_cold(const SceneSetup& setup) {
     return Result<Workload>::success(std::move(workload));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

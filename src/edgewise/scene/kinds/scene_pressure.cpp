@@ -13,11 +13,11 @@
 #include <cmath>
 #include <limits>
 
+#include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/scene/kinds/scene_setup.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 /// Place i on the way through a cube of `side` places each way: back and forth in x and y.
@@ -90,4 +90,4 @@ Result<Workload> make_pressure(const SceneSetup& setup) {
     return Result<Workload>::success(std::move(workload));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -11,12 +11,12 @@
 #include <limits>
 
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/place_pair.hpp"
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/scene/kinds/scene_setup.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 constexpr double steps_a_second = 60;
@@ -83,4 +83,4 @@ Result<Workload> make_proximity(const SceneSetup& setup) {
     return Result<Workload>::success(std::move(workload));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace edgewise {
+namespace edgewise::scene {
 
 Vec3d vertex_mean(std::span<const Vec3d> vertices) {
     assert(!vertices.empty());
@@ -69,4 +69,4 @@ double box_half(double total_volume, double occupancy) {
     return coarse(cube_root(total_volume / occupancy)) / 2;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

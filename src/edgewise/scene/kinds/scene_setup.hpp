@@ -13,7 +13,7 @@
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/workload.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 /// A request whose parameters are complete and within bounds.
 struct SceneSetup {
@@ -62,4 +62,4 @@ struct SceneSetup {
 [[nodiscard]] SceneInfo describe_pressure();
 [[nodiscard]] Result<Workload> make_pressure(const SceneSetup& setup);
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -12,12 +12,12 @@
 
 #include <array>
 
+#include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/shapes.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 constexpr std::array<double, 4> size_classes = {0.75, 1, 1.25, 1.5};
@@ -91,4 +91,4 @@ Result<Workload> make_static(const SceneSetup& setup) {
     return Result<Workload>::success(std::move(workload));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

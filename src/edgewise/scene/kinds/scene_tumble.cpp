@@ -22,12 +22,12 @@
 #include <algorithm>
 #include <map>
 
+#include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/shapes.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 constexpr std::size_t most_barren = 100000;  ///< steps in a row without a pair before giving up
@@ -172,4 +172,4 @@ Result<Workload> make_tumble(const SceneSetup& setup) {
     return Result<Workload>::success(std::move(workload));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

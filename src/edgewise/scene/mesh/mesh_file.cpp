@@ -6,12 +6,12 @@
 #include <filesystem>
 
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/scene/mesh/mesh_parts.hpp"
-#include "edgewise/scene/mesh/mesh_volume.hpp"
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/scene/mesh/mesh_parts.hpp"
+#include "edgewise/scene/mesh/mesh_volume.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 using Bodies = Result<std::vector<MeshBody>>;
@@ -62,4 +62,4 @@ Bodies read_mesh_file(const std::string& path, MeshGrouping grouping) {
     return Bodies::success(std::move(bodies), std::move(warnings));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

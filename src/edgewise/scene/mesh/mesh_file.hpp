@@ -10,7 +10,7 @@
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/result.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 enum class MeshGrouping {
     one_hull,   ///< all meshes of the file become one hull
@@ -26,4 +26,4 @@ struct MeshBody {
 /// finite.
 [[nodiscard]] Result<std::vector<MeshBody>> read_mesh_file(const std::string& path, MeshGrouping grouping);
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -13,7 +13,7 @@
 
 #include "edgewise/geometry/message.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 using Parts = Result<std::vector<MeshPart>>;
@@ -151,4 +151,4 @@ Parts read_mesh_parts(const std::string& path) {
     }
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

@@ -11,7 +11,7 @@
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/result.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 
 struct MeshPart {
     std::string name;
@@ -24,4 +24,4 @@ struct MeshPart {
 /// no mesh; the message does not name the file.
 [[nodiscard]] Result<std::vector<MeshPart>> read_mesh_parts(const std::string& path);
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

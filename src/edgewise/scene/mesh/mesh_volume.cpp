@@ -10,7 +10,7 @@
 
 #include "edgewise/geometry/hull/point_set.hpp"
 
-namespace edgewise {
+namespace edgewise::scene {
 namespace {
 
 bool is_closed(std::span<const std::array<Index, 3>> triangles, std::span<const Index> weld) {
@@ -49,4 +49,4 @@ std::optional<double> mesh_volume(std::span<const Vec3d> points,
     return std::abs(six_volumes) / 6;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::scene

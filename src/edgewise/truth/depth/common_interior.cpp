@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -103,4 +103,4 @@ bool has_common_interior(ExactPair& bodies, const MinimumSimplex<IntegerVec>& si
     return true;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

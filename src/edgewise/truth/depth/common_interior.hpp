@@ -10,9 +10,9 @@
 
 #include "edgewise/truth/exact_body.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 /// Needs a simplex that holds the origin.
 [[nodiscard]] bool has_common_interior(ExactPair& bodies, const MinimumSimplex<IntegerVec>& simplex);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -113,4 +113,4 @@ void require_depth(ExactPair& bodies, const ExpandingPolytope& polytope, std::ui
     Surface(polytope).require_convex();
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -9,12 +9,12 @@
 // every face, and a ray from it meets one face only.
 #pragma once
 
-#include "edgewise/truth/exact_body.hpp"
 #include "edgewise/truth/depth/expanding_polytope.hpp"
+#include "edgewise/truth/exact_body.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 /// Throws std::logic_error unless the depth is the distance of the origin from that face's plane.
 void require_depth(ExactPair& bodies, const ExpandingPolytope& polytope, std::uint32_t face);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

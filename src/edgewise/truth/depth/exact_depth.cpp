@@ -13,7 +13,7 @@
 #include "edgewise/truth/dyadic.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -95,4 +95,4 @@ Result<ExactDepth> exact_depth(std::span<const Vec3d> a, const Pose& pose_a, std
     return Result<ExactDepth>::success(measure(bodies, contact->simplex, contact->verdict));
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

@@ -16,7 +16,7 @@
 #include "edgewise/geometry/result.hpp"
 #include "edgewise/truth/depth/seed_simplex.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 struct ExactDepth {
     double depth = 0;  ///< the double nearest to the true depth; 0 if the bodies only touch
@@ -32,4 +32,4 @@ struct ExactDepth {
                                              std::span<const Vec3d> b, const Pose& pose_b,
                                              const SimplexSeed& seed = {});
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

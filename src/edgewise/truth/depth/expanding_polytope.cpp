@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -91,4 +91,4 @@ void ExpandingPolytope::expand(std::uint32_t face, DifferencePoint point) {
     for (const Edge& edge : remove_below(face, points_[apex].point)) add_face(edge.tail, edge.head, apex);
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

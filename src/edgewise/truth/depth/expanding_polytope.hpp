@@ -15,7 +15,7 @@
 #include "edgewise/truth/integer_vector.hpp"
 #include "edgewise/truth/minimum_norm.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 struct DifferencePoint {
     VertexPair pair;
@@ -63,4 +63,4 @@ class ExpandingPolytope {
 /// Whether one face's plane is strictly nearer to the origin than another's.
 [[nodiscard]] bool is_nearer(const ExpandingPolytope::Face& f, const ExpandingPolytope::Face& g);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

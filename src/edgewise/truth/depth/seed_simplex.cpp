@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgewise {
+namespace edgewise::truth {
 
 namespace {
 
@@ -95,4 +95,4 @@ SimplexSeed seed_simplex(ExactPair& bodies, const SimplexSeed& start) {
     return seed;
 }
 
-}  // namespace edgewise
+}  // namespace edgewise::truth

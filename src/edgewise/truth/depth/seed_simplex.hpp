@@ -8,7 +8,7 @@
 
 #include "edgewise/truth/exact_body.hpp"
 
-namespace edgewise {
+namespace edgewise::truth {
 
 /// Up to four points of A - B by their vertices. Also handed out with an answer, as the start of the next
 /// query of the same two bodies.
@@ -20,4 +20,4 @@ struct SimplexSeed {
 /// Never empty. Starts from `start` where that names vertices the bodies have.
 [[nodiscard]] SimplexSeed seed_simplex(ExactPair& bodies, const SimplexSeed& start);
 
-}  // namespace edgewise
+}  // namespace edgewise::truth
