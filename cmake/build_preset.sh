@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: MIT
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
-# Quiet while all is well, unless somebody watches: then the build shows its progress. All output goes to stderr.
+# EDGEWISE_LAYOUTS in the environment: these layouts only ("distinct": those that differ widely; "" all); where it is
+# not set, those of last time. Quiet but for a line per minute, unless somebody watches: then the build shows each step.
+# All output goes to stderr.
 set -eu
 exec 1>&2
 
@@ -14,7 +16,9 @@ log=$folder/configure.log
 mkdir -p "$folder"
 
 echo "build: $preset"
-if ! cmake -S "$root" --preset "$preset" >"$log" 2>&1; then
+set_layouts=
+[ -z "${EDGEWISE_LAYOUTS+set}" ] || set_layouts=-DEDGEWISE_LAYOUTS=$EDGEWISE_LAYOUTS
+if ! cmake -S "$root" --preset "$preset" ${set_layouts:+"$set_layouts"} >"$log" 2>&1; then
     cat "$log"
     echo "build: cmake could not configure preset $preset (its output is above, and in $log)"
     exit 2
@@ -22,11 +26,37 @@ fi
 # What is missing but not essential: the configuring step says so in one line each.
 grep -E '^-- (charts|edgewise|house):' "$log" || true
 
+# Of ninja's "[17/242] Building ...": done, all, and at this pace how long it still takes.
+tell_progress() { # LOG STARTED
+    sed -n 's/^\[\([0-9]*\)\/\([0-9]*\)\].*/\1 \2/p' "$1" | tail -n 1 | {
+        read -r done all && [ "$done" -gt 0 ] || exit 0
+        seconds=$(($(date +%s) - $2))
+        echo "build: $done of $all steps in $((seconds / 60)) min, about $((seconds * (all - done) / done / 60 + 1)) min left"
+    }
+}
+
 [ $# -eq 0 ] || set -- --target "$@"
-watched=
-[ -t 2 ] || watched=--quiet
-# shellcheck disable=SC2086  # nothing when watched is empty
-if ! cmake --build "$folder" -j "$(nproc)" "$@" -- $watched; then
+log=$folder/build.log
+code=0
+if [ -t 2 ]; then
+    cmake --build "$folder" -j "$(nproc)" "$@" || code=$?
+else
+    started=$(date +%s)
+    cmake --build "$folder" -j "$(nproc)" "$@" >"$log" 2>&1 &
+    builder=$!
+    trap 'kill $builder 2>/dev/null' INT TERM
+    while kill -0 $builder 2>/dev/null; do
+        waited=0
+        while [ $waited -lt 60 ] && kill -0 $builder 2>/dev/null; do
+            sleep 1
+            waited=$((waited + 1))
+        done
+        [ $waited -lt 60 ] || tell_progress "$log" "$started"
+    done
+    wait $builder || code=$?
+    [ $code -eq 0 ] || grep -v '^\[[0-9]*/[0-9]*\] [BLG]' "$log"
+fi
+if [ $code -ne 0 ]; then
     echo "build: preset $preset does not build (the compiler's messages are above)"
     exit 2
 fi

@@ -8,7 +8,7 @@ string(TOUPPER ${CMAKE_BUILD_TYPE} type)
 add_custom_target(edgewise_build_info BYPRODUCTS ${build_info}
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TEMPLATE=${PROJECT_SOURCE_DIR}/cmake/build_info.cpp.in
             -D OUTPUT=${build_info} -D "COMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
-            -D "FLAGS=${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} -march=${EDGEWISE_TUNE} in query loops -ffp-contract=off -fno-tree-slp-vectorize outside them"
+            -D "FLAGS=${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} -ffp-contract=off -fno-tree-slp-vectorize"
             -D BUILD_TYPE=${CMAKE_BUILD_TYPE} -D CHARTS=${EDGEWISE_CHARTS_DIR}
             -P ${PROJECT_SOURCE_DIR}/cmake/write_build_info.cmake)
 
@@ -32,8 +32,9 @@ if(NOT EDGEWISE_LIBPFM_LIBRARY)
     edgewise_stand_in(sources measure/counters/libpfm)
 endif()
 
+get_property(probe_units GLOBAL PROPERTY EDGEWISE_PROBE_UNITS)
 add_library(edgewise_core STATIC
-    ${sources} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info} ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp
+    ${sources} ${probe_units} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info} ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp
     ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp)
 add_dependencies(edgewise_core edgewise_build_info)
 target_link_libraries(edgewise_core
@@ -42,14 +43,21 @@ target_link_libraries(edgewise_core
 if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()
+edgewise_unite(edgewise_core src/edgewise/measure/counters/generic_event.cpp src/edgewise/scene/kinds/scene_tumble.cpp)
 edgewise_precompile(edgewise_core <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map> <memory>
     <optional> <span> <string> <vector>)
 
-# edgewise_tool_for(NAME TUNE): the library with the units of the registry compiled for that machine ("" for any).
+# edgewise_tool_for(NAME TUNE TYPE...): the library with these table types compiled for that machine ("" for any).
 function(edgewise_tool_for NAME TUNE)
-    get_property(units GLOBAL PROPERTY EDGEWISE_REGISTRY_UNITS)
+    set(list ${PROJECT_BINARY_DIR}/registry/${NAME}_list.cpp)
+    string(JOIN " " TABLE_TYPE_FLAGS "; query loops:" ${EDGEWISE_QUERY_LOOP_OPTIONS})
+    if(TUNE)
+        string(APPEND TABLE_TYPE_FLAGS " -march=${TUNE}")
+    endif()
+    edgewise_table_type_list(${list} ${ARGN})
+    list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_BINARY_DIR}/registry/\\1.cpp" OUTPUT_VARIABLE units)
     set(types ${NAME}_table_types)
-    add_library(${types} STATIC ${units})
+    add_library(${types} STATIC ${list} ${units})
     target_link_libraries(${types} PRIVATE edgewise_core edgewise_flags)
     target_compile_options(${types} PRIVATE ${EDGEWISE_QUERY_LOOP_OPTIONS} $<$<BOOL:${TUNE}>:-march=${TUNE}>)
     edgewise_precompile(${types} <Eigen/Core> <algorithm> <functional> <map> <memory> <optional> <span> <string> <vector>)
@@ -57,15 +65,30 @@ function(edgewise_tool_for NAME TUNE)
     # The registry and what drives it need each other.
     target_link_libraries(${NAME} INTERFACE $<LINK_GROUP:RESCAN,edgewise_core,${types}>)
 endfunction()
-edgewise_tool_for(edgewise_tool "${EDGEWISE_TUNE}")
+get_property(table_types GLOBAL PROPERTY EDGEWISE_TABLE_TYPES)
+edgewise_tool_for(edgewise_tool "${EDGEWISE_TUNE}" ${table_types})
 
 edgewise_sources(cli_sources src/edgewise/cli)
 add_library(edgewise_cli OBJECT ${cli_sources})
 target_link_libraries(edgewise_cli PUBLIC edgewise_core edgewise_reports CLI11::CLI11 PRIVATE edgewise_flags)
-# A parser's templates: twice as long to compile when optimised, and nothing there takes time.
-target_compile_options(edgewise_cli PRIVATE $<IF:$<BOOL:${EDGEWISE_SANITIZE}>,-O0,-O1>)
+# A parser's templates: three times as long to compile when optimised, and nothing there takes time.
+target_compile_options(edgewise_cli PRIVATE -O0)
 edgewise_precompile(edgewise_cli <CLI/CLI.hpp> <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp>)
 
 add_executable(edgewise_program)
 set_target_properties(edgewise_program PROPERTIES OUTPUT_NAME edgewise RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_link_libraries(edgewise_program PRIVATE edgewise_cli edgewise_tool)
+
+# The same with a few table types for any processor since 2013: what Valgrind can run, and a second build of the query
+# loops whose every answer must be the same. Built when tests ask for it.
+set(EDGEWISE_SIM FALSE)
+if(NOT EDGEWISE_SANITIZE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    set(EDGEWISE_SIM TRUE)
+    set(sim_types ${table_types})
+    list(FILTER sim_types INCLUDE REGEX "^(aos|lean|points_soa)_")
+    edgewise_tool_for(edgewise_sim_tool x86-64-v3 ${sim_types})
+    add_executable(edgewise_sim EXCLUDE_FROM_ALL)
+    set_target_properties(edgewise_sim PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+    target_link_libraries(edgewise_sim PRIVATE edgewise_cli edgewise_sim_tool)
+    set_target_properties(edgewise_sim_tool_table_types PROPERTIES EXCLUDE_FROM_ALL ON)
+endif()

@@ -76,7 +76,6 @@ class aos_padded : public RecordTable<P, Loader, PaddedRecord<typename P::Stored
 
   public:
     static constexpr std::string_view name = "aos_padded";
-    static constexpr std::string_view relative_of = "aos";
     static constexpr std::string_view stores = "the struct of aos in three parts, each within a cache line";
     static constexpr std::string_view derives = "nothing";
 

@@ -46,7 +46,6 @@ class aosoa : public IndexedTable<P, Loader> {
     using typename Base::Vertex;
 
     static constexpr std::string_view name = "aosoa";
-    static constexpr std::string_view relative_of = "soa";
     static constexpr std::string_view stores = "blocks of edges, a cache line a scalar: 8 in f64, 16 in f32";
     static constexpr std::string_view derives = "nothing";
 

@@ -25,7 +25,6 @@ class hot_cold : public HotColdTable<P, Loader> {
 
   public:
     static constexpr std::string_view name = "hot_cold";
-    static constexpr std::string_view relative_of = "aos";
     static constexpr std::string_view stores =
         "two structs an edge: four Voronoi planes; and apart from them ends, direction, length";
     static constexpr std::string_view derives = "nothing";

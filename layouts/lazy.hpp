@@ -17,7 +17,6 @@ class lazy : public Lazy<HotColdTable<P, Loader>, Loader> {
 
   public:
     static constexpr std::string_view name = "lazy";
-    static constexpr std::string_view relative_of = "hot_cold";
     static constexpr std::string_view stores =
         "as hot_cold, an edge's planes from when they are first asked for; the body must stay at hand";
     static constexpr std::string_view derives = "an edge's planes, once";

@@ -82,7 +82,6 @@ class points_neighbours : public BlockTable<P, Loader> {
     using Vertex = PointHandle;
 
     static constexpr std::string_view name = "points_neighbours";
-    static constexpr std::string_view relative_of = "points_soa";
     static constexpr std::string_view stores =
         "one record a vertex, on lines of its own: its coordinates and its neighbours'";
     static constexpr std::string_view derives = "nothing";

@@ -15,7 +15,6 @@ class quantised_outward : public GridTable<quantised_outward<P, Loader>, P, Load
 
   public:
     static constexpr std::string_view name = "quantised_outward";
-    static constexpr std::string_view relative_of = "quantised";
     static constexpr std::string_view stores =
         "as quantised, of a body grown until it contains the given one";
     static constexpr std::string_view derives = "edges, faces and every plane";

@@ -46,7 +46,6 @@ class ring : public EdgeRecords<P, Loader, RingRecord<typename P::Stored>> {
     using typename Base::Vertex;
 
     static constexpr std::string_view name = "ring";
-    static constexpr std::string_view relative_of = "aos";
     static constexpr std::string_view stores =
         "Voronoi planes in ring order; one struct an edge: ends, places of its planes, direction, length";
     static constexpr std::string_view derives = "nothing";

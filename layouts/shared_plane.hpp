@@ -41,7 +41,6 @@ class shared_plane : public EdgeRecords<P, Loader, SharedPlaneRecord<typename P:
     using typename Base::Stored;
 
     static constexpr std::string_view name = "shared_plane";
-    static constexpr std::string_view relative_of = "aos";
     static constexpr std::string_view stores =
         "one struct an edge: direction, the offsets of its four planes, ends";
     static constexpr std::string_view derives =

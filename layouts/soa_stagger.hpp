@@ -25,7 +25,6 @@ class soa_stagger : public ScalarArrays<P, Loader, Spacing::odd_lines> {
 
   public:
     static constexpr std::string_view name = "soa_stagger";
-    static constexpr std::string_view relative_of = "soa";
     static constexpr std::string_view stores =
         "the arrays of soa, starting an odd number of cache lines apart";
     static constexpr std::string_view derives = "nothing";

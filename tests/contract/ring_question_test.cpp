@@ -21,11 +21,11 @@ TYPED_TEST_SUITE(RingQuestions, TableTypes);
 template <class Edge>
 struct Lowest {
     std::optional<Edge> edge;
-    Compute value = 0, reports::largest = 0;
+    Compute value = 0, largest = 0;
     bool tie = false;
 
     void see(Edge e, Compute candidate) {
-        reports::largest = std::max(reports::largest, std::abs(candidate));
+        largest = std::max(largest, std::abs(candidate));
         tie = candidate < value ? false : tie || (edge && candidate == value);
         if (!(candidate < value)) return;
         value = candidate;

@@ -102,7 +102,7 @@ void add_traces(Prints& prints) {
     sweep::Plan plan = golden_plan();
     plan.queries = 600;
     const sweep::SceneChoice scene{"tumble", {{"bodies", 30}, {"in_time_order", 1}, {"rotation_step", 0.3}}};
-    const sweep::Group group(plan, scene, {"sphere38", "built-in", std::move(*body), ""});
+    const sweep::SharedQueries group(plan, scene, {"sphere38", "built-in", std::move(*body), ""});
     for (const bench::TableType& type : bench::table_types()) {
         for (const std::string& algorithm : type.algorithms) {
             const auto runner = type.make_runner(algorithm);
@@ -122,8 +122,8 @@ Prints all_prints(bool details) {
         for (const char* shape : shapes) {
             auto body = scene::make_shape(shape);
             if (!body) throw std::runtime_error(body.error);
-            const sweep::Group group(golden_plan(), {scene.name, {}},
-                                     {shape, "built-in", std::move(*body), ""});
+            const sweep::SharedQueries group(golden_plan(), {scene.name, {}},
+                                             {shape, "built-in", std::move(*body), ""});
             const std::string detail = details ? fmt::format(" {} {}", scene.name, shape) : "";
             add(prints["queries " + scene.name + (details ? fmt::format(" {}", shape) : "")],
                 group.workload());

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/johnson.hpp"
@@ -21,6 +22,7 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/wider.hpp"
 #include "edgewise/table/contract.hpp"
+#include "edgewise/table/loader.hpp"
 
 namespace edgewise {
 
@@ -98,7 +100,7 @@ class GjkRun {
           verdict_only_(options.verdict_only) {}
 
     template <class Observer = NoObserver>
-    [[nodiscard]] [[gnu::flatten]] Distance run(Pair& pair, Observer&& observer = {}) {
+    [[nodiscard]] Distance run(Pair& pair, Observer&& observer = {}) {
         start(pair);
         for (;;) {
             ++steps_;
@@ -255,6 +257,16 @@ class GjkRun {
     Wider<Scalar> unrounded_{};  ///< squared distance, when careful
 };
 
+/// One run with everything inlined: calls cost a tenth of it. A symbol of its own, which a library of table
+/// types may hold and others use (`extern template`).
+template <SupportTable TableA, SupportTable TableB>
+[[nodiscard]] [[gnu::flatten, gnu::noinline]] Distance run_gjk(const TableA& a, const TableB& b,
+                                                               const Transform<ComputeOf<TableA>>& a_from_b,
+                                                               SimplexPair<TableA, TableB>& pair,
+                                                               const QueryOptions& options) {
+    return GjkRun<TableA, TableB>(a, b, a_from_b, options).run(pair);
+}
+
 /// The algorithm as the sweep and users see it.
 struct Gjk {
     static constexpr std::string_view name = "gjk";
@@ -270,7 +282,12 @@ struct Gjk {
                                         SimplexPair<TableA, TableB>& pair, const QueryOptions& options = {},
                                         Observer&& observer = {}) {
         const auto transform = cast<ComputeOf<TableA>>(a_from_b);
-        return within(options, GjkRun<TableA, TableB>(a, b, transform, options).run(pair, observer));
+        constexpr bool observed = !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>;
+        if constexpr (observed || is_traced<TableA>) {
+            return within(options, GjkRun<TableA, TableB>(a, b, transform, options).run(pair, observer));
+        } else {
+            return within(options, run_gjk(a, b, transform, pair, options));
+        }
     }
 };
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
 
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/observer.hpp"
@@ -121,7 +122,7 @@ template <class TableA, class TableB>
 }
 
 template <class TableA, class TableB, class Observer>
-[[nodiscard]] [[gnu::flatten]] Distance run(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
+[[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
     CycleGuard guard(a.feature, b.feature);
     int escapes = 0;
     for (int steps = 1;; ++steps) {
@@ -146,6 +147,13 @@ template <class TableA, class TableB, class Observer>
     }
 }
 
+/// One run with everything inlined, a symbol of its own: see run_gjk.
+template <class TableA, class TableB>
+[[nodiscard]] [[gnu::flatten, gnu::noinline]] Distance run(Body<TableA>& a, Body<TableB>& b) {
+    NoObserver nobody;
+    return walk(a, b, nobody);
+}
+
 }  // namespace vclip
 
 /// The algorithm as the sweep and users see it.
@@ -166,7 +174,12 @@ struct VClip {
         const auto into_b = into_a.inverse();
         vclip::Body<TableA> body_a{a, into_a, pair.a};
         vclip::Body<TableB> body_b{b, into_b, pair.b};
-        const Distance result = vclip::run(body_a, body_b, observer);
+        const Distance result = [&] {
+            if constexpr (is_traced<TableA> || !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>)
+                return vclip::walk(body_a, body_b, observer);
+            else
+                return vclip::run(body_a, body_b);
+        }();
         pair.a = body_a.feature;
         pair.b = body_b.feature;
         return within(options, result);

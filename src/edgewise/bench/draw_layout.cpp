@@ -18,7 +18,7 @@ constexpr std::size_t line_bytes = BlockPlan::alignment;
 constexpr std::size_t lines_a_column = 48;
 constexpr int byte_width = 4, line_height = 9;
 constexpr int column_width = 64 * byte_width + 24;
-constexpr int left = 8, top = 44;
+constexpr int left_margin = 8, top_margin = 44;
 
 /// By Component; told apart by people of every colour vision (Okabe and Ito, 2008), padding in grey.
 constexpr std::array<std::string_view, 6> colours = {"#0072b2", "#56b4e9", "#e69f00",
@@ -79,11 +79,11 @@ class Picture {
 
     static int x_of(std::size_t offset) {
         const std::size_t column = offset / line_bytes / lines_a_column;
-        return left + static_cast<int>(column) * column_width +
+        return left_margin + static_cast<int>(column) * column_width +
                static_cast<int>(offset % line_bytes) * byte_width;
     }
     static int y_of(std::size_t offset) {
-        return top + static_cast<int>(offset / line_bytes % lines_a_column) * line_height;
+        return top_margin + static_cast<int>(offset / line_bytes % lines_a_column) * line_height;
     }
 
   private:
@@ -103,7 +103,7 @@ class Picture {
 
 std::string legend(const Ledger& ledger, int y) {
     std::string result;
-    int x = left;
+    int x = left_margin;
     for (std::size_t i = 0; i < component_names.size(); ++i) {
         if (ledger.bytes[i] == 0) continue;
         const std::string text = fmt::format("{} {} B", component_names[i], ledger.bytes[i]);
@@ -132,7 +132,7 @@ std::string draw_map(const std::string& title, const std::vector<MappedPiece>& m
     Picture picture(lines);
     for (const Run& run : runs_of(map)) picture.add(run);
     const auto columns = static_cast<int>((lines + lines_a_column - 1) / lines_a_column);
-    const int width = std::max(900, 2 * left + columns * column_width);
+    const int width = std::max(900, 2 * left_margin + columns * column_width);
     const int rows = static_cast<int>(std::min(lines, lines_a_column));
     const std::string cut =
         lines < all_lines ? fmt::format("; the first {} of {} lines", lines, all_lines) : std::string();
@@ -142,8 +142,8 @@ std::string draw_map(const std::string& title, const std::vector<MappedPiece>& m
         "<text x=\"{3}\" y=\"14\" font-weight=\"bold\">{2}</text>"
         "<text x=\"{4}\" y=\"14\" text-anchor=\"end\">{5} bytes; a row is a cache line of {6}, a black "
         "stroke starts an element{7}</text>\n{8}{9}</svg>\n",
-        width, top + rows * line_height + left, title, left, width - left, bytes, line_bytes, cut,
-        legend(ledger_of(map), 22), picture.take());
+        width, top_margin + rows * line_height + left_margin, title, left_margin, width - left_margin, bytes,
+        line_bytes, cut, legend(ledger_of(map), 22), picture.take());
 }
 
 std::string draw_layout(const TableType& type, const std::string& shape, const Polyhedron& body) {

@@ -22,7 +22,7 @@ struct TableType {
     std::string name;  ///< layout and precision: "aos_f64"
     std::string layout, precision;
     std::string stores, derives;          ///< one line each
-    std::string relative_of;              ///< a layout that it hardly differs from; empty: none
+    std::string variant_of;               ///< a layout that it hardly differs from; empty: none
     std::vector<std::string> algorithms;  ///< those whose contract the layout meets
     std::string storage;                  ///< of bodies: "double", "single", or a lossy layout's own
     bool single_storage = false;          ///< holds bodies in the range of single precision
@@ -52,6 +52,9 @@ struct AlgorithmInfo {
 /// In the manifest's order.
 [[nodiscard]] std::span<const TableType> table_types();
 [[nodiscard]] std::span<const AlgorithmInfo> algorithms();
+
+/// What their query loops are compiled with beyond all other code: " query loops: -march=native".
+[[nodiscard]] const char* table_types_flags();
 
 /// Names as a user writes them: "aos" (all its precisions), "aos_f64", "all". Throws std::invalid_argument
 /// that lists the known names.

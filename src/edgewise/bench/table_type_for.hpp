@@ -28,7 +28,6 @@ void describe(TableType& type) {
     type.name = type.layout + "_" + type.precision;
     type.stores = Table::stores;
     type.derives = Table::derives;
-    if constexpr (requires { Table::relative_of; }) type.relative_of = Table::relative_of;
     type.storage = storage_name<Table>();
     type.single_storage = std::is_same_v<typename P::Stored, float>;
     if constexpr (FeatureTable<Table>) type.rounded_planes = vclip::rounded_planes<Table>;

@@ -187,11 +187,11 @@ measure::Fact<std::string> program_for_valgrind() {
     const std::string flags = bench::this_build().flags;
     if (flags.find("-march=native") == std::string::npos && flags.find("v4") == std::string::npos)
         return {self.string()};
-    const fs::path sim = self.parent_path().parent_path() / "sim" / self.filename();
+    const fs::path sim = self.parent_path() / "edgewise_sim";
     if (fs::exists(sim)) return {sim.string()};
     return measure::Fact<std::string>::unknown(fmt::format(
         "this program may use instructions that Valgrind does not know, and {} is not there; make it with "
-        "sh cmake/build_preset.sh sim edgewise_program",
+        "sh cmake/build_preset.sh release edgewise_sim",
         sim.string()));
 }
 

@@ -27,7 +27,7 @@ constexpr const char* real_objects[] = {"atlas_foot.stl", "hubo_foot.stl", "atla
 std::vector<std::string> widely_different_layouts() {
     std::vector<std::string> names;
     for (const bench::TableType& type : bench::table_types()) {
-        if (type.relative_of.empty() && (names.empty() || names.back() != type.layout))
+        if (type.variant_of.empty() && (names.empty() || names.back() != type.layout))
             names.push_back(type.layout);
     }
     return names;

@@ -41,4 +41,10 @@ struct Traced {
     }
 };
 
+/// Whether every read of the table is reported: such a table is never timed.
+template <class Table>
+inline constexpr bool is_traced = false;
+template <template <class, class> class Layout, class Precision, class Sink>
+inline constexpr bool is_traced<Layout<Precision, Traced<Sink>>> = true;
+
 }  // namespace edgewise

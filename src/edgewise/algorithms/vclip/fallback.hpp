@@ -46,7 +46,12 @@ template <class Table>
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Distance answer_by_gjk(Body<TableA>& a, Body<TableB>& b) {
     auto simplex = feature_simplex(a.table, a.feature, b.table, b.feature);
-    const Distance answer = GjkRun<TableA, TableB>(a.table, b.table, a.from_other).run(simplex);
+    const Distance answer = [&] {
+        if constexpr (is_traced<TableA>)
+            return GjkRun<TableA, TableB>(a.table, b.table, a.from_other).run(simplex);
+        else
+            return run_gjk(a.table, b.table, a.from_other, simplex, QueryOptions{});
+    }();
     a.feature = feature_spanning(a.table, std::span(simplex.vertex_a).first(simplex.count));
     b.feature = feature_spanning(b.table, std::span(simplex.vertex_b).first(simplex.count));
     // Two faces are no state; one of them gives way to a vertex of the simplex.
