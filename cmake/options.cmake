@@ -16,8 +16,8 @@ endif()
 add_library(edgewise_flags INTERFACE)
 target_compile_features(edgewise_flags INTERFACE cxx_std_20)
 target_compile_options(edgewise_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-    # A false alarm of g++ 12 inside std::string (GCC bug 105651).
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+    # False alarms of g++ 12 inside std::string (GCC bug 105651).
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
     # The straight-line vectoriser of g++ 12 writes fused multiply-adds in spite of -ffp-contract=off.
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 if(EDGEWISE_SANITIZE)

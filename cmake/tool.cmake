@@ -43,7 +43,8 @@ target_link_libraries(edgewise_core
 if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()
-edgewise_unite(edgewise_core src/edgewise/measure/counters/generic_event.cpp src/edgewise/scene/kinds/scene_tumble.cpp)
+edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
+edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp)
 edgewise_precompile(edgewise_core <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map> <memory>
     <optional> <span> <string> <vector>)
 
