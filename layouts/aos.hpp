@@ -6,11 +6,13 @@
 // counted apart.
 #pragma once
 
-#include "edgewise/layout_parts/record_table.hpp"
+#include <cstddef>
+#include <string_view>
+
+#include "edgewise/layout_parts/stored_table.hpp"
 
 namespace edgewise {
 
-/// The record of one edge.
 template <class Stored>
 struct AosRecord {
     Plane<Stored> vertex_edge[2];  // by End
@@ -19,6 +21,7 @@ struct AosRecord {
     Stored length;
     PolyhedronEdge ends;
 
+    /// What its bytes are for, in memory order.
     static Shares shares() {
         return {{Component::voronoi_planes, 4 * sizeof(Plane<Stored>)},
                 {Component::edge_geometry, 4 * sizeof(Stored)},
@@ -26,9 +29,34 @@ struct AosRecord {
     }
 };
 
+template <class Stored, class Record = AosRecord<Stored>>
+struct AosArrays {
+    Vec3<Stored>* vertices = nullptr;
+    Record* edges = nullptr;
+    Plane<Stored>* faces = nullptr;
+
+    void place(BlockPlan& plan, const BodyFacts& n) {
+        plan.array(vertices, n.vertex_count, {{Component::vertex_coordinates, sizeof(Vec3<Stored>)}});
+        plan.array(edges, n.edge_count, Record::shares());
+        plan.array(faces, n.face_count, {{Component::face_planes, sizeof(Plane<Stored>)}});
+    }
+
+    [[nodiscard]] auto& vertex(Index v) const { return vertices[v]; }
+    [[nodiscard]] auto& vertex_edge_plane(Index e, End end) const {
+        return edges[e].vertex_edge[static_cast<int>(end)];
+    }
+    [[nodiscard]] auto& edge_face_plane(Index e, Side side) const {
+        return edges[e].edge_face[static_cast<int>(side)];
+    }
+    [[nodiscard]] auto& direction(Index e) const { return edges[e].direction; }
+    [[nodiscard]] auto& length(Index e) const { return edges[e].length; }
+    [[nodiscard]] auto& ends(Index e) const { return edges[e].ends; }
+    [[nodiscard]] auto& face_plane(Index f) const { return faces[f]; }
+};
+
 template <Precision P, class Loader = Direct>
-class aos : public RecordTable<P, Loader, AosRecord<typename P::Stored>> {
-    using Base = RecordTable<P, Loader, AosRecord<typename P::Stored>>;
+class aos : public StoredTable<AosArrays<typename P::Stored>, P, Loader> {
+    using Base = StoredTable<AosArrays<typename P::Stored>, P, Loader>;
 
   public:
     static constexpr std::string_view name = "aos";
@@ -36,12 +64,7 @@ class aos : public RecordTable<P, Loader, AosRecord<typename P::Stored>> {
         "one struct an edge: four Voronoi planes, direction, length, ends";
     static constexpr std::string_view derives = "nothing";
 
-    aos(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
-        : Base(body, parts, loader, write) {}
-
-    /// The same memory seen through another loader.
-    template <class OtherLoader>
-    aos(const aos<P, OtherLoader>& other, Loader loader) : Base(other, loader) {}
+    using Base::Base;
 };
 
 }  // namespace edgewise

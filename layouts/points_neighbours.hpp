@@ -11,6 +11,10 @@
 // for each neighbour, ten times the bytes of coordinates alone.
 #pragma once
 
+#include <cassert>
+#include <cstddef>
+#include <new>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
@@ -88,21 +92,15 @@ class points_neighbours : public BlockTable<P, Loader> {
     static constexpr std::string_view derives = "nothing";
 
     /// Both kinds of parts are the same here: there is nothing to leave out.
-    points_neighbours(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(loader) {
-        BlockPlan plan;
+    points_neighbours(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
+        block_ = Block([&](BlockPlan& plan) {
+            for (Index v = 0; v < body.vertex_count(); ++v) append(plan, body.ring_of_vertex(v).size());
+        });
         std::vector<Index> start;
         for (Index v = 0; v < body.vertex_count(); ++v) {
-            const std::size_t count = body.ring_of_vertex(v).size();
-            start.push_back(
-                static_cast<Index>(plan.append(Record::length(count) * Record::line,
-                                               {{Component::vertex_coordinates, sizeof(Vec3<Stored>)},
-                                                {Component::topology, 2 * sizeof(Index)},
-                                                {Component::vertex_coordinates, count * sizeof(Vec3<Stored>)},
-                                                {Component::topology, count * sizeof(Index)}}) /
-                                   Record::line));
+            start.push_back(end_);
+            end_ += Record::length(body.ring_of_vertex(v).size());
         }
-        end_ = static_cast<Index>(plan.size() / Record::line);
-        this->allocate(std::move(plan), body, parts);
         for (Index v = 0; v < body.vertex_count(); ++v) {
             const auto ring = body.ring_of_vertex(v);
             Record& to = *new (&record(start[v])) Record;
@@ -113,10 +111,17 @@ class points_neighbours : public BlockTable<P, Loader> {
         write_body(body);
     }
 
-    /// The same memory seen through another loader.
+    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     points_neighbours(const points_neighbours<P, OtherLoader>& other, Loader loader)
         : Base(other, loader), end_(other.end_) {}
+
+    [[nodiscard]] std::vector<Piece> pieces() const {
+        BlockPlan plan;
+        for (Index at = 0; at < end_; at += Record::length(record(at).count)) append(plan, record(at).count);
+        return plan.pieces(block_.base());
+    }
+    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     [[nodiscard]] Vertex first_vertex() const { return own(0); }
     [[nodiscard]] Index index_of(Vertex v) const { return load(record(v.record).index, Field::vertex); }
@@ -155,7 +160,16 @@ class points_neighbours : public BlockTable<P, Loader> {
 
     using Record = PointRecord<Stored>;
 
+    static void append(BlockPlan& plan, std::size_t count) {
+        plan.append(Record::length(count) * Record::line,
+                    {{Component::vertex_coordinates, sizeof(Vec3<Stored>)},
+                     {Component::topology, 2 * sizeof(Index)},
+                     {Component::vertex_coordinates, count * sizeof(Vec3<Stored>)},
+                     {Component::topology, count * sizeof(Index)}});
+    }
+
     [[nodiscard]] Record& record(Index start) const {
+        assert(start < end_);
         return *reinterpret_cast<Record*>(block_.base() + std::size_t{start} * Record::line);
     }
     /// By its own coordinates, with which a record starts.

@@ -15,13 +15,15 @@
 // twenty sets. The gaps are padding: at most one line an array; all other bytes are those of `soa`.
 #pragma once
 
-#include "edgewise/layout_parts/scalar_arrays.hpp"
+#include <string_view>
+
+#include "edgewise/layouts/soa.hpp"
 
 namespace edgewise {
 
 template <Precision P, class Loader = Direct>
-class soa_stagger : public ScalarArrays<P, Loader, Spacing::odd_lines> {
-    using Base = ScalarArrays<P, Loader, Spacing::odd_lines>;
+class soa_stagger : public StoredTable<SoaArrays<typename P::Stored, Spacing::odd_lines>, P, Loader> {
+    using Base = StoredTable<SoaArrays<typename P::Stored, Spacing::odd_lines>, P, Loader>;
 
   public:
     static constexpr std::string_view name = "soa_stagger";
@@ -30,12 +32,7 @@ class soa_stagger : public ScalarArrays<P, Loader, Spacing::odd_lines> {
         "the arrays of soa, starting an odd number of cache lines apart";
     static constexpr std::string_view derives = "nothing";
 
-    soa_stagger(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
-        : Base(body, parts, loader, write) {}
-
-    /// The same memory seen through another loader.
-    template <class OtherLoader>
-    soa_stagger(const soa_stagger<P, OtherLoader>& other, Loader loader) : Base(other, loader) {}
+    using Base::Base;
 };
 
 }  // namespace edgewise

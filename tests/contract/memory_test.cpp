@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <type_traits>
+#include <utility>
 
 #include "counted_allocations.hpp"
 #include "counted_memory.hpp"
@@ -47,6 +49,37 @@ TYPED_TEST(Memory, TheLedgerIsWhatWasAskedFor) {
             EXPECT_EQ(memory.live_bytes(), 0U) << name;
         }
     }
+}
+
+/// Nothing else on the heap lives with a table: beside its ledger there is the table object itself.
+TYPED_TEST(Memory, TheLedgerIsAllThatLivesOnTheHeap) {
+    for (const auto& [name, body] : test_bodies()) {
+        for (const Parts parts : {Parts::support, Parts::features}) {
+            const CountedAllocations counted;
+            const Table table(body, parts);
+            const std::size_t live = counted.live_bytes();
+            EXPECT_EQ(live, table.ledger().total()) << name;
+        }
+    }
+    std::printf("%s: %zu bytes in the table object\n", TableUnderTest::name, sizeof(Table));
+}
+
+/// A table may move: whoever has it gives its memory back, once.
+TYPED_TEST(Memory, ATableThatMovedIsTheSameTable) {
+    static_assert(!std::is_copy_constructible_v<Table>);
+    const Polyhedron& body = test_bodies().front().body;
+    CountedMemory memory;
+    {
+        const TablesIn placed(memory);
+        Table first(body, Parts::features);
+        const std::size_t bytes = memory.live_bytes();
+        const std::byte* const at = first.pieces().front().at;
+        const Table second(std::move(first));
+        EXPECT_EQ(second.pieces().front().at, at);
+        first = Table(body, Parts::support);
+        EXPECT_EQ(memory.live_bytes(), bytes + first.ledger().total());
+    }
+    EXPECT_EQ(memory.live_bytes(), 0U);
 }
 
 /// Pieces are what was asked for, each byte once, and add up to the ledger.

@@ -2,7 +2,7 @@
 //
 // Lazy tables over every storing layout, beside the layout itself: the same answers, bit by bit; every plane
 // the same once it is asked for; nothing made that nobody asked for.
-#include "edgewise/layout_parts/lazy.hpp"
+#include "edgewise/layouts/lazy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,6 @@
 #include "edgewise/layouts/aos_padded.hpp"
 #include "edgewise/layouts/aosoa.hpp"
 #include "edgewise/layouts/hot_cold.hpp"
-#include "edgewise/layouts/lazy.hpp"
 #include "edgewise/layouts/ring.hpp"
 #include "edgewise/layouts/shared_plane.hpp"
 #include "edgewise/layouts/soa.hpp"
@@ -28,11 +27,8 @@
 namespace edgewise {
 namespace {
 
-/// Any storing layout, lazy.
 template <class Layout>
-struct LazyLayout : Lazy<Layout, Direct> {
-    LazyLayout(const Polyhedron& body, Parts parts) : Lazy<Layout, Direct>(body, parts, {}) {}
-};
+using LazyLayout = Lazy<Layout, Direct>;
 
 template <class Layout>
 class LazyTable : public ::testing::Test {};
