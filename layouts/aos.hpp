@@ -6,7 +6,6 @@
 // counted apart.
 #pragma once
 
-#include <cstddef>
 #include <string_view>
 
 #include "edgewise/layout_parts/stored_table.hpp"

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstddef>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/layout_parts/block.hpp"

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <cassert>
+#include <cstddef>
 #include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
