@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Array of structures: the paper's record. One struct an edge with its four Voronoi planes, direction and
+// Array of structures: the paper's record. One struct per edge with its four Voronoi planes, direction and
 // length: 16 + 3 + 1 = 20 scalars; with the edge's share of the vertex coordinates (3 scalars for V/E -> 1/3)
 // 21 scalars, 168 bytes in double and 84 in single. Topology, face planes and padding come on top and are
-// counted apart.
+// counted separately.
 #pragma once
 
 #include <string_view>
@@ -60,7 +60,7 @@ class aos : public StoredTable<AosArrays<typename P::Stored>, P, Loader> {
   public:
     static constexpr std::string_view name = "aos";
     static constexpr std::string_view stores =
-        "one struct an edge: four Voronoi planes, direction, length, ends";
+        "one struct per edge: four Voronoi planes, direction, length, ends";
     static constexpr std::string_view derives = "nothing";
 
     using Base::Base;

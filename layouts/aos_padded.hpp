@@ -19,7 +19,7 @@
 //     single, 128, order as here     1.00      1.00        1.00                 2.00
 //
 // Ring tests read a plane of each edge; V-F reads directions, E-F ends and direction; V-E and E-E read the
-// vertex-edge planes, ends, and the rest if those settle nothing. In single, padding wins only where a test
+// vertex-edge planes, ends, and the rest if those decide nothing. In single, padding wins only where a test
 // ends at its vertex-edge planes, and for that would add a third to the bytes: the natural size stays, and
 // what is won is the order's.
 //

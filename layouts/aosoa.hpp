@@ -102,7 +102,8 @@ class aosoa : public StoredTable<AosoaArrays<typename P::Stored>, P, Loader> {
   public:
     static constexpr std::string_view name = "aosoa";
     static constexpr std::string_view relative_of = "soa";
-    static constexpr std::string_view stores = "blocks of edges, a cache line a scalar: 8 in f64, 16 in f32";
+    static constexpr std::string_view stores =
+        "blocks of edges, a cache line per scalar: 8 in f64, 16 in f32";
     static constexpr std::string_view derives = "nothing";
 
     using Base::Base;

@@ -9,7 +9,7 @@
 // edges at the vertex, and takes directions without planes; an edge over a face (E-F) asks for the slope of
 // the edge whose ends it has just read. Only E-E reads it of an edge whose planes it tests, and only where
 // the other edge is clipped by a face. Beside the planes it would spoil their alignment. Ends are cold for
-// that reason alone: V-E, E-E and E-F read them of one edge a body in every test. Nothing reads the length;
+// that reason alone: V-E, E-E and E-F read them of one edge per body in every test. Nothing reads the length;
 // it is kept so that the two records hold the scalars of `aos`.
 //
 // Per edge 128 + 48 bytes in double, 64 + 32 in single: those of `aos`, to the byte.
@@ -73,7 +73,7 @@ class hot_cold : public StoredTable<HotColdArrays<typename P::Stored>, P, Loader
     static constexpr std::string_view name = "hot_cold";
     static constexpr std::string_view relative_of = "aos";
     static constexpr std::string_view stores =
-        "two structs an edge: four Voronoi planes; and apart from them ends, direction, length";
+        "two structs per edge: four Voronoi planes; and separately ends, direction, length";
     static constexpr std::string_view derives = "nothing";
 
     using Base::Base;

@@ -2,8 +2,8 @@
 //
 // The table of `hot_cold`, with the planes, direction and length of an edge made when a query first asks for
 // one of them: a scene that walks over few edges pays for few, in time and in pages of memory touched, since
-// planes lie apart from what every edge has. Vertices, face planes and topology stand from the start. Answers
-// are those of the layout itself, bit by bit.
+// planes are separate from what every edge has. Vertices, face planes and topology stand from the start.
+// Answers are those of the layout itself, bit by bit.
 //
 // The price: a bit per edge, read before every plane; the canonical body must live as long as the table,
 // since planes are made from it (it is the application's, and not counted in the table's bytes); and queries

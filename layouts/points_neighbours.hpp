@@ -6,7 +6,7 @@
 // only.
 //
 // Records start on cache lines, as long as they need to be. Per record 20 bytes in single (32 in double):
-// coordinates, the vertex's own index and the number of neighbours; and 16 (28) a neighbour: a copy of its
+// coordinates, the vertex's own index and the number of neighbours; and 16 (28) per neighbour: a copy of its
 // coordinates and the line where its record starts. The price: every vertex is kept once for itself and once
 // for each neighbour, ten times the bytes of coordinates alone.
 #pragma once
@@ -88,7 +88,7 @@ class points_neighbours : public BlockTable<P, Loader> {
     static constexpr std::string_view name = "points_neighbours";
     static constexpr std::string_view relative_of = "points_soa";
     static constexpr std::string_view stores =
-        "one record a vertex, on lines of its own: its coordinates and its neighbours'";
+        "one record per vertex, on lines of its own: its coordinates and its neighbours'";
     static constexpr std::string_view derives = "nothing";
 
     /// Both kinds of parts are the same here: there is nothing to leave out.

@@ -3,7 +3,7 @@
 // Points alone: the coordinates of the vertices in three arrays, x, y and z, and nothing else. Without
 // neighbours nobody can climb, so a support point is always found by a scan over all vertices, which three
 // plain arrays let the compiler do several vertices at a time. For GJK only. The least a table can hold: 24
-// bytes a vertex in double, 12 in single; no topology.
+// bytes per vertex in double, 12 in single; no topology.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// As `lean`, with vertex coordinates of 16 bits on the body's own grid: 6.8 bytes an edge at 386 vertices.
+// As `lean`, with vertex coordinates of 16 bits on the body's own grid: 6.8 bytes per edge at 386 vertices.
 // The body is another one: the hull of the vertices where the grid has them, with its own topology; each
 // coordinate moves by half a step at most, where a step is the power of two at or above a 65 534th of the
 // box's longest side (more for a body far off its origin). The precision says what computes.

@@ -3,8 +3,8 @@
 // Voronoi planes in the order of the rings: the vertex-edge planes around a vertex lie side by side, and so
 // do the edge-face planes around a face. Which plane of a ring a point violates most is then one pass over
 // contiguous memory: no edge is read and no index followed until the winner is known. The slopes of the edges
-// at a vertex are a pass over the same planes, whose normals are the directions, leaving the vertex, turned
-// round. Every half-edge starts at one vertex and has one face on its left, so each plane is kept once.
+// at a vertex are a pass over the same planes, whose normals are the directions, leaving the vertex,
+// reversed. Every half-edge starts at one vertex and has one face on its left, so each plane is kept once.
 //
 // Per edge four planes, as in `aos` (128 bytes in double, 64 in single), and a record of its own: ends,
 // direction and length, and the places of its planes (64 bytes, 48 in single), 16 bytes more than `aos`. The
@@ -97,7 +97,7 @@ class ring : public StoredTable<RingArrays<typename P::Stored>, P, Loader> {
     static constexpr std::string_view name = "ring";
     static constexpr std::string_view relative_of = "aos";
     static constexpr std::string_view stores =
-        "Voronoi planes in ring order; one struct an edge: ends, places of its planes, direction, length";
+        "Voronoi planes in ring order; one struct per edge: ends, places of its planes, direction, length";
     static constexpr std::string_view derives = "nothing";
 
     using Base::Base;

@@ -6,7 +6,7 @@
 // once, and holds the edge: its normal is n x d, and only its offset is kept. Nothing asks for the length: it
 // is left out.
 //
-// In double every plane is that of `aos` to the bit, since n x d is worked out as it is there, from the same
+// In double every plane is that of `aos` to the bit, since n x d is computed as it is there, from the same
 // numbers. In single and mixed n and d were rounded before the product instead of after it. The price: an
 // edge-face plane reads the face's line as well, and a square root is taken of its length.
 //
@@ -79,7 +79,7 @@ class shared_plane : public StoredTable<SharedPlaneArrays<typename P::Stored>, P
     static constexpr std::string_view name = "shared_plane";
     static constexpr std::string_view relative_of = "aos";
     static constexpr std::string_view stores =
-        "one struct an edge: direction, the offsets of its four planes, ends";
+        "one struct per edge: direction, the offsets of its four planes, ends";
     static constexpr std::string_view derives =
         "normals of Voronoi planes, from direction and face normal; no length";
 

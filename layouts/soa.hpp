@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Structure of arrays: the same scalars as `aos`, each in an array of its own: twenty for an edge, three for
-// a vertex, four for a face. Made for passes over all edges; V-Clip jumps from edge to edge, and pays a cache
-// line a scalar. More parallel arrays than a cache has ways is a trap of its own.
+// a vertex, four for a face. Made for passes over all edges; V-Clip jumps from edge to edge, and reads a
+// cache line per scalar. More parallel arrays than a cache has ways is a trap of its own.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace edgewise {
 
-/// How far arrays are apart from start to start: back to back in whole lines, or an odd number of lines.
+/// The distance of arrays from start to start: back to back in whole lines, or an odd number of lines.
 enum class Spacing : bool { back_to_back, odd_lines };
 
 template <class Stored, Spacing spacing>

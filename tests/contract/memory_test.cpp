@@ -126,14 +126,14 @@ void expect_no_allocation(const Polyhedron& body, const std::string& name) {
     const auto poses = query_poses(300, body, 1);
     Pair warm(a, b);
     PenetrationSpace<Table, Table> space;
-    int apart = 0, contact = 0;
+    int separated = 0, contact = 0;
     std::size_t in_depth = 0;
     const CountedAllocations counted;
     for (const Transform<double>& pose : poses) {
         Pair cold(a, b);
         const Distance first = Algorithm::query(a, b, pose, cold);
         const Distance again = Algorithm::query(a, b, pose, warm);
-        ++(first.status == Status::separated ? apart : contact);
+        ++(first.status == Status::separated ? separated : contact);
         static_cast<void>(again);
         if (first.status == Status::separated) continue;
         const std::size_t before = counted.count();
@@ -143,7 +143,7 @@ void expect_no_allocation(const Polyhedron& body, const std::string& name) {
     // The work space of depths may grow while it meets its worst pair, not with every query.
     EXPECT_LE(in_depth, 10U) << Algorithm::name << " " << name;
     EXPECT_EQ(counted.count(), in_depth) << Algorithm::name << " " << name;
-    EXPECT_GT(apart, 50) << name;
+    EXPECT_GT(separated, 50) << name;
     EXPECT_GT(contact, 20) << name;
 }
 

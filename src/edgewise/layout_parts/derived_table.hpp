@@ -11,7 +11,6 @@
 // the same number.
 #pragma once
 
-#include <algorithm>
 #include <cassert>
 #include <type_traits>
 #include <vector>
@@ -174,23 +173,11 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
         return {to, rings_.before(loader_, to, rings_.find(loader_, to, h.vertex))};
     }
 
-    /// The face on the left of a half-edge: its smallest half-edge, as in the body (by edges, then tail
-    /// first).
-    [[nodiscard]] Face face_of(const HalfEdgeAt& start) const {
-        Face best = start;
-        Index best_low = 0xffffffff, best_high = 0xffffffff;
-        HalfEdgeAt h = start;
-        do {
-            const Index to = rings_.neighbour(loader_, h.at);
-            const Index low = std::min(h.vertex, to), high = std::max(h.vertex, to);
-            if (low < best_low || (low == best_low && high < best_high)) {
-                best = h;
-                best_low = low;
-                best_high = high;
-            }
-            h = next(h);
-        } while (!(h == start));
-        return best;
+    /// The face on the left of a half-edge: its smallest half-edge, as in the body.
+    [[nodiscard]] Face face_of(const HalfEdgeAt& h) const {
+        return first_of_face(
+            h, [this](const HalfEdgeAt& at) { return rings_.neighbour(loader_, at.at); },
+            [this](const HalfEdgeAt& at) { return next(at); });
     }
 
     Points points_;

@@ -4,6 +4,8 @@
 // gives next(half-edge), face_of(half-edge) and item<Item>(half-edge).
 #pragma once
 
+#include <algorithm>
+
 #include "edgewise/geometry/polyhedron.hpp"
 
 namespace edgewise {
@@ -26,6 +28,26 @@ struct HalfEdgeAt {
 
 /// The first half-edge of its ring.
 using DerivedFace = HalfEdgeAt;
+
+/// The smallest half-edge of a face, by edges and then tail first, from any of them on: head(h) is where a
+/// half-edge ends, next(h) the next around the face.
+template <class Head, class Next>
+[[nodiscard]] DerivedFace first_of_face(const HalfEdgeAt& start, Head head, Next next) {
+    DerivedFace best = start;
+    Index best_low = 0xffffffff, best_high = 0xffffffff;
+    HalfEdgeAt h = start;
+    do {
+        const Index to = head(h);
+        const Index low = std::min(h.vertex, to), high = std::max(h.vertex, to);
+        if (low < best_low || (low == best_low && high < best_high)) {
+            best = h;
+            best_low = low;
+            best_high = high;
+        }
+        h = next(h);
+    } while (!(h == start));
+    return best;
+}
 
 /// Half-edges of a face in order, from its first; as such, or as edges.
 template <class Table, class Item>

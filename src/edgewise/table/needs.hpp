@@ -13,7 +13,7 @@ namespace edgewise {
 
 /// What an answer must hold, least first: each asks for everything before it.
 enum class Needs : std::uint8_t {
-    verdict,      ///< apart or not
+    verdict,      ///< separated or not
     distance,     ///< and how far
     witnesses,    ///< and the two closest points
     features,     ///< and which vertices, edges or faces they lie on
