@@ -80,6 +80,7 @@ class linked {
                           [this](const Spoke* s) { return load(s->neighbour, Field::neighbour); });
     }
     [[nodiscard]] auto ring_of_vertex(Vertex v) const {
+        assert(facts_.parts == Parts::features);
         const auto* const first = static_cast<const VertexCone*>(load(v->spokes, Field::vertex_ring));
         return LinkedList(loader_, first, Field::vertex_ring, [this, v](const VertexCone* c) {
             const Edge e = load(c->edge, Field::vertex_ring);
@@ -87,6 +88,7 @@ class linked {
         });
     }
     [[nodiscard]] auto ring_of_face(Face f) const {
+        assert(f != no_face);
         const FaceCone* const first = load(f->cone, Field::face_ring);
         return LinkedList(loader_, first, Field::face_ring, [this, f](const FaceCone* c) {
             const Edge e = load(c->edge, Field::face_ring);
@@ -114,6 +116,7 @@ class linked {
         return c ? plane(c) : Plane<Compute>{Vec3<Compute>::Zero(), -1};
     }
     [[nodiscard]] Plane<Compute> face_plane(Face f) const {
+        assert(f != no_face);
         return cast<Compute>(load(f->plane, Field::face_plane));
     }
 

@@ -127,6 +127,7 @@ class points_neighbours : public BlockTable<P, Loader> {
     [[nodiscard]] Index index_of(Vertex v) const { return load(record(v.record).index, Field::vertex); }
     [[nodiscard]] auto all_vertices() const { return RecordWalk<points_neighbours>(*this, end_); }
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        assert(v.record < end_ && v.at < block_.size());
         const auto* const point = reinterpret_cast<const Vec3<Stored>*>(block_.base() + v.at);
         return cast<Compute>(load(*point, Field::vertex));
     }

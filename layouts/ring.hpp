@@ -12,6 +12,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -103,10 +104,12 @@ class ring : public StoredTable<RingArrays<typename P::Stored>, P, Loader> {
     using Base::Base;
 
     [[nodiscard]] Plane<Compute> vertex_edge_plane(Edge e, End end) const {
+        assert(e < this->facts_.edge_count);
         const Index at = load(at_.edges[e].vertex_edge_at[static_cast<int>(end)], Field::vertex_ring);
         return cast<Compute>(load(at_.vertex_edge[at], Field::voronoi_plane));
     }
     [[nodiscard]] Plane<Compute> edge_face_plane(Edge e, Side side) const {
+        assert(e < this->facts_.edge_count);
         const Index at = load(at_.edges[e].edge_face_at[static_cast<int>(side)], Field::face_ring);
         return cast<Compute>(load(at_.edge_face[at], Field::voronoi_plane));
     }

@@ -15,6 +15,7 @@
 // of 176, 44 in single instead of 96; neither needs padding.
 #pragma once
 
+#include <cassert>
 #include <string_view>
 
 #include "edgewise/layout_parts/stored_table.hpp"
@@ -104,6 +105,7 @@ class shared_plane : public StoredTable<SharedPlaneArrays<typename P::Stored>, P
 
   private:
     [[nodiscard]] Vec3<Compute> normal_at_head(Edge e) const {
+        assert(e < this->facts_.edge_count);
         return cast<Compute>(load(at_.direction(e), Field::voronoi_plane));
     }
 };

@@ -9,12 +9,15 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "counted_allocations.hpp"
 #include "counted_memory.hpp"
 #include "edgewise/algorithms/penetration.hpp"
 #include "edgewise/algorithms/penetration/start.hpp"
+#include "edgewise/table/queries_write.hpp"
 #include "query_poses.hpp"
+#include "same_answers.hpp"
 #include "stored_bodies.hpp"
 
 namespace edgewise {
@@ -152,6 +155,24 @@ TYPED_TEST(Memory, NoQueryAllocates) {
         for_each_algorithm<Table>([&, &name = name, &body = body]<class Algorithm>(Algorithm) {
             expect_no_allocation<Algorithm>(body, name);
         });
+    }
+}
+
+std::vector<std::byte> bytes_of(const Table& table) {
+    std::vector<std::byte> bytes;
+    for (const Piece& piece : table.pieces()) bytes.insert(bytes.end(), piece.at, piece.at + piece.bytes());
+    return bytes;
+}
+
+/// Many threads may ask a const table at once, unless it says that queries write.
+TYPED_TEST(Memory, QueriesWriteOnlyWhereTheTableSaysSo) {
+    for (const auto& [name, body] : test_bodies()) {
+        const Table table(body, Parts::features);
+        const std::vector<std::byte> before = bytes_of(table);
+        for_each_algorithm<Table>([&, &body = body]<class Algorithm>(Algorithm) {
+            static_cast<void>(answers<Algorithm>(table, table, query_poses(20, body, 4)));
+        });
+        EXPECT_EQ(bytes_of(table) != before, queries_write<Table>) << name;
     }
 }
 

@@ -76,10 +76,12 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
         return cast<Compute>(points_.read(loader_, v));
     }
     [[nodiscard]] auto neighbours(Vertex v) const {
+        assert(v < facts_.vertex_count);
         return IndexedRing(rings_.first(loader_, v), rings_.last(loader_, v),
                            [this](Index at) { return rings_.neighbour(loader_, at); });
     }
     [[nodiscard]] auto ring_of_vertex(Vertex v) const {
+        assert(v < facts_.vertex_count);
         return IndexedRing(rings_.first(loader_, v), rings_.last(loader_, v),
                            [this, v](Index at) { return edge_at(v, at); });
     }
@@ -118,6 +120,7 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
 
     /// Unit normal: of the whole ring, since a corner of a long side and a short one would turn it.
     [[nodiscard]] AnchoredPlane<Compute> face_plane(const Face& f) const {
+        assert(!(f == no_face));
         const Vec3<Compute> base = vertex(f.vertex);
         Vec3<Compute> normal = Vec3<Compute>::Zero(), before = Vec3<Compute>::Zero();
         for (const HalfEdgeAt h : DerivedFaceRing<DerivedTable, HalfEdgeAt>{this, f}) {
@@ -161,6 +164,7 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
         return {{other, v, at, true}, true};
     }
     [[nodiscard]] HalfEdgeAt from_tail(const Edge& e) const {
+        assert(e.tail < e.head && e.at < facts_.neighbour_count);
         return {e.tail, e.from_head ? rings_.find(loader_, e.tail, e.head) : e.at};
     }
     [[nodiscard]] HalfEdgeAt from_head(const Edge& e) const {

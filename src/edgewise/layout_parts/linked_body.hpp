@@ -4,6 +4,7 @@
 // Nodes are found again by following their own pointers, so nothing is kept beside them.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <memory_resource>
 #include <new>
@@ -61,6 +62,7 @@ class LinkedBody {
     template <class Node>
     [[nodiscard]] Node* make() const {
         static_assert(std::is_trivially_destructible_v<Node>);
+        assert(owner_);
         return new (owner_->allocate(sizeof(Node), alignof(Node))) Node{};
     }
 

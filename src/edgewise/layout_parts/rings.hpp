@@ -36,6 +36,7 @@ struct Rings {
     }
 
     void fill(const Polyhedron& body, Parts parts) const {
+        assert(body.vertex_offset.size() == body.vertex_count() + 1);
         std::copy(body.vertex_offset.begin(), body.vertex_offset.end(), vertex_offset);
         std::transform(body.vertex_ring.begin(), body.vertex_ring.end(), neighbour,
                        [&](HalfEdge h) { return body.head(h); });
@@ -70,7 +71,6 @@ struct Rings {
     static auto rows(const Loader& loader, const Index* offset, Index row, Field field, Reader reader) {
         const Index first = loader.load(offset[row], field);
         const Index last = loader.load(offset[row + 1], field);
-        assert(first <= last);
         return IndexedRing(first, last, reader);
     }
 };

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -25,6 +26,7 @@ inline constexpr std::array<std::string_view, 6> needs_names = {"verdict",  "dis
                                                                 "features", "depth",    "certificate"};
 
 [[nodiscard]] constexpr std::string_view to_string(Needs needs) {
+    assert(static_cast<std::size_t>(needs) < needs_names.size());
     return needs_names[static_cast<std::size_t>(needs)];
 }
 

@@ -22,6 +22,7 @@
 #include "edgewise/layouts/soa_stagger.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/table/queries_write.hpp"
 #include "edgewise/table/stored_body.hpp"
 
 namespace edgewise {
@@ -36,6 +37,8 @@ using StoringLayouts =
     ::testing::Types<aos<f64>, aos<f32>, aos<mixed>, aos_padded<f64>, aosoa<f32>, hot_cold<f64>, ring<f64>,
                      ring<mixed>, shared_plane<f64>, soa<f64>, soa_stagger<mixed>>;
 TYPED_TEST_SUITE(LazyTable, StoringLayouts);
+
+static_assert(queries_write<lazy<f64>> && !queries_write<hot_cold<f64>>);
 
 template <class P>
 void expect_same_plane(const P& a, const P& b) {
