@@ -84,9 +84,11 @@ struct RingArrays {
 template <Precision P, class Loader = Direct>
 class ring : public StoredTable<RingArrays<typename P::Stored>, P, Loader> {
     using Base = StoredTable<RingArrays<typename P::Stored>, P, Loader>;
-    using Base::at_;
     using Base::load;
     using Base::rings_;
+
+  protected:
+    using Base::at_;
 
   public:
     using typename Base::Compute;

@@ -69,8 +69,10 @@ struct SharedPlaneArrays {
 template <Precision P, class Loader = Direct>
 class shared_plane : public StoredTable<SharedPlaneArrays<typename P::Stored>, P, Loader> {
     using Base = StoredTable<SharedPlaneArrays<typename P::Stored>, P, Loader>;
-    using Base::at_;
     using Base::load;
+
+  protected:
+    using Base::at_;
 
   public:
     using typename Base::Compute;
