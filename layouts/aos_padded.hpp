@@ -19,14 +19,17 @@
 //     single, 128, order as here     1.00      1.00        1.00                 2.00
 //
 // Ring tests read a plane of each edge; V-F reads directions, E-F ends and direction; V-E and E-E read the
-// vertex-edge planes, ends, and the rest if those settle nothing. In single, padding wins only where a test
+// vertex-edge planes, ends, and the rest if those decide nothing. In single, padding wins only where a test
 // ends at its vertex-edge planes, and for that would add a third to the bytes: the natural size stays, and
 // what is won is the order's.
 //
 // Per edge 192 bytes in double instead of 176; 96 in single.
 #pragma once
 
-#include "edgewise/layout_parts/record_table.hpp"
+#include <cstddef>
+#include <string_view>
+
+#include "edgewise/layouts/aos.hpp"
 
 namespace edgewise {
 
@@ -71,20 +74,16 @@ static_assert(mean_lines(96, 0, 48) == 1.5 && mean_lines(128, 0, 48) == 1);
 static_assert(mean_lines(96, 0, 96) == 2 && mean_lines(128, 0, 96) == 2);
 
 template <Precision P, class Loader = Direct>
-class aos_padded : public RecordTable<P, Loader, PaddedRecord<typename P::Stored>> {
-    using Base = RecordTable<P, Loader, PaddedRecord<typename P::Stored>>;
+class aos_padded
+    : public StoredTable<AosArrays<typename P::Stored, PaddedRecord<typename P::Stored>>, P, Loader> {
+    using Base = StoredTable<AosArrays<typename P::Stored, PaddedRecord<typename P::Stored>>, P, Loader>;
 
   public:
     static constexpr std::string_view name = "aos_padded";
     static constexpr std::string_view stores = "the struct of aos in three parts, each within a cache line";
     static constexpr std::string_view derives = "nothing";
 
-    aos_padded(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
-        : Base(body, parts, loader, write) {}
-
-    /// The same memory seen through another loader.
-    template <class OtherLoader>
-    aos_padded(const aos_padded<P, OtherLoader>& other, Loader loader) : Base(other, loader) {}
+    using Base::Base;
 };
 
 }  // namespace edgewise

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Nodes and pointers, as a program of 1998 would have held a body: a node a vertex, an edge and a face, and
+// Nodes and pointers, as a program of 1998 would have held a body: a node per vertex, edge and face, and
 // at each vertex and each face a linked list of the planes that bound its Voronoi region, its cone. Vertex
 // and face tests walk a cone and never touch an edge unless they go there; an edge reaches its own four
 // planes through its cones' nodes, one hop farther than an array would need. Handles are pointers to nodes.
@@ -8,13 +8,17 @@
 // Each node is asked for by itself, in the order in which a builder would: each vertex and its cone, then the
 // edges, then each face and its cone; where they end up is the allocator's affair, and its headers and size
 // classes come on top. A support table has vertices and spokes alone. The bytes: planes sit in the cones,
-// once each; all pointers are topology, eight bytes each, and 18 of them an edge, in its node and its four
+// once each; all pointers are topology, eight bytes each, and 18 of them per edge, in its node and its four
 // cone nodes: 144 bytes beside 160 bytes of planes, direction and length in double, 80 in single.
 #pragma once
 
-#include <memory>
+#include <cassert>
+#include <cstddef>
+#include <string_view>
+#include <vector>
 
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/layout_parts/linked_body.hpp"
 #include "edgewise/layout_parts/linked_builder.hpp"
 #include "edgewise/layout_parts/linked_list.hpp"
 #include "edgewise/layout_parts/voronoi.hpp"
@@ -46,37 +50,29 @@ class linked {
     static constexpr std::string_view derives = "nothing";
 
     linked(const Polyhedron& body, Parts parts, Loader loader = {})
-        : loader_(loader), parts_(parts), store_(std::make_shared<NodeStore>()) {
-        const LinkedBuilder<Stored> built(body, parts == Parts::features, *store_);
-        first_vertex_ = built.first_vertex();
-        first_face_ = built.first_face();
-        note_facts(body);
+        : loader_(loader), facts_(facts_of(body, parts)), nodes_(parts) {
+        LinkedBuilder<Stored>(body, parts == Parts::features, nodes_);
         write_body(body);
     }
 
-    /// The same memory seen through another loader.
+    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     linked(const linked<P, OtherLoader>& other, Loader loader)
-        : loader_(loader),
-          parts_(other.parts_),
-          store_(other.store_),
-          facts_(other.facts_),
-          first_vertex_(other.first_vertex_),
-          first_face_(other.first_face_) {}
+        : loader_(loader), facts_(other.facts_), nodes_(other.nodes_.view()) {}
 
     [[nodiscard]] std::size_t vertex_count() const { return facts_.vertex_count; }
-    [[nodiscard]] Vertex first_vertex() const { return first_vertex_; }
+    [[nodiscard]] Vertex first_vertex() const { return nodes_.first_vertex; }
     [[nodiscard]] Index index_of(Vertex v) const { return load(v->index, Field::vertex); }
     [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
     [[nodiscard]] double reach() const { return facts_.reach; }
-    [[nodiscard]] Ledger ledger() const { return store_->ledger(); }
-    [[nodiscard]] std::vector<Piece> pieces() const { return store_->pieces(); }
+    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+    [[nodiscard]] std::vector<Piece> pieces() const { return nodes_.pieces(); }
 
     [[nodiscard]] auto all_vertices() const {
-        return LinkedList(loader_, Vertex{first_vertex_}, Field::vertex, [](Vertex v) { return v; });
+        return LinkedList(loader_, Vertex{nodes_.first_vertex}, Field::vertex, [](Vertex v) { return v; });
     }
     [[nodiscard]] auto all_faces() const {
-        return LinkedList(loader_, Face{first_face_}, Field::face_plane, [](Face f) { return f; });
+        return LinkedList(loader_, Face{nodes_.first_face}, Field::face_plane, [](Face f) { return f; });
     }
     [[nodiscard]] auto neighbours(Vertex v) const {
         const Spoke* const first = load(v->spokes, Field::neighbour);
@@ -84,6 +80,7 @@ class linked {
                           [this](const Spoke* s) { return load(s->neighbour, Field::neighbour); });
     }
     [[nodiscard]] auto ring_of_vertex(Vertex v) const {
+        assert(facts_.parts == Parts::features);
         const auto* const first = static_cast<const VertexCone*>(load(v->spokes, Field::vertex_ring));
         return LinkedList(loader_, first, Field::vertex_ring, [this, v](const VertexCone* c) {
             const Edge e = load(c->edge, Field::vertex_ring);
@@ -91,6 +88,7 @@ class linked {
         });
     }
     [[nodiscard]] auto ring_of_face(Face f) const {
+        assert(f != no_face);
         const FaceCone* const first = load(f->cone, Field::face_ring);
         return LinkedList(loader_, first, Field::face_ring, [this, f](const FaceCone* c) {
             const Edge e = load(c->edge, Field::face_ring);
@@ -118,21 +116,24 @@ class linked {
         return c ? plane(c) : Plane<Compute>{Vec3<Compute>::Zero(), -1};
     }
     [[nodiscard]] Plane<Compute> face_plane(Face f) const {
+        assert(f != no_face);
         return cast<Compute>(load(f->plane, Field::face_plane));
     }
 
     /// The facts of a body of the same topology, and its numbers (write_geometry.hpp): lists run in the
     /// body's order, and an edge is met at its tail.
     void note_facts(const Polyhedron& body) {
-        facts_ = BodyFacts(body, parts_, Tolerance<Stored>::strict_turn);
+        assert(body.vertex_count() == facts_.vertex_count &&
+               body.vertex_ring.size() == facts_.neighbour_count);
+        facts_ = facts_of(body, facts_.parts);
     }
     void write_body(const Polyhedron& body) {
-        auto* vertex = first_vertex_;
+        auto* vertex = nodes_.first_vertex;
         for (Index v = 0; vertex != nullptr; vertex = vertex->next, ++v) {
             vertex->point = cast<Stored>(body.vertices[v]);
-            if (parts_ == Parts::features) write_edges_of(*vertex, body, v);
+            if (facts_.parts == Parts::features) write_edges_of(*vertex, body, v);
         }
-        auto* face = first_face_;
+        auto* face = nodes_.first_face;
         for (Index f = 0; face != nullptr; face = face->next, ++f)
             face->plane = cast<Stored>(body.face_planes[f]);
     }
@@ -141,6 +142,9 @@ class linked {
     template <Precision, class>
     friend class linked;
 
+    static BodyFacts facts_of(const Polyhedron& body, Parts parts) {
+        return {body, parts, Tolerance<Stored>::strict_turn};
+    }
     void write_edges_of(typename Nodes::Vertex& tail, const Polyhedron& body, Index v) {
         Spoke* spoke = tail.spokes;
         for (const HalfEdge h : body.ring_of_vertex(v)) {
@@ -169,11 +173,8 @@ class linked {
     }
 
     [[no_unique_address]] Loader loader_;
-    Parts parts_;
-    std::shared_ptr<NodeStore> store_;
     BodyFacts facts_;
-    typename Nodes::Vertex* first_vertex_ = nullptr;
-    typename Nodes::Face* first_face_ = nullptr;
+    LinkedBody<Stored> nodes_;
 };
 
 }  // namespace edgewise

@@ -6,11 +6,15 @@
 // only.
 //
 // Records start on cache lines, as long as they need to be. Per record 20 bytes in single (32 in double):
-// coordinates, the vertex's own index and the number of neighbours; and 16 (28) a neighbour: a copy of its
+// coordinates, the vertex's own index and the number of neighbours; and 16 (28) per neighbour: a copy of its
 // coordinates and the line where its record starts. The price: every vertex is kept once for itself and once
 // for each neighbour, ten times the bytes of coordinates alone.
 #pragma once
 
+#include <cassert>
+#include <cstddef>
+#include <new>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
@@ -83,25 +87,19 @@ class points_neighbours : public BlockTable<P, Loader> {
 
     static constexpr std::string_view name = "points_neighbours";
     static constexpr std::string_view stores =
-        "one record a vertex, on lines of its own: its coordinates and its neighbours'";
+        "one record per vertex, on lines of its own: its coordinates and its neighbours'";
     static constexpr std::string_view derives = "nothing";
 
     /// Both kinds of parts are the same here: there is nothing to leave out.
-    points_neighbours(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(loader) {
-        BlockPlan plan;
+    points_neighbours(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
+        block_ = Block([&](BlockPlan& plan) {
+            for (Index v = 0; v < body.vertex_count(); ++v) append(plan, body.ring_of_vertex(v).size());
+        });
         std::vector<Index> start;
         for (Index v = 0; v < body.vertex_count(); ++v) {
-            const std::size_t count = body.ring_of_vertex(v).size();
-            start.push_back(
-                static_cast<Index>(plan.append(Record::length(count) * Record::line,
-                                               {{Component::vertex_coordinates, sizeof(Vec3<Stored>)},
-                                                {Component::topology, 2 * sizeof(Index)},
-                                                {Component::vertex_coordinates, count * sizeof(Vec3<Stored>)},
-                                                {Component::topology, count * sizeof(Index)}}) /
-                                   Record::line));
+            start.push_back(end_);
+            end_ += Record::length(body.ring_of_vertex(v).size());
         }
-        end_ = static_cast<Index>(plan.size() / Record::line);
-        this->allocate(std::move(plan), body, parts);
         for (Index v = 0; v < body.vertex_count(); ++v) {
             const auto ring = body.ring_of_vertex(v);
             Record& to = *new (&record(start[v])) Record;
@@ -112,15 +110,23 @@ class points_neighbours : public BlockTable<P, Loader> {
         write_body(body);
     }
 
-    /// The same memory seen through another loader.
+    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     points_neighbours(const points_neighbours<P, OtherLoader>& other, Loader loader)
         : Base(other, loader), end_(other.end_) {}
+
+    [[nodiscard]] std::vector<Piece> pieces() const {
+        BlockPlan plan;
+        for (Index at = 0; at < end_; at += Record::length(record(at).count)) append(plan, record(at).count);
+        return plan.pieces(block_.base());
+    }
+    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     [[nodiscard]] Vertex first_vertex() const { return own(0); }
     [[nodiscard]] Index index_of(Vertex v) const { return load(record(v.record).index, Field::vertex); }
     [[nodiscard]] auto all_vertices() const { return RecordWalk<points_neighbours>(*this, end_); }
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        assert(v.record < end_ && v.at < block_.size());
         const auto* const point = reinterpret_cast<const Vec3<Stored>*>(block_.base() + v.at);
         return cast<Compute>(load(*point, Field::vertex));
     }
@@ -154,7 +160,16 @@ class points_neighbours : public BlockTable<P, Loader> {
 
     using Record = PointRecord<Stored>;
 
+    static void append(BlockPlan& plan, std::size_t count) {
+        plan.append(Record::length(count) * Record::line,
+                    {{Component::vertex_coordinates, sizeof(Vec3<Stored>)},
+                     {Component::topology, 2 * sizeof(Index)},
+                     {Component::vertex_coordinates, count * sizeof(Vec3<Stored>)},
+                     {Component::topology, count * sizeof(Index)}});
+    }
+
     [[nodiscard]] Record& record(Index start) const {
+        assert(start < end_);
         return *reinterpret_cast<Record*>(block_.base() + std::size_t{start} * Record::line);
     }
     /// By its own coordinates, with which a record starts.

@@ -3,12 +3,16 @@
 // Points alone: the coordinates of the vertices in three arrays, x, y and z, and nothing else. Without
 // neighbours nobody can climb, so a support point is always found by a scan over all vertices, which three
 // plain arrays let the compiler do several vertices at a time. For GJK only. The least a table can hold: 24
-// bytes a vertex in double, 12 in single; no topology.
+// bytes per vertex in double, 12 in single; no topology.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <cstddef>
 #include <limits>
+#include <string_view>
+#include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
 
@@ -32,21 +36,23 @@ class points_soa : public BlockTable<P, Loader> {
     static constexpr bool scans = true;
 
     /// Both kinds of parts are the same here: there is nothing to leave out.
-    points_soa(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(loader) {
-        BlockPlan plan;
-        std::array<Slot<Stored>, 3> slots;
-        for (auto& slot : slots) {
-            slot = plan.array<Stored>(body.vertex_count(), {{Component::vertex_coordinates, sizeof(Stored)}});
-        }
-        this->allocate(std::move(plan), body, parts);
-        for (std::size_t k = 0; k < 3; ++k) coordinates_[k] = block_.start(slots[k]);
+    points_soa(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
+        block_ = Block([this](BlockPlan& plan) { place(plan, coordinates_); });
         write_geometry(*this, body);
     }
 
-    /// The same memory seen through another loader.
+    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     points_soa(const points_soa<P, OtherLoader>& other, Loader loader)
         : Base(other, loader), coordinates_(other.coordinates_) {}
+
+    [[nodiscard]] std::vector<Piece> pieces() const {
+        BlockPlan plan;
+        Coordinates nowhere{};
+        place(plan, nowhere);
+        return plan.pieces(block_.base());
+    }
+    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     /// Whatever the body: false is what makes everybody scan.
     [[nodiscard]] bool strictly_convex() const { return false; }
@@ -57,6 +63,7 @@ class points_soa : public BlockTable<P, Loader> {
     }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        assert(v < this->vertex_count());
         return {coordinate(0, v), coordinate(1, v), coordinate(2, v)};
     }
 
@@ -87,7 +94,13 @@ class points_soa : public BlockTable<P, Loader> {
     template <Precision, class>
     friend class points_soa;
 
+    using Coordinates = std::array<Stored*, 3>;
     static constexpr std::size_t chunk = 64;
+
+    void place(BlockPlan& plan, Coordinates& to) const {
+        for (Stored*& array : to)
+            plan.array(array, this->vertex_count(), {{Component::vertex_coordinates, sizeof(Stored)}});
+    }
 
     Compute coordinate(int k, std::size_t v) const {
         return static_cast<Compute>(load(coordinates_[k][v], Field::vertex));
@@ -120,7 +133,7 @@ class points_soa : public BlockTable<P, Loader> {
         }
     }
 
-    std::array<Stored*, 3> coordinates_{};
+    Coordinates coordinates_{};
 };
 
 }  // namespace edgewise

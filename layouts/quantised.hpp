@@ -1,18 +1,43 @@
 // SPDX-License-Identifier: MIT
 //
-// As `lean`, with vertex coordinates of 16 bits on the body's own grid: 6.8 bytes an edge at 386 vertices.
+// As `lean`, with vertex coordinates of 16 bits on the body's own grid: 6.8 bytes per edge at 386 vertices.
 // The body is another one: the hull of the vertices where the grid has them, with its own topology; each
 // coordinate moves by half a step at most, where a step is the power of two at or above a 65 534th of the
 // box's longest side (more for a body far off its origin). The precision says what computes.
 #pragma once
 
-#include "edgewise/layout_parts/grid_table.hpp"
+#include <string_view>
+
+#include "edgewise/geometry/grid.hpp"
+#include "edgewise/layout_parts/derived_table.hpp"
 
 namespace edgewise {
 
+/// Coordinates of 16 bits on the body's own grid.
+template <class Compute>
+struct GridPoints {
+    /// What computes with this rounding step holds every place of the grid exactly.
+    static constexpr double eps = double{Tolerance<Compute>::eps};
+
+    Grid grid;
+    Grid::Place* points = nullptr;
+
+    void place(BlockPlan& plan, const BodyFacts& n) {
+        plan.array(points, n.vertex_count, {{Component::vertex_coordinates, sizeof(Grid::Place)}});
+    }
+    void write(const Polyhedron& body) {
+        grid = Grid(body.vertices, eps);
+        for (Index v = 0; v < body.vertex_count(); ++v) points[v] = grid.nearest(body.vertices[v]);
+    }
+    template <class Loader>
+    [[nodiscard]] Vec3d read(const Loader& loader, Index v) const {
+        return grid.at(loader.load(points[v], Field::vertex));
+    }
+};
+
 template <Precision P, class Loader = Direct>
-class quantised : public GridTable<quantised<P, Loader>, P, Loader> {
-    using Base = GridTable<quantised, P, Loader>;
+class quantised : public DerivedTable<GridPoints<typename P::Compute>, P, Loader> {
+    using Base = DerivedTable<GridPoints<typename P::Compute>, P, Loader>;
 
   public:
     static constexpr std::string_view name = "quantised";
@@ -20,17 +45,12 @@ class quantised : public GridTable<quantised<P, Loader>, P, Loader> {
         "vertex coordinates of 16 bits on the body's grid, and neighbour rings of 8, 16 or 32 bits";
     static constexpr std::string_view derives = "edges, faces and every plane";
 
-    /// What the table holds of a body.
+    /// What the table holds of a body: the only bodies that it may be built from.
     [[nodiscard]] static Result<Polyhedron> stored_body(const Polyhedron& body) {
-        return round_to_grid(body, Base::grid_eps);
+        return round_to_grid(body, GridPoints<typename P::Compute>::eps);
     }
 
-    /// The body must be a stored_body.
-    quantised(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {}
-
-    /// The same memory seen through another loader.
-    template <class OtherLoader>
-    quantised(const quantised<P, OtherLoader>& other, Loader loader) : Base(other, loader) {}
+    using Base::Base;
 };
 
 }  // namespace edgewise

@@ -6,7 +6,7 @@
 // once, and holds the edge: its normal is n x d, and only its offset is kept. Nothing asks for the length: it
 // is left out.
 //
-// In double every plane is that of `aos` to the bit, since n x d is worked out as it is there, from the same
+// In double every plane is that of `aos` to the bit, since n x d is computed as it is there, from the same
 // numbers. In single and mixed n and d were rounded before the product instead of after it. The price: an
 // edge-face plane reads the face's line as well, and a square root is taken of its length.
 //
@@ -15,64 +15,88 @@
 // of 176, 44 in single instead of 96; neither needs padding.
 #pragma once
 
-#include "edgewise/layout_parts/edge_records.hpp"
+#include <cassert>
+#include <string_view>
+
+#include "edgewise/layout_parts/stored_table.hpp"
 
 namespace edgewise {
 
 /// The record of one edge.
 template <class Stored>
 struct SharedPlaneRecord {
-    Vec3<Stored> direction;  // the head plane's normal, and the tail plane's turned round
+    Vec3<Stored> direction;  // the head plane's normal, and the tail plane's reversed
     Stored end_offset[2];    // by End
     Stored side_offset[2];   // by Side
     PolyhedronEdge ends;
 };
 
+template <class Stored>
+struct SharedPlaneArrays {
+    Vec3<Stored>* vertices = nullptr;
+    SharedPlaneRecord<Stored>* edges = nullptr;
+    Plane<Stored>* faces = nullptr;
+
+    void place(BlockPlan& plan, const BodyFacts& n) {
+        plan.array(vertices, n.vertex_count, {{Component::vertex_coordinates, sizeof(Vec3<Stored>)}});
+        plan.array(edges, n.edge_count,
+                   {{Component::edge_geometry, sizeof(Vec3<Stored>)},
+                    {Component::voronoi_planes, 4 * sizeof(Stored)},
+                    {Component::topology, 4 * sizeof(Index)}});
+        plan.array(faces, n.face_count, {{Component::face_planes, sizeof(Plane<Stored>)}});
+    }
+
+    [[nodiscard]] auto& vertex(Index v) const { return vertices[v]; }
+    [[nodiscard]] auto& direction(Index e) const { return edges[e].direction; }
+    [[nodiscard]] auto& end_offset(Index e, End end) const {
+        return edges[e].end_offset[static_cast<int>(end)];
+    }
+    [[nodiscard]] auto& side_offset(Index e, Side side) const {
+        return edges[e].side_offset[static_cast<int>(side)];
+    }
+    [[nodiscard]] auto& ends(Index e) const { return edges[e].ends; }
+    [[nodiscard]] auto& face_plane(Index f) const { return faces[f]; }
+
+    void write_edge(Index e, const EdgeGeometry& g) const {
+        direction(e) = cast<Stored>(g.direction);
+        end_offset(e, End::tail) = static_cast<Stored>(g.tail_plane.offset);
+        end_offset(e, End::head) = static_cast<Stored>(g.head_plane.offset);
+        side_offset(e, Side::left) = static_cast<Stored>(g.left_plane.offset);
+        side_offset(e, Side::right) = static_cast<Stored>(g.right_plane.offset);
+    }
+};
+
 template <Precision P, class Loader = Direct>
-class shared_plane : public EdgeRecords<P, Loader, SharedPlaneRecord<typename P::Stored>> {
-    using Base = EdgeRecords<P, Loader, SharedPlaneRecord<typename P::Stored>>;
-    using Base::edges_;
+class shared_plane : public StoredTable<SharedPlaneArrays<typename P::Stored>, P, Loader> {
+    using Base = StoredTable<SharedPlaneArrays<typename P::Stored>, P, Loader>;
     using Base::load;
+
+  protected:
+    using Base::at_;
 
   public:
     using typename Base::Compute;
     using typename Base::Edge;
     using typename Base::Face;
-    using typename Base::Stored;
 
     static constexpr std::string_view name = "shared_plane";
     static constexpr std::string_view stores =
-        "one struct an edge: direction, the offsets of its four planes, ends";
+        "one struct per edge: direction, the offsets of its four planes, ends";
     static constexpr std::string_view derives =
         "normals of Voronoi planes, from direction and face normal; no length";
 
-    shared_plane(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
-        : Base(loader) {
-        Slot<Record> edges{};
-        this->build(body, parts, [&](BlockPlan& plan) {
-            edges = plan.array<Record>(Base::edges_of(body, parts),
-                                       {{Component::edge_geometry, sizeof(Vec3<Stored>)},
-                                        {Component::voronoi_planes, 4 * sizeof(Stored)},
-                                        {Component::topology, 4 * sizeof(Index)}});
-        });
-        this->start_edges(edges, body);
-        write_geometry(*this, body, write);
-    }
-
-    /// The same memory seen through another loader.
-    template <class OtherLoader>
-    shared_plane(const shared_plane<P, OtherLoader>& other, Loader loader) : Base(other, loader) {}
+    using Base::Base;
 
     [[nodiscard]] Plane<Compute> vertex_edge_plane(Edge e, End end) const {
         const Vec3<Compute> along = normal_at_head(e);
-        const Compute offset = load(edges_[e].end_offset[static_cast<int>(end)], Field::voronoi_plane);
+        const Compute offset = load(at_.end_offset(e, end), Field::voronoi_plane);
         return {end == End::head ? along : Vec3<Compute>(-along), offset};
     }
 
     /// As layout_parts/voronoi.hpp has it, from what is stored.
     [[nodiscard]] Plane<Compute> edge_face_plane(Edge e, Side side) const {
         const Face face = side == Side::left ? this->left(e) : this->right(e);
-        const Compute offset = load(edges_[e].side_offset[static_cast<int>(side)], Field::voronoi_plane);
+        const Compute offset = load(at_.side_offset(e, side), Field::voronoi_plane);
         if (face == no_face) return {Vec3<Compute>::Zero(), offset};
         const Vec3<Compute> along = normal_at_head(e);
         const Vec3<Compute> into =
@@ -80,20 +104,10 @@ class shared_plane : public EdgeRecords<P, Loader, SharedPlaneRecord<typename P:
         return {into / norm(into), offset};
     }
 
-    void write_edge(Index e, const EdgeGeometry& g) {
-        Record& edge = edges_[e];
-        edge.direction = cast<Stored>(g.direction);
-        edge.end_offset[0] = static_cast<Stored>(g.tail_plane.offset);
-        edge.end_offset[1] = static_cast<Stored>(g.head_plane.offset);
-        edge.side_offset[0] = static_cast<Stored>(g.left_plane.offset);
-        edge.side_offset[1] = static_cast<Stored>(g.right_plane.offset);
-    }
-
   private:
-    using Record = SharedPlaneRecord<Stored>;
-
     [[nodiscard]] Vec3<Compute> normal_at_head(Edge e) const {
-        return cast<Compute>(load(edges_[e].direction, Field::voronoi_plane));
+        assert(e < this->facts_.edge_count);
+        return cast<Compute>(load(at_.direction(e), Field::voronoi_plane));
     }
 };
 

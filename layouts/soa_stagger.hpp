@@ -1,40 +1,38 @@
 // SPDX-License-Identifier: MIT
 //
-// Structure of arrays with staggered starts: the scalars of `soa`, each in an array of its own, but never a
-// multiple of a cache's stride apart.
+// Structure of arrays with staggered starts: the scalars of `soa`, each in an array of its own, but never at
+// a distance that is a multiple of a cache's stride.
 //
 // A first-level cache of 32 KiB and 8 ways, or of 48 KiB and 12, has 64 sets: addresses that differ by a
 // multiple of 64 sets * 64 bytes = 4096 bytes share a set. Arrays back to back that take a multiple of 4096
 // bytes each in whole lines (505 to 512 edges in double, 1009 to 1024 in single, to begin with) put the
 // twenty scalars of one edge into one set; it keeps 8 or 12 of them, and a walk over the edges that needs all
-// twenty misses on every read: tests/unit/stagger_test.cpp shows it. Of the built-in spheres sphere1538 falls
-// into it, with 576 lines an array in double. Lengths that share a factor with 4096 do the same by halves and
-// quarters. A fixed gap only moves the trap to another length. So the gap is what makes the distance from one
-// array to the next an odd number of lines: none or one. Multiples of an odd number repeat modulo 64 only
-// after 64 of them, whatever the length, and modulo any larger power of two later still: twenty scalars,
-// twenty sets. The gaps are padding: at most one line an array; all other bytes are those of `soa`.
+// twenty misses on every read: tests/unit/table/stagger_test.cpp shows it. Of the built-in spheres sphere1538
+// falls into it, with 576 lines an array in double. Lengths that share a factor with 4096 do the same by
+// halves and quarters. A fixed gap only moves the trap to another length. So the gap is what makes the
+// distance from one array to the next an odd number of lines: none or one. Multiples of an odd number repeat
+// modulo 64 only after 64 of them, whatever the length, and modulo any larger power of two later still:
+// twenty scalars, twenty sets. The gaps are padding: at most one line an array; all other bytes are those of
+// `soa`.
 #pragma once
 
-#include "edgewise/layout_parts/scalar_arrays.hpp"
+#include <string_view>
+
+#include "edgewise/layouts/soa.hpp"
 
 namespace edgewise {
 
 template <Precision P, class Loader = Direct>
-class soa_stagger : public ScalarArrays<P, Loader, Spacing::odd_lines> {
-    using Base = ScalarArrays<P, Loader, Spacing::odd_lines>;
+class soa_stagger : public StoredTable<SoaArrays<typename P::Stored, Spacing::odd_lines>, P, Loader> {
+    using Base = StoredTable<SoaArrays<typename P::Stored, Spacing::odd_lines>, P, Loader>;
 
   public:
     static constexpr std::string_view name = "soa_stagger";
     static constexpr std::string_view stores =
-        "the arrays of soa, starting an odd number of cache lines apart";
+        "the arrays of soa, an odd number of cache lines from start to start";
     static constexpr std::string_view derives = "nothing";
 
-    soa_stagger(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
-        : Base(body, parts, loader, write) {}
-
-    /// The same memory seen through another loader.
-    template <class OtherLoader>
-    soa_stagger(const soa_stagger<P, OtherLoader>& other, Loader loader) : Base(other, loader) {}
+    using Base::Base;
 };
 
 }  // namespace edgewise

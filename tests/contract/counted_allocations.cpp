@@ -20,7 +20,7 @@ struct Allocation {
 struct Log {
     bool counting = false;
     std::size_t count = 0, live = 0;
-    std::array<Allocation, 4096> alive{};  // an array, since a log may not allocate
+    std::array<Allocation, 1 << 14> alive{};  // an array, since a log may not allocate
 };
 
 Log log_;
@@ -38,8 +38,10 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
 }
 
 void release(void* address) noexcept {
-    for (std::size_t i = 0; log_.counting && i < log_.live; ++i) {
-        if (log_.alive[i].address == address) log_.alive[i] = log_.alive[--log_.live];
+    for (std::size_t i = log_.live; log_.counting && i > 0; --i) {  // most that go have just come
+        if (log_.alive[i - 1].address != address) continue;
+        log_.alive[i - 1] = log_.alive[--log_.live];
+        break;
     }
     std::free(address);
 }

@@ -7,12 +7,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "counted_allocations.hpp"
 #include "counted_memory.hpp"
 #include "edgewise/algorithms/penetration.hpp"
 #include "edgewise/algorithms/penetration/start.hpp"
+#include "edgewise/table/queries_write.hpp"
 #include "query_poses.hpp"
+#include "same_answers.hpp"
 #include "stored_bodies.hpp"
 
 namespace edgewise {
@@ -47,6 +52,37 @@ TYPED_TEST(Memory, TheLedgerIsWhatWasAskedFor) {
             EXPECT_EQ(memory.live_bytes(), 0U) << name;
         }
     }
+}
+
+/// Nothing else on the heap lives with a table: beside its ledger there is the table object itself.
+TYPED_TEST(Memory, TheLedgerIsAllThatLivesOnTheHeap) {
+    for (const auto& [name, body] : test_bodies()) {
+        for (const Parts parts : {Parts::support, Parts::features}) {
+            const CountedAllocations counted;
+            const Table table(body, parts);
+            const std::size_t live = counted.live_bytes();
+            EXPECT_EQ(live, table.ledger().total()) << name;
+        }
+    }
+    std::printf("%s: %zu bytes in the table object\n", TableUnderTest::name, sizeof(Table));
+}
+
+/// A table may move: whoever has it gives its memory back, once.
+TYPED_TEST(Memory, ATableThatMovedIsTheSameTable) {
+    static_assert(!std::is_copy_constructible_v<Table>);
+    const Polyhedron& body = test_bodies().front().body;
+    CountedMemory memory;
+    {
+        const TablesIn placed(memory);
+        Table first(body, Parts::features);
+        const std::size_t bytes = memory.live_bytes();
+        const std::byte* const at = first.pieces().front().at;
+        const Table second(std::move(first));
+        EXPECT_EQ(second.pieces().front().at, at);
+        first = Table(body, Parts::support);
+        EXPECT_EQ(memory.live_bytes(), bytes + first.ledger().total());
+    }
+    EXPECT_EQ(memory.live_bytes(), 0U);
 }
 
 /// Pieces are what was asked for, each byte once, and add up to the ledger.
@@ -93,14 +129,14 @@ void expect_no_allocation(const Polyhedron& body, const std::string& name) {
     const auto poses = query_poses(300, body, 1);
     Pair warm(a, b);
     PenetrationSpace<Table, Table> space;
-    int apart = 0, contact = 0;
+    int separated = 0, contact = 0;
     std::size_t in_depth = 0;
     const CountedAllocations counted;
     for (const Transform<double>& pose : poses) {
         Pair cold(a, b);
         const Distance first = Algorithm::query(a, b, pose, cold);
         const Distance again = Algorithm::query(a, b, pose, warm);
-        ++(first.status == Status::separated ? apart : contact);
+        ++(first.status == Status::separated ? separated : contact);
         static_cast<void>(again);
         if (first.status == Status::separated) continue;
         const std::size_t before = counted.count();
@@ -110,7 +146,7 @@ void expect_no_allocation(const Polyhedron& body, const std::string& name) {
     // The work space of depths may grow while it meets its worst pair, not with every query.
     EXPECT_LE(in_depth, 10U) << Algorithm::name << " " << name;
     EXPECT_EQ(counted.count(), in_depth) << Algorithm::name << " " << name;
-    EXPECT_GT(apart, 50) << name;
+    EXPECT_GT(separated, 50) << name;
     EXPECT_GT(contact, 20) << name;
 }
 
@@ -119,6 +155,24 @@ TYPED_TEST(Memory, NoQueryAllocates) {
         for_each_algorithm<Table>([&, &name = name, &body = body]<class Algorithm>(Algorithm) {
             expect_no_allocation<Algorithm>(body, name);
         });
+    }
+}
+
+std::vector<std::byte> bytes_of(const Table& table) {
+    std::vector<std::byte> bytes;
+    for (const Piece& piece : table.pieces()) bytes.insert(bytes.end(), piece.at, piece.at + piece.bytes());
+    return bytes;
+}
+
+/// Many threads may ask a const table at once, unless it says that queries write.
+TYPED_TEST(Memory, QueriesWriteOnlyWhereTheTableSaysSo) {
+    for (const auto& [name, body] : test_bodies()) {
+        const Table table(body, Parts::features);
+        const std::vector<std::byte> before = bytes_of(table);
+        for_each_algorithm<Table>([&, &body = body]<class Algorithm>(Algorithm) {
+            static_cast<void>(answers<Algorithm>(table, table, query_poses(20, body, 4)));
+        });
+        EXPECT_EQ(bytes_of(table) != before, queries_write<Table>) << name;
     }
 }
 

@@ -12,7 +12,7 @@
 
 namespace edgewise {
 
-/// Of a body beside itself, turned any way, middles up to 2.5 extents apart.
+/// Of a body beside itself, in any orientation, centres at most 2.5 extents from each other.
 [[nodiscard]] inline std::vector<Transform<double>> query_poses(std::size_t count, const Polyhedron& body,
                                                                 std::uint64_t seed) {
     scene::Rng rng(seed);

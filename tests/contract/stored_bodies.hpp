@@ -24,7 +24,7 @@ using Stored = Table::PrecisionType::Stored;
 using Compute = ComputeOf<Table>;
 using TableTypes = ::testing::Types<TableUnderTest>;
 
-/// Planes worked out when asked for, from corners.
+/// Planes computed when asked for, from corners.
 template <class T>
 concept DerivesPlanes = requires {
     T::derives_planes;

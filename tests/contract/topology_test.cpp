@@ -106,7 +106,7 @@ TYPED_TEST(Topology, RingsRunAsInTheBody) {
     }
 }
 
-/// One edge, one handle: V-Clip tells features apart by their handles.
+/// One edge, one handle: V-Clip distinguishes features by their handles.
 TYPED_TEST(Topology, BothFacesAndBothEndsNameAnEdgeAlike) {
     if constexpr (has_features) {
         using T = typename TypeParam::Table;

@@ -63,7 +63,7 @@ void expect_same_answers(const Polyhedron& body, const std::string& name) {
     const auto found = answers<Algorithm>(traced, traced, poses);
     ASSERT_EQ(expected.size(), found.size());
     for (std::size_t i = 0; i < found.size(); ++i) expect_same_bits(found[i], expected[i]);
-    std::printf("%s %s %s: %.1f reads, %.0f bytes a query, %zu fields\n", TableUnderTest::name,
+    std::printf("%s %s %s: %.1f reads, %.0f bytes per query, %zu fields\n", TableUnderTest::name,
                 std::string(Algorithm::name).c_str(), name.c_str(),
                 static_cast<double>(sink.reads) / static_cast<double>(found.size()),
                 static_cast<double>(sink.bytes) / static_cast<double>(found.size()), sink.fields.size());

@@ -6,6 +6,8 @@
 #include "dependency_rule.hpp"
 #include "file_rules.hpp"
 #include "function_spans.hpp"
+#include "std_headers.hpp"
+#include "text_rules.hpp"
 
 namespace edgewise::house {
 namespace {
@@ -140,6 +142,86 @@ TEST(TypesNamedTwice, AreSeenAcrossHeadersOfOneNamespace) {
     EXPECT_TRUE(types_named_twice(
                     {first, source_file("src/edgewise/b.hpp", "namespace other {\nstruct Grid {\n};\n}\n")})
                     .empty());
+}
+
+TEST(StdHeaders, AreIncludedWhereTheirNamesStand) {
+    const auto verdict = [](const std::string& path, const std::string& text) {
+        return to_text(missing_std_headers({source_file(path, text)}));
+    };
+    EXPECT_EQ(verdict("src/edgewise/table/a.hpp", "std::vector<int> v;\nstd::vector<int> w;\n"),
+              "src/edgewise/table/a.hpp:1: vector needs #include <vector>\n");
+    EXPECT_EQ(verdict("layouts/a.hpp", "void f() { assert(x); }\n"),
+              "layouts/a.hpp:1: assert needs #include <cassert>\n");
+    EXPECT_NE(verdict("layouts/a.hpp", "std::chrono::seconds s;\n"), "") << "not in the table";
+    EXPECT_EQ(verdict("layouts/a.hpp", "#include <vector>\n// std::string\nstd::vector<int> v;\n"), "");
+    EXPECT_EQ(verdict("layouts/a.hpp", "static_assert(true);\nconst char* a = \"std::string\";\n"), "");
+    EXPECT_EQ(verdict("src/edgewise/cli/a.hpp", "std::vector<int> v;\n"), "") << "not installed";
+}
+
+TEST(FullFolders, AreThoseWithoutAReason) {
+    std::vector<SourceFile> files;
+    for (std::size_t i = 0; i < most_files; ++i) {
+        files.push_back(source_file("src/edgewise/a/" + std::to_string(i) + ".hpp", ""));
+        files.push_back(source_file("src/edgewise/a/b/" + std::to_string(i) + ".hpp", ""));
+    }
+    EXPECT_EQ(to_text(full_folders(files)), "");
+    files.push_back(source_file("src/edgewise/a/CMakeLists.txt", "# a list\n"));
+    EXPECT_EQ(to_text(full_folders(files)), "src/edgewise/a:0: 31 files\n");
+    files.back().lines.emplace_back("# More than 30 files: one for each of something.");
+    EXPECT_EQ(to_text(full_folders(files)), "");
+}
+
+TEST(DeadMentions, AreFilesThatACommentNamesAndNobodyHas) {
+    const auto verdict = [](const std::string& line) {
+        return to_text(dead_mentions({source_file("src/edgewise/table/ring.hpp", line + "\n"),
+                                      source_file("tests/contract/type.hpp.in", "")}));
+    };
+    const std::string slashes = "// ";  // in two pieces: this file is checked as well
+    EXPECT_EQ(verdict(slashes + "See rings.hpp."), "src/edgewise/table/ring.hpp:1: there is no rings.hpp\n");
+    EXPECT_NE(verdict(slashes + "(rings/ring.hpp)"), "");
+    EXPECT_EQ(verdict(slashes + "(ring.hpp), table/ring.hpp and edgewise/src/edgewise/table/ring.hpp"), "");
+    EXPECT_EQ(verdict(slashes + "edgewise/table/ring.hpp, and type.hpp, which is generated"), "");
+    EXPECT_EQ(verdict(slashes + "the file NAME.hpp, ../ring.hpp"), "");
+    EXPECT_EQ(verdict("#include \"rings.hpp\""), "");
+}
+
+TEST(LongReadme, IsCountedInLinesAndWords) {
+    const auto verdict = [](std::size_t lines, const std::string& line) {
+        std::string text;
+        for (std::size_t i = 0; i < lines; ++i) text += line + "\n";
+        return long_readme({source_file("README.md", text), source_file("docs/README.md", text + text)})
+            .size();
+    };
+    EXPECT_EQ(verdict(readme_lines, "a b c d e f g"), 0u);
+    EXPECT_EQ(verdict(readme_lines + 1, ""), 1u);
+    EXPECT_EQ(verdict(100, "a b c d e f g h i j"), 1u);
+}
+
+TEST(LongClasses, AreCountedToTheLine) {
+    const auto class_of = [](const std::string& opening, std::size_t lines) {
+        std::string text = opening + " {\n";
+        for (std::size_t i = 2; i < lines; ++i) text += i % 2 ? "    void f() { g(); }\n" : "    int a_{};\n";
+        return source_file("src/edgewise/x.hpp", "namespace a {\n" + text + "};\n}\n");
+    };
+    EXPECT_TRUE(long_classes({class_of("class A final : B<C>", longest_class)}).empty());
+    EXPECT_EQ(to_text(long_classes({class_of("class A final : B<C>", longest_class + 1)})),
+              "src/edgewise/x.hpp:2: a class of 151 lines\n");
+    EXPECT_EQ(long_classes({class_of("template <class T>\nstruct A", longest_class)}).size(), 1u);
+    EXPECT_TRUE(long_classes({class_of("namespace b", 2 * longest_class)}).empty());
+    EXPECT_TRUE(long_classes({class_of("enum class A", 2 * longest_class)}).empty());
+}
+
+TEST(LongProse, IsThatOfNeighbouringLiteralsTogether) {
+    const auto verdict = [](const std::string& path, const std::string& text) {
+        return to_text(long_prose({source_file(path, text)}));
+    };
+    const std::string half(101, 'a');
+    const std::string two = "f(\n\"" + half + "\"\n  \"" + half + "\");\n";
+    EXPECT_EQ(verdict("reports/a.cpp", two), "reports/a.cpp:2: 202 characters in one literal\n");
+    EXPECT_EQ(verdict("src/edgewise/a.cpp", two), "");
+    EXPECT_EQ(verdict("reports/a.cpp", "f(\"" + half + "\", \"" + half + "\");\n"), "");
+    EXPECT_EQ(verdict("reports/a.cpp", "// \"" + half + half + "\"\n"), "");
+    EXPECT_EQ(verdict("reports/a.cpp", "f(\"SELECT " + half + half + "\");\n"), "");
 }
 
 }  // namespace

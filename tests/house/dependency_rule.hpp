@@ -16,7 +16,7 @@ namespace edgewise::house {
 /// "edgewise/<room>/<file>".
 [[nodiscard]] std::vector<Violation> forbidden_includes(const std::vector<SourceFile>& files);
 
-/// One violation a circle of headers, at the include that closes it.
+/// One violation per cycle of headers, at the include that closes it.
 [[nodiscard]] std::vector<Violation> include_cycles(const std::vector<SourceFile>& files);
 
 }  // namespace edgewise::house

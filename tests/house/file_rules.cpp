@@ -96,7 +96,7 @@ std::vector<Violation> long_functions(const std::vector<SourceFile>& files) {
     std::vector<Violation> found;
     for (const SourceFile& file : files) {
         if (!is_cpp(file)) continue;
-        for (const FunctionSpan& span : function_spans(file.lines)) {
+        for (const Span& span : function_spans(file.lines)) {
             const std::size_t length = span.last - span.first + 1;
             if (length > longest_function) {
                 found.push_back(

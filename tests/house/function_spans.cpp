@@ -41,7 +41,7 @@ std::size_t end_of_blank(const std::string& text, std::size_t at) {
     return std::min(i + 1, text.size());
 }
 
-enum class Brace { scope, body, value };
+enum class Brace { scope, type, body, value };
 
 /// What stands before a brace decides what it opens.
 Brace kind_of(const std::string& before) {
@@ -50,7 +50,9 @@ Brace kind_of(const std::string& before) {
     static const std::regex is_value(R"([=,({]\s*$|\bconcept\b)");
     if (before.empty() || !is_space(before.back()) || std::regex_search(before, is_value))
         return Brace::value;
-    if (std::regex_search(before, is_scope) || before.find('(') == std::string::npos) return Brace::scope;
+    if (std::smatch what; std::regex_search(before, what, is_scope))
+        return what[3] == "class" || what[3] == "struct" ? Brace::type : Brace::scope;
+    if (before.find('(') == std::string::npos) return Brace::scope;
     return Brace::body;
 }
 
@@ -58,7 +60,9 @@ class Scan {
   public:
     explicit Scan(const std::string& code) : code_(code) {}
 
-    std::vector<FunctionSpan> run() {
+    /// Of what such braces enclose.
+    std::vector<Span> run(Brace wanted) {
+        wanted_ = wanted;
         for (; at_ < code_.size(); ++at_) {
             step(code_[at_]);
             if (code_[at_] == '\n') ++line_;
@@ -72,27 +76,29 @@ class Scan {
         if (c == '}') close();
         if (c == '(') ++parentheses_;
         if (c == ')') --parentheses_;
-        const bool between_declarations = open_.empty() || open_.back() == Brace::scope;
         const bool ends = c == ';' || (c == ':' && after_access_word());
-        if (ends && between_declarations && parentheses_ == 0) begin_statement();
+        if (ends && between_declarations() && parentheses_ == 0) begin_statement();
+    }
+
+    [[nodiscard]] bool between_declarations() const {
+        return open_.empty() || open_.back().kind == Brace::scope || open_.back().kind == Brace::type;
     }
 
     void open() {
-        const bool in_scope = open_.empty() || open_.back() == Brace::scope;
-        const Brace kind = in_scope && parentheses_ == 0 ? kind_of(code_.substr(statement_, at_ - statement_))
-                                                         : Brace::value;
-        open_.push_back(kind);
-        if (kind == Brace::body) first_ = line_of_statement();
-        if (kind == Brace::scope) begin_statement();
+        const Brace kind = between_declarations() && parentheses_ == 0
+                               ? kind_of(code_.substr(statement_, at_ - statement_))
+                               : Brace::value;
+        open_.push_back({kind, line_of_statement()});
+        if (between_declarations()) begin_statement();
     }
 
     /// After an initialiser's brace the statement goes on: `Name(int a) : a_{a} {`.
     void close() {
         if (open_.empty()) return;
-        const Brace kind = open_.back();
+        const Opened brace = open_.back();
         open_.pop_back();
-        if (kind == Brace::body) spans_.push_back({first_, line_});
-        if (kind != Brace::value) begin_statement();
+        if (brace.kind == wanted_) spans_.push_back({brace.first, line_});
+        if (brace.kind != Brace::value) begin_statement();
     }
 
     [[nodiscard]] bool after_access_word() const {
@@ -111,10 +117,16 @@ class Scan {
     }
 
     const std::string& code_;
-    std::size_t at_ = 0, line_ = 1, statement_ = 0, first_ = 0;
+    struct Opened {
+        Brace kind;
+        std::size_t first;  ///< line of the statement
+    };
+
+    std::size_t at_ = 0, line_ = 1, statement_ = 0;
     int parentheses_ = 0;
-    std::vector<Brace> open_;
-    std::vector<FunctionSpan> spans_;
+    Brace wanted_ = Brace::body;
+    std::vector<Opened> open_;
+    std::vector<Span> spans_;
 };
 
 }  // namespace
@@ -131,9 +143,32 @@ std::string bare_code(const std::vector<std::string>& lines) {
     return text;
 }
 
-std::vector<FunctionSpan> function_spans(const std::vector<std::string>& lines) {
+std::vector<Span> function_spans(const std::vector<std::string>& lines) {
     const std::string code = bare_code(lines);
-    return Scan(code).run();
+    return Scan(code).run(Brace::body);
+}
+
+std::vector<Span> class_spans(const std::vector<std::string>& lines) {
+    const std::string code = bare_code(lines);
+    return Scan(code).run(Brace::type);
+}
+
+std::vector<Literal> string_literals(const std::vector<std::string>& lines) {
+    const std::string text = joined(lines);
+    std::vector<Literal> found;
+    bool goes_on = false;
+    std::size_t line = 1;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t end = std::max(end_of_blank(text, i), i + 1);
+        const bool is_string = text[i] == '"' || text.compare(i, 2, "R\"") == 0;
+        if (is_string && !goes_on) found.push_back({line, ""});
+        if (is_string) found.back().text += text.substr(i + 1, end - i - 2);
+        if (!is_space(text[i]) && text.compare(i, 2, "//") != 0) goes_on = is_string;
+        line += static_cast<std::size_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(i),
+                                                    text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+        i = end;
+    }
+    return found;
 }
 
 }  // namespace edgewise::house

@@ -11,6 +11,8 @@
 #include "file_rules.hpp"
 #include "function_spans.hpp"
 #include "house_paths.hpp"
+#include "std_headers.hpp"
+#include "text_rules.hpp"
 
 namespace edgewise::house {
 namespace {
@@ -48,6 +50,10 @@ TEST(Types, AreNamedOnce) { EXPECT_EQ(to_text(types_named_twice(tree())), ""); }
 TEST(Functions, AreShort) { EXPECT_EQ(to_text(long_functions(tree())), ""); }
 
 TEST(Files, HoldNothingForeign) { EXPECT_EQ(to_text(foreign_matter(tree())), ""); }
+
+TEST(ExportedHeaders, IncludeWhatTheyUse) { EXPECT_EQ(to_text(missing_std_headers(tree())), ""); }
+
+TEST(Comments, NameFilesThatAreThere) { EXPECT_EQ(to_text(dead_mentions(tree())), ""); }
 
 /// The other half of the manifests' promise: a file and a line. A file without its line would be dead.
 TEST(Manifests, NameEveryFile) {

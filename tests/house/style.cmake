@@ -33,7 +33,7 @@ if(HOUSE_CLANG_TIDY)
     set_tests_properties(house.tidy PROPERTIES TIMEOUT 600)
 endif()
 
-# GCC may fuse what -ffp-contract=off keeps apart (cmake/options.cmake); std::fma itself compiles to scalar ones.
+# GCC may fuse what -ffp-contract=off keeps separate (cmake/options.cmake); std::fma itself compiles to scalar ones.
 find_program(HOUSE_OBJDUMP objdump)
 if(HOUSE_OBJDUMP AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     add_test(NAME house.no_contraction COMMAND ${CMAKE_COMMAND} -D TOOL=${HOUSE_OBJDUMP}

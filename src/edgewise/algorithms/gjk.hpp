@@ -10,8 +10,11 @@
 // nothing (Nagle's problem), even in wider arithmetic: close, thin and undecided simplices are solved in it.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 #include "edgewise/algorithms/distance.hpp"

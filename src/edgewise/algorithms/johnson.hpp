@@ -20,8 +20,10 @@
 // because the backup already covers flat simplices.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 

@@ -15,6 +15,8 @@
 //   is full: still a translation that takes the bodies apart.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <vector>
 

@@ -7,6 +7,8 @@
 // or almost in one place, rounding makes plateaus on which a climb ends far below the top.
 #pragma once
 
+#include <cstddef>
+
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
 

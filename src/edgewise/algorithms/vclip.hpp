@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 #include "edgewise/algorithms/distance.hpp"

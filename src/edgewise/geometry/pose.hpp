@@ -7,6 +7,9 @@
 // subtracted first, in double, and only then rotated.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/result.hpp"

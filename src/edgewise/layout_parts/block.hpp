@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// One table, one aligned block of memory. A layout first plans its arrays, saying what each byte of an
-// element is for; then the block is allocated once and the arrays are placed at fixed offsets. So the ledger
-// is what was really allocated, and an address inside the block is the same on every machine.
+// One table, one aligned block of memory. A layout says which arrays it has and what each byte of an element
+// is for, and is asked three times: to size the block, to place the arrays in it, and whenever somebody wants
+// to see the pieces. So nothing is kept beside the block, the ledger is what was really allocated, and an
+// address inside the block is the same on every machine.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
-#include <new>
+#include <memory_resource>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -18,24 +19,28 @@
 
 namespace edgewise {
 
-template <class Element>
-struct Slot {
-    std::size_t offset;
-    std::size_t count;
-};
-
+/// Arrays one after another, in the order in which they are named.
 class BlockPlan {
   public:
     /// Arrays start on cache lines, so that how they share lines does not depend on their neighbours' sizes.
     static constexpr std::size_t alignment = 64;
 
+    /// Sizes only.
+    BlockPlan() = default;
+    /// Places the arrays in a block of memory that starts here.
+    explicit BlockPlan(std::byte* base) : base_(base) {}
+
+    /// When it places, begins the array and points `to` at it: its elements are there, without a value yet,
+    /// and no memory is written for it.
     template <class Element>
-    Slot<Element> array(std::size_t count, const Shares& shares) {
+    void array(Element*& to, std::size_t count, const Shares& shares) {
         static_assert(std::is_trivially_destructible_v<Element> && alignof(Element) <= alignment);
         const std::size_t start = (size_ + alignment - 1) / alignment * alignment;
         add_piece(1, start - size_, {});
         add_piece(sizeof(Element), count, shares);
-        return {start, count};
+        if (!base_) return;
+        to = reinterpret_cast<Element*>(base_ + start);
+        std::uninitialized_default_construct_n(to, count);
     }
 
     /// One element right behind what is there, of any size: for records of several lengths. Returns where it
@@ -47,11 +52,6 @@ class BlockPlan {
     }
 
     [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] Ledger ledger() const {
-        Ledger ledger;
-        for (const Piece& piece : pieces_) piece.add_to(ledger);
-        return ledger;
-    }
     /// In memory order, without gaps; as they lie in a block that starts at `base`.
     [[nodiscard]] std::vector<Piece> pieces(const std::byte* base) const {
         std::vector<Piece> placed = pieces_;
@@ -64,6 +64,7 @@ class BlockPlan {
 
   private:
     void add_piece(std::size_t stride, std::size_t count, const Shares& shares) {
+        assert(shares.bytes() <= stride);
         size_ += stride * count;
         if (count == 0) return;
         if (!pieces_.empty() && pieces_.back().stride == stride && pieces_.back().shares == shares) {
@@ -73,56 +74,56 @@ class BlockPlan {
         }
     }
 
+    std::byte* base_ = nullptr;
     std::size_t size_ = 0;
     std::vector<Piece> pieces_;  // not placed yet
 };
 
-/// Shared: tables that differ only in their loader are views of one block. Nothing is written to memory that
-/// nobody asked to write: a page of planes that a lazy table never makes is never there.
+/// Memory of one owner, which alone gives it back, and of views that borrow it and must not outlive the
+/// owner. Nothing is written to memory that nobody asked to write: a page of planes that a lazy table never
+/// makes is never there.
 class Block {
   public:
     Block() = default;
-    explicit Block(BlockPlan plan) : held_(std::make_shared<const Held>(std::move(plan))) {}
+    /// Of what name_arrays(BlockPlan&) names, which is called twice: to size the block, and to place.
+    template <class NameArrays>
+    explicit Block(const NameArrays& name_arrays) : Block() {
+        BlockPlan sizes;
+        name_arrays(sizes);
+        bytes_ = sizes.size();
+        memory_ = static_cast<std::byte*>(table_memory().allocate(bytes_, BlockPlan::alignment));
+        owner_ = &table_memory();
+        BlockPlan places(memory_);
+        name_arrays(places);
+        assert(places.size() == bytes_);
+    }
+    ~Block() {
+        if (owner_) owner_->deallocate(memory_, bytes_, BlockPlan::alignment);
+    }
+    Block(Block&& other) noexcept
+        : owner_(std::exchange(other.owner_, nullptr)), memory_(other.memory_), bytes_(other.bytes_) {}
+    Block& operator=(Block&& other) noexcept {
+        std::swap(owner_, other.owner_);
+        std::swap(memory_, other.memory_);
+        std::swap(bytes_, other.bytes_);
+        return *this;
+    }
 
-    /// Begins the array: its elements are there, without a value yet, and no memory is written for it.
-    template <class Element>
-    [[nodiscard]] Element* start(Slot<Element> slot) const {
-        Element* const to = at(slot);
-        std::uninitialized_default_construct_n(to, slot.count);
-        return to;
+    /// The same memory, borrowed.
+    [[nodiscard]] Block view() const {
+        Block borrowed;
+        borrowed.memory_ = memory_;
+        borrowed.bytes_ = bytes_;
+        return borrowed;
     }
-    /// An array that was begun.
-    template <class Element>
-    [[nodiscard]] Element* at(Slot<Element> slot) const {
-        return reinterpret_cast<Element*>(held_->memory + slot.offset);
-    }
-    /// Builds every element of an array in place: element i is make(i).
-    template <class Element, class Make>
-    Element* fill(Slot<Element> slot, Make make) const {
-        Element* const to = at(slot);
-        for (std::size_t i = 0; i < slot.count; ++i)
-            new (to + i) Element(make(static_cast<std::uint32_t>(i)));
-        return to;
-    }
-    [[nodiscard]] std::byte* base() const { return held_->memory; }
-    [[nodiscard]] Ledger ledger() const { return held_ ? held_->plan.ledger() : Ledger{}; }
-    [[nodiscard]] std::vector<Piece> pieces() const { return held_->plan.pieces(held_->memory); }
+
+    [[nodiscard]] std::byte* base() const { return memory_; }
+    [[nodiscard]] std::size_t size() const { return bytes_; }
 
   private:
-    struct Held {
-        BlockPlan plan;
-        std::pmr::memory_resource& resource = table_memory();
-        std::byte* memory;
-
-        explicit Held(BlockPlan planned)
-            : plan(std::move(planned)),
-              memory(static_cast<std::byte*>(resource.allocate(plan.size(), BlockPlan::alignment))) {}
-        ~Held() { resource.deallocate(memory, plan.size(), BlockPlan::alignment); }
-        Held(const Held&) = delete;
-        Held& operator=(const Held&) = delete;
-    };
-
-    std::shared_ptr<const Held> held_;
+    std::pmr::memory_resource* owner_ = nullptr;  // none: borrowed, or nothing
+    std::byte* memory_ = nullptr;
+    std::size_t bytes_ = 0;
 };
 
 }  // namespace edgewise

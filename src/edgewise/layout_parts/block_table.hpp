@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // What layouts have in common that keep a body in one block of memory: the block, the body's facts, and the
-// loader. A layout derives from it, or from one of its heirs (IndexedTable, DerivedTable), and adds what is
-// its own: how vertices, edges and planes are stored and read.
+// loader. A layout derives from it, or from one of its derived classes (StoredTable, DerivedTable), and adds
+// what is its own: how vertices, edges and planes are stored and read.
 #pragma once
 
-#include <string_view>
-#include <utility>
+#include <cassert>
+#include <cstddef>
 
+#include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/layout_parts/block.hpp"
 #include "edgewise/layout_parts/write_geometry.hpp"
@@ -34,31 +35,25 @@ class BlockTable {
     [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
     [[nodiscard]] double reach() const { return facts_.reach; }
     [[nodiscard]] const BodyFacts& facts() const { return facts_; }
-    [[nodiscard]] Ledger ledger() const { return block_.ledger(); }
-    [[nodiscard]] std::vector<Piece> pieces() const { return block_.pieces(); }
 
     /// The facts of a body of the same topology (write_geometry.hpp).
     void note_facts(const Polyhedron& body) {
-        facts_ = BodyFacts(body, parts_, Tolerance<Strictness>::strict_turn);
+        assert(body.vertex_count() == facts_.vertex_count &&
+               body.vertex_ring.size() == facts_.neighbour_count);
+        facts_ = facts_of(body, facts_.parts);
     }
 
   protected:
     template <Precision, class, class>
     friend class BlockTable;
 
-    explicit BlockTable(Loader loader) : loader_(loader) {}
+    BlockTable(const Polyhedron& body, Parts parts, Loader loader)
+        : loader_(loader), facts_(facts_of(body, parts)) {}
 
-    /// The same memory seen through another loader.
+    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     BlockTable(const BlockTable<P, OtherLoader, Strictness>& other, Loader loader)
-        : loader_(loader), block_(other.block_), facts_(other.facts_), parts_(other.parts_) {}
-
-    /// Allocates what was planned. To be called once, before anything is filled.
-    void allocate(BlockPlan plan, const Polyhedron& body, Parts parts) {
-        block_ = Block(std::move(plan));
-        parts_ = parts;
-        note_facts(body);
-    }
+        : loader_(loader), block_(other.block_.view()), facts_(other.facts_) {}
 
     template <class Value>
     const Value& load(const Value& location, Field field) const {
@@ -68,7 +63,11 @@ class BlockTable {
     [[no_unique_address]] Loader loader_;
     Block block_;
     BodyFacts facts_;
-    Parts parts_ = Parts::support;
+
+  private:
+    static BodyFacts facts_of(const Polyhedron& body, Parts parts) {
+        return {body, parts, Tolerance<Strictness>::strict_turn};
+    }
 };
 
 }  // namespace edgewise

@@ -3,6 +3,7 @@
 // Linked lists as ranges, each step a read through the loader.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 
 #include "edgewise/table/loader.hpp"
@@ -17,8 +18,12 @@ class LinkedList {
         : loader_(&loader), at_(at), field_(field), item_(item) {}
     [[nodiscard]] LinkedList begin() const { return *this; }
     [[nodiscard]] std::nullptr_t end() const { return nullptr; }
-    auto operator*() const { return item_(at_); }
+    auto operator*() const {
+        assert(at_);
+        return item_(at_);
+    }
     LinkedList& operator++() {
+        assert(at_);
         at_ = static_cast<const Node*>(loader_->load(at_->next, field_));
         return *this;
     }

@@ -4,11 +4,13 @@
 // bits, and where each row starts, likewise. From 257 vertices on 16 bits, from 65 537 on 32.
 #pragma once
 
+#include <cassert>
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/layout_parts/block.hpp"
+#include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/loader.hpp"
 
 namespace edgewise {
@@ -16,27 +18,21 @@ namespace edgewise {
 /// Whole numbers below some limit, each in 1, 2 or 4 bytes.
 class NarrowArray {
   public:
-    NarrowArray() = default;
-
-    /// Plans the memory; `largest` decides the width.
-    NarrowArray(BlockPlan& plan, std::size_t count, std::size_t largest)
-        : count_(count),
-          width_(largest <= 0xff     ? 1
-                 : largest <= 0xffff ? 2
-                                     : 4) {
-        slot_ = plan.array<std::byte>(count * width_, {{Component::topology, 1}});
+    /// `largest` decides the width.
+    void place(BlockPlan& plan, std::size_t count, std::size_t largest) {
+        width_ = largest <= 0xff ? 1 : largest <= 0xffff ? 2 : 4;
+        plan.array(data_, count * width_, {{Component::topology, 1}});
     }
 
-    /// Writes make(i) at i for all.
+    /// Writes `count` numbers: make(i) at i.
     template <class Make>
-    void fill(const Block& block, Make make) {
-        data_ = block.start(slot_);
-        for (std::size_t i = 0; i < count_; ++i) {
+    void fill(std::size_t count, Make make) {
+        for (std::size_t i = 0; i < count; ++i) {
             const Index value = make(static_cast<Index>(i));
-            if (width_ == 1) *(block.at(slot_) + i) = static_cast<std::byte>(value);
-            if (width_ == 2)
-                reinterpret_cast<std::uint16_t*>(block.at(slot_))[i] = static_cast<std::uint16_t>(value);
-            if (width_ == 4) reinterpret_cast<std::uint32_t*>(block.at(slot_))[i] = value;
+            assert(width_ == 4 || value >> (8 * width_) == 0);
+            if (width_ == 1) data_[i] = static_cast<std::byte>(value);
+            if (width_ == 2) reinterpret_cast<std::uint16_t*>(data_)[i] = static_cast<std::uint16_t>(value);
+            if (width_ == 4) reinterpret_cast<std::uint32_t*>(data_)[i] = value;
         }
     }
 
@@ -50,23 +46,20 @@ class NarrowArray {
     [[nodiscard]] std::size_t width() const { return width_; }
 
   private:
-    const std::byte* data_ = nullptr;
-    Slot<std::byte> slot_{};
-    std::size_t count_ = 0;
+    std::byte* data_ = nullptr;
     std::uint32_t width_ = 1;
 };
 
 /// Positions in a ring are counted from the start of all rings.
 class NarrowRings {
   public:
-    NarrowRings() = default;
-    NarrowRings(BlockPlan& plan, const Polyhedron& body)
-        : offset_(plan, body.vertex_count() + 1, body.vertex_ring.size()),
-          neighbour_(plan, body.vertex_ring.size(), body.vertex_count() - 1) {}
-
-    void fill(const Block& block, const Polyhedron& body) {
-        offset_.fill(block, [&](Index i) { return body.vertex_offset[i]; });
-        neighbour_.fill(block, [&](Index i) { return body.head(body.vertex_ring[i]); });
+    void place(BlockPlan& plan, const BodyFacts& n) {
+        offset_.place(plan, n.vertex_count + 1, n.neighbour_count);
+        neighbour_.place(plan, n.neighbour_count, n.vertex_count - 1);
+    }
+    void fill(const Polyhedron& body) {
+        offset_.fill(body.vertex_offset.size(), [&](Index i) { return body.vertex_offset[i]; });
+        neighbour_.fill(body.vertex_ring.size(), [&](Index i) { return body.head(body.vertex_ring[i]); });
     }
 
     template <class Loader>
@@ -86,7 +79,10 @@ class NarrowRings {
     template <class Loader>
     [[nodiscard]] Index find(const Loader& loader, Index v, Index wanted) const {
         Index at = first(loader, v);
-        while (neighbour(loader, at) != wanted) ++at;
+        while (neighbour(loader, at) != wanted) {
+            ++at;
+            assert(at < last(Direct(), v));
+        }
         return at;
     }
 

@@ -2,53 +2,49 @@
 //
 // The rings of a body as compressed rows of 32-bit indices, for layouts that do not bring their own:
 // neighbours of a vertex, edges around a vertex, edges around a face. An edge entry is twice the edge plus
-// one when flipped.
+// one when flipped, as the Polyhedron's half-edges are, for both kinds of ring.
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include <algorithm>
+#include <cassert>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/layout_parts/block.hpp"
+#include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/loader.hpp"
 #include "edgewise/table/needs.hpp"
 #include "edgewise/table/ring.hpp"
 
 namespace edgewise {
 
-/// Where the ring arrays lie in the block; the face arrays are empty when only support is asked.
-struct RingSlots {
-    Slot<Index> vertex_offset, neighbour, vertex_ring, face_offset, face_ring;
-
-    RingSlots(BlockPlan& plan, const Polyhedron& body, Parts parts) {
-        const auto topology = [&](std::size_t count) {
-            return plan.array<Index>(count, {{Component::topology, sizeof(Index)}});
-        };
-        const bool features = parts == Parts::features;
-        vertex_offset = topology(body.vertex_count() + 1);
-        neighbour = topology(body.vertex_ring.size());
-        vertex_ring = topology(features ? body.vertex_ring.size() : 0);
-        face_offset = topology(features ? body.face_count() + 1 : 0);
-        face_ring = topology(features ? body.face_ring.size() : 0);
-    }
-};
-
-/// Views of the ring arrays. The Polyhedron's half-edges already are 2 * edge + flipped, for both kinds of
-/// ring.
 struct Rings {
-    const Index* vertex_offset = nullptr;
-    const Index* neighbour = nullptr;
-    const Index* vertex_ring = nullptr;
-    const Index* face_offset = nullptr;
-    const Index* face_ring = nullptr;
+    Index* vertex_offset = nullptr;
+    Index* neighbour = nullptr;
+    Index* vertex_ring = nullptr;
+    Index* face_offset = nullptr;
+    Index* face_ring = nullptr;
 
-    Rings() = default;
-    Rings(const Block& block, const RingSlots& slots, const Polyhedron& body)
-        : vertex_offset(fill(block, slots.vertex_offset, body.vertex_offset)),
-          neighbour(fill(block, slots.neighbour, neighbours_of(body))),
-          vertex_ring(fill(block, slots.vertex_ring, body.vertex_ring)),
-          face_offset(fill(block, slots.face_offset, body.face_offset)),
-          face_ring(fill(block, slots.face_ring, body.face_ring)) {}
+    /// The arrays of edges and faces are empty when only support is asked.
+    void place(BlockPlan& plan, const BodyFacts& n) {
+        const Shares topology = {{Component::topology, sizeof(Index)}};
+        const bool features = n.parts == Parts::features;
+        plan.array(vertex_offset, n.vertex_count + 1, topology);
+        plan.array(neighbour, n.neighbour_count, topology);
+        plan.array(vertex_ring, features ? n.neighbour_count : 0, topology);
+        plan.array(face_offset, features ? n.face_count + 1 : 0, topology);
+        plan.array(face_ring, n.face_ring_count, topology);
+    }
+
+    void fill(const Polyhedron& body, Parts parts) const {
+        assert(body.vertex_offset.size() == body.vertex_count() + 1);
+        std::copy(body.vertex_offset.begin(), body.vertex_offset.end(), vertex_offset);
+        std::transform(body.vertex_ring.begin(), body.vertex_ring.end(), neighbour,
+                       [&](HalfEdge h) { return body.head(h); });
+        if (parts == Parts::support) return;
+        std::copy(body.vertex_ring.begin(), body.vertex_ring.end(), vertex_ring);
+        std::copy(body.face_offset.begin(), body.face_offset.end(), face_offset);
+        std::copy(body.face_ring.begin(), body.face_ring.end(), face_ring);
+    }
 
     template <class Loader>
     [[nodiscard]] auto neighbours(const Loader& loader, Index v) const {
@@ -76,17 +72,6 @@ struct Rings {
         const Index first = loader.load(offset[row], field);
         const Index last = loader.load(offset[row + 1], field);
         return IndexedRing(first, last, reader);
-    }
-
-    static std::vector<Index> neighbours_of(const Polyhedron& body) {
-        std::vector<Index> result;
-        result.reserve(body.vertex_ring.size());
-        for (const HalfEdge h : body.vertex_ring) result.push_back(body.head(h));
-        return result;
-    }
-
-    static const Index* fill(const Block& block, Slot<Index> slot, const std::vector<Index>& from) {
-        return block.fill(slot, [&](Index i) { return from[i]; });
     }
 };
 

@@ -4,6 +4,8 @@
 // Plane names follow Mirtich's V-Clip report (MERL TR-97-05, section 3.1), orientation table/contract.hpp.
 #pragma once
 
+#include <cassert>
+
 #include "edgewise/geometry/polyhedron.hpp"
 
 namespace edgewise {
@@ -29,6 +31,7 @@ struct EdgeGeometry {
 }
 
 [[nodiscard]] inline EdgeGeometry edge_geometry(const Polyhedron& body, Index e) {
+    assert(e < body.edge_count());
     const PolyhedronEdge& edge = body.edges[e];
     const Vec3d& tail = body.vertices[edge.tail];
     const Vec3d& head = body.vertices[edge.head];

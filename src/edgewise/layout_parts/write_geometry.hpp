@@ -11,6 +11,8 @@
 // `void write_body(const Polyhedron&)`.
 #pragma once
 
+#include <cassert>
+
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/layout_parts/voronoi.hpp"
 #include "edgewise/table/body_facts.hpp"
@@ -48,6 +50,7 @@ void write_geometry(Table& table, const Polyhedron& body, WriteEdges edges = Wri
         table.write_body(body);
     } else {
         const BodyFacts& facts = table.facts();
+        assert(body.vertex_count() == facts.vertex_count);
         for (Index v = 0; v < facts.vertex_count; ++v) table.write_vertex(v, body.vertices[v]);
         if constexpr (WritesFaces<Table>) {
             for (Index f = 0; f < facts.face_count; ++f) table.write_face(f, body.face_planes[f]);

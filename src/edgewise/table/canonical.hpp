@@ -4,6 +4,10 @@
 // then (placing pairs in a scene), and as the reference that contract tests compare every layout with.
 #pragma once
 
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
 #include "edgewise/table/contract.hpp"
 
 namespace edgewise {

@@ -4,6 +4,7 @@
 // field to a sink and returns the same value. No algorithm and no layout holds a counter.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 
@@ -35,6 +36,7 @@ struct Traced {
 
     template <class Value>
     const Value& load(const Value& location, Field field) const {
+        assert(sink);
         // Where nodes hold pointers, a pointer is what is read. NOLINTNEXTLINE(bugprone-sizeof-expression)
         sink->read(&location, sizeof(Value), field);
         return location;

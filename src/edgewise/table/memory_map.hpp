@@ -4,6 +4,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
+#include <cstddef>
 #include <vector>
 
 #include "edgewise/table/pieces.hpp"
@@ -23,6 +25,7 @@ struct MappedPiece {
     std::vector<MappedPiece> map;
     for (const Piece& piece : pieces) {
         const std::byte* const from = base ? base : pieces.front().at;
+        assert(from <= piece.at);
         map.push_back({static_cast<std::size_t>(piece.at - from), piece.stride, piece.count, piece.shares});
     }
     return map;

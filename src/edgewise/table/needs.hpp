@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -12,7 +14,7 @@ namespace edgewise {
 
 /// What an answer must hold, least first: each asks for everything before it.
 enum class Needs : std::uint8_t {
-    verdict,      ///< apart or not
+    verdict,      ///< separated or not
     distance,     ///< and how far
     witnesses,    ///< and the two closest points
     features,     ///< and which vertices, edges or faces they lie on
@@ -24,6 +26,7 @@ inline constexpr std::array<std::string_view, 6> needs_names = {"verdict",  "dis
                                                                 "features", "depth",    "certificate"};
 
 [[nodiscard]] constexpr std::string_view to_string(Needs needs) {
+    assert(static_cast<std::size_t>(needs) < needs_names.size());
     return needs_names[static_cast<std::size_t>(needs)];
 }
 

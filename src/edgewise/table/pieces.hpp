@@ -68,9 +68,16 @@ struct Piece {
     }
     /// Books the piece's bytes.
     void add_to(Ledger& ledger) const {
+        assert(shares.bytes() <= stride);
         for (const Share& share : shares) ledger[share.component] += share.bytes * count;
         ledger[Component::padding] += (stride - shares.bytes()) * count;
     }
 };
+
+[[nodiscard]] inline Ledger ledger_of(std::span<const Piece> pieces) {
+    Ledger ledger;
+    for (const Piece& piece : pieces) piece.add_to(ledger);
+    return ledger;
+}
 
 }  // namespace edgewise

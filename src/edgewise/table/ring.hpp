@@ -3,6 +3,7 @@
 // Rings as ranges: what is around a vertex or a face, in order, read one entry at a time through a reader.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 
 namespace edgewise {
@@ -35,7 +36,9 @@ class IndexedRing {
     };
 
     IndexedRing(std::uint32_t first, std::uint32_t last, Reader reader)
-        : first_(first), last_(last), reader_(reader) {}
+        : first_(first), last_(last), reader_(reader) {
+        assert(first <= last);
+    }
 
     [[nodiscard]] Iterator begin() const { return {reader_, first_}; }
     [[nodiscard]] Iterator end() const { return {reader_, last_}; }

@@ -4,6 +4,8 @@
 // defines a member of the same name; it must break ties the same way: the first entry of the ring wins.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "edgewise/table/contract.hpp"

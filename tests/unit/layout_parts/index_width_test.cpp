@@ -10,19 +10,12 @@ namespace edgewise {
 namespace {
 
 TEST(IndexWidth, IndicesWidenAtTheirLimits) {
-    const auto width = [](std::size_t largest) {
-        BlockPlan plan;
-        return NarrowArray(plan, 3, largest).width();
-    };
-    EXPECT_EQ(width(255), 1U);
-    EXPECT_EQ(width(256), 2U);
-    EXPECT_EQ(width(65535), 2U);
-    EXPECT_EQ(width(65536), 4U);
-    for (const std::size_t largest : {255U, 256U, 65535U, 65536U}) {
-        BlockPlan plan;
-        NarrowArray array(plan, 2, largest);
-        const Block block(plan);
-        array.fill(block, [&](Index i) { return i == 0 ? static_cast<Index>(largest) : 7; });
+    for (const auto& [largest, width] : {std::pair{255U, 1U}, {256U, 2U}, {65535U, 2U}, {65536U, 4U}}) {
+        NarrowArray array;
+        const Block block([&, &largest = largest](BlockPlan& plan) { array.place(plan, 2, largest); });
+        EXPECT_EQ(array.width(), width);
+        EXPECT_EQ(block.size(), 2 * width);
+        array.fill(2, [&, &largest = largest](Index i) { return i == 0 ? largest : 7; });
         EXPECT_EQ(array.read(Direct{}, 0, Field::neighbour), largest);
         EXPECT_EQ(array.read(Direct{}, 1, Field::neighbour), 7U);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes of every layout, component by component, beside sums worked out by hand from V vertices, E edges and
+// Bytes of every layout, component by component, beside sums computed by hand from V vertices, E edges and
 // F faces of three bodies: arrays start on lines of 64 bytes, so what is short of a line is padding.
 #include <gtest/gtest.h>
 
@@ -92,7 +92,7 @@ TEST(LayoutBytes, OfAos) {
     });
 }
 
-/// A table of aos, and a bit an edge in words of 64.
+/// A table of aos, and a bit per edge in words of 64.
 TEST(LayoutBytes, OfLazyAos) {
     expect_bytes<lazy<f64>>([](const Counts& n) {
         const auto arrays = with_rings({24 * n.v, 176 * n.e, 32 * n.f}, n);
@@ -137,7 +137,8 @@ TEST(LayoutBytes, OfSoa) {
     });
 }
 
-/// Lanes that the last block of 8 does not fill are padding: of 24 bytes a vertex, 176 an edge, 32 a face.
+/// Lanes that the last block of 8 does not fill are padding: of 24 bytes per vertex, 176 per edge, 32 per
+/// face.
 TEST(LayoutBytes, OfAosoa) {
     expect_bytes<aosoa<f64>>([](const Counts& n) {
         const auto free = [](Bytes count) { return (8 - count % 8) % 8; };
@@ -151,8 +152,8 @@ TEST(LayoutBytes, OfAosoa) {
     });
 }
 
-/// Pointers of 8 bytes: 8 in an edge, 2 x 3 in cones at its vertices, 2 x 2 in cones of its faces, 2 a vertex
-/// and its index, 2 a face.
+/// Pointers of 8 bytes: 8 in an edge, 2 x 3 in cones at its vertices, 2 x 2 in cones of its faces, 2 per
+/// vertex and its index, 2 a face.
 TEST(LayoutBytes, OfLinked) {
     expect_bytes<linked<f64>>([](const Counts& n) {
         return Row{128 * n.e, 32 * n.e, 24 * n.v, 32 * n.f, 144 * n.e + 20 * n.v + 16 * n.f, 4 * n.v};
@@ -192,7 +193,7 @@ TEST(LayoutBytes, OfPoints) {
     });
 }
 
-/// The paper's figures: 168 bytes an edge and half of it, in the limit where V/E is a third.
+/// The paper's figures: 168 bytes per edge and half of it, in the limit where V/E is a third.
 TEST(LayoutBytes, APaperEdgeIs168BytesAndHalfInSingle) {
     const Polyhedron small = *scene::make_shape("sphere38"), large = *scene::make_shape("sphere386");
     const auto slope = [&]<class Table>(const Table* /*unused*/) {

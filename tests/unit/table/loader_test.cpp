@@ -47,10 +47,10 @@ TEST(Loader, TracedIsTheLocationItselfAndSaysSo) {
 TEST(Loader, RingsReportTheirOffsetsAndEveryEntry) {
     const auto body = scene::make_shape("cube8");
     ASSERT_TRUE(body) << body.error;
-    BlockPlan plan;
-    const RingSlots slots(plan, *body, Parts::features);
-    const Block block(plan);
-    const Rings rings(block, slots, *body);
+    Rings rings;
+    const BodyFacts facts(*body, Parts::features, 0);
+    const Block block([&](BlockPlan& plan) { rings.place(plan, facts); });
+    rings.fill(*body, Parts::features);
     Recorder recorder;
     const Traced<Recorder> loader{&recorder};
     std::vector<Index> direct, traced;

@@ -2,9 +2,9 @@
 //
 // The trap of parallel arrays, made visible: a walk over all edges that reads the planes and
 // the direction of each, nineteen scalars, and
-// a first-level cache of 32 KiB in 8 ways that keeps what was used last. Where the arrays of `soa` happen to
-// lie a multiple of the cache's stride apart every read misses; `soa_stagger` never does worse than each line
-// once.
+// a first-level cache of 32 KiB in 8 ways that keeps what was used last. Where the arrays of `soa` start a
+// multiple of the cache's stride from each other every read misses; `soa_stagger` never does worse than each
+// line once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,7 +82,7 @@ TEST(Stagger, NeverMissesMoreThanOnceALineWhateverTheLength) {
             EXPECT_EQ(staggered.misses(), staggered.compulsory()) << vertices;
         }
     }
-    std::printf("soa misses more than twice a line at %zu of 42 sizes\n", trapped);
+    std::printf("soa misses more than twice per line at %zu of 42 sizes\n", trapped);
     EXPECT_GT(trapped, 3U);
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/geometry/pose.hpp"

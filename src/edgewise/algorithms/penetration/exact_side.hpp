@@ -7,6 +7,8 @@
 // without the stages between his filter and the full sum, since few points are in doubt.
 #pragma once
 
+#include <cmath>
+
 #include "edgewise/algorithms/penetration/expansion.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 

@@ -5,8 +5,10 @@
 // negative distance, and is expanded first.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "edgewise/algorithms/gjk.hpp"

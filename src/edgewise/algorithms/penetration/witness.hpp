@@ -7,6 +7,10 @@
 // that cross at a small angle make thin triangles. Areas in double the digits, once a query, lose none.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 #include "edgewise/algorithms/penetration/polytope.hpp"
 #include "edgewise/geometry/double_double.hpp"
 

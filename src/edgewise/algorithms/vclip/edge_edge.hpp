@@ -5,6 +5,8 @@
 // edge-face planes, with a derivative test against the faces.
 #pragma once
 
+#include <optional>
+
 #include "edgewise/algorithms/vclip/body.hpp"
 #include "edgewise/algorithms/vclip/clip.hpp"
 #include "edgewise/algorithms/vclip/slope.hpp"

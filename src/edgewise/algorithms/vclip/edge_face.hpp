@@ -10,6 +10,9 @@
 // wrong.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "edgewise/algorithms/vclip/body.hpp"
 #include "edgewise/algorithms/vclip/clip.hpp"
 #include "edgewise/algorithms/vclip/closest_points.hpp"

@@ -5,6 +5,7 @@
 // Its simplex is turned back into features, so that the next query starts near.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "edgewise/algorithms/gjk.hpp"

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+//
+// A table whose layout is a mapping: arrays that say where a vertex, an edge's planes, direction and ends,
+// and a face's plane are. Reading, writing and rings are the same for all of them, and are here.
+//
+// Arrays has pointers into the block and is a handle of writable memory, as a span is: it may be const where
+// what it points to is not. Its members:
+//
+//     void place(BlockPlan& plan, const BodyFacts& n);         // names its arrays, in memory order
+//     ... vertex(Index v) const;                               // the places (places.hpp)
+//     ... vertex_edge_plane(Index e, End end) const;
+//     ... edge_face_plane(Index e, Side side) const;
+//     ... direction(Index e) const;
+//     ... length(Index e) const;
+//     ... ends(Index e) const;
+//     ... face_plane(Index f) const;
+//
+// A layout whose planes are in no one place reads them by functions of its own, and its arrays have, instead
+// of the places of planes and length, `void write_edge(Index e, const EdgeGeometry&) const`. What follows
+// from the topology alone, and is not an edge's ends, is written by `void link(const Polyhedron&) const`.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <vector>
+
+#include "edgewise/layout_parts/block_table.hpp"
+#include "edgewise/layout_parts/places.hpp"
+#include "edgewise/layout_parts/rings.hpp"
+
+namespace edgewise {
+
+template <class Arrays, Precision P, class Loader>
+class StoredTable : public BlockTable<P, Loader> {
+    using Base = BlockTable<P, Loader>;
+
+  protected:
+    using Base::block_;
+    using Base::facts_;
+    using Base::loader_;
+
+  public:
+    using typename Base::Compute;
+    using typename Base::Vertex;
+    using Edge = Index;
+    using Face = Index;
+
+    static constexpr Face no_face = edgewise::no_face;
+
+    StoredTable(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
+        : Base(body, parts, loader) {
+        block_ = Block([this](BlockPlan& plan) {
+            at_.place(plan, facts_);
+            rings_.place(plan, facts_);
+        });
+        rings_.fill(body, parts);
+        for (Index e = 0; e < facts_.edge_count; ++e) write_ends(at_.ends(e), body.edges[e]);
+        if constexpr (requires { at_.link(body); }) {
+            if (parts == Parts::features) at_.link(body);
+        }
+        write_geometry(*this, body, write);
+    }
+
+    /// The same memory seen through another loader: a view, which must not outlive the table.
+    template <class OtherLoader>
+    StoredTable(const StoredTable<Arrays, P, OtherLoader>& other, Loader loader)
+        : Base(other, loader), at_(other.at_), rings_(other.rings_) {}
+
+    [[nodiscard]] std::vector<Piece> pieces() const {
+        BlockPlan plan;
+        Arrays().place(plan, facts_);
+        Rings().place(plan, facts_);
+        return plan.pieces(block_.base());
+    }
+    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+
+    [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
+    [[nodiscard]] auto neighbours(Vertex v) const {
+        assert(v < facts_.vertex_count);
+        return rings_.neighbours(loader_, v);
+    }
+    [[nodiscard]] auto ring_of_vertex(Vertex v) const {
+        assert(v < facts_.vertex_count && facts_.parts == Parts::features);
+        return rings_.ring_of_vertex(loader_, v);
+    }
+    [[nodiscard]] auto ring_of_face(Face f) const {
+        assert(f < facts_.face_count);
+        return rings_.ring_of_face(loader_, f);
+    }
+
+    [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        assert(v < facts_.vertex_count);
+        return read_vector<Compute>(loader_, at_.vertex(v), Field::vertex);
+    }
+
+    [[nodiscard]] Vertex tail(Edge e) const { return end(e, 0); }
+    [[nodiscard]] Vertex head(Edge e) const { return end(e, 1); }
+    [[nodiscard]] Face left(Edge e) const { return end(e, 2); }
+    [[nodiscard]] Face right(Edge e) const { return end(e, 3); }
+    [[nodiscard]] Vec3<Compute> direction(Edge e) const {
+        assert(e < facts_.edge_count);
+        return read_vector<Compute>(loader_, at_.direction(e), Field::edge_direction);
+    }
+
+    [[nodiscard]] Plane<Compute> vertex_edge_plane(Edge e, End end) const {
+        assert(e < facts_.edge_count);
+        return read_plane<Compute>(loader_, at_.vertex_edge_plane(e, end), Field::voronoi_plane);
+    }
+    [[nodiscard]] Plane<Compute> edge_face_plane(Edge e, Side side) const {
+        assert(e < facts_.edge_count);
+        return read_plane<Compute>(loader_, at_.edge_face_plane(e, side), Field::voronoi_plane);
+    }
+    [[nodiscard]] Plane<Compute> face_plane(Face f) const {
+        assert(f < facts_.face_count);
+        return read_plane<Compute>(loader_, at_.face_plane(f), Field::face_plane);
+    }
+
+    void write_vertex(Index v, const Vec3d& point) { write_vector(at_.vertex(v), point); }
+    void write_edge(Index e, const EdgeGeometry& g) { store_edge(at_, e, g); }
+    void write_face(Index f, const Plane<double>& plane) { write_plane(at_.face_plane(f), plane); }
+
+  protected:
+    template <class, Precision, class>
+    friend class StoredTable;
+
+    Arrays at_;
+    Rings rings_;
+
+  private:
+    [[nodiscard]] Index end(Edge e, std::size_t k) const {
+        assert(e < facts_.edge_count);
+        return this->load(end_at(at_.ends(e), k), Field::edge_ends);
+    }
+};
+
+}  // namespace edgewise

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "std_headers.hpp"
+
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "function_spans.hpp"
+
+namespace edgewise::house {
+
+namespace {
+
+/// What the exported headers use, by header.
+const std::vector<std::pair<std::string, std::string>> names_of_headers = {
+    {"algorithm",
+     "all_of any_of clamp copy count fill fill_n find find_if lower_bound max max_element min min_element minmax none_of pop_heap push_heap reverse sort stable_sort transform unique upper_bound"},
+    {"array", "array"},
+    {"bit", "bit_cast bit_width countl_zero countr_zero has_single_bit popcount"},
+    {"charconv", "chars_format from_chars to_chars"},
+    {"cmath", "abs ceil copysign fabs floor fma frexp hypot ilogb isfinite isnan ldexp nextafter sqrt"},
+    {"concepts", "convertible_to floating_point integral same_as"},
+    {"cstddef", "byte max_align_t nullptr_t ptrdiff_t size_t to_integer"},
+    {"cstdint", "int16_t int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t uintptr_t"},
+    {"cstring", "memcmp memcpy"},
+    {"functional", "function"},
+    {"initializer_list", "initializer_list"},
+    {"limits", "numeric_limits"},
+    {"memory", "make_shared make_unique shared_ptr uninitialized_default_construct_n unique_ptr"},
+    {"memory_resource", "pmr"},
+    {"new", "align_val_t bad_alloc"},
+    {"numeric", "accumulate iota"},
+    {"optional", "nullopt optional"},
+    {"span", "span"},
+    {"string", "string to_string"},
+    {"string_view", "string_view"},
+    {"tuple", "tuple"},
+    {"type_traits",
+     "conditional_t decay_t enable_if_t is_floating_point_v is_integral_v is_same_v is_trivially_copyable_v is_trivially_destructible_v remove_cvref_t remove_reference_t"},
+    {"utility", "as_const exchange forward move pair swap"},
+    {"variant", "variant"},
+    {"vector", "vector"},
+};
+
+std::map<std::string, std::string> header_of_name() {
+    std::map<std::string, std::string> result;
+    for (const auto& [header, names] : names_of_headers) {
+        std::istringstream words(names);
+        for (std::string name; words >> name;) result[name] = header;
+    }
+    return result;
+}
+
+bool is_exported(const SourceFile& file) {
+    for (const char* room : {"src/edgewise/geometry/", "src/edgewise/table/", "src/edgewise/layout_parts/",
+                             "src/edgewise/algorithms/", "layouts/"}) {
+        if (file.path.starts_with(room)) return file.path.ends_with(".hpp");
+    }
+    return false;
+}
+
+std::set<std::string> included_by(const SourceFile& file) {
+    static const std::regex directive(R"(^#include <([^>]+)>.*)");
+    std::set<std::string> found;
+    for (const std::string& line : file.lines) {
+        if (std::smatch match; std::regex_match(line, match, directive)) found.insert(match[1]);
+    }
+    return found;
+}
+
+/// The standard names of a line of bare code, `assert` among them.
+std::vector<std::string> names_in(const std::string& line) {
+    static const std::regex name(R"(\bstd::(\w+)|\b(assert)\()");
+    std::vector<std::string> found;
+    for (std::sregex_iterator at(line.begin(), line.end(), name), end; at != end; ++at)
+        found.push_back((*at)[1].matched ? (*at)[1].str() : (*at)[2].str());
+    return found;
+}
+
+}  // namespace
+
+std::vector<Violation> missing_std_headers(const std::vector<SourceFile>& files) {
+    static const std::map<std::string, std::string> header_of = [] {
+        auto all = header_of_name();
+        all["assert"] = "cassert";
+        return all;
+    }();
+    std::vector<Violation> found;
+    for (const SourceFile& file : files) {
+        if (!is_exported(file)) continue;
+        std::set<std::string> there = included_by(file);
+        std::istringstream code(bare_code(file.lines));
+        std::size_t number = 0;
+        for (std::string line; std::getline(code, line);) {
+            ++number;
+            for (const std::string& name : names_in(line)) {
+                const auto header = header_of.find(name);
+                if (header == header_of.end()) {
+                    found.push_back(
+                        {file.path, number, "std::" + name + " is not in the table of std_headers.cpp"});
+                } else if (there.insert(header->second).second) {
+                    found.push_back({file.path, number, name + " needs #include <" + header->second + ">"});
+                }
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace edgewise::house

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Rules about how much stands in one place, and about what comments point to.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "source_tree.hpp"
+
+namespace edgewise::house {
+
+inline constexpr std::size_t most_files = 30, longest_class = 150, longest_prose = 200;
+inline constexpr std::size_t readme_lines = 120, readme_words = 900;
+
+/// Folders with more files of their own than a reader can survey. A folder may have more that gives its
+/// reason in its CMakeLists.txt, on a line that begins "# More than 30 files:".
+[[nodiscard]] std::vector<Violation> full_folders(const std::vector<SourceFile>& files);
+
+/// Source files that a comment names and the tree does not have.
+[[nodiscard]] std::vector<Violation> dead_mentions(const std::vector<SourceFile>& files);
+
+[[nodiscard]] std::vector<Violation> long_readme(const std::vector<SourceFile>& files);
+
+[[nodiscard]] std::vector<Violation> long_classes(const std::vector<SourceFile>& files);
+
+/// Prose in the string literals of reports: it belongs into a file of text. Statements of SQL may be long.
+[[nodiscard]] std::vector<Violation> long_prose(const std::vector<SourceFile>& files);
+
+}  // namespace edgewise::house
