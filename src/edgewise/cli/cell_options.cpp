@@ -20,7 +20,7 @@ void take_parameter(const std::string& text, scene::SceneParameters& parameters)
         used = 0;
     }
     if (used == 0 || equals + 1 + used != text.size())
-        throw CLI::ValidationError(fmt::format("--parameter {}: wants NAME=NUMBER", text));
+        throw CLI::ValidationError(fmt::format("--parameter {}: write NAME=NUMBER", text));
 }
 
 }  // namespace
@@ -30,16 +30,16 @@ void add_cell_options(CLI::App& command, studies::CellChoice& choice) {
     command.add_option("--algorithm", choice.algorithm, "vclip or gjk")->capture_default_str();
     command.add_option("--scene", choice.scene, "scene")->capture_default_str();
     command.add_option("--shape", choice.shape, "built-in shape")->capture_default_str();
-    command.add_option("--queries", choice.queries, "queries of a pass")
+    command.add_option("--queries", choice.queries, "queries per pass")
         ->capture_default_str()
         ->check(CLI::Range(1, 1'000'000'000));
-    command.add_option("--seed", choice.seed, "of the scene")->capture_default_str();
+    command.add_option("--seed", choice.seed, "seed of the scene")->capture_default_str();
     command.add_option_function<std::vector<std::string>>(
         "--parameter",
         [&choice](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) take_parameter(text, choice.parameters);
         },
-        "of the scene, NAME=NUMBER");
+        "parameters of the scene, NAME=NUMBER");
 }
 
 }  // namespace edgewise::cli

@@ -21,7 +21,7 @@ int run(const Options& options, bool json) {
     const studies::SingleCell cell(options.cell);
     const std::vector<studies::ModelSpeed> speeds = studies::model_speeds(cell, options.repetitions);
     nlohmann::json rows = nlohmann::json::array();
-    if (!json) fmt::print("{:<40} {:<18} {:>10} {:>12}\n", "what", "trace", "accesses", "million a s");
+    if (!json) fmt::print("{:<40} {:<18} {:>10} {:>12}\n", "what", "trace", "accesses", "million per s");
     for (const studies::ModelSpeed& speed : speeds) {
         rows.push_back({{"what", speed.what},
                         {"trace", speed.trace},
@@ -42,7 +42,9 @@ void add_bench(CLI::App& app, Context& context) {
     CLI::App* command =
         add_command(app, context, "bench", "How fast the cache model and the reuse distances are");
     add_cell_options(*command, options->cell);
-    command->add_option("--repetitions", options->repetitions, "of each, for a median")
+    command
+        ->add_option("--repetitions", options->repetitions,
+                     "repetitions of each measurement; the median is printed")
         ->check(CLI::Range(1, 1000));
     command->callback(
         [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });

@@ -163,7 +163,7 @@ void print_costs(const nlohmann::json& rows) {
     fmt::print(
         "bytes: the table's own; what it takes in each allocator; pages in memory in the arena; distinct "
         "cache "
-        "lines\na query touches in both tables, tumble at 0.1 rad a step\n");
+        "lines\na query touches in both tables, tumble at 0.1 rad per step\n");
 }
 
 void print_slopes(const nlohmann::json& rows) {

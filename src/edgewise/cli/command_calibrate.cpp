@@ -72,11 +72,11 @@ int run(const measure::CalibrationOptions& options, bool json) {
 void add_calibrate(CLI::App& app, Context& context) {
     auto options = std::make_shared<measure::CalibrationOptions>();
     CLI::App* command = add_command(app, context, "calibrate",
-                                    "Misses of random loads, modelled against counted, by level and size");
-    command->add_option("--times", options->times, "memory, in sizes of each level")
+                                    "Misses of random loads, modelled and counted, by level and size");
+    command->add_option("--times", options->times, "memory sizes, as multiples of each level's size")
         ->delimiter(',')
         ->check(CLI::Range(0.01, 1000.0));
-    command->add_option("--loads", options->loads, "of a pass")->check(CLI::Range(1000, 1'000'000'000));
+    command->add_option("--loads", options->loads, "loads per pass")->check(CLI::Range(1000, 1'000'000'000));
     command->callback(
         [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
 }

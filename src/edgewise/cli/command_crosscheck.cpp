@@ -90,7 +90,7 @@ void print(const studies::PerfCount& perf, double queries) {
     const std::string what =
         fmt::format("perf stat {} ({})", perf.event, perf.level.value_or("no known level"));
     if (perf.count.value) {
-        fmt::print("{:<40} {:.3f} a query\n", what, *perf.count.value / queries);
+        fmt::print("{:<40} {:.3f} per query\n", what, *perf.count.value / queries);
     } else {
         fmt::print("{:<40} not measured: {}\n", what, perf.count.reason);
     }
@@ -108,7 +108,7 @@ int run(const Options& options, bool json) {
     const measure::Fact<std::string> program = studies::program_for_valgrind();
     nlohmann::json rows = nlohmann::json::array();
     if (!json)
-        fmt::print("{:<20} {:>8} {:>9} {:>9} {:>10} {:>9} {:>8} {:>9} {:>9}\n", "a query", "accesses",
+        fmt::print("{:<20} {:>8} {:>9} {:>9} {:>10} {:>9} {:>8} {:>9} {:>9}\n", "per query", "accesses",
                    "callgrind", "D1 model", "with poses", "callgrind", "residual", "LL model", "callgrind");
     for (const measure::MachineChoice& machine : machines) {
         const Compared row = compare(machine, options, cell, program);
@@ -137,8 +137,8 @@ int run(const Options& options, bool json) {
 
 void add_crosscheck(CLI::App& app, Context& context) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        add_command(app, context, "crosscheck", "One cell's modelled misses beside Callgrind's and perf's");
+    CLI::App* command = add_command(app, context, "crosscheck",
+                                    "One cell's modelled misses compared with Callgrind's and perf's");
     add_cell_options(*command, options->cell);
     command->add_option("--machines", options->machines, "whose first two levels: names, or your NAME.json")
         ->delimiter(',');

@@ -49,12 +49,12 @@ void print(const measure::HeatMap& heat, const measure::TouchedTables& tables) {
     for (const auto& [component, part] : tables.by_component)
         fmt::print("  {:<20} {:.4f}\n", component, part);
     const auto feature = [](const char* name, const std::optional<double>& part) {
-        fmt::print("  {:<20} {}\n", name, part ? fmt::format("{:.4f}", *part) : "none stored apart");
+        fmt::print("  {:<20} {}\n", name, part ? fmt::format("{:.4f}", *part) : "none stored separately");
     };
     feature("vertices", tables.vertices);
     feature("edges", tables.edges);
     feature("faces", tables.faces);
-    fmt::print("accesses a query\n");
+    fmt::print("accesses per query\n");
     for (std::size_t i = 0; i < bench::field_names().size(); ++i) {
         if (const auto count = heat.accesses_by_field()[i]; count > 0)
             fmt::print("  {:<20} {:.2f}\n", bench::field_names()[i], static_cast<double>(count) / queries);

@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::json;
 
-/// One entry a layout, its precisions gathered.
+/// One entry per layout, its precisions gathered.
 json list_layouts() {
     json result = json::array();
     for (const bench::TableType& type : bench::table_types()) {

@@ -45,8 +45,8 @@ int run(bool json) {
 }  // namespace
 
 void add_machine(CLI::App& app, Context& context) {
-    CLI::App* command =
-        add_command(app, context, "machine", "What this machine is, which counters it has, and why not");
+    CLI::App* command = add_command(app, context, "machine",
+                                    "What this machine is, and which counters it has, or why one is missing");
     command->callback([&context] { context.action = [&context] { return run(context.json); }; });
 }
 

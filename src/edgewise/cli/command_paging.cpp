@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise paging`: major page faults a query under memory limits, measured, beside their prediction.
+// `edgewise paging`: major page faults per query under memory limits, measured, beside their prediction.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -72,11 +72,10 @@ void print(const studies::PagingResult& result) {
                static_cast<double>(result.pages_touched) * page / (1 << 20));
     if (!result.reason.empty()) fmt::print("  not measured: {}\n", result.reason);
     if (!result.keeps_recency)
-        fmt::print(
-            "  read-ahead could not be turned off as root would: this kernel may throw out any page\n");
+        fmt::print("  read-ahead could not be turned off as root would: this kernel may evict any page\n");
     if (!result.rows.empty())
         fmt::print("  {:>10} {:>10} {:>10} {:>10} {:>14} {:>10}\n", "limit, MiB", "predicted", "held, MiB",
-                   "predicted", "faults a query", "us a query");
+                   "predicted", "faults per query", "us per query");
     for (const studies::PagingRow& row : result.rows) {
         fmt::print("  {:>10.1f} {:>10.4f} ", static_cast<double>(row.limit_bytes) / (1 << 20),
                    row.predicted_at_limit);
@@ -118,19 +117,20 @@ void add_paging(CLI::App& app, Context& context) {
     CLI::App* command =
         add_command(app, context, "paging",
                     "Page faults of many bodies' queries under memory limits, and their prediction; "
-                    "turns a disk's read-ahead off for the moment of opening a file");
-    command->add_option("--layouts", options->layouts, "table types, a table for each body")->delimiter(',');
+                    "turns a disk's read-ahead off while it opens a file");
+    command->add_option("--layouts", options->layouts, "table types; every body has a table")->delimiter(',');
     command->add_option("--algorithm", options->algorithm, "vclip or gjk")->capture_default_str();
-    command->add_option("--shape", options->shape, "of all bodies")->capture_default_str();
-    command->add_option("--bodies", options->bodies, "how many")->check(CLI::Range(2, 100000));
-    command->add_option("--steps", options->steps, "of the scene, in each pass")->check(CLI::Range(1, 1000));
-    command->add_option("--rotation-step", options->rotation_step, "rad, of every body a step");
+    command->add_option("--shape", options->shape, "built-in shape of all bodies")->capture_default_str();
+    command->add_option("--bodies", options->bodies, "number of bodies")->check(CLI::Range(2, 100000));
+    command->add_option("--steps", options->steps, "steps of the scene in each pass")
+        ->check(CLI::Range(1, 1000));
+    command->add_option("--rotation-step", options->rotation_step, "turn of every body per step, rad");
     command->add_flag("--same-order", options->same_order,
                       "ask the pairs in the same order every step, instead of in a new one");
-    command->add_option("--limits", options->limits, "of memory, MiB; 0: none")
+    command->add_option("--limits", options->limits, "memory limits, MiB; 0: no limit")
         ->delimiter(',')
         ->check(CLI::Range(0.0, 1e6));
-    command->add_option("--seed", options->seed, "of the scene");
+    command->add_option("--seed", options->seed, "seed of the scene");
     command->callback(
         [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
 }

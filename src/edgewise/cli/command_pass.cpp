@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // `edgewise pass`: runs passes over one cell's queries and nothing else, for tools that look at the whole
-// program. One pass first fills caches; the others are what is to be looked at, and what Callgrind collects
+// program. One pass first fills caches; the others are what is to be observed, and what Callgrind collects
 // when told not to begin at the start. Not listed: `edgewise crosscheck` calls it.
 #include "edgewise/cli/cell_options.hpp"
 #include "edgewise/measure/process/callgrind_region.hpp"

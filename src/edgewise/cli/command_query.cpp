@@ -119,7 +119,7 @@ json answer_case(const scene::Case& given, bench::Runner& runner, const Options&
 std::unique_ptr<bench::Runner> chosen_runner(const Options& options) {
     const auto types = bench::select_table_types(std::vector{options.layout});
     if (types.size() != 1) {
-        throw std::invalid_argument(fmt::format("--layout wants one table type, such as {}; '{}' names {}",
+        throw std::invalid_argument(fmt::format("--layout takes one table type, such as {}; '{}' names {}",
                                                 types.front()->name, options.layout, types.size()));
     }
     static_cast<void>(bench::select_algorithms(std::vector{options.algorithm}));
@@ -166,7 +166,7 @@ int run(const Options& options) {
 void add_query(CLI::App& app, Context& context) {
     auto options = std::make_shared<Options>();
     CLI::App* command = add_command(app, context, "query", "Answers for given pairs, one JSON line each");
-    command->add_option("cases", options->cases, "case file, one JSON object a line; - reads stdin")
+    command->add_option("cases", options->cases, "case file, one JSON object per line; - reads stdin")
         ->required();
     command->add_option("--algorithm", options->algorithm, "vclip or gjk")->capture_default_str();
     command->add_option("--layout", options->layout, "table type, such as aos_f64")->capture_default_str();

@@ -89,8 +89,7 @@ int run(const Options& options, bool json) {
         fmt::print("{}\n", line.dump());
     } else {
         fmt::print(
-            "{} rows: {} verified, {} failed, {} unavailable\nstore: {} (`edgewise report {}` writes it "
-            "up)\n",
+            "{} rows: {} verified, {} failed, {} unavailable\nstore: {}; for the report: edgewise report {}\n",
             summary.rows, summary.rows - summary.failed - summary.unavailable, summary.failed,
             summary.unavailable, options.store, options.store);
     }
@@ -111,12 +110,14 @@ void add_stability(CLI::App& app, Context& context) {
     list("--layouts", options->layouts, "only these layouts or table types");
     list("--algorithms", options->algorithms, "only these algorithms");
     command->add_option("--mesh", options->meshes, "mesh files for the family of real hulls");
-    command->add_option("--count", options->count, "poses a family")
+    command->add_option("--count", options->count, "poses per family")
         ->check(at_least_one)
         ->capture_default_str();
-    command->add_option("--proofs", options->proofs, "of these with depth, certificate and time, at most")
+    command
+        ->add_option("--proofs", options->proofs,
+                     "poses per family with depth, certificate and time, at most")
         ->capture_default_str();
-    command->add_option("--seed", options->seed, "of the generators")->capture_default_str();
+    command->add_option("--seed", options->seed, "seed of the generators")->capture_default_str();
     command->add_option("--store", options->store, "SQLite file to write into")->capture_default_str();
     command->callback(
         [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });

@@ -172,7 +172,7 @@ int run(const Options& options, bool json) {
     }
     if (summary.stopped) {
         fmt::print(stderr,
-                   "edgewise: stopped; what was measured is in {}, and the same command goes on from there\n",
+                   "edgewise: stopped; what was measured is in {}, and the same command resumes there\n",
                    options.store);
         return exit_check_failed;
     }
@@ -191,15 +191,14 @@ void add_sweep(CLI::App& app, Context& context) {
     CLI::App* command =
         add_command(app, context, "sweep", "Verifies and measures every cell of a plan, then reports");
     command->add_option("--plan", options->plan, "quick, paper, full, or a JSON file")->capture_default_str();
-    command->add_option("--store", options->store, "SQLite file to fill or to go on with")
-        ->capture_default_str();
+    command->add_option("--store", options->store, "SQLite file to fill or to resume")->capture_default_str();
     command->add_option("--out", options->out, "folder for the report; beside the store if not given");
     const auto list = [&](const char* name, std::vector<std::string>& to, const char* what) {
         command->add_option(name, to, what)->delimiter(',');
     };
     list("--layouts", options->layouts, "only these layouts or table types");
     list("--algorithms", options->algorithms, "only these algorithms");
-    list("--axes", options->axes, "these cells beside the plain ones, such as gap_tolerance=1e-06");
+    list("--axes", options->axes, "these axes beside the plain cells, such as gap_tolerance=1e-06");
     list("--scenes", options->scenes, "only these scenes: kinds, scene files, or your own NAME.json");
     list("--shapes", options->shapes, "these built-in shapes instead of the plan's bodies");
     list("--caches", options->caches, "model caches for cells of these shapes, or all");
@@ -207,10 +206,11 @@ void add_sweep(CLI::App& app, Context& context) {
     command->add_option("--mesh", options->meshes, "these mesh files instead of the plan's bodies");
     command->add_flag("--each-mesh", options->each_mesh,
                       "one body for each mesh of a file, not one for the file");
-    command->add_option("--queries", options->queries, "queries a cell and round")->check(at_least_one);
-    command->add_option("--checked", options->checked, "queries checked exactly a cell")->check(at_least_one);
-    command->add_option("--rounds", options->rounds, "timed rounds a cell")->check(at_least_one);
-    command->add_option("--stability", options->stability, "hard cases a family; 0: no stability run");
+    command->add_option("--queries", options->queries, "queries per cell and round")->check(at_least_one);
+    command->add_option("--checked", options->checked, "queries checked exactly per cell")
+        ->check(at_least_one);
+    command->add_option("--rounds", options->rounds, "timed rounds per cell")->check(at_least_one);
+    command->add_option("--stability", options->stability, "hard cases per family; 0: no stability run");
     command->add_option("--seed", options->seed, "seed of scenes and orders");
     command->callback(
         [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });

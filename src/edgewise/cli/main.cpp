@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The command line: one file a command. Whatever a command throws ends as one line on stderr and exit code 2.
+// The command line: one file per command. Whatever a command throws ends as one line on stderr and exit
+// code 2.
 #include <algorithm>
 #include <cstdio>
 #include <exception>

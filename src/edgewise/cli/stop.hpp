@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Ctrl-C or a polite kill: long work ends after the piece in hand.
+// Ctrl-C or SIGTERM: long work ends after the piece in hand.
 #pragma once
 
 #include <atomic>

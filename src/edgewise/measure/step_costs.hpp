@@ -10,15 +10,15 @@
 
 namespace edgewise::measure {
 
-/// Means a step over the steps that have one before them. A volume is a body's box in world axes; a pair of
-/// boxes is tested when sweep and prune compares their ends on the axis that it sweeps.
+/// Means per step, over the steps that have one before them. A volume is a body's box in world axes; a pair
+/// of boxes is tested when sweep and prune compares their ends on the axis that it sweeps.
 struct StepCosts {
     std::uint64_t steps = 0;                             ///< 0: not measured
     double bodies = 0;                                   ///< N_u
     double box_tests = 0;                                ///< N_v
     double pairs = 0;                                    ///< N_p
     double moves = 0;                                    ///< places that sorting moved
-    double update_ns = 0, box_test_ns = 0, pair_ns = 0;  ///< C_u, C_v, C_p, each timed apart
+    double update_ns = 0, box_test_ns = 0, pair_ns = 0;  ///< C_u, C_v, C_p, each timed separately
     double step_ns = 0;                           ///< T: all of it, step after step, as an engine would
     std::string reason = "not measured", remedy;  ///< where steps is 0
 

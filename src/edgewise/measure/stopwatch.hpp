@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The clock of every time: std::chrono::steady_clock, which never runs backwards and counts in nanoseconds.
-// Reading it costs about as much as a short query, so batches are timed and calibrate() is subtracted once a
-// batch.
+// Reading it costs about as much as a short query, so batches are timed and calibrate() is subtracted once
+// per batch.
 #pragma once
 
 #include <chrono>

@@ -134,8 +134,8 @@ Json parse_line(std::string_view line) {
     try {
         return Json::parse(line);
     } catch (const Json::parse_error& error) {
-        throw Fault{fmt::format("not JSON at column {} (one object a line; NaN and Infinity are not numbers)",
-                                error.byte)};
+        throw Fault{fmt::format(
+            "not JSON at column {} (one object per line; NaN and Infinity are not numbers)", error.byte)};
     } catch (const Json::out_of_range&) {
         throw Fault{"a number is too large for double precision"};
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Case files: pairs of bodies with poses, one JSON object a line:
+// Case files: pairs of bodies with poses, one JSON object per line:
 //   {"id", "a": {"vertices": [[x,y,z]...], "faces": [[i,j,k...]...]?}, "b": {...},
 //    "pose_a": {"R": [9, row-major], "t": [3]}?, "pose_b": {...}?}
 // Poses are the identity when left out (or null); faces, when present, are taken as given. Other keys are

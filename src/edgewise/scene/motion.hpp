@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Coherent motion: a body drifts with constant velocity, turns about its own fixed axis by the same angle
-// every step, and is thrown back by the walls of a box. Bodies do not know of each other: they overlap and
+// every step, and is reflected by the walls of a box. Bodies do not know of each other: they overlap and
 // pass through one another, since what is measured is detection, not response.
 //
 // Walls act on the centre (the mean of the vertices, a point inside every body), so a body may stick out.
@@ -14,7 +14,7 @@ namespace edgewise::scene {
 
 struct MovingBody {
     Vec3d centre;    ///< of the body, in the world
-    Vec3d velocity;  ///< metres a step
+    Vec3d velocity;  ///< metres per step
     Quaternion orientation;
     Quaternion turn;  ///< rotation of one step
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Velocities of scene files in the units of scenes, which know steps alone: rad a step, and body sizes a
-// step.
+// Velocities of scene files in the units of scenes, which know steps alone: rad per step, and body sizes
+// per step.
 #pragma once
 
 #include <string>

@@ -31,7 +31,7 @@ struct Fault {
 constexpr std::array members = {"scene",      "shapes", "time_step", "needs", "sharing",
                                 "parameters", "vary",   "queries",   "note"};
 
-constexpr double usual_time_step = 1.0 / 60;  ///< s: a step a frame of a screen
+constexpr double usual_time_step = 1.0 / 60;  ///< s: a step per frame of a screen
 constexpr double longest_time_step = 1000;    ///< s
 constexpr double most_queries = 1e8;          ///< of one point: poses take 224 bytes each
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The scene files that come with Edgewise: the scenes of "New Metrics for Evaluation of Collision Detection
-// Techniques", one for each of its tests and figures (src/scene/paper). Sweeps and files name them like
+// Techniques", one for each of its tests and figures (reports/paper/scenes). Sweeps and files name them like
 // kinds of scenes.
 #pragma once
 

@@ -4,6 +4,7 @@
 //   static    random populations in a box, every pair cold (the paper's static test)
 //   cold      independent random pairs at chosen distances
 //   tumble    coherent motion, pairs followed through time (the paper's dynamic tests)
+//   proximity pairs a small gap apart that turn slowly in place (the paper's close proximity)
 //   pressure  more tables than caches hold, a table for every instance (the paper's many primitives)
 //
 // A body's *size* is its extent (the diagonal of its axis-aligned box); its *centre* the mean of its

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Names to bodies. Everything goes through convex_hull, the same road a user's point set takes.
+// Names to bodies. Everything goes through convex_hull, as a user's point set does.
 #include "edgewise/scene/shapes.hpp"
 
 #include <fmt/core.h>

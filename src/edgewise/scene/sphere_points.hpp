@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Points of the triangulated spheres: two families of any resolution k, one point a grid node.
+// Points of the triangulated spheres: two families of any resolution k, one point per grid node.
 //   octahedral  4 k^2 + 2 points: nodes of the octahedron |x| + |y| + |z| = k, pushed out to the sphere
 //   cubic       6 k^2 + 2 points: nodes of the surface of a k x k x k cube, spread by square roots only
 // No size is in both: 4 a^2 = 6 b^2 has no whole solution. sphere38 is octahedral, k = 3; sphere386 cubic, k

@@ -19,8 +19,8 @@ namespace edgewise::sweep {
 
 namespace {
 
-/// Hulls of real objects from Debian's dart-doc, relative to the mesh folder: a humanoid's foot, thigh and
-/// hand, and an arm's wrist.
+/// Hulls of real objects from Debian's dart-doc, relative to the mesh folder: feet of two humanoids, a hand,
+/// an arm's wrist.
 constexpr const char* real_objects[] = {"atlas_foot.stl", "hubo_foot.stl", "atlas_hand.stl", "wam_wrist.stl"};
 
 /// Of this program, without those that hardly differ from another.

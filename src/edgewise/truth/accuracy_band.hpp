@@ -28,7 +28,7 @@ struct AccuracyBand {
 [[nodiscard]] AccuracyBand accuracy_band(std::span<const Vec3d> a, const Pose& pose_a,
                                          std::span<const Vec3d> b, const Pose& pose_b, double eps);
 
-/// An answer as far as it is judged. In contact the distance is not looked at.
+/// An answer as far as it is judged. In contact the distance is not judged.
 struct JudgedAnswer {
     bool separated = false;
     double distance = 0;

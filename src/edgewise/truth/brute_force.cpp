@@ -27,7 +27,7 @@ struct WorldBody {
         return vertices[body.edges[e].head] - vertices[body.edges[e].tail];
     }
 
-    /// Sum over a fan: twice the area vector, steady also for rings with collinear corners.
+    /// Sum over a fan: twice the area vector, stable also for rings with collinear corners.
     [[nodiscard]] Vec3d ring_normal(Index f) const {
         const auto ring = body.ring_of_face(f);
         const Vec3d& corner = vertices[body.tail(ring[0])];

@@ -3,10 +3,10 @@
 // A certificate: an interval that provably holds the true distance of two bodies, from what an answer claims.
 // A poor claim makes it wide, never wrong.
 //
-// Lower bound: every vertex of both bodies along a direction in world axes, R as given: how far apart the two
-// lie along it. Upper bound: the distance between two points that lie in the bodies, as means of vertices
-// with non-negative weights. Both are computed exactly, in integers, and rounded outward once at the end, so
-// the width is that of the claim alone.
+// Lower bound: every vertex of both bodies along a direction in world axes, R as given: the gap
+// between the two along it. Upper bound: the distance between two points that lie in the bodies, as means of
+// vertices with non-negative weights. Both are computed exactly, in integers, and rounded outward once at the
+// end, so the width is that of the claim alone.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct Certificate {
 /// if none is left, vertex 0 stands in.
 struct WitnessClaim {
     std::span<const std::uint32_t> vertices;  ///< of the feature, or of the simplex
-    /// One a vertex, divided exactly by their sum; what is not finite and positive counts as 0. Empty: the
+    /// One per vertex, divided exactly by their sum; what is not finite and positive counts as 0. Empty: the
     /// mean is not known.
     std::span<const double> weights{};
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Integer world coordinates on demand, and exact support by a filtered scan: only what the filter cannot tell
-// apart is compared exactly.
+// Integer world coordinates on demand, and exact support by a filtered scan: only what the filter cannot
+// distinguish is compared exactly.
 #include "edgewise/truth/exact_body.hpp"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 // problem in integers: GJK (Gilbert, Johnson and Keerthi, 1988; Wolfe's minimum-norm point) on GMP integers,
 // finite and without any tolerance. It departs from the textbook in where it starts (a GJK in double finds
 // the simplex, the exact one confirms it or goes on) and in its support search (a scan in double with a
-// proven error bound, exact only among the vertices it cannot tell apart).
+// proven error bound, exact only among the vertices it cannot distinguish).
 #pragma once
 
 #include <span>

@@ -2,7 +2,7 @@
 //
 // The paper's control: the interpenetration test of Moore and Wilhelms, "Collision Detection and Response for
 // Computer Animation" (SIGGRAPH 1988). A vertex, an edge or a face centroid of one body strictly inside the
-// other, both ways round. It answers contact or no contact; the paper counts how often an algorithm
+// other, tested both ways. It answers contact or no contact; the paper counts how often an algorithm
 // disagrees.
 //
 // Departure: an edge is clipped against all planes at once (Cyrus and Beck), and a range that is left means a

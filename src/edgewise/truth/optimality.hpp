@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The proof of an exact answer, checked anew for every answer and apart from the search that found it:
+// The proof of an exact answer, checked for every answer, independently of the search that found it:
 // non-negative weights that sum to one put the nearest point into A - B, and no vertex pair lies below the
 // plane through it. Together these two say that no other point is nearer (Kuhn-Tucker).
 #pragma once

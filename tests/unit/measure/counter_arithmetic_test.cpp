@@ -56,7 +56,7 @@ TEST(CounterArithmetic, RefusesWhatIsTooSmallInsteadOfGivingZero) {
         const std::vector samples(5, clean(count));
         const auto figure = count_per_query(samples, cost, 1000);
         EXPECT_FALSE(figure.value) << count;
-        EXPECT_NE(figure.refusal.reason.find("below 0.5 a query"), std::string::npos)
+        EXPECT_NE(figure.refusal.reason.find("below 0.5 per query"), std::string::npos)
             << figure.refusal.reason;
         EXPECT_FALSE(figure.refusal.remedy.empty());
     }

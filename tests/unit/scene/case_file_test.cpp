@@ -136,7 +136,7 @@ TEST(CaseFile, ABadLineDoesNotLoseTheRest) {
     }
     const std::vector<std::string> want = {
         "1 'x' read",
-        "4 '' dir/cases.jsonl:4: not JSON at column 1 (one object a line; NaN and Infinity are not numbers)",
+        "4 '' dir/cases.jsonl:4: not JSON at column 1 (one object per line; NaN and Infinity are not numbers)",
         "5 '17' dir/cases.jsonl:5: a.vertices is missing", "6 'x' read"};
     EXPECT_EQ(seen, want);
 }

@@ -2,9 +2,8 @@
 //
 // One level of a modelled cache: sets of ways, any number of either, and which line makes room for a new one.
 //   lru        the one used longest ago, exactly
-//   tree_plru  a bit a node of a binary tree over the ways points away from what was used last; where the
-//   ways
-//              are no power of two, the left subtree is the larger one
+//   tree_plru  a bit per node of a binary tree over the ways points away from what was used last; the left
+//              subtree is the larger one where the ways are no power of two
 //   random     any, from a seeded generator: the same misses on every run
 // An empty way is taken before any line goes.
 //
@@ -27,7 +26,7 @@ inline constexpr std::uint32_t most_tree_ways = 64;
 /// What is known of a line that is there, or was.
 struct CachedLine {
     std::uint64_t line;
-    std::uint64_t used = 0;  ///< a bit a 64th of the line: what of it was ever asked for
+    std::uint64_t used = 0;  ///< a bit per 64th of the line: what of it was ever asked for
     bool dirty = false;
 };
 

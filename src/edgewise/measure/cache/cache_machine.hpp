@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A machine to model: its caches and TLBs and how long each takes to answer. From a small JSON file; those
-// that come with Edgewise are in machines/, one a file, with a source for every number. A number that its
+// that come with Edgewise are in machines/, one per file, with a source for every number. A number that its
 // source does not prove is named in `unverified`, and what is computed of it is marked.
 //
 //     {"what": "...", "clock_mhz": 733, "line_bytes": 32,

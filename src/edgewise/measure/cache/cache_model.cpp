@@ -13,7 +13,7 @@ CacheModel::CacheModel(CacheGeometry geometry)
       line_shift_(static_cast<std::uint32_t>(std::countr_zero(geometry_.line_bytes))),
       counts_(geometry_.levels.size()) {
     assert(std::has_single_bit(geometry_.line_bytes) && !geometry_.levels.empty());
-    assert(geometry_.levels[0].inclusion != Inclusion::exclusive);  // nothing above throws anything out
+    assert(geometry_.levels[0].inclusion != Inclusion::exclusive);  // nothing above evicts anything
     for (const LevelGeometry& level : geometry_.levels)
         levels_.emplace_back(level.sets, level.ways, level.replacement);
 }
@@ -55,7 +55,7 @@ std::size_t CacheModel::fetch(std::uint64_t line, std::uint64_t used, bool dirti
     return depth;
 }
 
-/// Puts a line into a level and finds a place for what that throws out.
+/// Puts a line into a level and finds a place for what that evicts.
 void CacheModel::put(std::size_t level, const CachedLine& entry) {
     auto gone = levels_[level].insert(entry);
     if (!gone) return;

@@ -7,14 +7,14 @@
 // What the levels do, top down from 0:
 //   - An access that no level answers goes to memory; every line comes in whole, writes as well
 //     (write-allocate, write-back).
-//   - non_inclusive: a line is put into every level it was missed in; what one level throws out, others keep.
-//   - inclusive: besides, what this level throws out, the levels above lose as well.
-//   - exclusive (a victim cache): holds only what the level above threw out; a hit moves the line up and out.
-//   - A dirty line thrown out goes to the level below if that has it or is exclusive, else on to memory.
+//   - non_inclusive: a line is put into every level it was missed in; what one level evicts, others keep.
+//   - inclusive: besides, what this level evicts, the levels above lose as well.
+//   - exclusive (a victim cache): holds only what the level above evicted; a hit moves the line up and out.
+//   - A dirty line that is evicted goes to the level below if that has it or is exclusive, else on to memory.
 //   - One line size for all levels. With pages for lines this is a hierarchy of TLBs.
 //
-// A reference that crosses a line is one access a line (`split`, as hardware does it), or one access and one
-// miss at most (`merge`, as Cachegrind counts).
+// A reference that crosses a line is one access per line (`split`, as hardware does it), or one access and
+// one miss at most (`merge`, as Cachegrind counts).
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,7 @@ class MissCurve {
     /// Uses that a cache of so many lines misses, first uses included.
     [[nodiscard]] std::uint64_t misses(std::uint64_t lines) const;
 
-    /// The smallest size whose misses, apart from first uses, are at most so many; 0: even none would do.
+    /// The smallest size whose misses, without first uses, are at most so many; 0: even none would do.
     [[nodiscard]] std::uint64_t smallest_size(double misses) const;
 
     /// Sizes at which the misses change, growing, and the misses from there on; at most `points` of them,
@@ -46,7 +46,7 @@ class MissCurve {
 
 /// The knee of a scene: the smallest cache in which a query finds nine tenths of what it comes back to, that
 /// is, in which it brings in again, on average, at most a tenth of the lines it touches. Below it the scene
-/// thrashes: lines are thrown out before they are used again. `touched`: distinct lines that all queries
+/// thrashes: lines are evicted before they are used again. `touched`: distinct lines that all queries
 /// touched, summed over queries.
 [[nodiscard]] inline std::uint64_t knee(const MissCurve& curve, std::uint64_t touched) {
     return curve.smallest_size(0.1 * static_cast<double>(touched));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Reuse distances of the tables' pages alone: what a memory of any size would have to fetch again, if it
-// threw out the page that was not used for longest.
+// evicted the page that was not used for longest.
 #pragma once
 
 #include "edgewise/measure/cache/reuse_distance.hpp"
@@ -28,7 +28,7 @@ class PageReuse final : public TraceListener {
 
     /// Distinct pages so far.
     [[nodiscard]] std::uint64_t pages() const { return reuse_.lines(); }
-    /// Fetches a query in a memory of so many pages.
+    /// Fetches per query in a memory of so many pages.
     [[nodiscard]] double fetches_per_query(std::uint64_t memory_pages) const {
         return static_cast<double>(reuse_.curve().misses(memory_pages)) / static_cast<double>(queries_);
     }

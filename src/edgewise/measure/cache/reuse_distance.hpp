@@ -51,7 +51,7 @@ class ReuseDistance {
 
     std::uint64_t last_line_ = never;
     std::vector<std::uint64_t> last_use_;  ///< by line: time + 1; 0: not yet
-    std::vector<std::uint64_t> words_;     ///< a bit a time: some line's last use
+    std::vector<std::uint64_t> words_;     ///< a bit per time: some line's last use
     std::vector<std::uint64_t> tree_;      ///< Fenwick tree over the words' bit counts, from 1
     std::uint64_t now_ = 0, live_ = 0;
     MissCurve curve_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which bytes of a stretch of memory were ever touched: a bit a byte.
+// Which bytes of a stretch of memory were ever touched: a bit per byte.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The cache model against this machine's counters: random chases through memory of half to eight times each
-// level's size, misses a load modelled and counted, and the ratio. Where nothing can be counted, that is
+// level's size, misses per load, modelled and counted, and the ratio. Where nothing can be counted, that is
 // said; the time a load takes shows the levels all the same.
 #pragma once
 
@@ -16,17 +16,17 @@ namespace edgewise::measure {
 
 struct CalibrationRow {
     std::string level;  ///< the one whose size is in question
-    double times = 0;   ///< memory over the level's size
+    double times = 0;   ///< memory divided by the level's size
     std::uint64_t bytes = 0;
-    double modelled = 0;            ///< misses of the level a load
+    double modelled = 0;            ///< misses of the level, per load
     std::optional<double> counted;  ///< the same by the processor
     std::string event, reason;      ///< what was counted, and why it was not
-    double ns = 0;                  ///< a load
+    double ns = 0;                  ///< per load
 };
 
 struct CalibrationOptions {
     std::vector<double> times = {0.5, 1, 2, 8};
-    std::uint64_t loads = 1'000'000;  ///< a pass
+    std::uint64_t loads = 1'000'000;  ///< per pass
     std::uint64_t most_bytes = std::uint64_t{1} << 31;
 };
 

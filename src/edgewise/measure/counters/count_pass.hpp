@@ -27,18 +27,18 @@ struct PassRecord : ChosenEvent {
 };
 
 struct CountedPass {
-    std::vector<PassRecord> records;  ///< one an event, in the order of the events
+    std::vector<PassRecord> records;  ///< one per event, in the order of the events
     std::size_t passes = 0;           ///< how often `pass` was called
 };
 
 struct CountOptions {
-    std::size_t samples = 5;          ///< undisturbed passes wanted a group
-    std::size_t most_passes = 12;     ///< a group, disturbed ones included
-    std::size_t empty_batches = 101;  ///< a group
+    std::size_t samples = 5;          ///< undisturbed passes wanted per group
+    std::size_t most_passes = 12;     ///< per group, disturbed ones included
+    std::size_t empty_batches = 101;  ///< per group
 };
 
 /// Every metric of metric.hpp. Where no event can be opened, `pass` is not called at all; that is found out
-/// once a process. `cpu`: this machine's.
+/// once per process. `cpu`: this machine's.
 [[nodiscard]] CountedPass count_pass(const std::function<void()>& pass, std::size_t queries, const Cpu& cpu,
                                      const CountOptions& options = {});
 

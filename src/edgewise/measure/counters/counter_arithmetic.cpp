@@ -72,7 +72,7 @@ Measured<CounterFigure> count_per_query(std::span<const CounterSample> samples, 
     const double least = static_cast<double>(least_to_floor * cost.floor);
     if (batch < least) {
         return Result::refused(
-            fmt::format("fewer than {} in a batch of {} queries, so below {:.3g} a query: too few to tell "
+            fmt::format("fewer than {} in a batch of {} queries, so below {:.3g} per query: too few to tell "
                         "from what counting itself may cause ({})",
                         least, queries, least / static_cast<double>(queries), cost.floor),
             "count a batch of more queries");

@@ -2,8 +2,8 @@
 //
 // From counts of batches of queries to a figure per query. Pure functions, so that they are tested without
 // counters. What counting itself costs is measured by empty batches and subtracted; what is too small to be
-// told from it is refused, as is what was disturbed or shared its counter. Nothing is scaled, no 0 is made
-// up.
+// distinguished from it is refused, as is what was disturbed or shared its counter. Nothing is scaled, no 0
+// is made up.
 #pragma once
 
 #include <cstddef>

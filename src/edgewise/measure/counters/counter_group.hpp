@@ -16,7 +16,7 @@
 
 namespace edgewise::measure {
 
-/// Some processors have four counters a thread for any event, and the watchdog may hold one.
+/// Some processors have four counters per thread for any event, and the watchdog may hold one.
 inline constexpr std::size_t largest_group = 4;
 
 struct GroupCount {

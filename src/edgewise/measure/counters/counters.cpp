@@ -70,7 +70,7 @@ bool do_reference_work() {
     const std::size_t bytes = 256 * page;
     void* const memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return false;
-    // One page fault a page; a huge page would take them all in one. May fail where there are none.
+    // One page fault per page; a huge page would take them all in one. May fail where there are none.
     madvise(memory, bytes, MADV_NOHUGEPAGE);
     auto* const data = static_cast<volatile unsigned char*>(memory);
     for (std::size_t i = 0; i < bytes; i += page) data[i] = 1;

@@ -22,7 +22,7 @@ class SoftwareWatch {
 
     void start();
 
-    /// minor_faults, major_faults, context_switches, cpu_migrations since start(); values a query.
+    /// minor_faults, major_faults, context_switches, cpu_migrations since start(); values per query.
     [[nodiscard]] std::vector<PassRecord> stop(std::size_t queries);
 
   private:

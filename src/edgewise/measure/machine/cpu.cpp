@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// /proc/cpuinfo: blocks of "key : value" lines, one block a logical processor. On a hybrid processor the
+// /proc/cpuinfo: blocks of "key : value" lines, one block per logical processor. On a hybrid processor the
 // blocks differ; the first one is described.
 #include "edgewise/measure/machine/cpu.hpp"
 
@@ -24,7 +24,7 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(begin, text.find_last_not_of(" \t") - begin + 1));
 }
 
-/// One map a logical processor. Lines outside a "processor" block (Arm's board name) are left out.
+/// One map per logical processor. Lines outside a "processor" block (Arm's board name) are left out.
 std::vector<Keys> parse_blocks(std::string_view cpuinfo) {
     std::vector<Keys> blocks;
     std::istringstream lines{std::string(cpuinfo)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // This machine as one to model: sizes, ways and line from sysfs (caches.hpp). How long its levels take, which
-// contain which and what they throw out the kernel does not tell: latencies are left out, and the model's
+// contain which and what they evict the kernel does not tell: latencies are left out, and the model's
 // defaults (non-inclusive, LRU) are marked as unverified.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The processors whose events are known, told apart as libpfm does: by vendor, family, model and stepping.
+// The processors whose events are known, distinguished as libpfm does: by vendor, family, model and stepping.
 #pragma once
 
 #include <cstdint>

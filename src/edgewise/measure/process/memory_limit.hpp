@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A memory control group of the kernel's, version 1 or 2: processes in it get so much memory and no more, so
-// that pages of files are thrown out and read again. Made for one measurement and removed with it.
+// that pages of files are evicted and read again. Made for one measurement and removed with it.
 #pragma once
 
 #include <sys/types.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Families 4, 5, 14 and 15: just apart, just touching, deep inside, and every support value twice.
+// Families 4, 5, 14 and 15: just separated, just touching, deep inside, and every support value twice.
 #include <cmath>
 
 #include "edgewise/scene/hard/families.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The hard-case families: seeded generators of pairs that broke some collision library, each with the regime
-// it sweeps, and six rows of cube poses on which the original V-Clip was measured. One line a family in
+// it sweeps, and six rows of cube poses on which the original V-Clip was measured. One line per family in
 // families.cpp; the generators stand in the files named after what they vary.
 #pragma once
 

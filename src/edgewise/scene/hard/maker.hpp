@@ -65,7 +65,7 @@ class Maker {
 [[nodiscard]] Mat3d product(const Mat3d& a, const Mat3d& b);
 
 /// Moves B along the line of closest approach until the gap is as wanted, to rounding; negative gaps overlap
-/// by about as much. B must be apart from A, else it is first moved off along `away`.
+/// by about as much. B must be separated from A, else it is first moved off along `away`.
 void set_gap(const CaseBody& a, const Pose& pose_a, const CaseBody& b, Pose& pose_b, const Vec3d& away,
              double gap);
 

@@ -5,7 +5,7 @@
 // its own, and turn about their middles; each step asks every body against the next, once, in an order that
 // memory does not know. What a pair needs has left the caches by the time it is asked again, or has not, by
 // how small its tables are. The same order in every step is what engines have, and the worst case of caches
-// that throw out what was not used for longest: too small by a little is too small for all of it. With
+// that evict what was not used for longest: too small by a little is too small for all of it. With
 // new_order each step has another.
 //
 // Neighbours follow each other along the lattice back and forth, so that every pair is near; spheres around
@@ -55,10 +55,10 @@ std::vector<std::uint32_t> any_order(std::uint32_t count, Rng& rng) {
 SceneInfo describe_pressure() {
     return {
         "pressure",
-        "many bodies, a table each, every body against the next in turn: more tables than caches hold",
+        "many bodies, a table per body, every body against the next in turn: more tables than caches hold",
         true,
         {{"bodies", "1", "bodies, and tables", 600, 2, 100000, true},
-         {"rotation_step", "rad", "turn of every body a step", 0.1, 0, 100, false},
+         {"rotation_step", "rad", "turn of every body per step", 0.1, 0, 100, false},
          {"gap", "reaches", "between the spheres around neighbours", 0.1, 0.001, 100, false},
          {"new_order", "1", "1: pairs in another order each step; 0: always in the same", 0, 0, 1, true}}};
 }

@@ -5,9 +5,9 @@
 // order of 1/4 rad/s". What gravity would bring about: contacts that last.
 //
 // Pairs of copies stand a small gap apart, each turned at random, and both bodies of a pair turn about their
-// middles. The paper names no time step; with 60 steps a second 1/4 rad/s are 0.25 / 60 = 0.00417 rad a step.
-// As they turn, gaps open and close and some pairs come to touch: about one in two of spheres does. Each step
-// asks all pairs, in the same order.
+// middles. The paper names no time step; with 60 steps per second 1/4 rad/s are 0.25 / 60 = 0.00417 rad per
+// step. As they turn, gaps open and close and some pairs come to touch: about one in two of spheres does.
+// Each step asks all pairs, in the same order.
 #include <limits>
 
 #include "edgewise/geometry/tolerance.hpp"
@@ -51,7 +51,7 @@ SceneInfo describe_proximity() {
             true,
             {{"pairs", "1", "pairs of bodies", 30, 1, 100000, true},
              {"gap", "body sizes", "between the bodies of a pair at the start", 0.001, 0, 10, false},
-             {"rotation_step", "rad", "turn of every body a step: 1/4 rad/s at 60 steps a second",
+             {"rotation_step", "rad", "turn of every body per step: 1/4 rad/s at 60 steps per second",
               0.25 / steps_a_second, 0, 100, false}}};
 }
 

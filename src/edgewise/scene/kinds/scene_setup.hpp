@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What the scenes are made from and share: the checked request, a body's middle and reach, its box in the
-// world, and the box of a given occupancy. One `describe_` and one `make_` function a scene; scenes.cpp lists
-// them.
+// world, and the box of a given occupancy. One `describe_` and one `make_` function per scene; scenes.cpp
+// lists them.
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 //
 // `tumble`: coherent motion. Copies of one body drift and turn in a box (motion.hpp), each step all of them,
 // and sweep and prune follows the pairs whose boxes, enlarged by a margin, overlap. Rotation and translation
-// a step are the coherence: 0.01 rad is a smooth simulation, 2 pi and half a body size a step is none.
+// per step are the coherence: 0.01 rad is a smooth simulation, 2 pi and half a body size per step is none.
 //
 // One slot of the pair cache is one uninterrupted stay of a pair in the broad phase, so a warm start is never
 // older than one step; a pair that leaves and returns gets a new slot and starts cold. After `steps` steps
@@ -10,9 +10,9 @@
 // pairs are separated: of spheres about one in six overlaps.
 //
 // At random_orientation a body stands turned at random in every step: no coherence is left in the rotation,
-// which a turn by 2 pi a step would not show, since it is none. At random_velocities turns and ways are drawn
-// for each body, up to those given. With box_of_bodies the box is that of so many bodies, and the bodies
-// shrink until the occupancy is right; ways a step stay as long as they were, in metres.
+// which a turn by 2 pi per step would not show, since it is none. At random_velocities turns and ways are
+// drawn for each body, up to those given. With box_of_bodies the box is that of so many bodies, and the
+// bodies shrink until the occupancy is right; ways per step stay as long as they were, in metres.
 //
 // Queries come pair after pair, each pair's in time order, so that a pair finds its tables where it left
 // them, and classes of answers come in long stretches to be timed; or, with in_time_order, frame after frame
@@ -128,15 +128,15 @@ SceneInfo describe_tumble() {
         "tumble",
         "bodies drift and turn in a box, near pairs are followed through time with their caches",
         true,
-        {{"rotation_step", "rad", "turn of every body a step", 0.01, 0, 100, false},
-         {"translation_step", "body sizes", "way of every body a step", 0.001, 0, 10, false},
+        {{"rotation_step", "rad", "turn of every body per step", 0.01, 0, 100, false},
+         {"translation_step", "body sizes", "way of every body per step", 0.001, 0, 10, false},
          {"bodies", "1", "bodies in one population", 12, 2, 10000, true},
          {"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
          {"margin", "body sizes", "by which a body's box is enlarged on all sides", 0.2, 0, 10, false},
          {"steps", "1", "steps before a new population begins", 100, 1, 1000000, true},
          {"in_time_order", "1", "1: frame after frame, as an engine asks; 0: pair after pair", 0, 0, 1, true},
          {"step_in_dimensions", "smallest dimensions",
-          "way of every body a step; 0: as translation_step says", 0, 0, 10, false},
+          "way of every body per step; 0: as translation_step says", 0, 0, 10, false},
          {"random_orientation", "1", "1: every body turned at random in every step", 0, 0, 1, true},
          {"random_velocities", "1", "1: turn and way drawn for each body, up to those given", 0, 0, 1, true},
          {"own_tables", "1", "1: a table for each body; 0: all share one", 0, 0, 1, true},

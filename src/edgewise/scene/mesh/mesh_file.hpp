@@ -14,7 +14,7 @@ namespace edgewise::scene {
 
 enum class MeshGrouping {
     one_hull,   ///< all meshes of the file become one hull
-    each_mesh,  ///< one hull a mesh
+    each_mesh,  ///< one hull per mesh
 };
 
 struct MeshBody {

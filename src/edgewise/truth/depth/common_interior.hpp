@@ -4,8 +4,8 @@
 // there a plane through the origin with all of A - B on one side (a weakly separating plane)?
 //
 // For two solids this is whether they have a common interior point. A flat body that pierces a solid counts
-// as overlapping: no small motion along any direction parts the two. If A - B itself is flat (two coplanar
-// polygons, points, segments) it has no interior, and the answer is no.
+// as overlapping: no small motion along any direction separates the two. If A - B itself is flat (two
+// coplanar polygons, points, segments) it has no interior, and the answer is no.
 #pragma once
 
 #include "edgewise/truth/exact_body.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The inner point is the mean c of the first four points of the polytope. To stay in integers the surface is
-// looked at from there, four times as large: 4 p - 4 c.
+// seen from there, four times as large: 4 p - 4 c.
 #include "edgewise/truth/depth/depth_proof.hpp"
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The proof of a penetration depth, checked anew for every answer and apart from the search that found it.
+// The proof of a penetration depth, checked for every answer, independently of the search that found it.
 //
 // Not deeper: a scan of every vertex finds all of A - B below the plane. Not shallower: the polytope is made
 // of points of A - B, it is convex, and none of its faces is nearer to the origin than that plane. That it is

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// How deep two convex bodies are in each other, exactly: the least translation that parts them, which is the
-// least distance of the origin from a facet's plane of the Minkowski difference A - B. Every answer is proved
-// before it is given (depth_proof.hpp).
+// How deep two convex bodies are in each other, exactly: the least translation that separates them, which is
+// the least distance of the origin from a facet's plane of the Minkowski difference A - B. Every answer is
+// proved before it is given (depth_proof.hpp).
 //
 // EPA on GMP integers: a polytope of points of A - B grows at the face that is nearest to the origin until
 // that face's plane bounds all of A - B. It needs no tolerance and not the whole hull of A - B, so there is
@@ -25,7 +25,7 @@ struct ExactDepth {
     Vec3d normal = Vec3d::Zero();
 };
 
-/// For bodies in contact; fails on bodies that are apart, on an empty set, NaN or infinity. The seed may be
+/// For bodies in contact; fails on separated bodies, on an empty set, NaN or infinity. The seed may be
 /// the simplex of an exact_distance of the same pair. Throws std::logic_error if an answer fails its proof,
 /// which only a defect of this program can cause.
 [[nodiscard]] Result<ExactDepth> exact_depth(std::span<const Vec3d> a, const Pose& pose_a,
