@@ -43,7 +43,7 @@ struct PerfCount {
 [[nodiscard]] std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program,
                                                const measure::Cpu& cpu);
 
-/// A program that Valgrind can run: this one, or that of the preset `sim` beside it. Unknown: how to make it.
+/// A program that Valgrind can run: this one, or edgewise_sim beside it. Unknown: how to make it.
 [[nodiscard]] measure::Fact<std::string> program_for_valgrind();
 
 }  // namespace edgewise::studies
