@@ -55,7 +55,7 @@ template <class Scalar>
 
 /// Steepest ascent from `start`. Strictly upward, so it ends. A neighbour as high as the top but for rounding
 /// may hide a slope behind it, the steeper the shorter the edge to it: behind a short one a scan looks.
-template <SupportTable Table>
+template <ClimbingTable Table>
 [[nodiscard]] SupportPoint<Table> climb_support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                                 typename Table::Vertex start) {
     using Scalar = ComputeOf<Table>;
@@ -82,12 +82,15 @@ template <SupportTable Table>
     }
 }
 
+/// Climbed to from `start` where that pays and is safe, else found by a scan.
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
-                                          typename Table::Vertex start) {
-    return table.vertex_count() < scan_below || !table.strictly_convex()
-               ? scan_support(table, direction)
-               : climb_support(table, direction, start);
+                                          [[maybe_unused]] typename Table::Vertex start) {
+    if constexpr (ClimbingTable<Table>) {
+        if (table.vertex_count() >= scan_below && table.strictly_convex())
+            return climb_support(table, direction, start);
+    }
+    return scan_support(table, direction);
 }
 
 }  // namespace edgewise

@@ -21,7 +21,6 @@ class WatchedBody {
   public:
     using PrecisionType = f64;
     using Vertex = Index;
-    static constexpr std::string_view name = "watched";
 
     WatchedBody(const Polyhedron& body, ClimbCounts& counts)
         : table_(body),
@@ -35,7 +34,6 @@ class WatchedBody {
     }
     [[nodiscard]] bool strictly_convex() const { return strictly_convex_; }
     [[nodiscard]] Vertex first_vertex() const { return 0; }
-    [[nodiscard]] Index index_of(Vertex v) const { return v; }
     [[nodiscard]] Vec3d vertex(Vertex v) const {
         ++counts_->vertices;
         return table_.vertex(v);
@@ -45,8 +43,6 @@ class WatchedBody {
         ++counts_->rounds;
         return table_.neighbours(v);
     }
-    [[nodiscard]] Ledger ledger() const { return {}; }
-    [[nodiscard]] std::vector<Piece> pieces() const { return {}; }
 
     [[nodiscard]] bool are_neighbours(Vertex v, Vertex w) const {
         for (const Vertex next : table_.neighbours(v)) {
@@ -61,6 +57,6 @@ class WatchedBody {
     ClimbCounts* counts_;
 };
 
-static_assert(SupportTable<WatchedBody>);
+static_assert(ClimbingTable<WatchedBody>);
 
 }  // namespace edgewise::sweep
