@@ -123,7 +123,7 @@ class GjkRun {
             add(a_.first_vertex(), b_.first_vertex());
         }
         for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
-        if (!still_inside()) solve();
+        if (!still_inside()) solve(0);
         simplex_.keep(closest_);
     }
 
@@ -139,10 +139,10 @@ class GjkRun {
         simplex_.push(a, b, a_.vertex(a), a_from_b_.point(b_.vertex(b)));
     }
 
-    void solve() {
+    void solve(std::uint8_t known) {
         if (!careful_) {
             Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
-            closest_ = johnson.closest();
+            closest_ = johnson.closest(known);
             if (closest_.members == Johnson<Scalar>::whole) return;
             const Scalar close = Tolerance<Scalar>::close * simplex_.size;
             const bool far = squared_norm(closest_.point) >= close * close;
@@ -181,7 +181,7 @@ class GjkRun {
         const Simplex<TableA, TableB> before = simplex_;
         const auto closest_before = closest_;
         simplex_.push(a.vertex, b.vertex, a.point, on_b);
-        solve();
+        solve(static_cast<std::uint8_t>(1U << (simplex_.count - 1)));
         if (!gains(squared) && !gains_slowly(before)) {
             simplex_ = before;
             closest_ = closest_before;

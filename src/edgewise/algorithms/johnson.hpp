@@ -53,20 +53,22 @@ class Johnson {
     [[nodiscard]] bool holds_origin() { return count_ == 4 && volumes_hold_origin(); }
     [[nodiscard]] Closest inside() const { return weigh(whole); }
 
-    [[nodiscard]] Closest closest() {
+    /// `known`: points of which the answer is known to rest on, so that subsets without them are not tried.
+    [[nodiscard]] Closest closest(Mask known = 0) {
         for (const Mask mask : ascending) {
             if (mask >> count_) continue;
             if (!cofactors(mask)) continue;
+            if ((mask & known) != known) continue;
             const Closest candidate = weigh(mask);
             if (excludes_others(mask, candidate.point)) return candidate;
         }
         if (count_ == 4 && volumes_hold_origin()) return weigh(whole);
-        return nearest_of_all();
+        return known == 0 ? nearest_of_all() : closest();
     }
 
     /// A triangle too long and low for its foot to be as good as its points are.
     [[nodiscard]] bool is_thin(Mask mask) const {
-        if (std::popcount(mask) != 3) return false;
+        if (!is_triangle(mask)) return false;
         const auto [p, q] = sides(mask);
         const Scalar longest = std::max(squared_norm(p), squared_norm(q));
         return !(squared_norm(cross(p, q)) > Tolerance<Scalar>::thin * longest * longest);
@@ -98,6 +100,12 @@ class Johnson {
         return size(a.x()) * (size(b.y() * c.z()) + size(b.z() * c.y())) +
                size(a.y()) * (size(b.z() * c.x()) + size(b.x() * c.z())) +
                size(a.z()) * (size(b.x() * c.y()) + size(b.y() * c.x()));
+    }
+
+    /// Three points. (std::popcount is a call into a library where the machine may lack the instruction.)
+    static constexpr bool is_triangle(Mask mask) {
+        constexpr unsigned triangles = 1U << 7 | 1U << 11 | 1U << 13 | 1U << 14;
+        return (triangles >> mask & 1U) != 0;
     }
 
     static constexpr int lowest(Mask mask) { return std::countr_zero(mask); }
@@ -153,7 +161,7 @@ class Johnson {
             result.weight[i] = cofactor_[mask][i] / sum;
             result.point += result.weight[i] * w_[i];
         }
-        if (std::popcount(mask) == 3) result.point = foot_on_triangle(mask, result.point);
+        if (is_triangle(mask)) result.point = foot_on_triangle(mask, result.point);
         return result;
     }
 
