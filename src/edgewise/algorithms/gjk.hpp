@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -22,9 +23,11 @@
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/support.hpp"
+#include "edgewise/geometry/limits.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/wider.hpp"
 #include "edgewise/table/contract.hpp"
+#include "edgewise/table/identity.hpp"
 #include "edgewise/table/loader.hpp"
 
 namespace edgewise {
@@ -43,6 +46,7 @@ struct Simplex {
 
     void push(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& point_a,
               const Vec3<Scalar>& point_b) {
+        assert(count < 4);
         vertex_a[count] = a;
         vertex_b[count] = b;
         on_a[count] = point_a;
@@ -72,6 +76,7 @@ struct Simplex {
             closest.weight[kept] = closest.weight[i];
             ++kept;
         }
+        assert(kept > 0 && "a closest point rests on some vertex");
         count = kept;
     }
 };
@@ -79,12 +84,22 @@ struct Simplex {
 /// What a pair keeps from one query to the next: the vertices of its last simplex.
 template <SupportTable TableA, SupportTable TableB>
 struct SimplexPair {
-    std::uint32_t count = 0;  ///< 0: cold
+    std::uint32_t count : 3 = 0;    ///< 0: cold
+    std::uint32_t tables : 29 = 0;  ///< whose vertices they are (table/identity.hpp)
     std::array<typename TableA::Vertex, 4> vertex_a{};
     std::array<typename TableB::Vertex, 4> vertex_b{};
 
     SimplexPair() = default;
-    SimplexPair(const TableA&, const TableB&) {}
+    SimplexPair(const TableA& a, const TableB& b) { belong_to(a, b); }
+
+    void belong_to(const TableA& a, const TableB& b) { tables = identity_of(a, b) & identity_mask; }
+    /// False after a rebuild: the handles may lead anywhere, and no query follows them.
+    [[nodiscard]] bool belongs_to(const TableA& a, const TableB& b) const {
+        return tables == (identity_of(a, b) & identity_mask);
+    }
+
+  private:
+    static constexpr std::uint32_t identity_mask = (1U << 29) - 1;
 };
 
 template <SupportTable TableA, SupportTable TableB>
@@ -100,30 +115,36 @@ class GjkRun {
           a_from_b_(a_from_b),
           contact_squared_(static_cast<Scalar>(options.contact_tolerance * options.contact_tolerance)),
           gap_(static_cast<Scalar>(options.gap_tolerance)),
-          verdict_only_(options.verdict_only) {}
+          verdict_only_(options.verdict_only) {
+        assert(options.contact_tolerance >= 0 && options.gap_tolerance >= 0);
+    }
 
     template <class Observer = NoObserver>
     [[nodiscard]] Distance run(Pair& pair, Observer&& observer = {}) {
         start(pair);
-        for (;;) {
+        while (steps_ < most_gjk_iterations) {
             ++steps_;
             observer.iterate(closest_.members);
             if (simplex_.count == 4) return finish(pair, Status::overlapping);
             const Scalar squared = squared_norm(closest_.point);
             if (squared == 0) return finish(pair, Status::touching);
-            if (squared <= contact_squared_) break;
-            if (!advance(squared)) break;
+            if (squared <= contact_squared_ || !advance(squared))
+                return finish(pair, separated_or_contact());
         }
-        return finish(pair, separated_or_contact());
+        assert(false && "GJK does not converge: a shape's vertices are not those of a convex body");
+        pair = Pair(a_, b_);
+        return {.steps = steps_};
     }
 
   private:
     void start(const Pair& pair) {
-        if (pair.count == 0) {
+        assert(pair.count <= 4);
+        if (pair.count == 0 || !pair.belongs_to(a_, b_)) {
             add(a_.first_vertex(), b_.first_vertex());
+        } else {
+            for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
         }
-        for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
-        if (!still_inside()) solve(0);
+        if (!still_inside()) solve(Johnson<Scalar>::none);
         simplex_.keep(closest_);
     }
 
@@ -139,7 +160,8 @@ class GjkRun {
         simplex_.push(a, b, a_.vertex(a), a_from_b_.point(b_.vertex(b)));
     }
 
-    void solve(std::uint8_t known) {
+    /// `known`: points that the closest one is known to rest on.
+    void solve(typename Johnson<Scalar>::Mask known) {
         if (!careful_) {
             Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
             closest_ = johnson.closest(known);
@@ -181,8 +203,8 @@ class GjkRun {
         const Simplex<TableA, TableB> before = simplex_;
         const auto closest_before = closest_;
         simplex_.push(a.vertex, b.vertex, a.point, on_b);
-        solve(static_cast<std::uint8_t>(1U << (simplex_.count - 1)));
-        if (!gains(squared) && !gains_slowly(before)) {
+        solve(Johnson<Scalar>::only(simplex_.count - 1));
+        if (!gains(squared) && !retry_in_wide_arithmetic(before)) {
             simplex_ = before;
             closest_ = closest_before;
             return false;
@@ -198,9 +220,10 @@ class GjkRun {
 
     /// The duality gap is open but the distance did not fall: along a valley of nearly parallel sides it
     /// falls by the square of the gap, and many steps that rounding hides add up. From here on only the
-    /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not worked out again from
-    /// the simplex that is left: of a sliver that may come out larger, and the run go round.)
-    [[nodiscard]] [[gnu::noinline]] bool gains_slowly(const Simplex<TableA, TableB>& before) {
+    /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not computed again from the
+    /// simplex that is left: of a sliver that may come out larger, and the run would cycle.) False if even so
+    /// nothing is gained.
+    [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic(const Simplex<TableA, TableB>& before) {
         if (!careful_) {
             careful_ = true;
             const Simplex<TableA, TableB> after = simplex_;
@@ -223,7 +246,8 @@ class GjkRun {
 
     [[nodiscard]] Distance finish(Pair& pair, Status status) const {
         Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
-        pair.count = static_cast<std::uint32_t>(simplex_.count);
+        pair.count = static_cast<std::uint32_t>(simplex_.count) & 7U;
+        pair.belong_to(a_, b_);
         for (int i = 0; i < simplex_.count; ++i) {
             pair.vertex_a[i] = simplex_.vertex_a[i];
             pair.vertex_b[i] = simplex_.vertex_b[i];
@@ -239,7 +263,11 @@ class GjkRun {
         }
         Distance answer;
         answer.status = status;
-        answer.distance = status == Status::separated ? norm(closest_.point) : 0;
+        if (status == Status::separated) {
+            const Scalar distance = norm(closest_.point);
+            answer.distance = distance;
+            answer.normal = Vec3<Scalar>(closest_.point * (-1 / distance)).template cast<double>();
+        }
         answer.point_a = on_a.template cast<double>();
         answer.point_b = on_b.template cast<double>();
         answer.steps = steps_;

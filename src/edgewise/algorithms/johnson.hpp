@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -37,7 +38,8 @@ class Johnson {
   public:
     using Mask = std::uint8_t;  ///< bit i: point i belongs to the subset
 
-    static constexpr Mask whole = 15;
+    static constexpr Mask none = 0, whole = 15;
+    [[nodiscard]] static constexpr Mask only(int point) { return static_cast<Mask>(1 << point); }
 
     struct Closest {
         Mask members = 0;
@@ -47,14 +49,17 @@ class Johnson {
     };
 
     /// Points are w[0 .. count-1], 1 <= count <= 4.
-    Johnson(const std::array<Vec3<Scalar>, 4>& w, int count) : w_(w), count_(count) {}
+    Johnson(const std::array<Vec3<Scalar>, 4>& w, int count) : w_(w), count_(count) {
+        assert(count >= 1 && count <= 4);
+    }
 
     /// Whether a tetrahedron holds the origin, before any subset is tried; then `closest` is that.
     [[nodiscard]] bool holds_origin() { return count_ == 4 && volumes_hold_origin(); }
     [[nodiscard]] Closest inside() const { return weigh(whole); }
 
-    /// `known`: points of which the answer is known to rest on, so that subsets without them are not tried.
-    [[nodiscard]] Closest closest(Mask known = 0) {
+    /// `known`: points that the answer is known to rest on, such as the newest of a search, in exact
+    /// arithmetic. Subsets without them are tried only when no other passes.
+    [[nodiscard]] Closest closest(Mask known = none) {
         for (const Mask mask : ascending) {
             if (mask >> count_) continue;
             if (!cofactors(mask)) continue;
@@ -63,7 +68,7 @@ class Johnson {
             if (excludes_others(mask, candidate.point)) return candidate;
         }
         if (count_ == 4 && volumes_hold_origin()) return weigh(whole);
-        return known == 0 ? nearest_of_all() : closest();
+        return known == none ? nearest_of_all() : closest();
     }
 
     /// A triangle too long and low for its foot to be as good as its points are.
