@@ -33,11 +33,11 @@ struct Distance {
     /// close bodies it is better known than the difference of the witness points, whose rounding may exceed
     /// their distance. Zero in contact, where `penetration` gives the normal of the least way out.
     Vec3d normal = Vec3d::Zero();
-    int steps = 0;                  ///< V-Clip states visited, or GJK iterations
-    int cycles = 0;                 ///< runs that came back to a state already seen
-    int fallbacks = 0;              ///< answers taken from the complete fallback instead
-    int refinements = 0;            ///< close answers computed anew from where the run ended
-    int escapes = 0;                ///< local minima under a face that V-Clip left for a better face
+    int steps = 0;        ///< V-Clip states visited, or GJK iterations
+    int cycles = 0;       ///< runs that came back to a state already seen
+    int fallbacks = 0;    ///< answers taken from the complete fallback instead
+    int refinements = 0;  ///< close answers computed anew from where the run ended
+    int escapes = 0;      ///< local minima under a face that V-Clip left for a better face
 };
 
 /// The witness points and the normal in world coordinates.

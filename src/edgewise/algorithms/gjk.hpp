@@ -128,8 +128,7 @@ class GjkRun {
             if (simplex_.count == 4) return finish(pair, Status::overlapping);
             const Scalar squared = squared_norm(closest_.point);
             if (squared == 0) return finish(pair, Status::touching);
-            if (squared <= contact_squared_ || !advance(squared))
-                return finish(pair, separated_or_contact());
+            if (squared <= contact_squared_ || !advance(squared)) return finish(pair, separated_or_contact());
         }
         assert(false && "GJK does not converge: a shape's vertices are not those of a convex body");
         pair = Pair(a_, b_);
@@ -220,9 +219,9 @@ class GjkRun {
 
     /// The duality gap is open but the distance did not fall: along a valley of nearly parallel sides it
     /// falls by the square of the gap, and many steps that rounding hides add up. From here on only the
-    /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not computed again from the
-    /// simplex that is left: of a sliver that may come out larger, and the run would cycle.) False if even so
-    /// nothing is gained.
+    /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not computed again from
+    /// the simplex that is left: of a sliver that may come out larger, and the run would cycle.) False if
+    /// even so nothing is gained.
     [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic(const Simplex<TableA, TableB>& before) {
         if (!careful_) {
             careful_ = true;

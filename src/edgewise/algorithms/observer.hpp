@@ -14,7 +14,7 @@ struct NoObserver {
     /// V-Clip: the state on features of these kinds comes next.
     static void visit(FeatureKind, FeatureKind) {}
     /// V-Clip: its answer is not believed, GJK answers next.
-    static void settle() {}
+    static void ask_gjk() {}
     /// GJK: an iteration comes next, on the members (bit i: point i) of the simplex that were accepted last.
     static void iterate(std::uint8_t /*members*/) {}
 };

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -73,7 +74,7 @@ class EpaRun {
         const epa::Tetrahedron<TableA, TableB> tetrahedron(difference_, start);
         if (!tetrahedron.is_solid()) return flat(tetrahedron);
         begin(tetrahedron);
-        for (;;) {
+        for (std::size_t step = 0; step <= space_.face_limit; ++step) {
             ++answer_.steps;
             const epa::Id face = polytope_.nearest();
             const epa::Face& nearest = polytope_.faces()[face];
@@ -86,6 +87,8 @@ class EpaRun {
             polytope_.expand(point, face);
             corners_.push_back(corner);
         }
+        assert(false && "each step makes three faces or more");
+        return answer_;
     }
 
   private:
@@ -166,7 +169,8 @@ template <SupportTable TableA, SupportTable TableB>
                                       const SimplexPair<TableA, TableB>& start,
                                       PenetrationSpace<TableA, TableB>& space) {
     const auto transform = cast<ComputeOf<TableA>>(a_from_b);
-    return EpaRun<TableA, TableB>(a, b, transform, space).run(start);
+    EpaRun<TableA, TableB> run(a, b, transform, space);
+    return run.run(start.belongs_to(a, b) ? start : SimplexPair<TableA, TableB>(a, b));
 }
 
 }  // namespace edgewise

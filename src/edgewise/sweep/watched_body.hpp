@@ -27,12 +27,12 @@ class WatchedBody {
           strictly_convex_(is_strictly_convex(body, Tolerance<double>::strict_turn)),
           counts_(&counts) {}
 
+    [[nodiscard]] std::size_t vertex_count() const { return table_.vertex_count(); }
     /// A climb or scan begins by asking it (algorithms/support.hpp), and nothing else does.
-    [[nodiscard]] std::size_t vertex_count() const {
+    [[nodiscard]] bool strictly_convex() const {
         ++counts_->supports;
-        return table_.vertex_count();
+        return strictly_convex_;
     }
-    [[nodiscard]] bool strictly_convex() const { return strictly_convex_; }
     [[nodiscard]] Vertex first_vertex() const { return 0; }
     [[nodiscard]] Vec3d vertex(Vertex v) const {
         ++counts_->vertices;
