@@ -18,26 +18,9 @@
 #include <span>
 #include <vector>
 
-#include "edgewise/geometry/vec.hpp"
+#include "edgewise/geometry/aabb.hpp"
 
 namespace edgewise {
-
-/// Closed axis-aligned box: boxes that touch overlap.
-struct Aabb {
-    Vec3d low, high;
-
-    [[nodiscard]] bool overlaps(const Aabb& other) const {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (low[axis] > other.high[axis] || other.low[axis] > high[axis]) return false;
-        }
-        return true;
-    }
-
-    /// Larger by `margin` on all six sides.
-    [[nodiscard]] Aabb enlarged(double margin) const {
-        return {(low.array() - margin).matrix(), (high.array() + margin).matrix()};
-    }
-};
 
 struct BodyPair {
     std::uint32_t first, second;  ///< first < second
