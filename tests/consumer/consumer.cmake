@@ -106,7 +106,7 @@ endfunction()
 
 read_example(${SOURCE}/README.md example expected)
 file(WRITE ${SCRATCH}/example.cpp "${example}")
-foreach(document README.md examples/own_shape.cpp)
+foreach(document README.md own_shape.cpp)
     file(GLOB_RECURSE found ${prefix}/share/doc/*${document})
     if(NOT found)
         message(SEND_ERROR "${document} was not installed")

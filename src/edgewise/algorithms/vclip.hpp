@@ -85,8 +85,9 @@ template <class TableA, class TableB>
 [[nodiscard]] Distance answer(const Body<TableA>& a, const Body<TableB>& b, Step last) {
     Distance result;
     if (last == Step::separated) {
-        const auto [on_a, on_b] = closest_points(a, b);
+        const auto [on_a, on_b, normal] = closest_points(a, b);
         result = between(on_a, on_b);
+        if (max_abs(normal) > 0) result.normal = normal.template cast<double>();
     } else {
         result.status = last == Step::overlapping ? Status::overlapping : Status::touching;
     }

@@ -102,15 +102,20 @@ TEST_P(Normal, InSingleIsAsGoodAsItsRounding) {
     }
 }
 
-/// Whatever is left undecided of the distance: a plane across the normal has one body on either side.
+/// Whatever is left undecided of the distance: a plane across the normal has one body on either side, and the
+/// verdict takes fewer steps than the whole answer.
 TEST_P(Normal, OfAVerdictSeparates) {
     const Polyhedron body = *scene::make_shape(GetParam());
     const ReferenceTable table(body);
     scene::Rng rng(3);
-    int separated = 0;
+    int separated = 0, steps = 0, whole_steps = 0;
     for (int i = 0; i < 1000; ++i) {
         const Pose pose{rng.rotation(), rng.uniform(0.5, 2.5) * rng.on_sphere()};
+        const Distance whole = ask<Gjk>(table, table, pose);
         const Distance answer = ask<Gjk>(table, table, pose, {.verdict_only = true});
+        EXPECT_EQ(answer.status == Status::separated, whole.status == Status::separated);
+        steps += answer.steps;
+        whole_steps += whole.steps;
         if (answer.status != Status::separated) {
             EXPECT_EQ(answer.normal, Vec3d::Zero().eval()) << "in contact";
             continue;
@@ -121,6 +126,7 @@ TEST_P(Normal, OfAVerdictSeparates) {
     }
     EXPECT_GT(separated, 200);
     EXPECT_LT(separated, 950);
+    EXPECT_LT(steps, whole_steps);
 }
 
 TEST(NormalInTheWorld, TurnsWithBodyA) {

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
+#include <optional>
 
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/vclip/body.hpp"
@@ -37,42 +37,24 @@ inline constexpr double untrusted =
 template <class Table>
 inline constexpr double hardly_apart{Tolerance<ComputeOf<Table>>::hardly_apart};
 
-/// The directions of two edges, in A's frame.
+/// Which way is out, from A to B, where the pair's own geometry says it in full precision: a face's normal,
+/// which the answer has by now, or that of two edges that cross at a fair angle. Nothing where the pair may
+/// slide.
 template <class TableA, class TableB>
-[[nodiscard]] std::pair<Vec3<ComputeOf<TableA>>, Vec3<ComputeOf<TableA>>> edge_directions(
-    const Body<TableA>& a, const Body<TableB>& b) {
-    return {a.table.direction(a.feature.edge()), a.from_other.direction(b.table.direction(b.feature.edge()))};
-}
-
-/// True unless the pair's own geometry says, in full precision, which way is out.
-template <class TableA, class TableB>
-[[nodiscard]] bool may_slide(const Body<TableA>& a, const Body<TableB>& b) {
+[[nodiscard]] std::optional<Vec3d> known_normal(const Distance& result, const Body<TableA>& a,
+                                                const Body<TableB>& b) {
     using enum FeatureKind;
-    if (rounded_planes<TableA> || rounded_planes<TableB>) return true;
-    if (a.feature.kind() == face || b.feature.kind() == face) return false;
-    if (a.feature.kind() == vertex || b.feature.kind() == vertex) return true;
+    if (rounded_planes<TableA> || rounded_planes<TableB>) return std::nullopt;
+    if (a.feature.kind() == face || b.feature.kind() == face) return result.normal;
+    if (a.feature.kind() == vertex || b.feature.kind() == vertex) return std::nullopt;
     using Scalar = ComputeOf<TableA>;
-    const auto [p, q] = edge_directions(a, b);
+    const auto p = a.table.direction(a.feature.edge());
+    const auto q = a.from_other.direction(b.table.direction(b.feature.edge()));
     const Scalar fair = Tolerance<Scalar>::fair_crossing * squared_norm(p) * squared_norm(q);
-    return !(squared_norm(cross(p, q)) >= fair);
-}
-
-/// Which way is out, from A to B, of a pair that may not slide: the face's normal, or the edges' common one.
-/// `towards` tells its two senses apart.
-template <class TableA, class TableB>
-[[nodiscard]] Vec3d normal_of(const Body<TableA>& a, const Body<TableB>& b, const Vec3d& towards) {
-    using Scalar = ComputeOf<TableA>;
-    Vec3<Scalar> normal;
-    if (a.feature.kind() == FeatureKind::face) {
-        normal = a.table.face_plane(a.feature.face()).normal;
-    } else if (b.feature.kind() == FeatureKind::face) {
-        normal = a.from_other.direction(b.table.face_plane(b.feature.face()).normal);
-    } else {
-        const auto [p, q] = edge_directions(a, b);
-        normal = cross(p, q);
-    }
-    const Vec3d unit = cast<double>(Vec3<Scalar>(normal / norm(normal)));
-    return dot(unit, towards) < 0 ? Vec3d(-unit) : unit;
+    const Vec3<Scalar> common = cross(p, q);
+    if (!(squared_norm(common) >= fair)) return std::nullopt;
+    const Vec3d normal = cast<double>(Vec3<Scalar>(common / norm(common)));
+    return dot(normal, result.normal) < 0 ? Vec3d(-normal) : normal;
 }
 
 /// Of an answer below `untrusted`. Features that meet to within rounding are in contact: each point is one of
@@ -87,8 +69,9 @@ template <class TableA, class TableB>
         result.normal = Vec3d::Zero();
         return Trust::sound;
     }
-    if (may_slide(a, b) || result.distance <= hardly_apart<TableA> * size) return Trust::close;
-    result.normal = normal_of(a, b, result.normal);
+    const std::optional<Vec3d> normal = known_normal(result, a, b);
+    if (!normal || result.distance <= hardly_apart<TableA> * size) return Trust::close;
+    result.normal = *normal;
     return Trust::sound;
 }
 
