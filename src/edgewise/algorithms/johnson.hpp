@@ -113,7 +113,10 @@ class Johnson {
         return (triangles >> mask & 1U) != 0;
     }
 
-    static constexpr int lowest(Mask mask) { return std::countr_zero(mask); }
+    static constexpr int lowest(Mask mask) {
+        assert(mask != none);
+        return std::countr_zero(mask);
+    }
 
     /// <w_i, w_m - w_k>
     [[nodiscard]] Scalar slope(int i, int m, int k) const { return dot(w_[i], w_[m] - w_[k]); }
@@ -155,6 +158,7 @@ class Johnson {
 
     [[nodiscard]] Closest weigh(Mask mask) const {
         Closest result;
+        assert(mask >> count_ == 0 && "members are points that are there");
         result.members = mask;
         Scalar sum = 0;
         for (int i = 0; i < count_; ++i) {
@@ -189,6 +193,7 @@ class Johnson {
 
     [[nodiscard]] std::pair<Vec3<Scalar>, Vec3<Scalar>> sides(Mask mask) const {
         const int i = lowest(mask);
+        assert(is_triangle(mask));
         const int j = lowest(static_cast<Mask>(mask & (mask - 1)));
         const int k = std::bit_width(mask) - 1;
         return {w_[j] - w_[i], w_[k] - w_[i]};

@@ -95,6 +95,7 @@ class EpaRun {
     using Corner = epa::Corner<TableA, TableB>;
 
     void begin(const epa::Tetrahedron<TableA, TableB>& tetrahedron) {
+        assert(space_.face_limit >= 4 && "a tetrahedron must fit");
         scale_ = tetrahedron.scale();
         corners_.assign(tetrahedron.corners().begin(), tetrahedron.corners().end());
         for (const Corner& corner : corners_) take(corner);
@@ -135,6 +136,7 @@ class EpaRun {
             answer_.point_a += witness.weight[i] * corner.on_a;
             answer_.point_b += witness.weight[i] * corner.on_b;
         }
+        assert(witness.distance < std::numeric_limits<double>::infinity());
         answer_.converged = true;
         return answer_;
     }

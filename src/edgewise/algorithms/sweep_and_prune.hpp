@@ -116,6 +116,7 @@ double SweepAndPrune::spread(int axis, std::span<const Aabb> boxes, Touches& tou
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         touches.read(BroadPhaseArray::boxes, i, low_end(axis));
         touches.read(BroadPhaseArray::boxes, i, high_end(axis));
+        assert(boxes[i].low[axis] <= boxes[i].high[axis] && "turned round, or NaN");
         const double off = boxes[i].low[axis] + boxes[i].high[axis] - mean;
         sum += off * off;
     }
@@ -168,6 +169,7 @@ void SweepAndPrune::sweep_axis(int axis, std::span<const Aabb> boxes, Touches& t
             ++tests_;
             if (other.low[axis] > box.high[axis]) break;
             touches.read(BroadPhaseArray::boxes, order[j], whole_box);
+            assert(order[i] != order[j]);
             if (!box.overlaps(other)) continue;
             touches.write(BroadPhaseArray::pairs, pairs_.size(), whole_pair);
             pairs_.push_back({std::min(order[i], order[j]), std::max(order[i], order[j])});

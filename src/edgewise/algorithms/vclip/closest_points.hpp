@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "edgewise/algorithms/vclip/body.hpp"
@@ -108,6 +109,7 @@ template <class TableA, class TableB>
                                                       segment_seen_by(a, b.table, b.feature.edge()));
         return {on_a, on_b};
     }
+    assert(a.feature.kind() == FeatureKind::vertex && "no two faces, and no edge over a face");
     const Vec3<Scalar> vertex = a.table.vertex(a.feature.vertex());
     if (b.feature.kind() == FeatureKind::edge) {
         return {vertex, closest_on_segment(segment_seen_by(a, b.table, b.feature.edge()), vertex)};

@@ -5,6 +5,7 @@
 // edge-face planes, with a derivative test against the faces.
 #pragma once
 
+#include <cassert>
 #include <optional>
 
 #include "edgewise/algorithms/vclip/body.hpp"
@@ -65,6 +66,7 @@ class EdgeClipping {
     /// Nothing of the other edge is left between two planes. Two faces: it passes under this edge, and one of
     /// them is nearer. A vertex and a face: the vertex if its derivative says so.
     [[nodiscard]] bool leave_after_compound_exclusion() {
+        assert(clip_.at_low && clip_.at_high);
         const bool low_is_nearer =
             is_face(clip_.at_low)
                 ? (is_face(clip_.at_high) ? rises_at(*clip_.at_low, clip_.low) : !past_high_vertex())

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 #include "edgewise/algorithms/gjk.hpp"
@@ -32,6 +33,7 @@ template <FeatureTable Table>
         if (count == corners.size()) break;
         corners[count++] = flipped ? table.head(edge) : table.tail(edge);
     }
+    assert(count >= 3 && "a face has three corners or more");
     return count;
 }
 
