@@ -29,7 +29,7 @@ struct Distance {
     double distance = 0;            ///< 0 in contact, but for what a contact tolerance allows
     Vec3d point_a = Vec3d::Zero();  ///< witness on A, in A's frame; when overlapping, no claim is made
     Vec3d point_b = Vec3d::Zero();  ///< witness on B, in A's frame
-    /// Unit, from A to B: planes across it keep the bodies apart, and B moved along it gets farther away. Of
+    /// Unit, from A to B: a plane across it separates the bodies, and B moved along it gets farther away. Of
     /// close bodies it is better known than the difference of the witness points, whose rounding may exceed
     /// their distance. Zero in contact, where `penetration` gives the normal of the least way out.
     Vec3d normal = Vec3d::Zero();

@@ -254,7 +254,7 @@ class GjkRun {
             on_b += closest_.weight[i] * simplex_.on_b[i];
         }
         // Weights on a thin triangle are worse than its foot: share out the difference, so that the points
-        // lie as far apart as the distance says.
+        // are separated by the distance that is reported.
         if (status == Status::separated) {
             const Vec3<Scalar> excess = Scalar(0.5) * (on_a - on_b - closest_.point);
             on_a -= excess;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How deep two bodies overlap: the shortest translation that takes them apart, by the expanding polytope
+// How deep two bodies overlap: the shortest translation that separates them, by the expanding polytope
 // algorithm (EPA). A polytope inside the Minkowski difference A - B grows by support points along the normal
 // of its face nearest to the origin, until that face cannot be pushed out any further.
 //
@@ -12,7 +12,7 @@
 //   when the farthest point is not above that face; every other step takes in a new vertex of A - B, so it
 //   ends;
 // - every support plane bounds the depth from above, and the least bound seen is the answer if the work space
-//   is full: still a translation that takes the bodies apart.
+//   is full: still a translation that separates the bodies.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +33,8 @@ namespace edgewise {
 /// converged, point_a - point_b = depth * normal, both to rounding: point_a is the point of A deepest in B,
 /// point_b that of B deepest in A.
 struct Penetration {
-    double depth = 0;  ///< 0: touching, or apart (then the normal parts them, the points are void)
-    Vec3d normal = Vec3d::Zero();   ///< unit; where B must go, outward from A
+    double depth = 0;              ///< 0: touching, or separated (then along the normal, the points are void)
+    Vec3d normal = Vec3d::Zero();  ///< unit; where B must go, outward from A
     Vec3d point_a = Vec3d::Zero();  ///< on the surface of A
     Vec3d point_b = Vec3d::Zero();  ///< on the surface of B
     int steps = 0;                  ///< faces looked at
@@ -141,8 +141,8 @@ class EpaRun {
         return answer_;
     }
 
-    /// A difference without volume has no depth: any step across it takes the bodies apart. Solids only look
-    /// like that when an offset swallows their digits; then they are apart already.
+    /// A difference without volume has no depth: any step across it separates the bodies. Solids only look
+    /// like that when an offset swallows their digits; then they are separated already.
     [[nodiscard]] Penetration flat(const epa::Tetrahedron<TableA, TableB>& tetrahedron) {
         const auto closest = Johnson<double>(tetrahedron.points(), tetrahedron.count()).closest();
         const double distance = norm(closest.point);

@@ -6,7 +6,8 @@
 // The boxes' low ends are kept sorted on all three axes from frame to frame; insertion sort repairs the order
 // in linear time while motion is coherent. The sweep runs along the axis on which the boxes spread most and
 // tests the other two directly. Departs from I-COLLIDE, which sweeps all three axes and keeps overlap
-// counters a pair: that costs memory for every pair, where this costs a few comparisons for every near pair.
+// counters per pair: that costs memory for every pair, where this costs a few comparisons for every near
+// pair.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +38,7 @@ struct ElementPart {
     std::size_t offset, bytes;
 };
 
-/// Who hears of every read and write; costs nothing. (The last sort of the pairs is not told: there are few,
+/// Is notified of every read and write; costs nothing. (Not of the last sort of the pairs: there are few,
 /// and they have just been written.)
 struct NoTouches {
     static void read(BroadPhaseArray, std::size_t /*element*/, ElementPart) {}
@@ -48,7 +49,8 @@ class SweepAndPrune {
   public:
     explicit SweepAndPrune(std::size_t body_count);
 
-    /// The overlapping pairs of one frame, sorted; valid until the next call. One box a body, none with NaN.
+    /// The overlapping pairs of one frame, sorted; valid until the next call. One box per body, none with
+    /// NaN.
     template <class Touches = NoTouches>
     [[nodiscard]] std::span<const BodyPair> update(std::span<const Aabb> boxes, Touches&& touches = {});
 
@@ -116,7 +118,7 @@ double SweepAndPrune::spread(int axis, std::span<const Aabb> boxes, Touches& tou
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         touches.read(BroadPhaseArray::boxes, i, low_end(axis));
         touches.read(BroadPhaseArray::boxes, i, high_end(axis));
-        assert(boxes[i].low[axis] <= boxes[i].high[axis] && "turned round, or NaN");
+        assert(boxes[i].low[axis] <= boxes[i].high[axis] && "low ends first, and no NaN");
         const double off = boxes[i].low[axis] + boxes[i].high[axis] - mean;
         sum += off * off;
     }

@@ -8,7 +8,7 @@
 // one feature to a neighbour; a move up in dimension shortens the distance, a move down keeps it. So it ends,
 // in exact arithmetic.
 //
-// In floating point it may go round. Where the report has an iteration limit, we detect the cycle itself
+// In floating point it may cycle. Where the report has an iteration limit, we detect the cycle itself
 // (cycle_guard) and let a complete algorithm answer (fallback); both are counted. Other departures are named
 // in the states' files.
 #pragma once

@@ -46,7 +46,7 @@ template <class Table>
 using PlaneScalar =
     std::conditional_t<DerivesPlanes<Table>, ComputeOf<Table>, typename Table::PrecisionType::Stored>;
 
-/// Relative to the coordinates: a height over a plane, or a distance, that rounding may have turned round.
+/// Relative to the coordinates: a height over a plane, or a distance, whose sign rounding may have changed.
 /// Planes are only as good as they are stored.
 template <class Table>
 inline constexpr ComputeOf<Table> plane_noise =

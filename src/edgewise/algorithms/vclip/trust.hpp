@@ -75,7 +75,7 @@ template <class TableA, class TableB>
     return Trust::sound;
 }
 
-/// On a body that is not strictly convex the region of a feature goes on under the surface, and nothing is
+/// On a body that is not strictly convex the region of a feature continues under the surface, and nothing is
 /// believed until it is proven; the proof is as good as the direction between the points, so not a close one.
 template <class TableA, class TableB>
 [[nodiscard]] Trust trust(Distance& result, const Body<TableA>& a, const Body<TableB>& b) {
