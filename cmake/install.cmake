@@ -8,7 +8,8 @@ foreach(room geometry table layout_parts algorithms)
 endforeach()
 install(DIRECTORY layouts DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp")
 
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES tests/consumer/project/own_shape.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 
 install(TARGETS edgewise_library EXPORT edgewise_targets)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/edgewise)

@@ -65,6 +65,7 @@ class linked {
     [[nodiscard]] Index index_of(Vertex v) const { return load(v->index, Field::vertex); }
     [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
     [[nodiscard]] double reach() const { return facts_.reach; }
+    [[nodiscard]] std::uint32_t identity() const { return facts_.identity; }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
     [[nodiscard]] std::vector<Piece> pieces() const { return nodes_.pieces(); }
 
@@ -125,7 +126,9 @@ class linked {
     void note_facts(const Polyhedron& body) {
         assert(body.vertex_count() == facts_.vertex_count &&
                body.vertex_ring.size() == facts_.neighbour_count);
+        const std::uint32_t identity = facts_.identity;
         facts_ = facts_of(body, facts_.parts);
+        facts_.identity = identity;
     }
     void write_body(const Polyhedron& body) {
         auto* vertex = nodes_.first_vertex;

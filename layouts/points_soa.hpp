@@ -32,8 +32,6 @@ class points_soa : public BlockTable<P, Loader> {
     static constexpr std::string_view name = "points_soa";
     static constexpr std::string_view stores = "vertex coordinates in three arrays, no neighbours";
     static constexpr std::string_view derives = "support points, by scans";
-    /// There are no neighbours to climb along.
-    static constexpr bool scans = true;
 
     /// Both kinds of parts are the same here: there is nothing to leave out.
     points_soa(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
@@ -53,10 +51,6 @@ class points_soa : public BlockTable<P, Loader> {
         return plan.pieces(block_.base());
     }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
-
-    /// Whatever the body: false is what makes everybody scan.
-    [[nodiscard]] bool strictly_convex() const { return false; }
-    [[nodiscard]] auto neighbours(Vertex) const { return index_range(0); }
 
     void write_vertex(Index v, const Vec3d& point) {
         for (int k = 0; k < 3; ++k) coordinates_[k][v] = static_cast<Stored>(point[k]);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR: installs the package, moves it, looks for what must
-# not be in it, builds README's example with it (no machine tuning, no flags from outside) and compares what it prints
-# with what README says.
+# not be in it, builds README's example and the installed one with it (no machine tuning, no flags from outside; with
+# clang++ too where there is one) and compares what they print with what README says.
 cmake_minimum_required(VERSION 3.25)
 set(ENV{CXXFLAGS} "")
 set(ENV{LDFLAGS} "")
@@ -77,22 +77,43 @@ file(RENAME ${SCRATCH}/installed ${prefix})
 check_exported_files(${prefix})
 check_installed_headers(${prefix})
 
+# With one compiler: both programs are built, and print what they should.
+function(check_consumer COMPILER FOLDER)
+    run("configuring" ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer/project -B ${FOLDER} -G ${GENERATOR}
+        -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${prefix}
+        -D EXAMPLE=${SCRATCH}/example.cpp)
+    run("building with ${COMPILER}" ${CMAKE_COMMAND} --build ${FOLDER} --verbose)
+    foreach(word -march ${BUILD}/include ${SOURCE}/src)
+        string(FIND "${output}" "${word}" at)
+        if(NOT at EQUAL -1)
+            message(SEND_ERROR "the consumer was compiled with ${word}:\n${output}")
+        endif()
+    endforeach()
+    expect_output("README's example" ${FOLDER}/consumer "${expected}")
+    expect_output("own_shape.cpp" ${FOLDER}/own_shape
+        "separated 2 along 1 0 0;separated 0.5 along 1 0 0;overlapping 0.25 along 1 0 0")
+endfunction()
+
+function(expect_output WHAT PROGRAM EXPECTED)
+    run("${WHAT}" ${PROGRAM})
+    string(STRIP "${output}" printed)
+    string(REPLACE "\n" ";" printed "${printed}")
+    if(NOT printed STREQUAL EXPECTED)
+        message(FATAL_ERROR "${WHAT} prints:\n${printed}\nIt should print:\n${EXPECTED}")
+    endif()
+    message("${WHAT}, built with the installed package, prints: ${printed}")
+endfunction()
+
 read_example(${SOURCE}/README.md example expected)
 file(WRITE ${SCRATCH}/example.cpp "${example}")
-run("configuring" ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer/project -B ${SCRATCH}/build -G ${GENERATOR}
-    -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${prefix}
-    -D EXAMPLE=${SCRATCH}/example.cpp)
-run("building" ${CMAKE_COMMAND} --build ${SCRATCH}/build --verbose)
-foreach(word -march ${BUILD}/include ${SOURCE}/src)
-    string(FIND "${output}" "${word}" at)
-    if(NOT at EQUAL -1)
-        message(SEND_ERROR "the consumer was compiled with ${word}:\n${output}")
+foreach(document README.md own_shape.cpp)
+    file(GLOB_RECURSE found ${prefix}/share/doc/*${document})
+    if(NOT found)
+        message(SEND_ERROR "${document} was not installed")
     endif()
 endforeach()
-run("the example" ${SCRATCH}/build/consumer)
-string(STRIP "${output}" printed)
-string(REPLACE "\n" ";" printed "${printed}")
-if(NOT printed STREQUAL expected)
-    message(FATAL_ERROR "the example prints:\n${printed}\nREADME.md says:\n${expected}")
+check_consumer(${COMPILER} ${SCRATCH}/build)
+find_program(OTHER NAMES clang++ clang++-14 clang++-15 clang++-16)
+if(OTHER)
+    check_consumer(${OTHER} ${SCRATCH}/build-other)
 endif()
-message("README's example, built with the installed package, prints: ${printed}")

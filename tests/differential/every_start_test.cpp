@@ -99,8 +99,8 @@ Outcome from_every_start(const T& table, const Polyhedron& cube, const CheckedPa
         for (const auto& b : features) {
             if (a.kind() == FeatureKind::face && b.kind() == FeatureKind::face) continue;
             FeaturePair<T, T> pair(table, table);
-            pair.a = a;
-            pair.b = b;
+            pair.a = a.of(table);
+            pair.b = b.of(table);
             const Distance answer = VClip::query(table, table, checked.a_from_b, pair);
             const Judged judged = judge_answer(answer, checked, cube, cube);
             ++outcome.starts;

@@ -34,12 +34,25 @@ edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved
     *Support* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]
     *Support* ${unit}/algorithms/support_test.cpp)
-edgewise_mutant(gjk_ends_at_once algorithms/gjk.hpp [[if (!gains(squared) && !gains_slowly(before)) {]] [[if (gains(squared)) {]]
+edgewise_mutant(gjk_ends_at_once algorithms/gjk.hpp [[if (!gains(squared) && !retry_in_wide_arithmetic(before)) {]] [[if (gains(squared)) {]]
     RandomPairs* ${random_pairs})
 edgewise_mutant(gjk_direction_not_turned_back algorithms/gjk.hpp [[a_from_b_.direction_back(v)]] [[a_from_b_.direction(v)]]
     RandomPairs* ${random_pairs})
 
+edgewise_mutant(verdict_without_a_direction algorithms/gjk.hpp [[if (separates_ && verdict_only_) return false;]] [[if (verdict_only_) return false;]]
+    *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
+edgewise_mutant(verdict_goes_on_to_the_distance algorithms/gjk.hpp [[if (separates_ && verdict_only_) return false;]] [[]]
+    *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
+edgewise_mutant(verdict_by_any_reach algorithms/gjk.hpp [[separates_ = reach_ > noise;]] [[separates_ = true;]]
+    *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
+edgewise_mutant(normal_points_from_b_to_a algorithms/gjk.hpp [[(-1 / distance)]] [[(1 / distance)]]
+    *Normal* ${unit}/algorithms/normal_test.cpp)
+edgewise_mutant(old_pairs_are_followed algorithms/penetration/start.hpp [[if (!pair.belongs_to(a, b)) return SimplexPair<TableA, TableB>(a, b);]] [[]]
+    RebuiltTable* ${unit}/algorithms/rebuilt_table_test.cpp)
+
 # V-Clip
+edgewise_mutant(close_normal_by_witness_points algorithms/vclip/trust.hpp [[result.normal = *normal;]] [[]]
+    *Normal* ${unit}/algorithms/normal_test.cpp)
 edgewise_mutant(clip_takes_the_nearer_end algorithms/vclip/clip.hpp [[if (lambda > low) {]] [[if (lambda < low) {]]
     Clip.* ${unit}/algorithms/clip_test.cpp)
 edgewise_mutant(clip_forgets_simple_exclusion algorithms/vclip/clip.hpp [[if (tail < 0 && head < 0) return Clipped::simply_excluded;]] [[if (tail < 0 && head < 0) return Clipped::inside;]]

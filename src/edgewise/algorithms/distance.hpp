@@ -29,28 +29,36 @@ struct Distance {
     double distance = 0;            ///< 0 in contact, but for what a contact tolerance allows
     Vec3d point_a = Vec3d::Zero();  ///< witness on A, in A's frame; when overlapping, no claim is made
     Vec3d point_b = Vec3d::Zero();  ///< witness on B, in A's frame
-    int steps = 0;                  ///< V-Clip states visited, or GJK iterations
-    int cycles = 0;                 ///< runs that came back to a state already seen
-    int fallbacks = 0;              ///< answers taken from the complete fallback instead
-    int refinements = 0;            ///< close answers worked out again from where the run ended
-    int escapes = 0;                ///< local minima under a face that V-Clip left for a better face
+    /// Unit, from A to B: a plane across it separates the bodies, and B moved along it gets farther away. Of
+    /// close bodies it is better known than the difference of the witness points, whose rounding may exceed
+    /// their distance. Zero in contact, where `penetration` gives the normal of the least way out.
+    Vec3d normal = Vec3d::Zero();
+    int steps = 0;        ///< V-Clip states visited, or GJK iterations
+    int cycles = 0;       ///< runs that came back to a state already seen
+    int fallbacks = 0;    ///< answers taken from the complete fallback instead
+    int refinements = 0;  ///< close answers computed anew from where the run ended
+    int escapes = 0;      ///< local minima under a face that V-Clip left for a better face
 };
 
-/// The witness points in world coordinates.
+/// The witness points and the normal in world coordinates.
 [[nodiscard]] inline Distance to_world(Distance answer, const Pose& pose_a) {
     answer.point_a = pose_a.apply(answer.point_a);
     answer.point_b = pose_a.apply(answer.point_b);
+    answer.normal = multiply(pose_a.rotation, answer.normal);
     return answer;
 }
 
 /// Fills in what follows from two witness points known to be closest.
 template <class Scalar>
 [[nodiscard]] Distance between(const Vec3<Scalar>& on_a, const Vec3<Scalar>& on_b) {
+    const Vec3<Scalar> offset = on_b - on_a;
+    const Scalar distance = norm(offset);
     Distance answer;
-    answer.distance = norm(Vec3<Scalar>(on_a - on_b));
-    answer.status = answer.distance > 0 ? Status::separated : Status::touching;
+    answer.distance = distance;
+    answer.status = distance > 0 ? Status::separated : Status::touching;
     answer.point_a = on_a.template cast<double>();
     answer.point_b = on_b.template cast<double>();
+    if (distance > 0) answer.normal = Vec3<Scalar>(offset * (1 / distance)).template cast<double>();
     return answer;
 }
 

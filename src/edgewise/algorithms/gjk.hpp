@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -21,71 +22,15 @@
 #include "edgewise/algorithms/johnson.hpp"
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/algorithms/simplex.hpp"
 #include "edgewise/algorithms/support.hpp"
+#include "edgewise/geometry/limits.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/wider.hpp"
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/loader.hpp"
 
 namespace edgewise {
-
-/// Up to four pairs of vertices, and the points they stand for in the Minkowski difference (A's frame).
-template <SupportTable TableA, SupportTable TableB>
-struct Simplex {
-    using Scalar = ComputeOf<TableA>;
-
-    int count = 0;
-    std::array<typename TableA::Vertex, 4> vertex_a;
-    std::array<typename TableB::Vertex, 4> vertex_b;
-    std::array<Vec3<Scalar>, 4> on_a, on_b;  ///< both in A's frame
-    std::array<Vec3<Scalar>, 4> difference;
-    Scalar size = 0;  ///< longest coordinate of all points pushed so far: what rounding is relative to
-
-    void push(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& point_a,
-              const Vec3<Scalar>& point_b) {
-        vertex_a[count] = a;
-        vertex_b[count] = b;
-        on_a[count] = point_a;
-        on_b[count] = point_b;
-        difference[count] = point_a - point_b;
-        ++count;
-        size = std::max({size, max_abs(point_a), max_abs(point_b)});
-    }
-
-    [[nodiscard]] bool holds(typename TableA::Vertex a, typename TableB::Vertex b) const {
-        for (int i = 0; i < count; ++i) {
-            if (vertex_a[i] == a && vertex_b[i] == b) return true;
-        }
-        return false;
-    }
-
-    /// Drops what the closest point does not rest on; weights move along.
-    void keep(typename Johnson<Scalar>::Closest& closest) {
-        int kept = 0;
-        for (int i = 0; i < count; ++i) {
-            if (!(closest.members >> i & 1)) continue;
-            vertex_a[kept] = vertex_a[i];
-            vertex_b[kept] = vertex_b[i];
-            on_a[kept] = on_a[i];
-            on_b[kept] = on_b[i];
-            difference[kept] = difference[i];
-            closest.weight[kept] = closest.weight[i];
-            ++kept;
-        }
-        count = kept;
-    }
-};
-
-/// What a pair keeps from one query to the next: the vertices of its last simplex.
-template <SupportTable TableA, SupportTable TableB>
-struct SimplexPair {
-    std::uint32_t count = 0;  ///< 0: cold
-    std::array<typename TableA::Vertex, 4> vertex_a{};
-    std::array<typename TableB::Vertex, 4> vertex_b{};
-
-    SimplexPair() = default;
-    SimplexPair(const TableA&, const TableB&) {}
-};
 
 template <SupportTable TableA, SupportTable TableB>
 class GjkRun {
@@ -100,30 +45,35 @@ class GjkRun {
           a_from_b_(a_from_b),
           contact_squared_(static_cast<Scalar>(options.contact_tolerance * options.contact_tolerance)),
           gap_(static_cast<Scalar>(options.gap_tolerance)),
-          verdict_only_(options.verdict_only) {}
+          verdict_only_(options.verdict_only) {
+        assert(options.contact_tolerance >= 0 && options.gap_tolerance >= 0);
+    }
 
     template <class Observer = NoObserver>
     [[nodiscard]] Distance run(Pair& pair, Observer&& observer = {}) {
         start(pair);
-        for (;;) {
+        while (steps_ < most_gjk_iterations) {
             ++steps_;
             observer.iterate(closest_.members);
             if (simplex_.count == 4) return finish(pair, Status::overlapping);
             const Scalar squared = squared_norm(closest_.point);
             if (squared == 0) return finish(pair, Status::touching);
-            if (squared <= contact_squared_) break;
-            if (!advance(squared)) break;
+            if (squared <= contact_squared_ || !advance(squared)) return finish(pair, separated_or_contact());
         }
-        return finish(pair, separated_or_contact());
+        assert(false && "GJK does not converge: a shape's vertices are not those of a convex body");
+        pair = Pair(a_, b_);
+        return {.steps = steps_};
     }
 
   private:
     void start(const Pair& pair) {
-        if (pair.count == 0) {
+        assert(pair.count <= 4);
+        if (pair.count == 0 || !pair.belongs_to(a_, b_)) {
             add(a_.first_vertex(), b_.first_vertex());
+        } else {
+            for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
         }
-        for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
-        if (!still_inside()) solve();
+        if (!still_inside()) solve(Johnson<Scalar>::none);
         simplex_.keep(closest_);
     }
 
@@ -139,10 +89,11 @@ class GjkRun {
         simplex_.push(a, b, a_.vertex(a), a_from_b_.point(b_.vertex(b)));
     }
 
-    void solve() {
+    /// `known`: points that the closest one is known to rest on.
+    void solve(typename Johnson<Scalar>::Mask known) {
         if (!careful_) {
             Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
-            closest_ = johnson.closest();
+            closest_ = johnson.closest(known);
             if (closest_.members == Johnson<Scalar>::whole) return;
             const Scalar close = Tolerance<Scalar>::close * simplex_.size;
             const bool far = squared_norm(closest_.point) >= close * close;
@@ -181,8 +132,8 @@ class GjkRun {
         const Simplex<TableA, TableB> before = simplex_;
         const auto closest_before = closest_;
         simplex_.push(a.vertex, b.vertex, a.point, on_b);
-        solve();
-        if (!gains(squared) && !gains_slowly(before)) {
+        solve(Johnson<Scalar>::only(simplex_.count - 1));
+        if (!gains(squared) && !retry_in_wide_arithmetic(before)) {
             simplex_ = before;
             closest_ = closest_before;
             return false;
@@ -198,9 +149,10 @@ class GjkRun {
 
     /// The duality gap is open but the distance did not fall: along a valley of nearly parallel sides it
     /// falls by the square of the gap, and many steps that rounding hides add up. From here on only the
-    /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not worked out again from
-    /// the simplex that is left: of a sliver that may come out larger, and the run go round.)
-    [[nodiscard]] [[gnu::noinline]] bool gains_slowly(const Simplex<TableA, TableB>& before) {
+    /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not computed again from
+    /// the simplex that is left: of a sliver that may come out larger, and the run would cycle.) False if
+    /// even so nothing is gained.
+    [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic(const Simplex<TableA, TableB>& before) {
         if (!careful_) {
             careful_ = true;
             const Simplex<TableA, TableB> after = simplex_;
@@ -223,7 +175,8 @@ class GjkRun {
 
     [[nodiscard]] Distance finish(Pair& pair, Status status) const {
         Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
-        pair.count = static_cast<std::uint32_t>(simplex_.count);
+        pair.count = static_cast<std::uint32_t>(simplex_.count) & 7U;
+        pair.belong_to(a_, b_);
         for (int i = 0; i < simplex_.count; ++i) {
             pair.vertex_a[i] = simplex_.vertex_a[i];
             pair.vertex_b[i] = simplex_.vertex_b[i];
@@ -231,7 +184,7 @@ class GjkRun {
             on_b += closest_.weight[i] * simplex_.on_b[i];
         }
         // Weights on a thin triangle are worse than its foot: share out the difference, so that the points
-        // lie as far apart as the distance says.
+        // are separated by the distance that is reported.
         if (status == Status::separated) {
             const Vec3<Scalar> excess = Scalar(0.5) * (on_a - on_b - closest_.point);
             on_a -= excess;
@@ -239,7 +192,11 @@ class GjkRun {
         }
         Distance answer;
         answer.status = status;
-        answer.distance = status == Status::separated ? norm(closest_.point) : 0;
+        if (status == Status::separated) {
+            const Scalar distance = norm(closest_.point);
+            answer.distance = distance;
+            answer.normal = Vec3<Scalar>(closest_.point * (-1 / distance)).template cast<double>();
+        }
         answer.point_a = on_a.template cast<double>();
         answer.point_b = on_b.template cast<double>();
         answer.steps = steps_;

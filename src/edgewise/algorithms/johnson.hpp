@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -37,7 +38,8 @@ class Johnson {
   public:
     using Mask = std::uint8_t;  ///< bit i: point i belongs to the subset
 
-    static constexpr Mask whole = 15;
+    static constexpr Mask none = 0, whole = 15;
+    [[nodiscard]] static constexpr Mask only(int point) { return static_cast<Mask>(1 << point); }
 
     struct Closest {
         Mask members = 0;
@@ -47,26 +49,31 @@ class Johnson {
     };
 
     /// Points are w[0 .. count-1], 1 <= count <= 4.
-    Johnson(const std::array<Vec3<Scalar>, 4>& w, int count) : w_(w), count_(count) {}
+    Johnson(const std::array<Vec3<Scalar>, 4>& w, int count) : w_(w), count_(count) {
+        assert(count >= 1 && count <= 4);
+    }
 
     /// Whether a tetrahedron holds the origin, before any subset is tried; then `closest` is that.
     [[nodiscard]] bool holds_origin() { return count_ == 4 && volumes_hold_origin(); }
     [[nodiscard]] Closest inside() const { return weigh(whole); }
 
-    [[nodiscard]] Closest closest() {
+    /// `known`: points that the answer is known to rest on, such as the newest of a search, in exact
+    /// arithmetic. Subsets without them are tried only when no other passes.
+    [[nodiscard]] Closest closest(Mask known = none) {
         for (const Mask mask : ascending) {
             if (mask >> count_) continue;
             if (!cofactors(mask)) continue;
+            if ((mask & known) != known) continue;
             const Closest candidate = weigh(mask);
             if (excludes_others(mask, candidate.point)) return candidate;
         }
         if (count_ == 4 && volumes_hold_origin()) return weigh(whole);
-        return nearest_of_all();
+        return known == none ? nearest_of_all() : closest();
     }
 
     /// A triangle too long and low for its foot to be as good as its points are.
     [[nodiscard]] bool is_thin(Mask mask) const {
-        if (std::popcount(mask) != 3) return false;
+        if (!is_triangle(mask)) return false;
         const auto [p, q] = sides(mask);
         const Scalar longest = std::max(squared_norm(p), squared_norm(q));
         return !(squared_norm(cross(p, q)) > Tolerance<Scalar>::thin * longest * longest);
@@ -100,7 +107,16 @@ class Johnson {
                size(a.z()) * (size(b.x() * c.y()) + size(b.y() * c.x()));
     }
 
-    static constexpr int lowest(Mask mask) { return std::countr_zero(mask); }
+    /// Three points. (std::popcount is a call into a library where the machine may lack the instruction.)
+    static constexpr bool is_triangle(Mask mask) {
+        constexpr unsigned triangles = 1U << 7 | 1U << 11 | 1U << 13 | 1U << 14;
+        return (triangles >> mask & 1U) != 0;
+    }
+
+    static constexpr int lowest(Mask mask) {
+        assert(mask != none);
+        return std::countr_zero(mask);
+    }
 
     /// <w_i, w_m - w_k>
     [[nodiscard]] Scalar slope(int i, int m, int k) const { return dot(w_[i], w_[m] - w_[k]); }
@@ -142,6 +158,7 @@ class Johnson {
 
     [[nodiscard]] Closest weigh(Mask mask) const {
         Closest result;
+        assert(mask >> count_ == 0 && "members are points that are there");
         result.members = mask;
         Scalar sum = 0;
         for (int i = 0; i < count_; ++i) {
@@ -153,7 +170,7 @@ class Johnson {
             result.weight[i] = cofactor_[mask][i] / sum;
             result.point += result.weight[i] * w_[i];
         }
-        if (std::popcount(mask) == 3) result.point = foot_on_triangle(mask, result.point);
+        if (is_triangle(mask)) result.point = foot_on_triangle(mask, result.point);
         return result;
     }
 
@@ -176,6 +193,7 @@ class Johnson {
 
     [[nodiscard]] std::pair<Vec3<Scalar>, Vec3<Scalar>> sides(Mask mask) const {
         const int i = lowest(mask);
+        assert(is_triangle(mask));
         const int j = lowest(static_cast<Mask>(mask & (mask - 1)));
         const int k = std::bit_width(mask) - 1;
         return {w_[j] - w_[i], w_[k] - w_[i]};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who watches an algorithm at work: told of every step before it is taken, so that what a step reads can be
+// Observes an algorithm at work: notified of every step before it is taken, so that what a step reads can be
 // booked under it. The default sees nothing and costs nothing.
 #pragma once
 
@@ -13,8 +13,8 @@ namespace edgewise {
 struct NoObserver {
     /// V-Clip: the state on features of these kinds comes next.
     static void visit(FeatureKind, FeatureKind) {}
-    /// V-Clip: its answer is not believed, GJK answers next.
-    static void settle() {}
+    /// V-Clip: its answer is not trusted, GJK answers next.
+    static void ask_gjk() {}
     /// GJK: an iteration comes next, on the members (bit i: point i) of the simplex that were accepted last.
     static void iterate(std::uint8_t /*members*/) {}
 };

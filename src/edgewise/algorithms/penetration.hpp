@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How deep two bodies overlap: the shortest translation that takes them apart, by the expanding polytope
+// How deep two bodies overlap: the shortest translation that separates them, by the expanding polytope
 // algorithm (EPA). A polytope inside the Minkowski difference A - B grows by support points along the normal
 // of its face nearest to the origin, until that face cannot be pushed out any further.
 //
@@ -12,10 +12,11 @@
 //   when the farthest point is not above that face; every other step takes in a new vertex of A - B, so it
 //   ends;
 // - every support plane bounds the depth from above, and the least bound seen is the answer if the work space
-//   is full: still a translation that takes the bodies apart.
+//   is full: still a translation that separates the bodies.
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -32,8 +33,8 @@ namespace edgewise {
 /// converged, point_a - point_b = depth * normal, both to rounding: point_a is the point of A deepest in B,
 /// point_b that of B deepest in A.
 struct Penetration {
-    double depth = 0;  ///< 0: touching, or apart (then the normal parts them, the points are void)
-    Vec3d normal = Vec3d::Zero();   ///< unit; where B must go, outward from A
+    double depth = 0;              ///< 0: touching, or separated (then along the normal, the points are void)
+    Vec3d normal = Vec3d::Zero();  ///< unit; where B must go, outward from A
     Vec3d point_a = Vec3d::Zero();  ///< on the surface of A
     Vec3d point_b = Vec3d::Zero();  ///< on the surface of B
     int steps = 0;                  ///< faces looked at
@@ -73,7 +74,7 @@ class EpaRun {
         const epa::Tetrahedron<TableA, TableB> tetrahedron(difference_, start);
         if (!tetrahedron.is_solid()) return flat(tetrahedron);
         begin(tetrahedron);
-        for (;;) {
+        for (std::size_t step = 0; step <= space_.face_limit; ++step) {
             ++answer_.steps;
             const epa::Id face = polytope_.nearest();
             const epa::Face& nearest = polytope_.faces()[face];
@@ -86,12 +87,15 @@ class EpaRun {
             polytope_.expand(point, face);
             corners_.push_back(corner);
         }
+        assert(false && "each step makes three faces or more");
+        return answer_;
     }
 
   private:
     using Corner = epa::Corner<TableA, TableB>;
 
     void begin(const epa::Tetrahedron<TableA, TableB>& tetrahedron) {
+        assert(space_.face_limit >= 4 && "a tetrahedron must fit");
         scale_ = tetrahedron.scale();
         corners_.assign(tetrahedron.corners().begin(), tetrahedron.corners().end());
         for (const Corner& corner : corners_) take(corner);
@@ -132,12 +136,13 @@ class EpaRun {
             answer_.point_a += witness.weight[i] * corner.on_a;
             answer_.point_b += witness.weight[i] * corner.on_b;
         }
+        assert(witness.distance < std::numeric_limits<double>::infinity());
         answer_.converged = true;
         return answer_;
     }
 
-    /// A difference without volume has no depth: any step across it takes the bodies apart. Solids only look
-    /// like that when an offset swallows their digits; then they are apart already.
+    /// A difference without volume has no depth: any step across it separates the bodies. Solids only look
+    /// like that when an offset swallows their digits; then they are separated already.
     [[nodiscard]] Penetration flat(const epa::Tetrahedron<TableA, TableB>& tetrahedron) {
         const auto closest = Johnson<double>(tetrahedron.points(), tetrahedron.count()).closest();
         const double distance = norm(closest.point);
@@ -166,7 +171,8 @@ template <SupportTable TableA, SupportTable TableB>
                                       const SimplexPair<TableA, TableB>& start,
                                       PenetrationSpace<TableA, TableB>& space) {
     const auto transform = cast<ComputeOf<TableA>>(a_from_b);
-    return EpaRun<TableA, TableB>(a, b, transform, space).run(start);
+    EpaRun<TableA, TableB> run(a, b, transform, space);
+    return run.run(start.belongs_to(a, b) ? start : SimplexPair<TableA, TableB>(a, b));
 }
 
 }  // namespace edgewise

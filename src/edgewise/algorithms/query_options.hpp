@@ -19,7 +19,7 @@ struct QueryOptions {
     bool verdict_only = false;
 };
 
-/// An answer as the options want it told. A distance within the tolerance stays as found: for GJK, which
+/// An answer as the options ask for it. A distance within the tolerance stays as found: for GJK, which
 /// stops as soon as it knows that much, an upper bound.
 [[nodiscard]] inline Distance within(const QueryOptions& options, Distance answer) {
     if (answer.status == Status::separated && answer.distance <= options.contact_tolerance)

@@ -7,6 +7,7 @@
 // or almost in one place, rounding makes plateaus on which a climb ends far below the top.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 
 #include "edgewise/geometry/tolerance.hpp"
@@ -53,16 +54,18 @@ template <class Scalar>
     return max_abs(Vec3<Scalar>(head - tail)) < Tolerance<Scalar>::short_edge * max_abs(head);
 }
 
-/// Steepest ascent from `start`. Strictly upward, so it ends. A neighbour as high as the top but for rounding
-/// may hide a slope behind it, the steeper the shorter the edge to it: behind a short one a scan looks.
-template <SupportTable Table>
+/// Steepest ascent from `start`. Strictly upward, so it ends within as many rounds as there are vertices;
+/// else the shape changes while it is asked, and a scan decides. A neighbour as high as the top but for
+/// rounding may hide a slope behind it, the steeper the shorter the edge to it: behind a short one a scan
+/// looks.
+template <ClimbingTable Table>
 [[nodiscard]] SupportPoint<Table> climb_support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                                 typename Table::Vertex start) {
     using Scalar = ComputeOf<Table>;
     const auto point = table.vertex(start);
     SupportPoint<Table> best{start, point, dot(point, direction)};
     const Scalar noise = Tolerance<Scalar>::support_noise * max_abs(point) * max_abs(direction);
-    for (;;) {
+    for (std::size_t round = 0; round <= table.vertex_count(); ++round) {
         bool improved = false, hidden = false;
         for (const auto v : table.neighbours(best.vertex)) {
             const auto candidate = table.vertex(v);
@@ -80,14 +83,19 @@ template <SupportTable Table>
         if (improved) continue;
         return hidden ? scan_support(table, direction) : best;
     }
+    assert(false && "a climb passed more vertices than there are");
+    return scan_support(table, direction);
 }
 
+/// Climbed to from `start` where that pays and is safe, else found by a scan.
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
-                                          typename Table::Vertex start) {
-    return table.vertex_count() < scan_below || !table.strictly_convex()
-               ? scan_support(table, direction)
-               : climb_support(table, direction, start);
+                                          [[maybe_unused]] typename Table::Vertex start) {
+    if constexpr (ClimbingTable<Table>) {
+        if (table.strictly_convex() && table.vertex_count() >= scan_below)
+            return climb_support(table, direction, start);
+    }
+    return scan_support(table, direction);
 }
 
 }  // namespace edgewise

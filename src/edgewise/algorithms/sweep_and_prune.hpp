@@ -6,7 +6,8 @@
 // The boxes' low ends are kept sorted on all three axes from frame to frame; insertion sort repairs the order
 // in linear time while motion is coherent. The sweep runs along the axis on which the boxes spread most and
 // tests the other two directly. Departs from I-COLLIDE, which sweeps all three axes and keeps overlap
-// counters a pair: that costs memory for every pair, where this costs a few comparisons for every near pair.
+// counters per pair: that costs memory for every pair, where this costs a few comparisons for every near
+// pair.
 #pragma once
 
 #include <algorithm>
@@ -18,26 +19,9 @@
 #include <span>
 #include <vector>
 
-#include "edgewise/geometry/vec.hpp"
+#include "edgewise/geometry/aabb.hpp"
 
 namespace edgewise {
-
-/// Closed axis-aligned box: boxes that touch overlap.
-struct Aabb {
-    Vec3d low, high;
-
-    [[nodiscard]] bool overlaps(const Aabb& other) const {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (low[axis] > other.high[axis] || other.low[axis] > high[axis]) return false;
-        }
-        return true;
-    }
-
-    /// Larger by `margin` on all six sides.
-    [[nodiscard]] Aabb enlarged(double margin) const {
-        return {(low.array() - margin).matrix(), (high.array() + margin).matrix()};
-    }
-};
 
 struct BodyPair {
     std::uint32_t first, second;  ///< first < second
@@ -54,7 +38,7 @@ struct ElementPart {
     std::size_t offset, bytes;
 };
 
-/// Who hears of every read and write; costs nothing. (The last sort of the pairs is not told: there are few,
+/// Is notified of every read and write; costs nothing. (Not of the last sort of the pairs: there are few,
 /// and they have just been written.)
 struct NoTouches {
     static void read(BroadPhaseArray, std::size_t /*element*/, ElementPart) {}
@@ -65,7 +49,8 @@ class SweepAndPrune {
   public:
     explicit SweepAndPrune(std::size_t body_count);
 
-    /// The overlapping pairs of one frame, sorted; valid until the next call. One box a body, none with NaN.
+    /// The overlapping pairs of one frame, sorted; valid until the next call. One box per body, none with
+    /// NaN.
     template <class Touches = NoTouches>
     [[nodiscard]] std::span<const BodyPair> update(std::span<const Aabb> boxes, Touches&& touches = {});
 
@@ -133,6 +118,7 @@ double SweepAndPrune::spread(int axis, std::span<const Aabb> boxes, Touches& tou
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         touches.read(BroadPhaseArray::boxes, i, low_end(axis));
         touches.read(BroadPhaseArray::boxes, i, high_end(axis));
+        assert(boxes[i].low[axis] <= boxes[i].high[axis] && "low ends first, and no NaN");
         const double off = boxes[i].low[axis] + boxes[i].high[axis] - mean;
         sum += off * off;
     }
@@ -185,6 +171,7 @@ void SweepAndPrune::sweep_axis(int axis, std::span<const Aabb> boxes, Touches& t
             ++tests_;
             if (other.low[axis] > box.high[axis]) break;
             touches.read(BroadPhaseArray::boxes, order[j], whole_box);
+            assert(order[i] != order[j]);
             if (!box.overlaps(other)) continue;
             touches.write(BroadPhaseArray::pairs, pairs_.size(), whole_pair);
             pairs_.push_back({std::min(order[i], order[j]), std::max(order[i], order[j])});

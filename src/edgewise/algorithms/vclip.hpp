@@ -8,7 +8,7 @@
 // one feature to a neighbour; a move up in dimension shortens the distance, a move down keeps it. So it ends,
 // in exact arithmetic.
 //
-// In floating point it may go round. Where the report has an iteration limit, we detect the cycle itself
+// In floating point it may cycle. Where the report has an iteration limit, we detect the cycle itself
 // (cycle_guard) and let a complete algorithm answer (fallback); both are counted. Other departures are named
 // in the states' files.
 #pragma once
@@ -22,13 +22,12 @@
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
-#include "edgewise/algorithms/vclip/close.hpp"
 #include "edgewise/algorithms/vclip/closest_points.hpp"
 #include "edgewise/algorithms/vclip/cycle_guard.hpp"
 #include "edgewise/algorithms/vclip/edge_edge.hpp"
 #include "edgewise/algorithms/vclip/edge_face.hpp"
 #include "edgewise/algorithms/vclip/fallback.hpp"
-#include "edgewise/algorithms/vclip/proof.hpp"
+#include "edgewise/algorithms/vclip/trust.hpp"
 #include "edgewise/algorithms/vclip/vertex_edge.hpp"
 #include "edgewise/algorithms/vclip/vertex_face.hpp"
 #include "edgewise/algorithms/vclip/vertex_vertex.hpp"
@@ -43,8 +42,13 @@ struct FeaturePair {
 
     /// Cold: any vertices will do.
     FeaturePair(const TableA& table_a, const TableB& table_b)
-        : a(Feature<TableA>::of_vertex(table_a.first_vertex())),
-          b(Feature<TableB>::of_vertex(table_b.first_vertex())) {}
+        : a(Feature<TableA>::of_vertex(table_a.first_vertex()).of(table_a)),
+          b(Feature<TableB>::of_vertex(table_b.first_vertex()).of(table_b)) {}
+
+    /// False after a rebuild: the handles may lead anywhere, and no query follows them.
+    [[nodiscard]] bool belongs_to(const TableA& table_a, const TableB& table_b) const {
+        return a.is_of(table_a) && b.is_of(table_b);
+    }
 };
 
 namespace vclip {
@@ -81,46 +85,13 @@ template <class TableA, class TableB>
 [[nodiscard]] Distance answer(const Body<TableA>& a, const Body<TableB>& b, Step last) {
     Distance result;
     if (last == Step::separated) {
-        const auto [on_a, on_b] = closest_points(a, b);
+        const auto [on_a, on_b, normal] = closest_points(a, b);
         result = between(on_a, on_b);
+        if (max_abs(normal) > 0) result.normal = normal.template cast<double>();
     } else {
         result.status = last == Step::overlapping ? Status::overlapping : Status::touching;
     }
     return result;
-}
-
-/// What becomes of the answer of a run that did not go round.
-enum class Trust : std::uint8_t { sound, doubted, close };
-
-/// Of an answer below `untrusted`. Features that meet to within rounding are in contact: each point is one of
-/// its body. (Edges that cross in the middle of deeply overlapping boxes look like closest features at
-/// distance 1e-16.)
-template <class TableA, class TableB>
-[[nodiscard]] [[gnu::noinline]] Trust trust_close(Distance& result, double size, const Body<TableA>& a,
-                                                  const Body<TableB>& b) {
-    if (result.distance <= contact_noise<TableA> * size) {
-        result.status = Status::touching;
-        result.distance = 0;
-        return Trust::sound;
-    }
-    return may_slide(a, b) || result.distance <= hardly_apart<TableA> * size ? Trust::close : Trust::sound;
-}
-
-/// On a body that is not strictly convex the region of a feature goes on under the surface, and nothing is
-/// believed until it is proven; the proof is as good as the direction between the points, so not a close one.
-template <class TableA, class TableB>
-[[nodiscard]] Trust trust(Distance& result, const Body<TableA>& a, const Body<TableB>& b) {
-    if (result.status == Status::overlapping) return Trust::sound;
-    const bool convex = a.table.strictly_convex() && b.table.strictly_convex();
-    if (result.status == Status::touching) {
-        if (!convex) return Trust::doubted;
-        return rounded_planes<TableA> || rounded_planes<TableB> ? Trust::close : Trust::sound;
-    }
-    const double offset{max_abs(a.from_other.translation)};
-    const double size = std::max({offset, a.table.reach(), b.table.reach()});
-    if (result.distance > untrusted<TableA, TableB> * size)
-        return convex || is_proven(result, a, b) ? Trust::sound : Trust::doubted;
-    return convex ? trust_close(result, size, a, b) : Trust::close;
 }
 
 template <class TableA, class TableB, class Observer>
@@ -137,7 +108,7 @@ template <class TableA, class TableB, class Observer>
         Distance result = answer(a, b, last);
         const Trust verdict = cycle ? Trust::doubted : trust(result, a, b);
         if (verdict != Trust::sound) {
-            observer.settle();
+            observer.ask_gjk();
             result = answer_by_gjk(a, b);
         }
         result.steps = steps;
@@ -174,6 +145,7 @@ struct VClip {
                                         Observer&& observer = {}) {
         const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
+        if (!pair.belongs_to(a, b)) pair = FeaturePair<TableA, TableB>(a, b);
         vclip::Body<TableA> body_a{a, into_a, pair.a};
         vclip::Body<TableB> body_b{b, into_b, pair.b};
         const Distance result = [&] {
@@ -182,8 +154,8 @@ struct VClip {
             else
                 return vclip::run(body_a, body_b);
         }();
-        pair.a = body_a.feature;
-        pair.b = body_b.feature;
+        pair.a = body_a.feature.of(a);
+        pair.b = body_b.feature.of(b);
         return within(options, result);
     }
 };

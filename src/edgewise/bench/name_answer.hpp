@@ -44,6 +44,7 @@ void settle_contact(const AskedPair<Table>& asked, const Pair& pair, const Dista
     }
     Distance settled = distance;
     settled.status = overlap.depth > noise ? Status::overlapping : Status::touching;
+    settled.normal = overlap.normal;
     settled.point_a = overlap.point_a;
     settled.point_b = overlap.point_b;
     answer.distance = to_world(settled, query.pose_a);

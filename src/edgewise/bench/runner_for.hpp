@@ -80,7 +80,7 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] NamedAnswer answer(const scene::Query& given) const override {
-        const scene::Query query = length_scale_.into(polished(given));
+        const scene::Query query = length_scale_.into(orthonormalised(given));
         if (!in_range(query)) return {};
         const Table& a = table_a(query);
         const Table& b = table_b(query);
@@ -202,9 +202,9 @@ class RunnerFor final : public Runner {
         return tables_[table_each_ ? query.instance_b : query.body_b];
     }
 
-    [[nodiscard]] scene::Query polished(scene::Query query) const {
-        query.pose_a = edgewise::polished(query.pose_a, bodies_[query.body_a].vertices[0]);
-        query.pose_b = edgewise::polished(query.pose_b, bodies_[query.body_b].vertices[0]);
+    [[nodiscard]] scene::Query orthonormalised(scene::Query query) const {
+        query.pose_a = edgewise::orthonormalised(query.pose_a, bodies_[query.body_a].vertices[0]);
+        query.pose_b = edgewise::orthonormalised(query.pose_b, bodies_[query.body_b].vertices[0]);
         return query;
     }
 
@@ -213,7 +213,7 @@ class RunnerFor final : public Runner {
     [[nodiscard]] const scene::Workload& in_length_scale(const scene::Workload& given,
                                                          scene::Workload& space) const {
         const auto is_ready = [](const scene::Query& query) {
-            return is_polished(query.pose_a) && is_polished(query.pose_b);
+            return is_orthonormalised(query.pose_a) && is_orthonormalised(query.pose_b);
         };
         if (length_scale_.is_one() && std::all_of(given.queries.begin(), given.queries.end(), is_ready))
             return given;
@@ -222,7 +222,7 @@ class RunnerFor final : public Runner {
         space.instances = given.instances;
         space.frames = given.frames;
         for (const scene::Query& query : given.queries)
-            space.queries.push_back(length_scale_.into(polished(query)));
+            space.queries.push_back(length_scale_.into(orthonormalised(query)));
         return space;
     }
 

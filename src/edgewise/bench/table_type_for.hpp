@@ -16,8 +16,12 @@ namespace edgewise::bench {
 
 using Algorithms = std::tuple<VClip, Gjk>;
 
+/// Support points are enough for the algorithm, or the table has features.
 template <class Algorithm, class Table>
-concept Serves = SupportTable<Table> &&(Algorithm::parts == Parts::support || FeatureTable<Table>);
+concept HasPartsFor = Algorithm::parts == Parts::support || FeatureTable<Table>;
+
+template <class Algorithm, class Table>
+concept Serves = MeasuredTable<Table> && HasPartsFor<Algorithm, Table>;
 
 /// What is asked of the layout itself.
 template <class Table>

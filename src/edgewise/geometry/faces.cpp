@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Bodies whose faces are taken as given. Points with equal coordinates are one vertex (the lowest index names
-// it), points in no face are left out with a warning, and a body wound inward throughout is turned round.
+// it), points in no face are left out with a warning, and a body wound inward throughout is reversed.
 #include <algorithm>
 #include <string>
 

@@ -4,7 +4,7 @@
 // Qhull sees is recentred and scaled. Qhull gets the distinct points in the order of their coordinates, so
 // neither duplicates nor the order of the input change the body.
 //
-// Qhull's answer is not taken on trust. It merges facets that rounding cannot tell apart, and the ring of a
+// Qhull's answer is not taken on trust. It merges facets that rounding cannot distinguish, and the ring of a
 // merged facet may come out bent inwards. The rule: the corner that bends most is taken out (it lies within
 // rounding of the body that is left) and the hull is made again. A body that the checker still refuses is
 // made a second time in axes of its own, which turns a needle into a round body. The last word is the

@@ -19,7 +19,7 @@ namespace edgewise {
 [[nodiscard]] Result<Polyhedron> convex_hull(std::span<const Vec3d> points);
 
 /// A body whose faces are taken as given: each a counter-clockwise ring (seen from outside) of vertex
-/// indices. Coplanar neighbours stay apart; a body wound inward throughout is turned round; vertices in no
+/// indices. Coplanar neighbours are not merged; a body wound inward throughout is reversed; vertices in no
 /// face are left out, with a warning. Fails, with a reason, if the faces do not bound a closed convex solid,
 /// are not planar to face_planarity x extent (bent by no more than single precision does, the hull of their
 /// vertices is taken, with a warning), have no area, or have vertices in the middle of edges.

@@ -11,6 +11,7 @@
 // half-edge.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -34,7 +35,6 @@ struct PolyhedronEdge {
 
 /// A solid; or a flat body: a polygon with a front and a back face, a segment of one edge without faces, a
 /// point.
-
 struct Polyhedron {
     std::vector<Vec3d> vertices;
     std::vector<Index> input_index;  ///< vertex -> index in the vertex list the user gave
@@ -49,14 +49,20 @@ struct Polyhedron {
     [[nodiscard]] std::size_t edge_count() const { return edges.size(); }
     [[nodiscard]] std::size_t face_count() const { return face_planes.size(); }
 
-    [[nodiscard]] Index tail(HalfEdge h) const { return h & 1 ? edges[h >> 1].head : edges[h >> 1].tail; }
-    [[nodiscard]] Index head(HalfEdge h) const { return h & 1 ? edges[h >> 1].tail : edges[h >> 1].head; }
-    [[nodiscard]] Index face(HalfEdge h) const { return h & 1 ? edges[h >> 1].right : edges[h >> 1].left; }
+    [[nodiscard]] Index tail(HalfEdge h) const { return h & 1 ? edge_of(h).head : edge_of(h).tail; }
+    [[nodiscard]] Index head(HalfEdge h) const { return h & 1 ? edge_of(h).tail : edge_of(h).head; }
+    [[nodiscard]] Index face(HalfEdge h) const { return h & 1 ? edge_of(h).right : edge_of(h).left; }
+    [[nodiscard]] const PolyhedronEdge& edge_of(HalfEdge h) const {
+        assert(h >> 1 < edges.size());
+        return edges[h >> 1];
+    }
 
     [[nodiscard]] std::span<const HalfEdge> ring_of_face(Index f) const {
+        assert(f + 1 < face_offset.size());
         return std::span(face_ring).subspan(face_offset[f], face_offset[f + 1] - face_offset[f]);
     }
     [[nodiscard]] std::span<const HalfEdge> ring_of_vertex(Index v) const {
+        assert(v + 1 < vertex_offset.size());
         return std::span(vertex_ring).subspan(vertex_offset[v], vertex_offset[v + 1] - vertex_offset[v]);
     }
 };

@@ -14,7 +14,7 @@
 namespace edgewise {
 namespace {
 
-/// One side of one ring, as an undirected edge with the direction kept apart.
+/// One side of one ring, as an undirected edge with its direction beside it.
 struct Side {
     Index low, high;  ///< vertices
     bool backwards;   ///< runs high -> low
@@ -67,7 +67,7 @@ std::string pairing_error(const FaceRings& input, const std::vector<Side>& sides
         const Side& other = sides[i + 1];
         if (side.backwards == other.backwards) {
             return message("faces ", side.face, " and ", other.face, " run ", edge,
-                           " in the same direction; turn one of them round");
+                           " in the same direction; reverse one of them");
         }
         i += count;
     }

@@ -25,7 +25,7 @@ struct FaceRings {
 /// all in one fan. Says nothing about convexity. Faces without area get a zero normal.
 [[nodiscard]] Result<Polyhedron> build_polyhedron(const FaceRings& input);
 
-/// The same, with all rings turned round if the first face looks inward.
+/// The same, with all rings reversed if the first face looks inward.
 [[nodiscard]] Result<Polyhedron> build_outward(FaceRings input);
 
 }  // namespace edgewise

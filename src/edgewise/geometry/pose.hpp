@@ -43,8 +43,9 @@ struct Transform {
 };
 
 /// The map that takes B's points into A's frame; computed in double whatever the tables hold. It takes R_A's
-/// transpose for its inverse: rotations that are sloppier than rounding leaves one (`is_polished`: matrices
-/// in single, or typed in) should go through `polished` first, or a long offset comes out stretched.
+/// transpose for its inverse: rotations that are sloppier than rounding leaves one (`is_orthonormalised`:
+/// matrices in single, or typed in) should go through `orthonormalised` first, or a long offset comes out
+/// stretched.
 [[nodiscard]] inline Transform<double> relative_pose(const Pose& a, const Pose& b) {
     Transform<double> result;
     for (int column = 0; column < 3; ++column) {
@@ -73,7 +74,7 @@ template <class Scalar>
 }
 
 /// Orthogonal but for rounding.
-[[nodiscard]] inline bool is_polished(const Pose& pose) {
+[[nodiscard]] inline bool is_orthonormalised(const Pose& pose) {
     return ortho_error(pose.rotation) <= rotation_rounding;
 }
 
@@ -81,9 +82,9 @@ template <class Scalar>
 /// in single, or typed in): queries in the frame of A take offsets there by the transpose, and would stretch
 /// a long one. `about`, a point of the body, stays where it is, so that no other moves by more than the
 /// distance of R from orthogonal times the body's extent, which the band of a verdict allows for.
-[[nodiscard]] inline Pose polished(const Pose& pose, const Vec3d& about) {
+[[nodiscard]] inline Pose orthonormalised(const Pose& pose, const Vec3d& about) {
     Pose result = pose;
-    for (int i = 0; i < 8 && !is_polished(result); ++i) {
+    for (int i = 0; i < 8 && !is_orthonormalised(result); ++i) {
         const Mat3d r = result.rotation;
         for (int j = 0; j < 3; ++j) {
             // Newton's step, column by column: R (3 - R^T R) / 2.

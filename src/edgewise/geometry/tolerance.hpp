@@ -45,7 +45,7 @@ struct Tolerance {
     static constexpr Scalar support_filter = 256 * eps;
 
     /// Radians, by what stores: faces or sides that turn by less count as flat, and V-Clip proves its answers
-    /// on such a body. Under an edge that turns by t, planes with noise n tell the two sides apart from a
+    /// on such a body. Under an edge that turns by t, planes with noise n distinguish the two sides from a
     /// depth of n / t on: a millionth of the size in double (2^-26), a quarter in single, where any more
     /// would take in spheres of some hundred vertices.
     static constexpr Scalar strict_turn = eps < Scalar(1e-10) ? Scalar(0x1p-26) : 64 * eps;
@@ -54,7 +54,7 @@ struct Tolerance {
     /// than a thousandth.
     static constexpr Scalar sliver = (1024 * eps) * (1024 * eps);
 
-    /// Johnson, squared height over length of a triangle: below it the foot is worked out in wider
+    /// Johnson, squared height over length of a triangle: below it the foot is computed in wider
     /// arithmetic. The normal is off by the rounding over the height, the distance by that times the size:
     /// 2^-44 in double, 2^-18 in single, some rounding steps below what a query may err (verified_error).
     static constexpr Scalar thin = eps < Scalar(1e-10) ? Scalar(0x1p-16) : Scalar(0x1p-10);
@@ -75,7 +75,7 @@ struct Tolerance {
     /// part in 256, and slopes along it, which decide, no better.
     static constexpr Scalar hardly_apart = 256 * contact_noise;
 
-    /// Relative to max|w|: a closest point nearer to the origin than this is worked out again in the next
+    /// Relative to max|w|: a closest point nearer to the origin than this is computed again in the next
     /// wider arithmetic, and V-Clip's answer on slippery features by GJK. Its direction is off by the
     /// rounding of the points over their distance from the origin, and the distance by that times the size:
     /// beyond a thousandth of the size in double, 1/16 in single, neither exceeds what a query may err
@@ -98,12 +98,12 @@ struct Tolerance<DoubleDouble> {
 inline constexpr double close_of_rounded_planes = 0x1p-7;
 
 /// Relative to the extent: how far a vertex may lie off the plane of its face, or above the plane of another,
-/// in a body that counts as sound. Qhull merges what it cannot tell apart, which leaves a few dozen rounding
+/// in a body that counts as sound. Qhull merges what it cannot distinguish, which leaves a few dozen rounding
 /// steps; beyond 4096 (1e-12) a face is bent, not rounded.
 inline constexpr double face_planarity = 4096 * std::numeric_limits<double>::epsilon();
 
 /// Relative to the extent: a body thinner than this is flat. The same as face_planarity, since below it no
-/// check can tell the two sides of the body apart.
+/// check can distinguish the two sides of the body.
 inline constexpr double flat_thickness = face_planarity;
 
 /// Twice the area of a corner of a polygon in axes scaled to about 1: below some rounding steps it is
@@ -154,9 +154,9 @@ inline constexpr double verdict_band_steps = 16;
 /// given may move a vertex, over three rows and both bodies.
 inline constexpr double verdict_band_ortho = 4;
 
-/// Verification, relative to the scale of a pair: the error of a distance, and of how far its witness points
-/// lie apart, beyond which a cell fails. Some thousand rounding steps in double and some eighty in single;
-/// the worst measured are a few of either.
+/// Verification, relative to the scale of a pair: the error of a distance, and of the distance of its witness
+/// points, beyond which a cell fails. Some thousand rounding steps in double and some eighty in single; the
+/// worst measured are a few of either.
 inline constexpr double verified_error_double = 1e-12;
 inline constexpr double verified_error_single = 1e-5;
 

@@ -34,13 +34,16 @@ class BlockTable {
     [[nodiscard]] auto all_vertices() const { return index_range(facts_.vertex_count); }
     [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
     [[nodiscard]] double reach() const { return facts_.reach; }
+    [[nodiscard]] std::uint32_t identity() const { return facts_.identity; }
     [[nodiscard]] const BodyFacts& facts() const { return facts_; }
 
     /// The facts of a body of the same topology (write_geometry.hpp).
     void note_facts(const Polyhedron& body) {
         assert(body.vertex_count() == facts_.vertex_count &&
                body.vertex_ring.size() == facts_.neighbour_count);
+        const std::uint32_t identity = facts_.identity;
         facts_ = facts_of(body, facts_.parts);
+        facts_.identity = identity;
     }
 
   protected:

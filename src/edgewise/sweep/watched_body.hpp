@@ -21,21 +21,19 @@ class WatchedBody {
   public:
     using PrecisionType = f64;
     using Vertex = Index;
-    static constexpr std::string_view name = "watched";
 
     WatchedBody(const Polyhedron& body, ClimbCounts& counts)
         : table_(body),
           strictly_convex_(is_strictly_convex(body, Tolerance<double>::strict_turn)),
           counts_(&counts) {}
 
+    [[nodiscard]] std::size_t vertex_count() const { return table_.vertex_count(); }
     /// A climb or scan begins by asking it (algorithms/support.hpp), and nothing else does.
-    [[nodiscard]] std::size_t vertex_count() const {
+    [[nodiscard]] bool strictly_convex() const {
         ++counts_->supports;
-        return table_.vertex_count();
+        return strictly_convex_;
     }
-    [[nodiscard]] bool strictly_convex() const { return strictly_convex_; }
     [[nodiscard]] Vertex first_vertex() const { return 0; }
-    [[nodiscard]] Index index_of(Vertex v) const { return v; }
     [[nodiscard]] Vec3d vertex(Vertex v) const {
         ++counts_->vertices;
         return table_.vertex(v);
@@ -45,8 +43,6 @@ class WatchedBody {
         ++counts_->rounds;
         return table_.neighbours(v);
     }
-    [[nodiscard]] Ledger ledger() const { return {}; }
-    [[nodiscard]] std::vector<Piece> pieces() const { return {}; }
 
     [[nodiscard]] bool are_neighbours(Vertex v, Vertex w) const {
         for (const Vertex next : table_.neighbours(v)) {
@@ -61,6 +57,6 @@ class WatchedBody {
     ClimbCounts* counts_;
 };
 
-static_assert(SupportTable<WatchedBody>);
+static_assert(ClimbingTable<WatchedBody>);
 
 }  // namespace edgewise::sweep

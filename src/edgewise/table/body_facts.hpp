@@ -8,6 +8,7 @@
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/strictly_convex.hpp"
+#include "edgewise/table/identity.hpp"
 #include "edgewise/table/needs.hpp"
 
 namespace edgewise {
@@ -18,6 +19,7 @@ struct BodyFacts {
     Index edge_count = 0, face_count = 0, face_ring_count = 0;  ///< 0 in a table without features
     double reach = 0;             ///< largest coordinate: what the rounding of planes is relative to
     bool strictly_convex = true;  ///< false: climbs may stick and Voronoi regions go on inside
+    std::uint32_t identity = 0;   ///< of the table; refitting keeps it
 
     BodyFacts() = default;
     /// `strict_turn`: that of the stored scalar (tolerance.hpp).
@@ -25,7 +27,8 @@ struct BodyFacts {
         : parts(held),
           vertex_count(static_cast<Index>(body.vertex_count())),
           neighbour_count(static_cast<Index>(body.vertex_ring.size())),
-          strictly_convex(is_strictly_convex(body, strict_turn)) {
+          strictly_convex(is_strictly_convex(body, strict_turn)),
+          identity(next_table_identity()) {
         for (const Vec3d& v : body.vertices) reach = std::max(reach, max_abs(v));
         if (parts == Parts::support) return;
         edge_count = static_cast<Index>(body.edge_count());

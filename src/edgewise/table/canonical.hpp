@@ -16,7 +16,6 @@ class Canonical {
   public:
     using PrecisionType = f64;
     using Vertex = Index;
-    static constexpr std::string_view name = "canonical";
 
     explicit Canonical(const Polyhedron& body) : body_(&body) {}
 
@@ -31,13 +30,11 @@ class Canonical {
         return IndexedRing(body_->vertex_offset[v], body_->vertex_offset[v + 1],
                            [body = body_](Index at) { return body->head(body->vertex_ring[at]); });
     }
-    [[nodiscard]] Ledger ledger() const { return {}; }
-    [[nodiscard]] std::vector<Piece> pieces() const { return {}; }
 
   private:
     const Polyhedron* body_;
 };
 
-static_assert(SupportTable<Canonical>);
+static_assert(ClimbingTable<Canonical>);
 
 }  // namespace edgewise

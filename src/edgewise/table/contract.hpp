@@ -2,10 +2,11 @@
 //
 // The contract between layouts and algorithms: all that one may know of the other.
 //
-// A SupportTable gives vertices and their neighbours; GJK asks for no more. A FeatureTable refines it with
-// edges, faces, rings and the Voronoi planes that V-Clip tests. Handles are the layout's own: compared,
-// copied, handed back, never computed with. A plane may be stored or derived; the algorithm cannot tell, and
-// asks only for signs and ratios of distances wherever that is enough.
+// A SupportTable gives its vertices; GJK asks for no more, so an engine may pass a shape of its own. With
+// neighbours as well (ClimbingTable) support points are climbed to. A FeatureTable adds edges, faces, rings
+// and the Voronoi planes that V-Clip tests; a MeasuredTable what is reported of a layout. Handles are the
+// layout's own: compared, copied, handed back, never computed with. A plane may be stored or derived; the
+// algorithm cannot tell, and asks only for signs and ratios of distances wherever that is enough.
 //
 // Orientation of planes: a vertex-edge plane is positive beyond the edge's end, on the side of that end's
 // vertex; an edge-face plane is positive on the side of that face. So a point is in the Voronoi region of a
@@ -32,33 +33,30 @@ enum class End : bool { tail, head };
 enum class Side : bool { left, right };
 
 template <class T>
-concept SupportTable = requires(const T& table, typename T::Vertex v) {
-    requires Precision<typename T::PrecisionType>;
-    { T::name } -> std::convertible_to<std::string_view>;
-    { table.vertex_count() } -> std::convertible_to<std::size_t>;
-    /// geometry/strictly_convex.hpp: false costs scans and proofs, and is never wrong
-    { table.strictly_convex() } -> std::same_as<bool>;
+using ComputeOf = typename T::PrecisionType::Compute;
+
+/// A shape that GJK answers for: a precision, a handle type, and three functions.
+template <class T>
+concept SupportTable = Precision<typename T::PrecisionType> && std::regular<typename T::Vertex> &&
+    requires(const T& table, typename T::Vertex v) {
+    /// where a cold query starts
     { table.first_vertex() } -> std::same_as<typename T::Vertex>;
-    { table.vertex(v) } -> std::convertible_to<Vec3<typename T::PrecisionType::Compute>>;
-    { *table.neighbours(v).begin() } -> std::convertible_to<typename T::Vertex>;
-    /// position of the vertex in the canonical Polyhedron
-    { table.index_of(v) } -> std::convertible_to<Index>;
-    { table.ledger() } -> std::convertible_to<Ledger>;
-    /// all of its memory, and what each byte of it is for
-    { table.pieces() } -> std::convertible_to<std::vector<Piece>>;
-    /// how a linear scan visits all vertices
+    { table.vertex(v) } -> std::convertible_to<Vec3<ComputeOf<T>>>;
+    /// how a scan visits all vertices
     { *table.all_vertices().begin() } -> std::convertible_to<typename T::Vertex>;
 };
 
-/// A layout may store no neighbours and say so, by `static constexpr bool scans = true`; it is never strictly
-/// convex then, so that nobody climbs.
+/// A shape on which support points may be climbed to along its edges.
 template <class T>
-inline constexpr bool has_neighbours = !requires {
-    T::scans;
+concept ClimbingTable = SupportTable<T> && requires(const T& table, typename T::Vertex v) {
+    { table.vertex_count() } -> std::convertible_to<std::size_t>;
+    /// geometry/strictly_convex.hpp: false costs scans and proofs, and is never wrong
+    { table.strictly_convex() } -> std::same_as<bool>;
+    { *table.neighbours(v).begin() } -> std::convertible_to<typename T::Vertex>;
 };
 
 template <class T>
-concept FeatureTable = SupportTable<T> &&
+concept FeatureTable = ClimbingTable<T> &&
     requires(const T& table, typename T::Vertex v, typename T::Edge e, typename T::Face f) {
     { table.tail(e) } -> std::same_as<typename T::Vertex>;
     { table.head(e) } -> std::same_as<typename T::Vertex>;
@@ -67,7 +65,7 @@ concept FeatureTable = SupportTable<T> &&
     { table.left(e) } -> std::same_as<typename T::Face>;
     { table.right(e) } -> std::same_as<typename T::Face>;
     /// tail to head; unit length where stored
-    { table.direction(e) } -> std::convertible_to<Vec3<typename T::PrecisionType::Compute>>;
+    { table.direction(e) } -> std::convertible_to<Vec3<ComputeOf<T>>>;
     { *table.ring_of_vertex(v).begin() } -> std::convertible_to<RingEdge<typename T::Edge>>;
     { *table.ring_of_face(f).begin() } -> std::convertible_to<RingEdge<typename T::Edge>>;
     /// the body's largest coordinate: what the rounding of its planes is relative to
@@ -78,7 +76,16 @@ concept FeatureTable = SupportTable<T> &&
     table.face_plane(f).distance(table.vertex(v));
 };
 
+/// A layout that the registry lists, the sweep measures and the report describes.
 template <class T>
-using ComputeOf = typename T::PrecisionType::Compute;
+concept MeasuredTable = SupportTable<T> && requires(const T& table, typename T::Vertex v) {
+    { T::name } -> std::convertible_to<std::string_view>;
+    { table.vertex_count() } -> std::convertible_to<std::size_t>;
+    /// position of the vertex in the canonical Polyhedron
+    { table.index_of(v) } -> std::convertible_to<Index>;
+    { table.ledger() } -> std::convertible_to<Ledger>;
+    /// all of its memory, and what each byte of it is for
+    { table.pieces() } -> std::convertible_to<std::vector<Piece>>;
+};
 
 }  // namespace edgewise

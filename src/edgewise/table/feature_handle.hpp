@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// A feature of a table: a kind and the layout's own handle for it. Two of these are all that V-Clip keeps of
-// a pair from one query to the next.
+// A feature of a table: a kind and the layout's own handle for it. Two of these, each marked with the table
+// that it is of, are all that V-Clip keeps of a pair from one query to the next.
 #pragma once
 
 #include <cassert>
+#include <cstdint>
 #include <type_traits>
 
 #include "edgewise/geometry/feature.hpp"
+#include "edgewise/table/identity.hpp"
 
 namespace edgewise {
 
@@ -40,6 +42,16 @@ class Feature {
         return handle_.face;
     }
 
+    /// Marked as one of this table.
+    [[nodiscard]] Feature of(const Table& table) const {
+        Feature marked = *this;
+        marked.mark_ = mark_of(table);
+        return marked;
+    }
+    /// Whether it was last marked as one of this table: false after a rebuild (table/identity.hpp).
+    [[nodiscard]] bool is_of(const Table& table) const { return mark_ == mark_of(table); }
+
+    /// The same feature; marks do not count.
     [[nodiscard]] bool operator==(const Feature& other) const {
         if (kind_ != other.kind_) return false;
         switch (kind_) {
@@ -62,8 +74,13 @@ class Feature {
 
     Feature(FeatureKind kind, Handle handle) : handle_(handle), kind_(kind) {}
 
+    [[nodiscard]] static std::uint16_t mark_of(const Table& table) {
+        return static_cast<std::uint16_t>(identity_of(table));
+    }
+
     Handle handle_;
     FeatureKind kind_;
+    std::uint16_t mark_ = 0;  ///< beside the kind, where there would be padding
 };
 
 }  // namespace edgewise

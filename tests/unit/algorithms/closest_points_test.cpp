@@ -128,7 +128,7 @@ TEST(FootOnFace, LiesInThePlaneAndStraightBelowThePoint) {
     for (int i = 0; i < 5000; ++i) {
         const auto f = static_cast<Index>(rng.below(body->face_count()));
         const Vec3d point = rng.in_cube(3);
-        const Vec3d foot = vclip::foot_on_face(table, f, point);
+        const Vec3d foot = vclip::foot_on_face(table, f, point).point;
         const Plane<double>& plane = body->face_planes[f];
         worst =
             std::max({worst, std::abs(plane.distance(foot)), norm(cross(plane.normal, Vec3d(point - foot)))});

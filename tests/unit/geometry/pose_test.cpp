@@ -112,12 +112,13 @@ TEST(Polished, MakesARotationOfWhatIsNearlyOne) {
     double worst = 0;
     for (int i = 0; i < 1000; ++i) {
         Pose pose{rng.rotation(), rng.in_cube(3)};
-        EXPECT_EQ(polished(pose, Vec3d::Zero()).rotation, pose.rotation) << "rounding alone changes nothing";
+        EXPECT_EQ(orthonormalised(pose, Vec3d::Zero()).rotation, pose.rotation)
+            << "rounding alone changes nothing";
         const double off = std::ldexp(1.0, -static_cast<int>(rng.below(40)) - 5);
         for (int j = 0; j < 3; ++j) pose.rotation.col(j) += off * rng.in_cube(1);
         const Vec3d about = rng.in_cube(1e6);
-        const Pose better = polished(pose, about);
-        EXPECT_TRUE(is_polished(better));
+        const Pose better = orthonormalised(pose, about);
+        EXPECT_TRUE(is_orthonormalised(better));
         EXPECT_LT(norm(Vec3d(better.apply(about) - pose.apply(about))), 1e-8);
         worst = std::max(
             worst, (better.rotation - pose.rotation).cwiseAbs().maxCoeff() / ortho_error(pose.rotation));

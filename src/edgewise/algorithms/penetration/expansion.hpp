@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 
 #include "edgewise/geometry/double_double.hpp"
 
@@ -21,6 +22,7 @@ class Expansion {
             value = sum.high;
             if (sum.low != 0) term_[kept++] = sum.low;
         }
+        assert(kept < determinant_terms);
         if (value != 0) term_[kept++] = value;
         count_ = kept;
     }

@@ -58,7 +58,10 @@ class Polytope {
 
     [[nodiscard]] std::size_t faces_made() const { return faces_.size(); }
     [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
-    [[nodiscard]] const Vec3d& point(Id v) const { return points_[v]; }
+    [[nodiscard]] const Vec3d& point(Id v) const {
+        assert(v < points_.size());
+        return points_[v];
+    }
 
     [[nodiscard]] bool is_above(const Vec3d& point, const Face& face) const {
         return side_of(face, point) > 0;
@@ -69,9 +72,11 @@ class Polytope {
 
     /// The face nearest to the origin; stays on the heap until it is replaced.
     [[nodiscard]] Id nearest() {
+        assert(!heap_.empty());
         while (!faces_[heap_.front().face].live) {
             std::pop_heap(heap_.begin(), heap_.end());
             heap_.pop_back();
+            assert(!heap_.empty() && "some face is always live");
         }
         return heap_.front().face;
     }
@@ -81,7 +86,9 @@ class Polytope {
         const Id apex = static_cast<Id>(points_.size());
         points_.push_back(point);
         rim_face_.push_back(0);
+        assert(faces_[above].live);
         remove_patch(point, above);
+        assert(rim_.size() >= 3 && "the horizon is a closed line");
         for (const RimEdge& edge : rim_) {
             const Id made = add_face({edge.from, edge.to, apex});
             faces_[made].neighbour[0] = edge.beyond;
@@ -146,6 +153,7 @@ class Polytope {
     /// Which edge of the face starts at the vertex.
     [[nodiscard]] int edge_from(Id face, Id vertex) const {
         const auto& ring = faces_[face].vertex;
+        assert(ring[0] == vertex || ring[1] == vertex || ring[2] == vertex);
         return ring[0] == vertex ? 0 : ring[1] == vertex ? 1 : 2;
     }
 

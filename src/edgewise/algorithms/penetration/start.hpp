@@ -18,6 +18,7 @@ template <SupportTable TableA, SupportTable TableB>
 template <FeatureTable TableA, FeatureTable TableB>
 [[nodiscard]] SimplexPair<TableA, TableB> simplex_of(const TableA& a, const TableB& b,
                                                      const FeaturePair<TableA, TableB>& pair) {
+    if (!pair.belongs_to(a, b)) return SimplexPair<TableA, TableB>(a, b);
     return vclip::feature_simplex(a, pair.a, b, pair.b);
 }
 

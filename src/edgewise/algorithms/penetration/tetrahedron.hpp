@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -85,6 +86,7 @@ class Tetrahedron {
     }
 
     void push(const CornerType& corner) {
+        assert(count_ < 4);
         corner_[count_] = corner;
         point_[count_] = corner.point(scale_);
         ++count_;

@@ -6,6 +6,8 @@
 // too; hence the exact one.
 #pragma once
 
+#include <cassert>
+
 #include "edgewise/algorithms/penetration/expansion.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
@@ -30,6 +32,7 @@ namespace edgewise::epa {
     Vec3d normal = cross(p, q);
     if (squared_norm(normal) < Tolerance<double>::fair_corner * squared_norm(p) * squared_norm(q)) {
         normal = exact_cross(a, b, c);
+        assert(max_abs(normal) > 0 && "three corners on a line have no normal");
         normal /= max_abs(normal);  // its square may vanish
     }
     return normal / norm(normal);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
 
 #include "edgewise/algorithms/penetration/polytope.hpp"
@@ -76,6 +77,7 @@ class WitnessSearch {
 /// the faces whose own planes are not farther (but for noise): one of them holds it.
 [[nodiscard]] inline Witness find_witness(const Polytope& polytope, const Face& nearest, double distance,
                                           double noise) {
+    assert(noise >= 0 && nearest.live);
     WitnessSearch search(polytope, distance * nearest.normal);
     search.consider(nearest);
     for (const Face& face : polytope.faces()) {

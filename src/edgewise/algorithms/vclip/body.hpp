@@ -35,15 +35,18 @@ struct Body {
     void move_to_face(typename Table::Face f) { feature = Feature<Table>::of_face(f); }
 };
 
-/// What planes are rounded to: as they are stored, or, worked out from corners when asked for, as what
-/// computes.
+/// Planes are computed from corners when asked for.
 template <class Table>
-using PlaneScalar = std::conditional_t < requires {
+concept DerivesPlanes = requires {
     Table::derives_planes;
-}
-, ComputeOf<Table>, typename Table::PrecisionType::Stored > ;
+};
 
-/// Relative to the coordinates: a height over a plane, or a distance, that rounding may have turned round.
+/// What planes are rounded to: as they are stored, or, where they are derived, as what computes.
+template <class Table>
+using PlaneScalar =
+    std::conditional_t<DerivesPlanes<Table>, ComputeOf<Table>, typename Table::PrecisionType::Stored>;
+
+/// Relative to the coordinates: a height over a plane, or a distance, whose sign rounding may have changed.
 /// Planes are only as good as they are stored.
 template <class Table>
 inline constexpr ComputeOf<Table> plane_noise =

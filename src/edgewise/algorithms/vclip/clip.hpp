@@ -4,6 +4,7 @@
 // edge's parameter that lies inside all planes seen so far, and which neighbour bounds it at either end.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 
@@ -40,6 +41,7 @@ struct Clip {
                 at_high = beyond;
             }
         }
+        assert(low >= 0 && low <= 1 && high >= 0 && high <= 1);
         return low > high ? Clipped::compoundly_excluded : Clipped::inside;
     }
 };

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "edgewise/algorithms/vclip/body.hpp"
@@ -49,16 +50,22 @@ template <class Scalar>
     return {closest_on_segment(a, on_b), on_b};
 }
 
+template <class Scalar>
+struct FaceFoot {
+    Vec3<Scalar> point;
+    Vec3<Scalar> normal = Vec3<Scalar>::Zero();  ///< the face's, unit; zero where what is stored is rounder
+};
+
 /// Foot of a point on a face's plane. Where planes are stored rounder than the arithmetic, the plane is
 /// derived anew from the face's vertices (Newell's normal), so that the answer is as good as the vertices
 /// are.
 template <class Table>
-[[nodiscard]] Vec3<ComputeOf<Table>> foot_on_face(const Table& table, typename Table::Face face,
-                                                  const Vec3<ComputeOf<Table>>& point) {
+[[nodiscard]] FaceFoot<ComputeOf<Table>> foot_on_face(const Table& table, typename Table::Face face,
+                                                      const Vec3<ComputeOf<Table>>& point) {
     using Scalar = ComputeOf<Table>;
     if constexpr (!rounded_planes<Table>) {
         const auto plane = table.face_plane(face);
-        return point - plane.distance(point) * plane.normal;
+        return {point - plane.distance(point) * plane.normal, plane.normal};
     } else {
         const auto ring = table.ring_of_face(face);
         const auto first = *ring.begin();
@@ -70,14 +77,20 @@ template <class Table>
             const Vec3<Scalar> area = cross(Vec3<Scalar>(side.tail - base), Vec3<Scalar>(side.head - base));
             normal += flipped ? Vec3<Scalar>(-area) : area;
         }
-        return point - (dot(Vec3<Scalar>(point - base), normal) / squared_norm(normal)) * normal;
+        return {point - (dot(Vec3<Scalar>(point - base), normal) / squared_norm(normal)) * normal};
     }
 }
 
-/// Closest points of two features of a run that ended separated; both in the frame of `a`. Never face and
-/// face.
+/// In the frame of A.
+template <class Scalar>
+struct ClosestPoints {
+    Vec3<Scalar> on_a, on_b;
+    Vec3<Scalar> normal = Vec3<Scalar>::Zero();  ///< from A to B where a face knows it, else zero
+};
+
+/// Closest points of two features of a run that ended separated. Never face and face.
 template <class TableA, class TableB>
-[[nodiscard]] PointPair<ComputeOf<TableA>> closest_points(const Body<TableA>& a, const Body<TableB>& b) {
+[[nodiscard]] ClosestPoints<ComputeOf<TableA>> closest_points(const Body<TableA>& a, const Body<TableB>& b) {
     using Scalar = ComputeOf<TableA>;
     if (b.feature.kind() == FeatureKind::vertex) {
         const Vec3<Scalar> point = a.from_other.point(b.table.vertex(b.feature.vertex()));
@@ -87,19 +100,22 @@ template <class TableA, class TableB>
             case FeatureKind::edge:
                 return {closest_on_segment(segment_of(a.table, a.feature.edge()), point), point};
             case FeatureKind::face:
-                return {foot_on_face(a.table, a.feature.face(), point), point};
+                const auto foot = foot_on_face(a.table, a.feature.face(), point);
+                return {foot.point, point, foot.normal};
         }
     }
     if (a.feature.kind() == FeatureKind::edge) {
-        return closest_on_segments(segment_of(a.table, a.feature.edge()),
-                                   segment_seen_by(a, b.table, b.feature.edge()));
+        const auto [on_a, on_b] = closest_on_segments(segment_of(a.table, a.feature.edge()),
+                                                      segment_seen_by(a, b.table, b.feature.edge()));
+        return {on_a, on_b};
     }
+    assert(a.feature.kind() == FeatureKind::vertex && "no two faces, and no edge over a face");
     const Vec3<Scalar> vertex = a.table.vertex(a.feature.vertex());
     if (b.feature.kind() == FeatureKind::edge) {
         return {vertex, closest_on_segment(segment_seen_by(a, b.table, b.feature.edge()), vertex)};
     }
-    const Vec3<Scalar> foot = foot_on_face(b.table, b.feature.face(), b.from_other.point(vertex));
-    return {vertex, a.from_other.point(foot)};
+    const auto foot = foot_on_face(b.table, b.feature.face(), b.from_other.point(vertex));
+    return {vertex, a.from_other.point(foot.point), a.from_other.direction(-foot.normal)};
 }
 
 }  // namespace edgewise::vclip

@@ -5,6 +5,7 @@
 // edge-face planes, with a derivative test against the faces.
 #pragma once
 
+#include <cassert>
 #include <optional>
 
 #include "edgewise/algorithms/vclip/body.hpp"
@@ -56,7 +57,7 @@ class EdgeClipping {
                 clip_.against(-plane.distance(segment_.tail), -plane.distance(segment_.head), face);
             if (clipped == Clipped::simply_excluded) return move_to(face);
         }
-        if (clip_.low > clip_.high) return settle_compound();
+        if (clip_.low > clip_.high) return leave_after_compound_exclusion();
         if (is_face(clip_.at_low) && rises_at(*clip_.at_low, clip_.low)) return move_to(*clip_.at_low);
         if (is_face(clip_.at_high) && falls_at(*clip_.at_high, clip_.high)) return move_to(*clip_.at_high);
         return false;
@@ -64,7 +65,8 @@ class EdgeClipping {
 
     /// Nothing of the other edge is left between two planes. Two faces: it passes under this edge, and one of
     /// them is nearer. A vertex and a face: the vertex if its derivative says so.
-    [[nodiscard]] bool settle_compound() {
+    [[nodiscard]] bool leave_after_compound_exclusion() {
+        assert(clip_.at_low && clip_.at_high);
         const bool low_is_nearer =
             is_face(clip_.at_low)
                 ? (is_face(clip_.at_high) ? rises_at(*clip_.at_low, clip_.low) : !past_high_vertex())

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "edgewise/algorithms/vclip/body.hpp"
@@ -33,6 +34,7 @@ void move_to_nearest_edge(Body<Table>& body, const Segment<ComputeOf<Table>>& se
             nearest = Feature<Table>::of_edge(edge);
         }
     }
+    assert(nearest.kind() == FeatureKind::edge && "a face has edges");
     body.feature = nearest;
 }
 
@@ -42,6 +44,7 @@ template <class Theirs, class Clipped>
 [[nodiscard]] Step pierced(const Body<Theirs>& theirs, const Segment<ComputeOf<Theirs>>& segment,
                            const Clipped& clip, ComputeOf<Theirs> low, ComputeOf<Theirs> high) {
     using Scalar = ComputeOf<Theirs>;
+    assert(clip.low <= clip.high && "a part of the edge is left");
     const Scalar size = std::max(max_abs(segment.tail), max_abs(segment.head));
     const Scalar noise = std::max(plane_noise<Theirs> * size, face_noise(theirs.table));
     if (std::min(std::abs(low), std::abs(high)) <= noise) return Step::touching;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <span>
 
 #include "edgewise/algorithms/gjk.hpp"
@@ -26,6 +27,7 @@ template <class Table>
 template <class Table>
 [[nodiscard]] Feature<Table> feature_spanning(const Table& table,
                                               std::span<const typename Table::Vertex> vertices) {
+    assert(!vertices.empty() && vertices.size() <= 4);
     const auto first = vertices[0];
     const auto is_first = [&](auto v) { return v == first; };
     if (std::all_of(vertices.begin(), vertices.end(), is_first)) return Feature<Table>::of_vertex(first);
@@ -53,6 +55,7 @@ template <class TableA, class TableB>
         else
             return run_gjk(a.table, b.table, a.from_other, simplex, QueryOptions{});
     }();
+    if (answer.status == Status::failed) return answer;
     a.feature = feature_spanning(a.table, std::span(simplex.vertex_a).first(simplex.count));
     b.feature = feature_spanning(b.table, std::span(simplex.vertex_b).first(simplex.count));
     // Two faces are no state; one of them gives way to a vertex of the simplex.

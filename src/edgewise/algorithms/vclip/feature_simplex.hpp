@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 #include "edgewise/algorithms/gjk.hpp"
@@ -32,6 +33,7 @@ template <FeatureTable Table>
         if (count == corners.size()) break;
         corners[count++] = flipped ? table.head(edge) : table.tail(edge);
     }
+    assert(count >= 3 && "a face has three corners or more");
     return count;
 }
 
@@ -42,10 +44,11 @@ template <FeatureTable TableA, FeatureTable TableB>
     std::array<typename TableA::Vertex, 4> of_a;
     std::array<typename TableB::Vertex, 4> of_b;
     const std::uint32_t count_a = corners_of(a, feature_a, of_a), count_b = corners_of(b, feature_b, of_b);
-    SimplexPair<TableA, TableB> simplex;
-    for (; simplex.count < std::max(count_a, count_b); ++simplex.count) {
-        simplex.vertex_a[simplex.count] = of_a[simplex.count % count_a];
-        simplex.vertex_b[simplex.count] = of_b[simplex.count % count_b];
+    SimplexPair<TableA, TableB> simplex(a, b);
+    for (std::uint32_t i = 0; i < std::max(count_a, count_b); ++i) {
+        simplex.vertex_a[i] = of_a[i % count_a];
+        simplex.vertex_b[i] = of_b[i % count_b];
+        ++simplex.count;
     }
     return simplex;
 }

@@ -2,8 +2,9 @@
 //
 // Whether an answer holds, by what needs no Voronoi planes: the planes through the two witness points, across
 // the line between them, must have one body on either side. Asked only of bodies with flat edges or vertices
-// in the middle of a side (geometry/strictly_convex.hpp): the Voronoi region of such a feature goes on under
-// the surface, and a point deep inside the body, or behind it, looks as if it were closest to that feature.
+// in the middle of a side (geometry/strictly_convex.hpp): the Voronoi region of such a feature continues
+// under the surface, and a point deep inside the body, or behind it, looks as if it were closest to that
+// feature.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +41,7 @@ template <class Table>
     return dot(Vec3<Scalar>(farthest.point - point), direction) <= plane_noise<Table> * size * size;
 }
 
-/// True when the bodies are as far apart as the answer says. Witness points are in A's frame.
+/// True when the bodies are separated by as much as the answer says. Witness points are in A's frame.
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] bool is_proven(const Distance& result, const Body<TableA>& a,
                                                const Body<TableB>& b) {

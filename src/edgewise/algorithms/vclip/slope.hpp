@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // How an edge runs over a face's plane. V-F, E-F and E-E must agree on "towards the plane" to the last bit,
-// or they hand the pair round in a circle: so all of them ask for the product of the edge's own direction
+// or the pair cycles between them: so all of them ask for the product of the edge's own direction
 // with the normal turned into the edge's frame, and nothing else.
 #pragma once
 

@@ -5,6 +5,8 @@
 // left of it.
 #pragma once
 
+#include <cassert>
+
 #include "edgewise/algorithms/vclip/body.hpp"
 #include "edgewise/algorithms/vclip/clip.hpp"
 #include "edgewise/geometry/tolerance.hpp"
@@ -48,6 +50,7 @@ template <class Mine, class Theirs>
         }
     }
     if (!clip.at_low && !clip.at_high) return false;
+    assert((clip.low <= clip.high || (clip.at_low && clip.at_high)) && "two planes leave nothing, not one");
 
     const Vec3<Scalar> along = segment.head - segment.tail;
     const Scalar closest = projection(segment.tail, along, mine.table.vertex(vertex));

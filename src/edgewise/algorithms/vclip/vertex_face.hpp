@@ -30,8 +30,8 @@ template <class Mine, class Theirs>
     return true;
 }
 
-/// The face whose plane the point is highest above (TR-97-05, Algorithm 3): either a better face to go on
-/// with, or proof that the point lies inside.
+/// The face whose plane the point is highest above (TR-97-05, Algorithm 3): either a better face to
+/// continue with, or proof that the point lies inside.
 template <class Table>
 [[nodiscard]] [[gnu::noinline]] Step escape_local_minimum(Body<Table>& body,
                                                           const Vec3<ComputeOf<Table>>& point) {

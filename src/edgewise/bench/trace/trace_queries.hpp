@@ -25,7 +25,7 @@ struct StepMarks {
     measure::TraceSink &a, &b;
 
     void visit(FeatureKind kind_a, FeatureKind kind_b) const { set(step_of(kind_a, kind_b)); }
-    void settle() const { set(TraceStep::settle); }
+    void ask_gjk() const { set(TraceStep::settle); }
     void iterate(std::uint8_t /*members*/) const { set(TraceStep::gjk_iteration); }
     void set(TraceStep step) const {
         a.set_step(static_cast<std::uint8_t>(step));

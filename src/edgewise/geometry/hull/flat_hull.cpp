@@ -79,7 +79,7 @@ std::vector<Index> polygon_ring(const std::vector<Vec3d>& flat) {
     return ring;
 }
 
-/// The polygon with both its faces; the back is the front's plane turned round, to the bit.
+/// The polygon with both its faces; the back is the front's plane reversed, to the bit.
 Result<Polyhedron> polygon_of(std::span<const Vec3d> points, std::span<const Index> distinct) {
     std::vector<Index> corners;
     for (const Index i : polygon_ring(in_own_axes(points, distinct))) corners.push_back(distinct[i]);

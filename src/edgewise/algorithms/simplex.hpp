@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+//
+// GJK's simplex while a query runs, and what a pair keeps of it for the next.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdint>
+
+#include "edgewise/algorithms/johnson.hpp"
+#include "edgewise/table/contract.hpp"
+#include "edgewise/table/identity.hpp"
+
+namespace edgewise {
+
+/// Up to four pairs of vertices, and the points they stand for in the Minkowski difference (A's frame).
+template <SupportTable TableA, SupportTable TableB>
+struct Simplex {
+    using Scalar = ComputeOf<TableA>;
+
+    int count = 0;
+    std::array<typename TableA::Vertex, 4> vertex_a;
+    std::array<typename TableB::Vertex, 4> vertex_b;
+    std::array<Vec3<Scalar>, 4> on_a, on_b;  ///< both in A's frame
+    std::array<Vec3<Scalar>, 4> difference;
+    Scalar size = 0;  ///< longest coordinate of all points pushed so far: what rounding is relative to
+
+    void push(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& point_a,
+              const Vec3<Scalar>& point_b) {
+        assert(count < 4);
+        vertex_a[count] = a;
+        vertex_b[count] = b;
+        on_a[count] = point_a;
+        on_b[count] = point_b;
+        difference[count] = point_a - point_b;
+        ++count;
+        size = std::max({size, max_abs(point_a), max_abs(point_b)});
+    }
+
+    [[nodiscard]] bool holds(typename TableA::Vertex a, typename TableB::Vertex b) const {
+        for (int i = 0; i < count; ++i) {
+            if (vertex_a[i] == a && vertex_b[i] == b) return true;
+        }
+        return false;
+    }
+
+    /// Drops what the closest point does not rest on; weights move along.
+    void keep(typename Johnson<Scalar>::Closest& closest) {
+        int kept = 0;
+        for (int i = 0; i < count; ++i) {
+            if (!(closest.members >> i & 1)) continue;
+            vertex_a[kept] = vertex_a[i];
+            vertex_b[kept] = vertex_b[i];
+            on_a[kept] = on_a[i];
+            on_b[kept] = on_b[i];
+            difference[kept] = difference[i];
+            closest.weight[kept] = closest.weight[i];
+            ++kept;
+        }
+        assert(kept > 0 && "a closest point rests on some vertex");
+        count = kept;
+    }
+};
+
+/// What a pair keeps from one query to the next: the vertices of its last simplex.
+template <SupportTable TableA, SupportTable TableB>
+struct SimplexPair {
+    std::uint32_t count : 3 = 0;    ///< 0: cold
+    std::uint32_t tables : 29 = 0;  ///< whose vertices they are (table/identity.hpp)
+    std::array<typename TableA::Vertex, 4> vertex_a{};
+    std::array<typename TableB::Vertex, 4> vertex_b{};
+
+    SimplexPair() = default;
+    SimplexPair(const TableA& a, const TableB& b) { belong_to(a, b); }
+
+    void belong_to(const TableA& a, const TableB& b) { tables = identity_of(a, b) & identity_mask; }
+    /// False after a rebuild: the handles may lead anywhere, and no query follows them.
+    [[nodiscard]] bool belongs_to(const TableA& a, const TableB& b) const {
+        return tables == (identity_of(a, b) & identity_mask);
+    }
+
+  private:
+    static constexpr std::uint32_t identity_mask = (1U << 29) - 1;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// How far the answer of a run is believed: what rounding may have got wrong in it, and what answers instead.
+//
+// The line between the closest points is a difference of two points, each rounded: its direction is off by
+// that rounding over its length. Where an edge of each body lies almost along the other's, or a face along an
+// edge, whole valleys of feature pairs have almost the same distance, and V-Clip may stop anywhere in them.
+// A vertex over a face, and edges that cross at a fair angle, are safe: there a plane or a cross product says
+// which way is out, whatever the distance.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/vclip/body.hpp"
+#include "edgewise/algorithms/vclip/proof.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+
+namespace edgewise::vclip {
+
+/// What becomes of the answer of a run that ended without a cycle.
+enum class Trust : std::uint8_t {
+    sound,    ///< it stands
+    doubted,  ///< not proven: the fallback answers, from the run's last features
+    close,    ///< right but for rounding, which may be all of it: likewise, as a refinement
+};
+
+/// Times the size: below this distance the direction between closest points cannot be trusted.
+template <class TableA, class TableB>
+inline constexpr double untrusted =
+    rounded_planes<TableA> || rounded_planes<TableB> ? close_of_rounded_planes
+                                                     : double{Tolerance<ComputeOf<TableA>>::close};
+
+/// Times the size: below this distance even the signs of V-Clip's tests are in doubt, on any features.
+template <class Table>
+inline constexpr double hardly_apart{Tolerance<ComputeOf<Table>>::hardly_apart};
+
+/// Which way is out, from A to B, where the pair's own geometry says it in full precision: a face's normal,
+/// which the answer has by now, or that of two edges that cross at a fair angle. Nothing where the pair may
+/// slide.
+template <class TableA, class TableB>
+[[nodiscard]] std::optional<Vec3d> known_normal(const Distance& result, const Body<TableA>& a,
+                                                const Body<TableB>& b) {
+    using enum FeatureKind;
+    if (rounded_planes<TableA> || rounded_planes<TableB>) return std::nullopt;
+    if (a.feature.kind() == face || b.feature.kind() == face) return result.normal;
+    if (a.feature.kind() == vertex || b.feature.kind() == vertex) return std::nullopt;
+    using Scalar = ComputeOf<TableA>;
+    const auto p = a.table.direction(a.feature.edge());
+    const auto q = a.from_other.direction(b.table.direction(b.feature.edge()));
+    const Scalar fair = Tolerance<Scalar>::fair_crossing * squared_norm(p) * squared_norm(q);
+    const Vec3<Scalar> common = cross(p, q);
+    if (!(squared_norm(common) >= fair)) return std::nullopt;
+    const Vec3d normal = cast<double>(Vec3<Scalar>(common / norm(common)));
+    return dot(normal, result.normal) < 0 ? Vec3d(-normal) : normal;
+}
+
+/// Of an answer below `untrusted`. Features that meet to within rounding are in contact: each point is one of
+/// its body. (Edges that cross in the middle of deeply overlapping boxes look like closest features at
+/// distance 1e-16.)
+template <class TableA, class TableB>
+[[nodiscard]] [[gnu::noinline]] Trust trust_close(Distance& result, double size, const Body<TableA>& a,
+                                                  const Body<TableB>& b) {
+    if (result.distance <= contact_noise<TableA> * size) {
+        result.status = Status::touching;
+        result.distance = 0;
+        result.normal = Vec3d::Zero();
+        return Trust::sound;
+    }
+    const std::optional<Vec3d> normal = known_normal(result, a, b);
+    if (!normal || result.distance <= hardly_apart<TableA> * size) return Trust::close;
+    result.normal = *normal;
+    return Trust::sound;
+}
+
+/// On a body that is not strictly convex the region of a feature continues under the surface, and nothing is
+/// believed until it is proven; the proof is as good as the direction between the points, so not a close one.
+template <class TableA, class TableB>
+[[nodiscard]] Trust trust(Distance& result, const Body<TableA>& a, const Body<TableB>& b) {
+    if (result.status == Status::overlapping) return Trust::sound;
+    const bool convex = a.table.strictly_convex() && b.table.strictly_convex();
+    if (result.status == Status::touching) {
+        if (!convex) return Trust::doubted;
+        return rounded_planes<TableA> || rounded_planes<TableB> ? Trust::close : Trust::sound;
+    }
+    const double offset{max_abs(a.from_other.translation)};
+    const double size = std::max({offset, a.table.reach(), b.table.reach()});
+    if (result.distance > untrusted<TableA, TableB> * size)
+        return convex || is_proven(result, a, b) ? Trust::sound : Trust::doubted;
+    return convex ? trust_close(result, size, a, b) : Trust::close;
+}
+
+}  // namespace edgewise::vclip

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// A pair that is kept while a table is rebuilt with another topology: its handles mean nothing any more, and
+// the next query answers as if it were the first.
+#include <gtest/gtest.h>
+
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/penetration/start.hpp"
+#include "edgewise/algorithms/vclip.hpp"
+#include "edgewise/layout_parts/write_geometry.hpp"
+#include "edgewise/layouts/aos.hpp"
+#include "edgewise/layouts/lean.hpp"
+#include "edgewise/layouts/linked.hpp"
+#include "edgewise/layouts/points_neighbours.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+
+namespace edgewise {
+namespace {
+
+void expect_same(const Distance& found, const Distance& fresh) {
+    EXPECT_EQ(found.status, fresh.status);
+    EXPECT_EQ(found.distance, fresh.distance);
+    EXPECT_EQ(found.normal, fresh.normal);
+    EXPECT_EQ(found.steps, fresh.steps) << "as cold as a new pair";
+}
+
+/// Bodies of more and of fewer features in turns, all in the same place in memory.
+template <class Algorithm, class Table>
+void keep_a_pair_over_rebuilds() {
+    using Pair = typename Algorithm::template Pair<Table, Table>;
+    const Table other(*scene::make_shape("sphere18"), Parts::features);
+    Table table(*scene::make_shape("sphere386"), Parts::features);
+    Pair kept(table, other);
+    scene::Rng rng(1);
+    for (int i = 0; i < 60; ++i) {
+        const char* const shapes[] = {"tetra4", "sphere386", "cube8", "sphere38", "sphere18"};
+        const Transform<double> pose{rng.rotation(), rng.uniform(0, 2.5) * rng.on_sphere()};
+        static_cast<void>(Algorithm::query(table, other, pose, kept));
+        table = Table(*scene::make_shape(shapes[i % 5]), Parts::features);
+        EXPECT_FALSE(kept.belongs_to(table, other));
+        EXPECT_EQ(simplex_of(table, other, kept).belongs_to(table, other) &&
+                      simplex_of(table, other, kept).count > 0,
+                  false)
+            << "no start for EPA either";
+        Pair fresh(table, other);
+        expect_same(Algorithm::query(table, other, pose, kept), Algorithm::query(table, other, pose, fresh));
+        EXPECT_TRUE(kept.belongs_to(table, other));
+    }
+}
+
+TEST(RebuiltTable, AnOldPairStartsCold) {
+    keep_a_pair_over_rebuilds<Gjk, points_neighbours<f64>>();
+    keep_a_pair_over_rebuilds<Gjk, lean<f32>>();
+    keep_a_pair_over_rebuilds<VClip, lean<f64>>();
+    keep_a_pair_over_rebuilds<VClip, aos<f64>>();
+    keep_a_pair_over_rebuilds<VClip, linked<f64>>();
+}
+
+/// New geometry on the old topology leaves handles as they are, and views share them.
+TEST(RebuiltTable, ARefittedTableKeepsItsPairs) {
+    const Polyhedron body = *scene::make_shape("sphere38");
+    aos<f64> table(body, Parts::features);
+    FeaturePair<aos<f64>, aos<f64>> pair(table, table);
+    write_geometry(table, scene::scaled(body, 1.5));
+    EXPECT_TRUE(pair.belongs_to(table, table));
+    const aos<f64, Direct> view(table, Direct{});
+    EXPECT_TRUE(pair.belongs_to(view, table));
+}
+
+/// What a pair notes of its tables stands where there was padding.
+TEST(RebuiltTable, PairsAreAsSmallAsWithoutTheNote) {
+    EXPECT_EQ(sizeof(SimplexPair<aos<f64>, aos<f64>>), 36U);
+    EXPECT_EQ(sizeof(FeaturePair<aos<f64>, aos<f64>>), 16U);
+    EXPECT_EQ(sizeof(FeaturePair<linked<f64>, linked<f64>>), 32U);
+}
+
+}  // namespace
+}  // namespace edgewise
