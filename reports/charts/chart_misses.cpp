@@ -20,7 +20,7 @@ std::optional<double> size_of(const std::string& name, const std::string& unit) 
 ChartJson values_of(const ReportData& data) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : modelled_cells(data)) {
-        for (const StoredFigure& figure : cell->figures) {
+        for (const store::FigureRow& figure : cell->figures) {
             for (const char* unit : {"line", "page"}) {
                 const auto bytes = size_of(figure.name, unit);
                 if (figure.probe != "reuse" || !bytes || !figure.value) continue;

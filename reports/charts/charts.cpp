@@ -185,7 +185,7 @@ TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fiel
 std::vector<StabilityFigure> stability_figures(const ReportData& data, const std::string& prefix) {
     std::vector<StabilityFigure> result;
     for (const ReportCell& row : data.stability) {
-        for (const StoredFigure& figure : row.figures) {
+        for (const measure::Figure& figure : row.figures) {
             if (!figure.value || figure.name.rfind(prefix, 0) != 0) continue;
             result.push_back({&row, figure.name.substr(prefix.size()), *figure.value});
         }

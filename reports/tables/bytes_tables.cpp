@@ -12,7 +12,7 @@ namespace edgewise::reports {
 
 namespace {
 
-bool is_component(const StoredFigure& figure) {
+bool is_component(const store::FigureRow& figure) {
     const std::string suffix = "_bytes_per_edge";
     const bool total = figure.name.size() >= suffix.size() &&
                        figure.name.compare(figure.name.size() - suffix.size(), suffix.size(), suffix) == 0;
@@ -60,7 +60,7 @@ std::vector<std::string> byte_components(const ReportData& data) {
                                    "face_planes",    "topology",      "padding"};
     std::set<std::string> present;
     for (const ReportCell& cell : data.cells)
-        for (const StoredFigure& figure : cell.figures)
+        for (const store::FigureRow& figure : cell.figures)
             if (is_component(figure)) present.insert(figure.name);
     order.erase(std::remove_if(order.begin(), order.end(),
                                [&](const std::string& name) { return present.erase(name) == 0; }),

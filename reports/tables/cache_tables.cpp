@@ -23,7 +23,7 @@ constexpr const char* misses = ".misses_per_query";
 std::vector<std::string> levels_of(const ReportData& data, const std::string& machine) {
     std::set<std::pair<bool, std::string>> found;
     for (const ReportCell& cell : data.cells) {
-        for (const StoredFigure& figure : cell.figures) {
+        for (const store::FigureRow& figure : cell.figures) {
             if (figure.probe != "caches" || !figure.name.starts_with(machine + ".")) continue;
             const std::string rest = figure.name.substr(machine.size() + 1);
             const std::string level = rest.substr(0, rest.find('.'));
@@ -40,21 +40,21 @@ std::vector<GridCell> naming(const ReportCell& cell) {
     return {{cell.scene_label}, {cell.shape}, {cell.algorithm}, {cell.table}};
 }
 
-GridCell scaled(const StoredFigure& figure, double unit) {
+GridCell scaled(const measure::Figure& figure, double unit) {
     if (!figure.value) return figure_cell(figure);
     return {number_text(*figure.value / unit)};
 }
 
 /// A figure of the probe `caches`; a star where the machine's description marks it as unverified.
 GridCell cache_cell(const ReportCell& cell, const std::string& name) {
-    const StoredFigure figure = cell.figure("caches", name);
+    const measure::Figure figure = cell.figure("caches", name);
     GridCell text = figure_cell(figure);
     if (figure.value && figure.unit.find("unverified") != std::string::npos) text.text += " *";
     return text;
 }
 
 double sort_key(const ReportCell& cell) {
-    const StoredFigure lines = cell.figure("reuse", "lines_per_query");
+    const measure::Figure lines = cell.figure("reuse", "lines_per_query");
     return lines.value.value_or(std::numeric_limits<double>::infinity());
 }
 
@@ -75,7 +75,7 @@ std::vector<const ReportCell*> modelled_cells(const ReportData& data) {
 std::vector<std::string> modelled_machines(const ReportData& data) {
     std::set<std::string> found;
     for (const ReportCell& cell : data.cells) {
-        for (const StoredFigure& figure : cell.figures) {
+        for (const store::FigureRow& figure : cell.figures) {
             const std::size_t dot = figure.name.find('.');
             if (figure.probe != "caches" || dot == std::string::npos) continue;
             if (const std::string name = figure.name.substr(0, dot); name.find('/') == std::string::npos)
@@ -152,7 +152,7 @@ TextGrid breakdown_grid(const ReportData& data, const std::string& machine, cons
     const std::string prefix = machine + "." + level + "." + by;
     std::set<std::string> parts;
     for (const ReportCell* cell : modelled_cells(data)) {
-        for (const StoredFigure& figure : cell->figures)
+        for (const store::FigureRow& figure : cell->figures)
             if (figure.name.starts_with(prefix)) parts.insert(figure.name.substr(prefix.size()));
     }
     TextGrid grid{fmt::format("{} {}: misses a query, by {}; a dash: not accessed", machine, level,
@@ -164,7 +164,7 @@ TextGrid breakdown_grid(const ReportData& data, const std::string& machine, cons
     for (const ReportCell* cell : modelled_cells(data)) {
         std::vector<GridCell> row = naming(*cell);
         for (const std::string& part : parts) {
-            const StoredFigure figure = cell->figure("caches", prefix + part);
+            const measure::Figure figure = cell->figure("caches", prefix + part);
             row.push_back({figure.value ? number_text(*figure.value) : "–"});
         }
         grid.rows.push_back(std::move(row));

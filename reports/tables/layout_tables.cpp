@@ -29,7 +29,7 @@ std::string reference_scene(const ReportData& data) {
 }
 
 /// The figure's number divided, with this many digits; or why there is none.
-GridCell scaled_cell(const StoredFigure& figure, double unit, int digits) {
+GridCell scaled_cell(const measure::Figure& figure, double unit, int digits) {
     if (!figure.value) return figure_cell(figure);
     return {fmt::format("{:.{}f}", *figure.value / unit, digits)};
 }
@@ -89,7 +89,7 @@ TextGrid scene_memory_grid(const ReportData& data) {
                    {"ratio to baseline", true}},
                   {}};
     for (const ReportCell& cell : data.cells) {
-        const StoredFigure tables = cell.figure("memory", "tables");
+        const measure::Figure tables = cell.figure("memory", "tables");
         const bool many = tables.value && *tables.value > 4;
         if (!cell.verified() || !many) continue;
         grid.rows.push_back({{cell.scene_label},

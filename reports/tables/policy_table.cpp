@@ -55,7 +55,7 @@ using PolicyLevel = std::pair<std::string, std::string>;
 
 std::vector<PolicyLevel> policy_levels(const ReportCell& cell) {
     std::vector<PolicyLevel> found;
-    for (const StoredFigure& figure : cell.figures) {
+    for (const store::FigureRow& figure : cell.figures) {
         const std::size_t slash = figure.name.find('/'), dot = figure.name.find('.', slash);
         if (figure.probe != "caches" || slash == std::string::npos || dot == std::string::npos) continue;
         const std::size_t end = figure.name.find('.', dot + 1);

@@ -9,10 +9,10 @@ namespace edgewise::reports {
 
 GridCell summary_cell(const std::vector<const ReportCell*>& rows, const char* probe,
                       const SummaryColumn& column) {
-    StoredFigure total{probe, column.name, std::nullopt, "", "", ""};
+    measure::Figure total{probe, column.name, std::nullopt, "", "", ""};
     std::size_t missing = 0;
     for (const ReportCell* cell : rows) {
-        const StoredFigure figure = cell->figure(probe, column.name);
+        const measure::Figure figure = cell->figure(probe, column.name);
         if (!figure.value) {
             ++missing;
             if (!total.value) total.reason = figure.reason, total.remedy = figure.remedy;

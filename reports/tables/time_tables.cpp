@@ -15,7 +15,7 @@ namespace edgewise::reports {
 
 namespace {
 
-GridCell interval_cell(const StoredFigure& low, const StoredFigure& high) {
+GridCell interval_cell(const measure::Figure& low, const measure::Figure& high) {
     if (!low.value) return figure_cell(low);
     if (!high.value) return figure_cell(high);
     return {fmt::format("{} to {}", number_text(*low.value, low.unit), number_text(*high.value, high.unit))};
@@ -23,10 +23,10 @@ GridCell interval_cell(const StoredFigure& low, const StoredFigure& high) {
 
 GridCell ratio_interval_cell(const ReportCell& cell, PairKind kind) {
     std::vector<double> ratios;
-    for (const StoredRound& round : cell.rounds) {
-        const auto& ratio = kind == PairKind::Separated ? round.separated_ratio : round.overlapping_ratio;
-        if (ratio) ratios.push_back(*ratio);
-    }
+    const measure::PerQuery per_query =
+        kind == PairKind::Separated ? &measure::Timing::separated : &measure::Timing::overlapping;
+    for (const measure::Round& round : cell.rounds)
+        if (const auto ratio = round.ratio(per_query)) ratios.push_back(*ratio);
     const auto interval = median_interval(std::move(ratios));
     if (!interval) return missing_cell("fewer than two rounds with such pairs in cell and baseline");
     return {fmt::format("{:.3f} to {:.3f}{}", interval->low, interval->high,
@@ -35,7 +35,7 @@ GridCell ratio_interval_cell(const ReportCell& cell, PairKind kind) {
 
 std::vector<GridCell> time_row(const ReportCell& cell, PairKind kind) {
     const std::string pairs = pair_name(kind);
-    const StoredFigure ratio = cell.figure("time", pairs + "_ratio");
+    const measure::Figure ratio = cell.figure("time", pairs + "_ratio");
     return {{cell.shape},
             {std::to_string(cell.vertices)},
             {cell.algorithm},

@@ -12,7 +12,7 @@ std::vector<PagingLimit> paging_limits(const ReportCell& row) {
     std::vector<PagingLimit> limits;
     for (int i = 0;; ++i) {
         const std::string end = "." + std::to_string(i);
-        const auto is_limit = [&](const StoredFigure& figure) {
+        const auto is_limit = [&](const store::FigureRow& figure) {
             return figure.probe == "paging" && figure.name == "limit_bytes" + end;
         };
         if (std::none_of(row.figures.begin(), row.figures.end(), is_limit)) return limits;

@@ -10,7 +10,7 @@ namespace edgewise::reports {
 
 namespace {
 
-GridCell mebibytes(const StoredFigure& figure) {
+GridCell mebibytes(const measure::Figure& figure) {
     return figure.value ? GridCell{number_text(*figure.value / 1048576)} : figure_cell(figure);
 }
 

@@ -25,15 +25,15 @@ constexpr Column columns[] = {{"N_v box tests", "box_tests_per_step"},
                               {"measured, ns", "step_ns"}};
 
 GridCell ratio_of(const ReportCell& cell) {
-    const StoredFigure predicted = cell.figure("cost", "equation_2_ns"),
-                       step = cell.figure("cost", "step_ns");
+    const measure::Figure predicted = cell.figure("cost", "equation_2_ns"),
+                          step = cell.figure("cost", "step_ns");
     if (!predicted.value) return figure_cell(predicted);
     if (!step.value || *step.value <= 0) return figure_cell(step);
     return {fmt::format("{:.3f}", *predicted.value / *step.value)};
 }
 
 bool has_cost(const ReportCell& cell) {
-    for (const StoredFigure& figure : cell.figures)
+    for (const store::FigureRow& figure : cell.figures)
         if (figure.probe == "cost" && figure.value) return true;
     return false;
 }

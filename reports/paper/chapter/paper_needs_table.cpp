@@ -30,10 +30,10 @@ Groups groups_of(const StoredScene& scene) {
 GridCell ratio_of(const ByAxes& cells, const std::string& need, const std::string& time) {
     const auto cell = cells.find("needs=" + need), plain = cells.find("");
     if (cell == cells.end()) return missing_cell("the store has no cell with needs=" + need);
-    const StoredFigure ns = cell->second->figure("time", time);
+    const measure::Figure ns = cell->second->figure("time", time);
     if (!ns.value) return figure_cell(ns);
     if (plain == cells.end()) return missing_cell("the store has no plain cell to compare with");
-    const StoredFigure base = plain->second->figure("time", time);
+    const measure::Figure base = plain->second->figure("time", time);
     if (!base.value || *base.value <= 0) return figure_cell(base);
     return {fmt::format("{:.3f}", *ns.value / *base.value)};
 }

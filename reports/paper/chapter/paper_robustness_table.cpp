@@ -23,7 +23,7 @@ struct Sum {
 
     Sum(const Cells& cells, const char* name) {
         for (const ReportCell* cell : cells) {
-            const StoredFigure figure = cell->figure("error", name);
+            const measure::Figure figure = cell->figure("error", name);
             if (figure.value)
                 total = total.value_or(0) + *figure.value;
             else

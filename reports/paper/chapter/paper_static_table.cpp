@@ -38,8 +38,8 @@ GridCell cell_of(const ReportCell* cell, const char* probe, const char* name) {
 /// Both relative to the baseline timed in the same rounds: what moved the clock is in neither.
 GridCell ratio_of(const Sides& sides) {
     if (!sides.vclip || !sides.gjk) return {"–"};
-    const StoredFigure vclip = sides.vclip->figure("time", "all_ratio"),
-                       gjk = sides.gjk->figure("time", "all_ratio");
+    const measure::Figure vclip = sides.vclip->figure("time", "all_ratio"),
+                          gjk = sides.gjk->figure("time", "all_ratio");
     if (!gjk.value) return figure_cell(gjk);
     if (!vclip.value || *vclip.value <= 0) return figure_cell(vclip);
     return {fmt::format("{:.3f}", *gjk.value / *vclip.value)};

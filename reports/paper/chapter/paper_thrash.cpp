@@ -101,7 +101,7 @@ std::string where_it_passes(const ReportData& data, const std::string& knee, dou
         if (!size && worst.value && *worst.value > bytes) size = vertices;
     }
     for (const auto& [step, cell] : thrash_cells(data, 386, "vclip", "aos_f64")) {
-        const StoredFigure figure = cell->figure("reuse", knee);
+        const measure::Figure figure = cell->figure("reuse", knee);
         if (!speed && figure.value && *figure.value > bytes) speed = step;
     }
     if (!any) return "nowhere that is known";
@@ -186,7 +186,7 @@ std::string measured_sentence(const ReportData& data) {
 }
 
 /// A figure over the baseline's, both at 386 vertices and the slowest turn.
-std::string share_text(const StoredFigure& figure, const StoredFigure& base) {
+std::string share_text(const measure::Figure& figure, const measure::Figure& base) {
     if (!figure.value) return missing_text(figure.reason);
     if (!base.value || *base.value <= 0) return "no ratio";
     return number_text(*figure.value / *base.value);

@@ -12,7 +12,7 @@ namespace edgewise::reports {
 
 namespace {
 
-GridCell scaled(const StoredFigure& figure, double unit) {
+GridCell scaled(const measure::Figure& figure, double unit) {
     return figure.value ? GridCell{number_text(*figure.value / unit)} : figure_cell(figure);
 }
 

@@ -54,7 +54,7 @@ ThrashEvidence thrash_figure(const ReportData& data, int vertices, bool fastest,
                              const std::string& name) {
     const ReportCell* cell = end_cell(data, vertices, fastest);
     if (!cell) return {std::nullopt, no_cell(vertices)};
-    const StoredFigure figure = cell->figure(probe, name);
+    const measure::Figure figure = cell->figure(probe, name);
     if (figure.value) return {figure.value, {}};
     return {std::nullopt, fmt::format("{} at {} vertices: {}", name, vertices, figure.reason)};
 }

@@ -25,7 +25,7 @@ void add_times(const StoredScene& scene, const char* measure, Omissions& omitted
 
 void add_bytes(const StoredScene& scene, Omissions& omitted, ChartJson& values) {
     for (const ReportCell* cell : scene.cells) {
-        const StoredFigure size = cell->figure("bytes", "table_bytes");
+        const measure::Figure size = cell->figure("bytes", "table_bytes");
         if (!size.value || *size.value <= 0) {
             omitted.add(size.reason);
             continue;

@@ -36,12 +36,12 @@ ChartJson times_of(const StoredScene& scene, Omissions& omitted) {
 /// same angle a step, in proportion to the bodies.
 std::optional<double> knee_of(const ReportData& data, const ReportCell& cell, double bodies,
                               bool& estimated) {
-    const StoredFigure own = cell.figure("reuse", "line_knee_bytes");
+    const measure::Figure own = cell.figure("reuse", "line_knee_bytes");
     if (own.value) return own.value;
     const ReportCell* like =
         nearest_cell(scene_file(data, "paper_thrash_386"), cell.algorithm, cell.table, thrash_turn);
     if (!like) return std::nullopt;
-    const StoredFigure knee = like->figure("reuse", "line_knee_bytes");
+    const measure::Figure knee = like->figure("reuse", "line_knee_bytes");
     const auto traced = scene_number(*like, "bodies");
     if (!knee.value || !traced || *traced <= 0) return std::nullopt;
     estimated = true;

@@ -17,7 +17,7 @@ namespace {
 
 void add_curve(const ReportCell& cell, const std::string& unit, ChartJson& values) {
     const std::string prefix = unit + "_misses_at_2^";
-    for (const StoredFigure& figure : cell.figures) {
+    for (const store::FigureRow& figure : cell.figures) {
         if (figure.probe != "reuse" || !figure.value || !figure.name.starts_with(prefix)) continue;
         const int exponent = std::stoi(figure.name.substr(prefix.size()));
         ChartJson row = curve_json(cell);

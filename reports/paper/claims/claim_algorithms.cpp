@@ -133,7 +133,7 @@ Claim judge_degenerate(const ReportData& data) {
         if (row.algorithm != "gjk" || row.table != "aos_f64") continue;
         Evidence helped = exact_evidence(all.value.value_or(0));
         for (const char* name : {"refinements", "fallbacks"}) {
-            const StoredFigure figure = row.figure("stability", name);
+            const measure::Figure figure = row.figure("stability", name);
             helped = sum(helped, figure.value ? exact_evidence(*figure.value) : no_evidence(figure.reason));
         }
         // A family without the figures says nothing of the others.

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "edgewise/measure/statistics.hpp"
 #include "edgewise/reports/tables/ratio_interval.hpp"
 
 namespace edgewise::reports {
@@ -49,14 +50,11 @@ std::string no_cell(const CellKey& key) {
 
 std::optional<Evidence> ratio_of_rounds(const ReportCell& cell) {
     std::vector<double> ratios;
-    for (const StoredRound& round : cell.rounds)
-        if (round.all_ratio) ratios.push_back(*round.all_ratio);
+    for (const measure::Round& round : cell.rounds)
+        if (const auto ratio = round.ratio(&measure::Timing::all)) ratios.push_back(*ratio);
     const auto interval = median_interval(ratios);
     if (!interval) return std::nullopt;
-    std::sort(ratios.begin(), ratios.end());
-    const std::size_t half = ratios.size() / 2;
-    const double middle = ratios.size() % 2 ? ratios[half] : (ratios[half - 1] + ratios[half]) / 2;
-    return interval_evidence(middle, interval->low, interval->high);
+    return interval_evidence(*measure::median(ratios), interval->low, interval->high);
 }
 
 }  // namespace
@@ -96,7 +94,7 @@ std::vector<CurveCell> in_range(const std::vector<CurveCell>& cells, const Curve
 
 Evidence figure_of(const ReportCell& cell, const std::string& probe, const std::string& name) {
     if (!cell.verified()) return no_evidence(fmt::format("a cell is {}: {}", cell.status, cell.reason));
-    const StoredFigure figure = cell.figure(probe, name);
+    const measure::Figure figure = cell.figure(probe, name);
     if (figure.value) return exact_evidence(*figure.value);
     return no_evidence(fmt::format("{}.{}: {}", probe, name, figure.reason));
 }

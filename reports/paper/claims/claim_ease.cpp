@@ -81,8 +81,8 @@ Evidence wrong_share(const ReportData& data, const std::string& table, const Fam
     std::string why = "no stability run of such families on " + table + " is stored";
     for (const ReportCell& row : data.stability) {
         if (row.table != table || !is_among(row.shape, wanted)) continue;
-        const StoredFigure failed = row.figure("stability", "failures_at_" + at);
-        const StoredFigure asked = row.figure("stability", "cases");
+        const measure::Figure failed = row.figure("stability", "failures_at_" + at);
+        const measure::Figure asked = row.figure("stability", "cases");
         if (!failed.value || !asked.value) {
             why = failed.value ? asked.reason : failed.reason;
             continue;

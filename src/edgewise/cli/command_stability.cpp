@@ -45,7 +45,7 @@ studies::StabilityPlan chosen_plan(const Options& options) {
 
 double value_of(const studies::StabilityRow& row, const char* name) {
     for (const store::FigureRow& figure : row.figures) {
-        if (figure.figure.name == name) return figure.figure.value.value_or(0);
+        if (figure.name == name) return figure.value.value_or(0);
     }
     return 0;
 }

@@ -91,7 +91,7 @@ void add_limit(const PagingRow& limit, std::size_t i, std::vector<store::FigureR
             figure.reason = limit.reason;
             figure.remedy = "run as root, where memory control groups may be made";
         }
-        figures.push_back({"paging", std::move(figure)});
+        figures.push_back({std::move(figure), "paging"});
     };
     add("limit_bytes", static_cast<double>(limit.limit_bytes), "B", false);
     add("predicted_at_limit", limit.predicted_at_limit, "faults", false);
@@ -104,9 +104,9 @@ void add_limit(const PagingRow& limit, std::size_t i, std::vector<store::FigureR
 std::vector<store::FigureRow> figures_of(const PagingResult& result) {
     const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
     std::vector<store::FigureRow> figures = {
-        {"paging", {"table_bytes", static_cast<double>(result.table_bytes), "B"}},
-        {"paging", {"touched_bytes", static_cast<double>(result.pages_touched) * page, "B"}},
-        {"paging", {"keeps_recency", result.keeps_recency ? 1.0 : 0.0, "1"}}};
+        {{"table_bytes", static_cast<double>(result.table_bytes), "B"}, "paging"},
+        {{"touched_bytes", static_cast<double>(result.pages_touched) * page, "B"}, "paging"},
+        {{"keeps_recency", result.keeps_recency ? 1.0 : 0.0, "1"}, "paging"}};
     for (std::size_t i = 0; i < result.rows.size(); ++i) add_limit(result.rows[i], i, figures);
     return figures;
 }

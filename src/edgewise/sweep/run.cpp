@@ -175,7 +175,7 @@ class Sweep {
         const double wanted = trace_identity(work_.machines, plan_.traced);
         const std::vector<store::FigureRow> stored = store_.figures(build_, cell_run.row().hash);
         return std::none_of(stored.begin(), stored.end(), [&](const store::FigureRow& row) {
-            return row.probe == "caches" && row.figure.name == "identity" && row.figure.value == wanted;
+            return row.probe == "caches" && row.name == "identity" && row.value == wanted;
         });
     }
 
