@@ -21,8 +21,12 @@ class caches final : public measure::Probe {
 
     [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
         const measure::SceneTrace& trace = *subject.trace;
-        if (!trace.traced()) return {store::no_figure("caches.misses_per_query", trace.reason, trace.remedy)};
         std::vector<measure::Figure> all;
+        if (trace.identity != 0) all.push_back(store::figure("caches.identity", trace.identity));
+        if (!trace.traced()) {
+            all.push_back(store::no_figure("caches.misses_per_query", trace.reason, trace.remedy));
+            return all;
+        }
         for (const measure::ModelledMachine& machine : trace.machines) add_machine(machine, subject, all);
         for (const measure::ModelledMachine& machine : trace.policies) {
             for (const measure::LevelMisses& level : machine.steady.caches)

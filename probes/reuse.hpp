@@ -21,25 +21,16 @@ class reuse final : public measure::Probe {
         const measure::SceneTrace& trace = *subject.trace;
         if (!trace.traced()) return {store::no_figure("reuse.line_knee_bytes", trace.reason, trace.remedy)};
         std::vector<measure::Figure> all;
-        add_unit(trace, trace.lines, line_names, 10, 26, all);
-        add_unit(trace, trace.pages, page_names, 14, 30, all);
+        add_unit(trace, trace.lines, store::reuse_names[0], 10, 26, all);
+        add_unit(trace, trace.pages, store::reuse_names[1], 14, 30, all);
         return all;
     }
 
   private:
-    struct Names {
-        store::FigureName per_query, of_scene, of_body, of_frame, knee, misses;
-    };
-    static constexpr Names line_names = {"reuse.lines_per_query", "reuse.lines_of_scene",
-                                         "reuse.lines_of_body",   "reuse.lines_of_frame",
-                                         "reuse.line_knee_bytes", "reuse.line_misses_at_2^{power}"};
-    static constexpr Names page_names = {"reuse.pages_per_query", "reuse.pages_of_scene",
-                                         "reuse.pages_of_body",   "reuse.pages_of_frame",
-                                         "reuse.page_knee_bytes", "reuse.page_misses_at_2^{power}"};
-
     /// Caches of 2^least to 2^most bytes.
-    static void add_unit(const measure::SceneTrace& trace, const measure::ReuseOf& unit, const Names& names,
-                         int least, int most, std::vector<measure::Figure>& all) {
+    static void add_unit(const measure::SceneTrace& trace, const measure::ReuseOf& unit,
+                         const store::ReuseNames& names, int least, int most,
+                         std::vector<measure::Figure>& all) {
         const auto bytes = static_cast<double>(unit.unit_bytes);
         const auto queries = static_cast<double>(trace.queries), tables = static_cast<double>(trace.tables);
         all.push_back(store::figure(names.per_query, static_cast<double>(unit.touched) / queries));

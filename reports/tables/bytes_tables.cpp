@@ -31,9 +31,10 @@ std::vector<GridCell> bytes_row(const ReportCell& cell, const std::vector<std::s
     row.push_back({cell.algorithm});
     row.push_back({cell.table});
     for (const std::string& name : components) row.push_back(figure_cell(cell.figure("bytes", name)));
-    for (const char* name :
-         {"total_bytes_per_edge", "paper_bytes_per_edge", "slope_bytes_per_edge", "table_bytes"})
-        row.push_back(figure_cell(cell.figure("bytes", name)));
+    for (const store::FigureName& name :
+         std::initializer_list<store::FigureName>{"bytes.total_bytes_per_edge", "bytes.paper_bytes_per_edge",
+                                                  "bytes.slope_bytes_per_edge", "bytes.table_bytes"})
+        row.push_back(figure_cell(cell.figure(name)));
     return row;
 }
 

@@ -34,23 +34,22 @@ GridCell ratio_interval_cell(const ReportCell& cell, PairKind kind) {
 }
 
 std::vector<GridCell> time_row(const ReportCell& cell, PairKind kind) {
-    const std::string pairs = pair_name(kind);
-    const measure::Figure ratio = cell.figure("time", pairs + "_ratio");
+    const store::QueryTime& times = times_of(kind);
+    const measure::Figure ratio = cell.figure(times.ratio);
     return {{cell.shape},
             {std::to_string(cell.vertices)},
             {cell.algorithm},
             {cell.table},
-            figure_cell(cell.figure("time", pairs + "_ns")),
-            interval_cell(cell.figure("time", pairs + "_ns_low"), cell.figure("time", pairs + "_ns_high")),
+            figure_cell(cell.figure(times.ns)),
+            interval_cell(cell.figure(times.low), cell.figure(times.high)),
             ratio.value ? GridCell{fmt::format("{:.3f}", *ratio.value)} : figure_cell(ratio),
             ratio.value ? ratio_interval_cell(cell, kind) : figure_cell(ratio),
-            figure_cell(cell.figure("time", "rounds"))};
+            figure_cell(cell.figure("time.rounds"))};
 }
 
 /// Unmeasured cells go last.
 double rank(const ReportCell& cell, PairKind kind) {
-    return cell.figure("time", pair_name(kind) + "_ns")
-        .value.value_or(std::numeric_limits<double>::infinity());
+    return cell.figure(times_of(kind).ns).value.value_or(std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

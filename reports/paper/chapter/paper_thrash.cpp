@@ -55,23 +55,24 @@ std::string answer(const ReportData& data) {
         out = *cache ? "The cache makes figure 8. " : "The cache does not make figure 8. ";
     if (!paging)
         return out + "Whether paging makes it is not known: " +
-               bodies_to_fill(data, 386, "page_knee_bytes", least_old_memory).missing + ".";
+               bodies_to_fill(data, 386, "reuse.page_knee_bytes", least_old_memory).missing + ".";
     return out + (*paging ? "Paging makes it." : "Paging does not make it.");
 }
 
 std::string factor_at(const ReportData& data, const char* machine, bool fastest) {
     const ThrashEvidence factor = memory_factor(data, machine, fastest),
                          step = thrash_step(data, 386, fastest),
-                         time = thrash_figure(data, 386, fastest, "caches",
-                                              std::string(machine) + ".modelled_memory_ns");
+                         time = thrash_figure(
+                             data, 386, fastest,
+                             store::FigureName("caches.{machine}.modelled_memory_ns").of(machine));
     const std::string speed =
         step.value ? number_text(*step.value) + " rad a step" : (fastest ? "the fastest" : "the slowest");
     if (!factor.value) return fmt::format("at {} {}", speed, missing_text(factor.missing));
     const std::string times =
         std::isfinite(*factor.value) ? "by a factor of " + number_text(*factor.value) : "from none";
-    const std::string misses = std::string(machine) + ".L2.misses_per_query";
+    const auto misses = store::FigureName("caches.{machine}.{level}.misses_per_query").of(machine, "L2");
     const auto count = [&](int vertices) {
-        const ThrashEvidence found = thrash_figure(data, vertices, fastest, "caches", misses);
+        const ThrashEvidence found = thrash_figure(data, vertices, fastest, misses);
         return found.value ? number_text(*found.value) : missing_text(found.missing);
     };
     return fmt::format("at {} {} to {} us (misses of the second level: {} to {})", speed, times,
@@ -91,17 +92,17 @@ std::string cache_sentence(const ReportData& data) {
 }
 
 /// From which size on, and at 386 vertices from which speed on, a knee passes what was there in 2001.
-std::string where_it_passes(const ReportData& data, const std::string& knee, double bytes) {
+std::string where_it_passes(const ReportData& data, const store::FigureName& knee, double bytes) {
     std::optional<int> size;
     std::optional<double> speed;
     bool any = false;
     for (const int vertices : thrash_vertices) {
-        const ThrashEvidence worst = worst_figure(data, vertices, "reuse", knee);
+        const ThrashEvidence worst = worst_figure(data, vertices, knee);
         any = any || worst.value;
         if (!size && worst.value && *worst.value > bytes) size = vertices;
     }
     for (const auto& [step, cell] : thrash_cells(data, 386, "vclip", "aos_f64")) {
-        const measure::Figure figure = cell->figure("reuse", knee);
+        const measure::Figure figure = cell->figure(knee);
         if (!speed && figure.value && *figure.value > bytes) speed = step;
     }
     if (!any) return "nowhere that is known";
@@ -110,16 +111,16 @@ std::string where_it_passes(const ReportData& data, const std::string& knee, dou
                        speed ? fmt::format("from {} rad a step on", number_text(*speed)) : "at no speed");
 }
 
-std::string knees_text(const ReportData& data, const std::string& knee) {
+std::string knees_text(const ReportData& data, const store::FigureName& knee) {
     std::vector<std::string> texts;
     for (const int vertices : thrash_vertices)
-        texts.push_back(fmt::format("{} with {} vertices",
-                                    bytes_text(worst_figure(data, vertices, "reuse", knee)), vertices));
+        texts.push_back(
+            fmt::format("{} with {} vertices", bytes_text(worst_figure(data, vertices, knee)), vertices));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string line_sentence(const ReportData& data) {
-    const char* const knee = "line_knee_bytes";
+    constexpr store::FigureName knee("reuse.line_knee_bytes");
     return fmt::format(
         "With {} bodies the cache that a query needs (knee of the lines) is {}: it passes the {} of a "
         "second-level cache {}. In proportion, {} bodies of 386 vertices are enough for that, of 38 it takes "
@@ -131,7 +132,7 @@ std::string line_sentence(const ReportData& data) {
 
 /// Of all bodies' tables, used or not.
 std::string tables_text(const ReportData& data) {
-    const ThrashEvidence table = thrash_figure(data, 386, false, "bytes", "table_bytes"),
+    const ThrashEvidence table = thrash_figure(data, 386, false, "bytes.table_bytes"),
                          bodies = thrash_bodies(data, 386);
     if (!table.value || !bodies.value)
         return "what their tables take is " + missing_text(table.value ? bodies.missing : table.missing);
@@ -140,7 +141,7 @@ std::string tables_text(const ReportData& data) {
 }
 
 std::string page_sentence(const ReportData& data) {
-    const char* const knee = "page_knee_bytes";
+    constexpr store::FigureName knee("reuse.page_knee_bytes");
     std::string tables = tables_text(data);
     tables[0] = static_cast<char>(std::toupper(tables[0]));
     return tables + "; " +
@@ -193,13 +194,12 @@ std::string share_text(const measure::Figure& figure, const measure::Figure& bas
 }
 
 std::string layout_text(const ReportCell& cell, const ReportCell& base) {
-    const std::string time = std::string(old_machines[0]) + ".modelled_memory_ns";
-    const auto share = [&](const char* probe, const std::string& name) {
-        return share_text(cell.figure(probe, name), base.figure(probe, name));
+    const auto time = store::FigureName("caches.{machine}.modelled_memory_ns").of(old_machines[0]);
+    const auto share = [&](const store::FigureName& name) {
+        return share_text(cell.figure(name), base.figure(name));
     };
     return fmt::format("{}{} {}, {}, {}", cell.algorithm == "vclip" ? "" : cell.algorithm + " ", cell.table,
-                       share("reuse", "line_knee_bytes"), share("reuse", "page_knee_bytes"),
-                       share("caches", time));
+                       share("reuse.line_knee_bytes"), share("reuse.page_knee_bytes"), share(time));
 }
 
 /// Every other table type of V-Clip, and GJK on the same tables.
@@ -226,7 +226,7 @@ std::string papers_sentence(const ReportData& data) {
     const auto holds = [](const std::optional<bool>& cause) {
         return !cause ? "cannot be judged from this store" : *cause ? "holds" : "does not account for it";
     };
-    const ThrashEvidence knee = worst_figure(data, 386, "reuse", "line_knee_bytes");
+    const ThrashEvidence knee = worst_figure(data, 386, "reuse.line_knee_bytes");
     std::string out = fmt::format(
         "Of the paper's two sentences, \"consuming all available memory ... thrashing\" (section 4, "
         "swapping) "

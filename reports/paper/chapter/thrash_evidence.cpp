@@ -17,6 +17,7 @@ namespace edgewise::reports {
 namespace {
 
 constexpr const char *algorithm = "vclip", *table = "aos_f64";
+constexpr store::FigureName memory_ns("caches.{machine}.modelled_memory_ns");
 
 /// The slowest or the fastest of V-Clip's cells; null when there is none.
 const ReportCell* end_cell(const ReportData& data, int vertices, bool fastest) {
@@ -31,7 +32,7 @@ std::string no_cell(int vertices) {
 }
 
 bool gives_the_time(const ReportData& data, const std::string& machine, bool fastest) {
-    const ThrashEvidence time = thrash_figure(data, 386, fastest, "caches", machine + ".modelled_memory_ns");
+    const ThrashEvidence time = thrash_figure(data, 386, fastest, memory_ns.of(machine));
     return time.value && *time.value >= least_share * papers_growth_ns;
 }
 
@@ -50,13 +51,13 @@ std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData&
     return cells;
 }
 
-ThrashEvidence thrash_figure(const ReportData& data, int vertices, bool fastest, const std::string& probe,
-                             const std::string& name) {
+ThrashEvidence thrash_figure(const ReportData& data, int vertices, bool fastest,
+                             const store::FigureName& name) {
     const ReportCell* cell = end_cell(data, vertices, fastest);
     if (!cell) return {std::nullopt, no_cell(vertices)};
-    const measure::Figure figure = cell->figure(probe, name);
+    const measure::Figure figure = cell->figure(name);
     if (figure.value) return {figure.value, {}};
-    return {std::nullopt, fmt::format("{} at {} vertices: {}", name, vertices, figure.reason)};
+    return {std::nullopt, fmt::format("{} at {} vertices: {}", name.name(), vertices, figure.reason)};
 }
 
 ThrashEvidence thrash_step(const ReportData& data, int vertices, bool fastest) {
@@ -72,17 +73,16 @@ ThrashEvidence thrash_bodies(const ReportData& data, int vertices) {
                 : ThrashEvidence{std::nullopt, no_cell(vertices)};
 }
 
-ThrashEvidence worst_figure(const ReportData& data, int vertices, const std::string& probe,
-                            const std::string& name) {
-    const ThrashEvidence slow = thrash_figure(data, vertices, false, probe, name),
-                         fast = thrash_figure(data, vertices, true, probe, name);
+ThrashEvidence worst_figure(const ReportData& data, int vertices, const store::FigureName& name) {
+    const ThrashEvidence slow = thrash_figure(data, vertices, false, name),
+                         fast = thrash_figure(data, vertices, true, name);
     if (slow.value && fast.value) return {std::max(*slow.value, *fast.value), {}};
     return slow.value ? slow : fast;
 }
 
-ThrashEvidence bodies_to_fill(const ReportData& data, int vertices, const std::string& knee, double bytes) {
-    const ThrashEvidence worst = worst_figure(data, vertices, "reuse", knee),
-                         bodies = thrash_bodies(data, vertices);
+ThrashEvidence bodies_to_fill(const ReportData& data, int vertices, const store::FigureName& knee,
+                              double bytes) {
+    const ThrashEvidence worst = worst_figure(data, vertices, knee), bodies = thrash_bodies(data, vertices);
     if (!worst.value) return worst;
     if (!bodies.value) return bodies;
     if (*worst.value <= 0) return {std::numeric_limits<double>::infinity(), {}};
@@ -90,9 +90,9 @@ ThrashEvidence bodies_to_fill(const ReportData& data, int vertices, const std::s
 }
 
 ThrashEvidence memory_factor(const ReportData& data, const std::string& machine, bool fastest) {
-    const std::string name = machine + ".modelled_memory_ns";
-    const ThrashEvidence large = thrash_figure(data, 386, fastest, "caches", name),
-                         small = thrash_figure(data, 38, fastest, "caches", name);
+    const store::FigureName name = memory_ns.of(machine);
+    const ThrashEvidence large = thrash_figure(data, 386, fastest, name),
+                         small = thrash_figure(data, 38, fastest, name);
     if (!large.value) return large;
     if (!small.value) return small;
     if (*small.value > 0) return {*large.value / *small.value, {}};
@@ -127,8 +127,8 @@ std::optional<bool> faults_in_old_memory(const ReportCell& row) {
 
 std::optional<bool> paging_is_a_cause(const ReportData& data) {
     std::optional<bool> found;
-    const ThrashEvidence large = bodies_to_fill(data, 386, "page_knee_bytes", least_old_memory),
-                         small = bodies_to_fill(data, 38, "page_knee_bytes", least_old_memory);
+    const ThrashEvidence large = bodies_to_fill(data, 386, "reuse.page_knee_bytes", least_old_memory),
+                         small = bodies_to_fill(data, 38, "reuse.page_knee_bytes", least_old_memory);
     const bool at_38 = small.value && *small.value < more_than_hundreds;
     if (large.value) found = *large.value < more_than_hundreds && !at_38;
     for (const ReportCell& row : data.paging)

@@ -26,16 +26,16 @@ struct ThrashEvidence {
                                                                              const std::string& table);
 /// V-Clip on aos_f64: a figure at the slowest or the fastest turn.
 [[nodiscard]] ThrashEvidence thrash_figure(const ReportData& data, int vertices, bool fastest,
-                                           const std::string& probe, const std::string& name);
+                                           const store::FigureName& name);
 /// The angle a step, and the bodies, of those cells.
 [[nodiscard]] ThrashEvidence thrash_step(const ReportData& data, int vertices, bool fastest);
 [[nodiscard]] ThrashEvidence thrash_bodies(const ReportData& data, int vertices);
 /// The larger of a figure at the slowest and at the fastest turn.
-[[nodiscard]] ThrashEvidence worst_figure(const ReportData& data, int vertices, const std::string& probe,
-                                          const std::string& name);
+[[nodiscard]] ThrashEvidence worst_figure(const ReportData& data, int vertices,
+                                          const store::FigureName& name);
 /// How many bodies it takes, in proportion, until the worst knee passes `bytes`.
-[[nodiscard]] ThrashEvidence bodies_to_fill(const ReportData& data, int vertices, const std::string& knee,
-                                            double bytes);
+[[nodiscard]] ThrashEvidence bodies_to_fill(const ReportData& data, int vertices,
+                                            const store::FigureName& knee, double bytes);
 /// Modelled memory time at 386 vertices over that at 38; infinite where 38 vertices never wait.
 [[nodiscard]] ThrashEvidence memory_factor(const ReportData& data, const std::string& machine, bool fastest);
 

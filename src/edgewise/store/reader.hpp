@@ -9,6 +9,7 @@
 
 #include "edgewise/measure/round.hpp"
 #include "edgewise/store/rows.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::store {
 
@@ -18,6 +19,9 @@ struct StoredCell : CellRow {
 
     /// The stored figure; where none is stored, one without a value whose reason says so.
     [[nodiscard]] measure::Figure figure(const std::string& probe, const std::string& name) const;
+    [[nodiscard]] measure::Figure figure(const FigureName& name) const {
+        return figure(name.probe(), name.name());
+    }
 };
 
 struct StoredBuild {

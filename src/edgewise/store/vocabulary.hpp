@@ -41,8 +41,11 @@ class FigureName {
 
     [[nodiscard]] const FigureInfo& info() const { return *info_; }
     [[nodiscard]] std::string probe() const { return std::string(info_->probe()); }
+    /// As a store has it; braces without a value stay.
     [[nodiscard]] std::string name() const;
     [[nodiscard]] std::string unit() const { return std::string(info_->unit); }
+    /// What a stored figure has in place of the one pair of braces that has no value; null for others.
+    [[nodiscard]] std::optional<std::string> value_in(std::string_view probe, std::string_view name) const;
 
   private:
     static consteval const FigureInfo* find(std::string_view key) {
@@ -77,5 +80,16 @@ inline constexpr QueryTime overlapping_time = {"time.overlapping_ns", "time.over
                                                "time.overlapping_ns_high", "time.overlapping_ratio"};
 inline constexpr QueryTime all_time = {"time.all_ns", "time.all_ns_low", "time.all_ns_high",
                                        "time.all_ratio"};
+
+/// Reuse distances of lines and of pages.
+struct ReuseNames {
+    const char* units;
+    FigureName per_query, of_scene, of_body, of_frame, knee, misses;
+};
+inline constexpr ReuseNames reuse_names[] = {
+    {"lines", "reuse.lines_per_query", "reuse.lines_of_scene", "reuse.lines_of_body", "reuse.lines_of_frame",
+     "reuse.line_knee_bytes", "reuse.line_misses_at_2^{power}"},
+    {"pages", "reuse.pages_per_query", "reuse.pages_of_scene", "reuse.pages_of_body", "reuse.pages_of_frame",
+     "reuse.page_knee_bytes", "reuse.page_misses_at_2^{power}"}};
 
 }  // namespace edgewise::store
