@@ -29,12 +29,12 @@ std::string bytes_text(double bytes) {
 
 std::string missing_text(const std::string& why) { return "missing (" + why + ")"; }
 
-std::string bytes_text(const ThrashEvidence& bytes) {
-    return bytes.value ? bytes_text(*bytes.value) : missing_text(bytes.missing);
+std::string bytes_text(const measure::Expected<double>& bytes) {
+    return bytes.value ? bytes_text(*bytes.value) : missing_text(bytes.reason);
 }
 
-std::string count_text(const ThrashEvidence& bodies) {
-    if (!bodies.value) return missing_text(bodies.missing);
+std::string count_text(const measure::Expected<double>& bodies) {
+    if (!bodies.value) return missing_text(bodies.reason);
     return std::isfinite(*bodies.value) ? fmt::format("{:.0f}", std::ceil(*bodies.value)) : "no number";
 }
 
@@ -50,30 +50,30 @@ std::string answer(const ReportData& data) {
     }
     if (!cache)
         out = "Whether the cache makes figure 8 is not known: " +
-              memory_factor(data, old_machines[0], false).missing + ". ";
+              memory_factor(data, old_machines[0], false).reason + ". ";
     else
         out = *cache ? "The cache makes figure 8. " : "The cache does not make figure 8. ";
     if (!paging)
         return out + "Whether paging makes it is not known: " +
-               bodies_to_fill(data, 386, "reuse.page_knee_bytes", least_old_memory).missing + ".";
+               bodies_to_fill(data, 386, "reuse.page_knee_bytes", least_old_memory).reason + ".";
     return out + (*paging ? "Paging makes it." : "Paging does not make it.");
 }
 
 std::string factor_at(const ReportData& data, const char* machine, bool fastest) {
-    const ThrashEvidence factor = memory_factor(data, machine, fastest),
-                         step = thrash_step(data, 386, fastest),
-                         time = thrash_figure(
-                             data, 386, fastest,
-                             store::FigureName("caches.{machine}.modelled_memory_ns").of(machine));
+    const measure::Expected<double> factor = memory_factor(data, machine, fastest),
+                                    step = thrash_step(data, 386, fastest),
+                                    time = thrash_figure(
+                                        data, 386, fastest,
+                                        store::FigureName("caches.{machine}.modelled_memory_ns").of(machine));
     const std::string speed =
         step.value ? number_text(*step.value) + " rad a step" : (fastest ? "the fastest" : "the slowest");
-    if (!factor.value) return fmt::format("at {} {}", speed, missing_text(factor.missing));
+    if (!factor.value) return fmt::format("at {} {}", speed, missing_text(factor.reason));
     const std::string times =
         std::isfinite(*factor.value) ? "by a factor of " + number_text(*factor.value) : "from none";
     const auto misses = store::FigureName("caches.{machine}.{level}.misses_per_query").of(machine, "L2");
     const auto count = [&](int vertices) {
-        const ThrashEvidence found = thrash_figure(data, vertices, fastest, misses);
-        return found.value ? number_text(*found.value) : missing_text(found.missing);
+        const measure::Expected<double> found = thrash_figure(data, vertices, fastest, misses);
+        return found.value ? number_text(*found.value) : missing_text(found.reason);
     };
     return fmt::format("at {} {} to {} us (misses of the second level: {} to {})", speed, times,
                        number_text(*time.value / 1000), count(38), count(386));
@@ -97,7 +97,7 @@ std::string where_it_passes(const ReportData& data, const store::FigureName& kne
     std::optional<double> speed;
     bool any = false;
     for (const int vertices : thrash_vertices) {
-        const ThrashEvidence worst = worst_figure(data, vertices, knee);
+        const measure::Expected<double> worst = worst_figure(data, vertices, knee);
         any = any || worst.value;
         if (!size && worst.value && *worst.value > bytes) size = vertices;
     }
@@ -132,10 +132,10 @@ std::string line_sentence(const ReportData& data) {
 
 /// Of all bodies' tables, used or not.
 std::string tables_text(const ReportData& data) {
-    const ThrashEvidence table = thrash_figure(data, 386, false, "bytes.table_bytes"),
-                         bodies = thrash_bodies(data, 386);
+    const measure::Expected<double> table = thrash_figure(data, 386, false, "bytes.table_bytes"),
+                                    bodies = thrash_bodies(data, 386);
     if (!table.value || !bodies.value)
-        return "what their tables take is " + missing_text(table.value ? bodies.missing : table.missing);
+        return "what their tables take is " + missing_text(table.value ? bodies.reason : table.reason);
     return fmt::format("the tables of {} bodies of 386 vertices take {}", count_text(bodies),
                        bytes_text(*table.value * *bodies.value));
 }
@@ -226,7 +226,7 @@ std::string papers_sentence(const ReportData& data) {
     const auto holds = [](const std::optional<bool>& cause) {
         return !cause ? "cannot be judged from this store" : *cause ? "holds" : "does not account for it";
     };
-    const ThrashEvidence knee = worst_figure(data, 386, "reuse.line_knee_bytes");
+    const measure::Expected<double> knee = worst_figure(data, 386, "reuse.line_knee_bytes");
     std::string out = fmt::format(
         "Of the paper's two sentences, \"consuming all available memory ... thrashing\" (section 4, "
         "swapping) "
