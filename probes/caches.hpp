@@ -30,15 +30,12 @@ class caches final : public measure::Probe {
         for (const measure::ModelledMachine& machine : trace.machines) add_machine(machine, subject, all);
         for (const measure::ModelledMachine& machine : trace.policies) {
             for (const measure::LevelMisses& level : machine.steady.caches)
-                add(all, trace, level_misses.of(machine.name, level.level), level.misses.all());
+                add(all, trace, store::level_misses.of(machine.name, level.level), level.misses.all());
         }
         return all;
     }
 
   private:
-    static constexpr store::FigureName level_misses{"caches.{machine}.{level}.misses_per_query"};
-    static constexpr store::FigureName memory_ns{"caches.{machine}.modelled_memory_ns"};
-
     static void add(std::vector<measure::Figure>& all, const measure::SceneTrace& trace,
                     const store::FigureName& name, std::uint64_t count) {
         all.push_back(store::figure(name, static_cast<double>(count) / static_cast<double>(trace.queries)));
@@ -49,7 +46,7 @@ class caches final : public measure::Probe {
         const measure::SceneTrace& trace = *subject.trace;
         if (!machine.reason.empty()) {
             for (const store::FigureName& name :
-                 {level_misses.of(machine.name, "L1D"), memory_ns.of(machine.name)})
+                 {store::level_misses.of(machine.name, "L1D"), store::memory_time.of(machine.name)})
                 all.push_back(store::no_figure(
                     name, machine.reason, "describe the machine in a JSON file and name it with --machines"));
             return;
@@ -77,7 +74,7 @@ class caches final : public measure::Probe {
                           std::vector<measure::Figure>& all) {
         const measure::SceneTrace& trace = *subject.trace;
         const auto at = [&](const store::FigureName& name) { return name.of(machine.name, steady.level); };
-        add(all, trace, at(level_misses), steady.misses.all());
+        add(all, trace, at(store::level_misses), steady.misses.all());
         add(all, trace, at("caches.{machine}.{level}.capacity_per_query"), steady.misses.capacity);
         add(all, trace, at("caches.{machine}.{level}.conflict_per_query"), steady.misses.conflict);
         add(all, trace, at("caches.{machine}.{level}.warm_misses_per_query"), warm.misses.all());
@@ -114,8 +111,9 @@ class caches final : public measure::Probe {
                                        const measure::SceneTrace& trace) {
         const auto& ns = machine.steady.memory_ns;
         measure::Figure figure =
-            ns ? store::figure(memory_ns.of(machine.name), *ns / static_cast<double>(trace.queries))
-               : store::no_figure(memory_ns.of(machine.name), "the latencies of this machine are not known",
+            ns ? store::figure(store::memory_time.of(machine.name), *ns / static_cast<double>(trace.queries))
+               : store::no_figure(store::memory_time.of(machine.name),
+                                  "the latencies of this machine are not known",
                                   "give latency_cycles of every level in a machine file");
         if (!machine.steady.proved) figure.unit += " of unverified latencies";
         return figure;

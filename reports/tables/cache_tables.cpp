@@ -17,9 +17,6 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr store::FigureName misses("caches.{machine}.{level}.misses_per_query"),
-    memory_ns("caches.{machine}.modelled_memory_ns");
-
 struct TitledFigure {
     store::FigureName name;
     const char* title;
@@ -30,7 +27,7 @@ std::vector<std::string> levels_of(const ReportData& data, const std::string& ma
     std::set<std::pair<bool, std::string>> found;
     for (const ReportCell& cell : data.cells) {
         for (const store::FigureRow& figure : cell.figures) {
-            if (const auto level = misses.of(machine).value_in(figure.probe, figure.name))
+            if (const auto level = store::level_misses.of(machine).value_in(figure.probe, figure.name))
                 found.insert({level->find("TLB") != std::string::npos, *level});
         }
     }
@@ -51,7 +48,7 @@ GridCell scaled(const measure::Figure& figure, double unit) {
 
 /// A figure of the probe `caches`; a star where the machine's description marks it as unverified.
 GridCell cache_cell(const ReportCell& cell, const std::string& name) {
-    const measure::Figure figure = cell.figure(misses.probe(), name);
+    const measure::Figure figure = cell.figure(store::level_misses.probe(), name);
     GridCell text = figure_cell(figure);
     if (figure.value && figure.unit.find("unverified") != std::string::npos) text.text += " *";
     return text;
@@ -100,10 +97,10 @@ TextGrid misses_grid(const ReportData& data) {
     for (const std::string& machine : modelled_machines(data)) {
         for (const std::string& level : levels_of(data, machine)) {
             grid.columns.push_back({fmt::format("{} {}", machine, level), true});
-            names.push_back(misses.of(machine, level).name());
+            names.push_back(store::level_misses.of(machine, level).name());
         }
         grid.columns.push_back({machine + " memory, ns", true});
-        names.push_back(memory_ns.of(machine).name());
+        names.push_back(store::memory_time.of(machine).name());
     }
     for (const ReportCell* cell : modelled_cells(data)) {
         std::vector<GridCell> row = naming(*cell);

@@ -17,25 +17,22 @@ struct Column {
     store::FigureName figure;
 };
 
-constexpr store::FigureName requested("heap.{structure}.requested_bytes"),
-    size_classes("heap.{structure}.size_class_bytes"), slack("heap.{structure}.slack_bytes"),
-    resident("heap.{structure}.resident_bytes");
-
-constexpr Column columns[] = {{"minor faults", "counters.minor_faults"},
-                              {"major faults", "counters.major_faults"},
-                              {"context switches", "counters.context_switches"},
-                              {"migrations", "counters.cpu_migrations"},
-                              {"instructions", "counters.instructions"},
-                              {"cycles", "counters.cycles"},
-                              {"branch misses", "counters.branch_misses"},
-                              {"L1D fills", "counters.l1d_fills"},
-                              {"L2 demand misses", "counters.l2_demand_misses"},
-                              {"LLC misses", "counters.llc_misses"},
-                              {"dTLB walks", "counters.dtlb_walks"},
-                              {"table asked for, B", requested.of("table")},
-                              {"size classes, B", size_classes.of("table")},
-                              {"slack, B", slack.of("table")},
-                              {"resident, B", resident.of("table")}};
+constexpr Column columns[] = {
+    {"minor faults", "counters.minor_faults"},
+    {"major faults", "counters.major_faults"},
+    {"context switches", "counters.context_switches"},
+    {"migrations", "counters.cpu_migrations"},
+    {"instructions", "counters.instructions"},
+    {"cycles", "counters.cycles"},
+    {"branch misses", "counters.branch_misses"},
+    {"L1D fills", "counters.l1d_fills"},
+    {"L2 demand misses", "counters.l2_demand_misses"},
+    {"LLC misses", "counters.llc_misses"},
+    {"dTLB walks", "counters.dtlb_walks"},
+    {"table asked for, B", store::FigureName("heap.{structure}.requested_bytes").of("table")},
+    {"size classes, B", store::FigureName("heap.{structure}.size_class_bytes").of("table")},
+    {"slack, B", store::FigureName("heap.{structure}.slack_bytes").of("table")},
+    {"resident, B", store::FigureName("heap.{structure}.resident_bytes").of("table")}};
 
 }  // namespace
 

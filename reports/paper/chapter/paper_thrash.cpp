@@ -62,15 +62,13 @@ std::string answer(const ReportData& data) {
 std::string factor_at(const ReportData& data, const char* machine, bool fastest) {
     const measure::Expected<double> factor = memory_factor(data, machine, fastest),
                                     step = thrash_step(data, 386, fastest),
-                                    time = thrash_figure(
-                                        data, 386, fastest,
-                                        store::FigureName("caches.{machine}.modelled_memory_ns").of(machine));
+                                    time = thrash_figure(data, 386, fastest, store::memory_time.of(machine));
     const std::string speed =
         step.value ? number_text(*step.value) + " rad a step" : (fastest ? "the fastest" : "the slowest");
     if (!factor.value) return fmt::format("at {} {}", speed, missing_text(factor.reason));
     const std::string times =
         std::isfinite(*factor.value) ? "by a factor of " + number_text(*factor.value) : "from none";
-    const auto misses = store::FigureName("caches.{machine}.{level}.misses_per_query").of(machine, "L2");
+    const auto misses = store::level_misses.of(machine, "L2");
     const auto count = [&](int vertices) {
         const measure::Expected<double> found = thrash_figure(data, vertices, fastest, misses);
         return found.value ? number_text(*found.value) : missing_text(found.reason);
@@ -194,7 +192,7 @@ std::string share_text(const measure::Figure& figure, const measure::Figure& bas
 }
 
 std::string layout_text(const ReportCell& cell, const ReportCell& base) {
-    const auto time = store::FigureName("caches.{machine}.modelled_memory_ns").of(old_machines[0]);
+    const auto time = store::memory_time.of(old_machines[0]);
     const auto share = [&](const store::FigureName& name) {
         return share_text(cell.figure(name), base.figure(name));
     };

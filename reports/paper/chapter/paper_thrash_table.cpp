@@ -12,9 +12,6 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr store::FigureName misses("caches.{machine}.{level}.misses_per_query"),
-    memory_ns("caches.{machine}.modelled_memory_ns");
-
 GridCell scaled(const measure::Figure& figure, double unit) {
     return figure.value ? GridCell{number_text(*figure.value / unit)} : figure_cell(figure);
 }
@@ -29,8 +26,9 @@ std::vector<GridCell> row_of(int vertices, double step, const ReportCell& cell) 
                               figure_cell(cell.figure("reuse.lines_per_query")),
                               figure_cell(cell.figure("reuse.pages_per_query"))};
     for (const OldLevel& level : old_levels)
-        row.push_back(figure_cell(cell.figure(misses.of(level.machine, level.level))));
-    for (const char* machine : old_machines) row.push_back(scaled(cell.figure(memory_ns.of(machine)), 1000));
+        row.push_back(figure_cell(cell.figure(store::level_misses.of(level.machine, level.level))));
+    for (const char* machine : old_machines)
+        row.push_back(scaled(cell.figure(store::memory_time.of(machine)), 1000));
     return row;
 }
 

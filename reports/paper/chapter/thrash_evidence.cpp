@@ -17,7 +17,6 @@ namespace edgewise::reports {
 namespace {
 
 constexpr const char *algorithm = "vclip", *table = "aos_f64";
-constexpr store::FigureName memory_ns("caches.{machine}.modelled_memory_ns");
 
 /// The slowest or the fastest of V-Clip's cells; null when there is none.
 const ReportCell* end_cell(const ReportData& data, int vertices, bool fastest) {
@@ -32,7 +31,7 @@ std::string no_cell(int vertices) {
 }
 
 bool gives_the_time(const ReportData& data, const std::string& machine, bool fastest) {
-    const measure::Expected<double> time = thrash_figure(data, 386, fastest, memory_ns.of(machine));
+    const measure::Expected<double> time = thrash_figure(data, 386, fastest, store::memory_time.of(machine));
     return time.value && *time.value >= least_share * papers_growth_ns;
 }
 
@@ -91,7 +90,7 @@ measure::Expected<double> bodies_to_fill(const ReportData& data, int vertices, c
 }
 
 measure::Expected<double> memory_factor(const ReportData& data, const std::string& machine, bool fastest) {
-    const store::FigureName name = memory_ns.of(machine);
+    const store::FigureName name = store::memory_time.of(machine);
     const measure::Expected<double> large = thrash_figure(data, 386, fastest, name),
                                     small = thrash_figure(data, 38, fastest, name);
     if (!large.value) return large;

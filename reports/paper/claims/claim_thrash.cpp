@@ -96,8 +96,7 @@ Evidence thrash_mean(const ReportData& data, int vertices, const std::string& al
 Evidence misses(const ReportData& data, int vertices, const std::string& algorithm,
                 const TimeStepReading& reading, const std::string& machine,
                 const std::string& table = "aos_f64") {
-    return thrash_mean(data, vertices, algorithm, table, reading,
-                       store::FigureName("caches.{machine}.{level}.misses_per_query").of(machine, "L2"));
+    return thrash_mean(data, vertices, algorithm, table, reading, store::level_misses.of(machine, "L2"));
 }
 
 using PartList = std::vector<ClaimPart>;

@@ -81,6 +81,10 @@ inline constexpr QueryTime overlapping_time = {"time.overlapping_ns", "time.over
 inline constexpr QueryTime all_time = {"time.all_ns", "time.all_ns_low", "time.all_ns_high",
                                        "time.all_ratio"};
 
+/// Of modelled caches.
+inline constexpr FigureName level_misses("caches.{machine}.{level}.misses_per_query"),
+    memory_time("caches.{machine}.modelled_memory_ns");
+
 /// Reuse distances of lines and of pages.
 struct ReuseNames {
     const char* units;
