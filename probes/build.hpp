@@ -7,6 +7,7 @@
 
 #include "edgewise/measure/probe.hpp"
 #include "edgewise/measure/statistics.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -23,16 +24,16 @@ class build final : public measure::Probe {
         const std::vector<double> ratios = times.refit_ns.empty()
                                                ? std::vector<double>{}
                                                : measure::paired_ratios(times.refit_ns, times.build_ns);
-        return {of("build_ns", times.build_ns, "ns", "no table was built", "run the sweep again"),
-                of("refit_ns", times.refit_ns, "ns", no_refit, "build a new table"),
-                of("refit_over_build", ratios, "1", no_refit, "build a new table")};
+        return {of("build.build_ns", times.build_ns, "no table was built", "run the sweep again"),
+                of("build.refit_ns", times.refit_ns, no_refit, "build a new table"),
+                of("build.refit_over_build", ratios, no_refit, "build a new table")};
     }
 
   private:
-    static measure::Figure of(const char* name, const std::vector<double>& sample, const char* unit,
+    static measure::Figure of(const store::FigureName& name, const std::vector<double>& sample,
                               const char* reason, const char* remedy) {
-        if (const auto middle = measure::median(sample)) return {name, middle, unit};
-        return {name, std::nullopt, unit, reason, remedy};
+        if (const auto middle = measure::median(sample)) return store::figure(name, middle);
+        return store::no_figure(name, reason, remedy);
     }
 };
 

@@ -12,6 +12,7 @@
 
 #include "edgewise/measure/probe.hpp"
 #include "edgewise/measure/statistics.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -30,9 +31,9 @@ class bytes final : public measure::Probe {
             result.push_back({component.name, component.bytes / edges, "B/edge"});
         }
         result.push_back(paper_slope(subject));
-        result.push_back({"total_bytes_per_edge", table.total / edges, "B/edge"});
-        result.push_back(slope("slope_bytes_per_edge", subject, &measure::TableBytes::total));
-        result.push_back({"table_bytes", table.total, "B"});
+        result.push_back(store::figure("bytes.total_bytes_per_edge", table.total / edges));
+        result.push_back(slope("bytes.slope_bytes_per_edge", subject, &measure::TableBytes::total));
+        result.push_back(store::figure("bytes.table_bytes", table.total));
         return result;
     }
 
@@ -53,13 +54,13 @@ class bytes final : public measure::Probe {
 
     static measure::Figure paper_slope(const measure::Subject& subject) {
         if (subject.table.paper_subtotal > 0) {
-            return slope("paper_bytes_per_edge", subject, &measure::TableBytes::paper_subtotal);
+            return slope("bytes.paper_bytes_per_edge", subject, &measure::TableBytes::paper_subtotal);
         }
-        return {"paper_bytes_per_edge", std::nullopt, "B/edge", "this table stores no Voronoi planes",
-                "choose a layout and an algorithm that store them, such as aos with vclip"};
+        return store::no_figure("bytes.paper_bytes_per_edge", "this table stores no Voronoi planes",
+                                "choose a layout and an algorithm that store them, such as aos with vclip");
     }
 
-    static measure::Figure slope(const char* name, const measure::Subject& subject,
+    static measure::Figure slope(const store::FigureName& name, const measure::Subject& subject,
                                  double measure::TableBytes::*quantity) {
         std::vector<double> edges, sizes;
         const int wanted = std::min(widths_of(subject.table.vertices), widest(subject));
@@ -69,8 +70,8 @@ class bytes final : public measure::Probe {
             sizes.push_back(table.*quantity);
         }
         const auto line = measure::least_squares(edges, sizes);
-        if (line) return {name, line->slope, "B/edge"};
-        return {name, std::nullopt, "B/edge", "no family of bodies to fit a slope over", ""};
+        if (line) return store::figure(name, line->slope);
+        return store::no_figure(name, "no family of bodies to fit a slope over", "");
     }
 };
 

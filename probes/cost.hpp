@@ -6,6 +6,7 @@
 #pragma once
 
 #include "edgewise/measure/probe.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -18,22 +19,22 @@ class cost final : public measure::Probe {
 
     [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
         const measure::StepCosts& costs = subject.costs;
-        if (costs.steps == 0) return {{"step_ns", std::nullopt, "ns", costs.reason, costs.remedy}};
+        if (costs.steps == 0) return {store::no_figure("cost.step_ns", costs.reason, costs.remedy)};
         return {
-            {"steps", static_cast<double>(costs.steps), "steps"},
-            {"bodies", costs.bodies, "bodies"},
-            {"pairs_per_step", costs.pairs, "pairs"},
-            {"all_pairs", costs.bodies * (costs.bodies - 1) / 2, "pairs"},
-            {"box_tests_per_step", costs.box_tests, "tests"},
-            {"moves_per_step", costs.moves, "moves"},
-            {"update_ns", costs.update_ns, "ns"},
-            {"box_test_ns", costs.box_test_ns, "ns"},
-            {"pair_ns", costs.pair_ns, "ns"},
-            {"step_ns", costs.step_ns, "ns"},
-            {"equation_1_ns", costs.equation_1(), "ns"},
-            {"equation_2_ns", costs.equation_2(), "ns"},
-            {"equation_1_ratio", costs.equation_1() / costs.step_ns, "1"},
-            {"equation_2_ratio", costs.equation_2() / costs.step_ns, "1"},
+            store::figure("cost.steps", static_cast<double>(costs.steps)),
+            store::figure("cost.bodies", costs.bodies),
+            store::figure("cost.pairs_per_step", costs.pairs),
+            store::figure("cost.all_pairs", costs.bodies * (costs.bodies - 1) / 2),
+            store::figure("cost.box_tests_per_step", costs.box_tests),
+            store::figure("cost.moves_per_step", costs.moves),
+            store::figure("cost.update_ns", costs.update_ns),
+            store::figure("cost.box_test_ns", costs.box_test_ns),
+            store::figure("cost.pair_ns", costs.pair_ns),
+            store::figure("cost.step_ns", costs.step_ns),
+            store::figure("cost.equation_1_ns", costs.equation_1()),
+            store::figure("cost.equation_2_ns", costs.equation_2()),
+            store::figure("cost.equation_1_ratio", costs.equation_1() / costs.step_ns),
+            store::figure("cost.equation_2_ratio", costs.equation_2() / costs.step_ns),
         };
     }
 };

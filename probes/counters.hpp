@@ -6,6 +6,7 @@
 #pragma once
 
 #include "edgewise/measure/probe.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -22,7 +23,8 @@ class counters final : public measure::Probe {
             all.push_back(
                 {record.event, record.value, record.unit, record.refusal.reason, record.refusal.remedy});
         if (all.empty())
-            all.push_back({"instructions", std::nullopt, "1", "no pass was counted", "sweep the cell again"});
+            all.push_back(
+                store::no_figure("counters.instructions", "no pass was counted", "sweep the cell again"));
         return all;
     }
 };

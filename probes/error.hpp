@@ -10,6 +10,7 @@
 
 #include "edgewise/measure/probe.hpp"
 #include "edgewise/measure/statistics.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -31,22 +32,22 @@ class error final : public measure::Probe {
         const double checked = static_cast<double>(subject.checked.size());
         const measure::AnswerCounts& counts = subject.counts;
         std::vector<measure::Figure> all = {
-            {"checked", checked, "queries"},
-            worst("worst_error_stored", subject, &measure::CheckedAnswer::error_stored),
-            worst("worst_error_given", subject, &measure::CheckedAnswer::error_given),
-            at_quantile("p99_error_stored", subject, &measure::CheckedAnswer::error_stored, 0.99),
-            worst("witness_error", subject, &measure::CheckedAnswer::witness_error),
-            {"wrong_verdicts", count([](Answer a) { return a.verdict_wrong; }), "queries"},
-            {"verdicts_in_band", count([](Answer a) { return a.in_band; }), "queries"},
-            {"separated", separated, "queries"},
-            {"touching", touching, "queries"},
-            {"overlapping", checked - separated - touching, "queries"},
-            {"fallbacks", static_cast<double>(counts.fallbacks), "queries"},
-            {"refinements", static_cast<double>(counts.refinements), "queries"},
-            {"escapes", static_cast<double>(counts.escapes), "escapes"},
-            {"cycles", static_cast<double>(counts.cycles), "queries"},
+            store::figure("error.checked", checked),
+            worst("error.worst_error_stored", subject, &measure::CheckedAnswer::error_stored),
+            worst("error.worst_error_given", subject, &measure::CheckedAnswer::error_given),
+            at_quantile("error.p99_error_stored", subject, &measure::CheckedAnswer::error_stored, 0.99),
+            worst("error.witness_error", subject, &measure::CheckedAnswer::witness_error),
+            store::figure("error.wrong_verdicts", count([](Answer a) { return a.verdict_wrong; })),
+            store::figure("error.verdicts_in_band", count([](Answer a) { return a.in_band; })),
+            store::figure("error.separated", separated),
+            store::figure("error.touching", touching),
+            store::figure("error.overlapping", checked - separated - touching),
+            store::figure("error.fallbacks", static_cast<double>(counts.fallbacks)),
+            store::figure("error.refinements", static_cast<double>(counts.refinements)),
+            store::figure("error.escapes", static_cast<double>(counts.escapes)),
+            store::figure("error.cycles", static_cast<double>(counts.cycles)),
             mean_steps(counts),
-            {"max_steps", static_cast<double>(counts.max_steps), "steps"},
+            store::figure("error.max_steps", static_cast<double>(counts.max_steps)),
         };
         add_control(subject, all);
         return all;
@@ -62,14 +63,14 @@ class error final : public measure::Probe {
             disagrees += *answer.control_disagrees;
             outside += *answer.control_disagrees && !answer.in_band;
         }
-        const auto add = [&](const char* name, double count) {
-            if (asked > 0) return all.push_back({name, count, "queries"});
-            all.push_back({name, std::nullopt, "queries", "the control was not asked",
-                           "a plan with control, such as paper"});
+        const auto add = [&](const store::FigureName& name, double count) {
+            if (asked > 0) return all.push_back(store::figure(name, count));
+            all.push_back(
+                store::no_figure(name, "the control was not asked", "a plan with control, such as paper"));
         };
-        add("control_checked", asked);
-        add("control_disagreements", disagrees);
-        add("control_disagreements_outside_band", outside);
+        add("error.control_checked", asked);
+        add("error.control_disagreements", disagrees);
+        add("error.control_disagreements_outside_band", outside);
     }
 
     static std::vector<double> column(const measure::Subject& subject,
@@ -79,22 +80,22 @@ class error final : public measure::Probe {
         return result;
     }
 
-    static measure::Figure worst(const char* name, const measure::Subject& subject,
+    static measure::Figure worst(const store::FigureName& name, const measure::Subject& subject,
                                  double measure::CheckedAnswer::*error) {
         return at_quantile(name, subject, error, 1.0);
     }
 
-    static measure::Figure at_quantile(const char* name, const measure::Subject& subject,
+    static measure::Figure at_quantile(const store::FigureName& name, const measure::Subject& subject,
                                        double measure::CheckedAnswer::*error, double p) {
         const auto value = measure::quantile(column(subject, error), p);
-        if (value) return {name, value, "scale"};
-        return {name, std::nullopt, "scale", "no query was checked", "check more queries"};
+        if (value) return store::figure(name, value);
+        return store::no_figure(name, "no query was checked", "check more queries");
     }
 
     static measure::Figure mean_steps(const measure::AnswerCounts& counts) {
-        if (counts.queries == 0) return {"mean_steps", std::nullopt, "steps", "no query was asked", ""};
-        return {"mean_steps", static_cast<double>(counts.steps) / static_cast<double>(counts.queries),
-                "steps"};
+        constexpr store::FigureName name("error.mean_steps");
+        if (counts.queries == 0) return store::no_figure(name, "no query was asked", "");
+        return store::figure(name, static_cast<double>(counts.steps) / static_cast<double>(counts.queries));
     }
 };
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "edgewise/measure/probe.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -18,18 +19,21 @@ class heap final : public measure::Probe {
     [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
         const measure::HeapUse& use = subject.heap;
         if (use.structures.empty()) {
-            return {{"table.requested_bytes", std::nullopt, "B",
-                     use.reason.empty() ? "no structure was built in the heap" : use.reason,
-                     use.remedy.empty() ? "sweep the cell again" : use.remedy}};
+            return {store::no_figure(store::FigureName("heap.{structure}.requested_bytes").of("table"),
+                                     use.reason.empty() ? "no structure was built in the heap" : use.reason,
+                                     use.remedy.empty() ? "sweep the cell again" : use.remedy)};
         }
         std::vector<measure::Figure> all;
         for (const measure::HeapStructure& structure : use.structures) {
             const auto requested = static_cast<double>(structure.requested),
                        classes = static_cast<double>(structure.size_classes);
-            all.push_back({structure.name + ".requested_bytes", requested, "B"});
-            all.push_back({structure.name + ".size_class_bytes", classes, "B"});
-            all.push_back({structure.name + ".slack_bytes", classes - requested, "B"});
-            all.push_back({structure.name + ".resident_bytes", static_cast<double>(structure.resident), "B"});
+            const auto add = [&](const store::FigureName& name, double bytes) {
+                all.push_back(store::figure(name.of(structure.name), bytes));
+            };
+            add("heap.{structure}.requested_bytes", requested);
+            add("heap.{structure}.size_class_bytes", classes);
+            add("heap.{structure}.slack_bytes", classes - requested);
+            add("heap.{structure}.resident_bytes", static_cast<double>(structure.resident));
         }
         return all;
     }

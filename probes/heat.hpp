@@ -5,6 +5,7 @@
 #pragma once
 
 #include "edgewise/measure/probe.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -17,35 +18,36 @@ class heat final : public measure::Probe {
 
     [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
         const measure::SceneTrace& trace = *subject.trace;
-        if (!trace.traced()) return {{"touched_part", std::nullopt, "1", trace.reason, trace.remedy}};
+        if (!trace.traced()) return {store::no_figure("heat.touched_part", trace.reason, trace.remedy)};
         const measure::SceneHeat& found = trace.heat;
         const measure::TouchedTables& tables = found.tables;
         std::vector<measure::Figure> all = {
-            {"touched_part", static_cast<double>(tables.bytes) / static_cast<double>(tables.of_bytes), "1"},
-            {"touched_bytes", static_cast<double>(tables.bytes), "B"},
-            {"lines_of_half_the_accesses", static_cast<double>(found.lines_of_half), "lines"},
-            {"lines_of_most_accesses", static_cast<double>(found.lines_of_most), "lines"},
-            {"lines", static_cast<double>(found.lines), "lines"},
-            feature("touched_vertices", tables.vertices, "vertices"),
-            feature("touched_edges", tables.edges, "edges"),
-            feature("touched_faces", tables.faces, "faces")};
+            store::figure("heat.touched_part",
+                          static_cast<double>(tables.bytes) / static_cast<double>(tables.of_bytes)),
+            store::figure("heat.touched_bytes", static_cast<double>(tables.bytes)),
+            store::figure("heat.lines_of_half_the_accesses", static_cast<double>(found.lines_of_half)),
+            store::figure("heat.lines_of_most_accesses", static_cast<double>(found.lines_of_most)),
+            store::figure("heat.lines", static_cast<double>(found.lines)),
+            feature("heat.touched_vertices", tables.vertices, "vertices"),
+            feature("heat.touched_edges", tables.edges, "edges"),
+            feature("heat.touched_faces", tables.faces, "faces")};
         for (const auto& [component, part] : tables.by_component)
-            all.push_back({"touched_" + component, part, "1"});
+            all.push_back(store::figure(store::FigureName("heat.touched_{component}").of(component), part));
         for (std::size_t i = 0; i < trace.fields.size(); ++i) {
             if (found.by_field[i] == 0) continue;
-            all.push_back({"accesses." + std::string(trace.fields[i]),
-                           static_cast<double>(found.by_field[i]) / static_cast<double>(found.queries),
-                           "accesses"});
+            all.push_back(
+                store::figure(store::FigureName("heat.accesses.{field}").of(trace.fields[i]),
+                              static_cast<double>(found.by_field[i]) / static_cast<double>(found.queries)));
         }
         return all;
     }
 
   private:
-    static measure::Figure feature(const char* name, const std::optional<double>& part,
+    static measure::Figure feature(const store::FigureName& name, const std::optional<double>& part,
                                    const std::string& features) {
-        if (part) return {name, part, "1"};
-        return {name, std::nullopt, "1", "the layout stores nothing for " + features + " one by one",
-                "a layout that does"};
+        if (part) return store::figure(name, part);
+        return store::no_figure(name, "the layout stores nothing for " + features + " one by one",
+                                "a layout that does");
     }
 };
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "edgewise/measure/probe.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -18,21 +19,19 @@ class lines final : public measure::Probe {
 
     [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
         const measure::LinesTouched& touched = subject.touched;
-        const auto mean = [&](const char* name, double sum, const char* unit) {
+        const auto mean = [&](const store::FigureName& name, double sum) {
             if (touched.queries == 0)
-                return measure::Figure{name, std::nullopt, unit, "no query was traced",
-                                       "ask for more queries"};
+                return store::no_figure(name, "no query was traced", "ask for more queries");
             if (touched.reads == 0)
-                return measure::Figure{name, std::nullopt, unit,
-                                       "the layout does not tell its loader what it reads",
-                                       "read through the loader"};
-            return measure::Figure{name, sum / static_cast<double>(touched.queries), unit};
+                return store::no_figure(name, "the layout does not tell its loader what it reads",
+                                        "read through the loader");
+            return store::figure(name, sum / static_cast<double>(touched.queries));
         };
         const auto touched_lines = static_cast<double>(touched.lines);
-        return {mean("lines_per_query", touched_lines, "lines"),
-                mean("line_bytes_per_query", touched_lines * static_cast<double>(measure::cache_line), "B"),
-                mean("read_bytes_per_query", static_cast<double>(touched.bytes), "B"),
-                mean("reads_per_query", static_cast<double>(touched.reads), "reads")};
+        return {mean("lines.lines_per_query", touched_lines),
+                mean("lines.line_bytes_per_query", touched_lines * static_cast<double>(measure::cache_line)),
+                mean("lines.read_bytes_per_query", static_cast<double>(touched.bytes)),
+                mean("lines.reads_per_query", static_cast<double>(touched.reads))};
     }
 };
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "edgewise/measure/probe.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -18,15 +19,14 @@ class memory final : public measure::Probe {
     [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
         const measure::MemoryUse& use = subject.memory;
         const measure::Figure resident =
-            use.resident ? measure::Figure{"resident_bytes", use.resident, "B"}
-                         : measure::Figure{"resident_bytes", std::nullopt, "B",
-                                           "this allocator's pages cannot be told from other memory",
-                                           "allocator=arena"};
-        return {{"tables", static_cast<double>(use.tables), "tables"},
-                {"requested_bytes", use.requested, "B"},
-                {"taken_bytes", use.taken, "B"},
-                resident,
-                {"materialised", use.materialised, "1"}};
+            use.resident ? store::figure("memory.resident_bytes", use.resident)
+                         : store::no_figure("memory.resident_bytes",
+                                            "this allocator's pages cannot be told from other memory",
+                                            "allocator=arena");
+        return {store::figure("memory.tables", static_cast<double>(use.tables)),
+                store::figure("memory.requested_bytes", use.requested),
+                store::figure("memory.taken_bytes", use.taken), resident,
+                store::figure("memory.materialised", use.materialised)};
     }
 };
 

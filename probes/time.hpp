@@ -6,6 +6,7 @@
 
 #include "edgewise/measure/probe.hpp"
 #include "edgewise/measure/statistics.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -18,64 +19,39 @@ class time final : public measure::Probe {
 
     [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
         std::vector<measure::Figure> result;
-        add(result, "separated", subject, &measure::Timing::separated_ns,
-            &measure::Timing::separated_queries);
-        add(result, "overlapping", subject, &measure::Timing::overlapping_ns,
-            &measure::Timing::overlapping_queries);
-        add_all(result, subject);
-        result.push_back({"rounds", static_cast<double>(subject.rounds.size()), "rounds"});
+        add(result, store::separated_time, subject, &measure::Timing::separated,
+            "the cell has no separated pair");
+        add(result, store::overlapping_time, subject, &measure::Timing::overlapping,
+            "the cell has no overlapping pair");
+        add(result, store::all_time, subject, &measure::Timing::all, "no query was timed");
+        result.push_back(store::figure("time.rounds", static_cast<double>(subject.rounds.size())));
         return result;
     }
 
   private:
-    static double queries(const measure::Timing& timing) {
-        return static_cast<double>(timing.separated_queries + timing.overlapping_queries);
-    }
-
-    /// Pairs of both kinds as they come, as the paper has them.
-    static void add_all(std::vector<measure::Figure>& result, const measure::Subject& subject) {
+    /// `none`: why no round has such queries.
+    static void add(std::vector<measure::Figure>& result, const store::QueryTime& names,
+                    const measure::Subject& subject, measure::PerQuery per_query, const char* none) {
         std::vector<double> each, baseline;
         for (const measure::Round& round : subject.rounds) {
-            const double timed = queries(round.timing), beside = queries(round.baseline);
-            if (timed == 0 || beside == 0) continue;
-            each.push_back((round.timing.separated_ns + round.timing.overlapping_ns) / timed);
-            baseline.push_back((round.baseline.separated_ns + round.baseline.overlapping_ns) / beside);
+            const auto own = (round.timing.*per_query)(), beside = (round.baseline.*per_query)();
+            if (!own || !beside) continue;
+            each.push_back(*own);
+            baseline.push_back(*beside);
         }
-        add_times(result, "all", each, baseline,
-                  subject.rounds.empty() ? "no round was timed" : "no query was timed");
-    }
-
-    using Total = double measure::Timing::*;
-    using Count = std::uint64_t measure::Timing::*;
-
-    static void add(std::vector<measure::Figure>& result, const std::string& kind,
-                    const measure::Subject& subject, Total total, Count count) {
-        std::vector<double> each, baseline;
-        for (const measure::Round& round : subject.rounds) {
-            if (round.timing.*count == 0 || round.baseline.*count == 0) continue;
-            each.push_back(round.timing.*total / static_cast<double>(round.timing.*count));
-            baseline.push_back(round.baseline.*total / static_cast<double>(round.baseline.*count));
-        }
-        add_times(result, kind, each, baseline,
-                  subject.rounds.empty() ? "no round was timed" : "the cell has no " + kind + " pair");
-    }
-
-    /// `none`: why there is no time at all.
-    static void add_times(std::vector<measure::Figure>& result, const std::string& kind,
-                          const std::vector<double>& each, const std::vector<double>& baseline,
-                          const std::string& none) {
-        const std::string reason = each.empty() ? none : "too few rounds for an interval";
+        const std::string reason = subject.rounds.empty() ? "no round was timed"
+                                   : each.empty()         ? none
+                                                          : "too few rounds for an interval";
         const std::string remedy =
             each.empty() ? "ask for more queries, or run the sweep again: it resumes" : "ask for more rounds";
-        const auto figure = [&](const std::string& name, std::optional<double> value, const char* unit) {
-            result.push_back(value ? measure::Figure{kind + name, value, unit}
-                                   : measure::Figure{kind + name, std::nullopt, unit, reason, remedy});
+        const auto figure = [&](const store::FigureName& name, std::optional<double> value) {
+            result.push_back(value ? store::figure(name, value) : store::no_figure(name, reason, remedy));
         };
         const auto interval = measure::bootstrap_median(each);
-        figure("_ns", measure::median(each), "ns");
-        figure("_ns_low", interval ? std::optional(interval->lower) : std::nullopt, "ns");
-        figure("_ns_high", interval ? std::optional(interval->upper) : std::nullopt, "ns");
-        figure("_ratio", measure::median(measure::paired_ratios(each, baseline)), "1");
+        figure(names.ns, measure::median(each));
+        figure(names.low, interval ? std::optional(interval->lower) : std::nullopt);
+        figure(names.high, interval ? std::optional(interval->upper) : std::nullopt);
+        figure(names.ratio, measure::median(measure::paired_ratios(each, baseline)));
     }
 };
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "edgewise/measure/probe.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
@@ -19,33 +20,34 @@ class work final : public measure::Probe {
     [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
         const measure::AlgorithmWork& inside = subject.work;
         std::vector<measure::Figure> all = {
-            share("unchanged", subject.counts.unchanged, subject.counts.warm, "no query starts warm")};
+            share("work.unchanged", subject.counts.unchanged, subject.counts.warm, "no query starts warm")};
         if (inside.queries == 0) {
-            all.push_back({"support_unchanged", std::nullopt, "1", inside.reason, inside.remedy});
+            all.push_back(store::no_figure("work.support_unchanged", inside.reason, inside.remedy));
             return all;
         }
         const char* const cold = "no query starts warm";
         const char* const scanned =
             "bodies this small, or all but flat at their edges, are scanned, not climbed";
-        all.push_back(share("support_unchanged", inside.kept, inside.kept_of, cold));
-        all.push_back(share("support_near", inside.near, inside.kept_of, cold));
-        all.push_back(share("hops_per_support", inside.hops, inside.supports, scanned));
-        all.push_back(share("vertices_per_support", inside.vertices, inside.supports, scanned));
-        all.push_back(share("subsets_tried", inside.subsets_tried, inside.sub_distances, "none was asked"));
+        all.push_back(share("work.support_unchanged", inside.kept, inside.kept_of, cold));
+        all.push_back(share("work.support_near", inside.near, inside.kept_of, cold));
+        all.push_back(share("work.hops_per_support", inside.hops, inside.supports, scanned));
+        all.push_back(share("work.vertices_per_support", inside.vertices, inside.supports, scanned));
+        all.push_back(
+            share("work.subsets_tried", inside.subsets_tried, inside.sub_distances, "none was asked"));
         for (std::size_t i = 0; i < inside.accepted.size(); ++i)
-            all.push_back(share("accepted_" + std::to_string(i + 1), inside.accepted[i], inside.sub_distances,
-                                "none was asked"));
-        all.push_back(share("features_agree", inside.same_features, inside.compared,
+            all.push_back(share(store::FigureName("work.accepted_{number}").of(std::to_string(i + 1)),
+                                inside.accepted[i], inside.sub_distances, "none was asked"));
+        all.push_back(share("work.features_agree", inside.same_features, inside.compared,
                             "no checked query is separated, or the layout does not serve V-Clip"));
         return all;
     }
 
   private:
     /// Part over whole, or why there is no such thing.
-    static measure::Figure share(std::string name, std::uint64_t part, std::uint64_t whole,
+    static measure::Figure share(const store::FigureName& name, std::uint64_t part, std::uint64_t whole,
                                  const char* reason) {
-        if (whole == 0) return {std::move(name), std::nullopt, "1", reason, "another scene"};
-        return {std::move(name), static_cast<double>(part) / static_cast<double>(whole), "1"};
+        if (whole == 0) return store::no_figure(name, reason, "another scene");
+        return store::figure(name, static_cast<double>(part) / static_cast<double>(whole));
     }
 };
 

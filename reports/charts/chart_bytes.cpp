@@ -28,7 +28,7 @@ ChartJson component_rows(const ReportData& data, const std::vector<std::string>&
         if (!cell.verified()) continue;
         if (!seen.insert(cell.algorithm + '\n' + cell.table + '\n' + cell.shape).second) continue;
         for (std::size_t i = 0; i < components.size(); ++i) {
-            const StoredFigure figure = cell.figure("bytes", components[i]);
+            const measure::Figure figure = cell.figure("bytes", components[i]);
             if (!figure.value) {
                 omitted.add(in_words(components[i]) + ": " + figure.reason);
                 continue;

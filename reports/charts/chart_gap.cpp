@@ -30,7 +30,7 @@ using Samples = std::map<std::tuple<std::string, std::string, std::string>, std:
 
 ChartJson values_of(const ReportData& data) {
     Samples samples;
-    for (const StabilityFigure& figure : stability_figures(data, "ns_at_"))
+    for (const StabilityFigure& figure : stability_figures(data, "stability.ns_at_{gap}"))
         samples[{figure.row->algorithm, figure.row->table, figure.at}].push_back(figure.value);
     ChartJson values = ChartJson::array();
     for (const auto& [key, sample] : samples) {

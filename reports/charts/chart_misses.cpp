@@ -2,6 +2,8 @@
 //
 // Misses a query against the size of a cache, from exact reuse distances: one line an algorithm x table type,
 // a row of panels a scene; lines of 64 bytes left, pages of 4 KiB right.
+#include <cmath>
+
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/tables.hpp"
@@ -10,23 +12,16 @@ namespace edgewise::reports {
 
 namespace {
 
-/// "line_misses_at_2^15" -> 2^15; nothing for other figures.
-std::optional<double> size_of(const std::string& name, const std::string& unit) {
-    const std::string prefix = unit + "_misses_at_2^";
-    if (!name.starts_with(prefix)) return std::nullopt;
-    return static_cast<double>(std::uint64_t{1} << std::stoi(name.substr(prefix.size())));
-}
-
 ChartJson values_of(const ReportData& data) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : modelled_cells(data)) {
-        for (const StoredFigure& figure : cell->figures) {
-            for (const char* unit : {"line", "page"}) {
-                const auto bytes = size_of(figure.name, unit);
-                if (figure.probe != "reuse" || !bytes || !figure.value) continue;
+        for (const store::FigureRow& figure : cell->figures) {
+            for (const store::ReuseNames& family : store::reuse_names) {
+                const auto power = family.misses.value_in(figure.probe, figure.name);
+                if (!power || !figure.value) continue;
                 ChartJson row = cell_json(*cell);
-                row["unit"] = std::string(unit) + "s";
-                row["bytes"] = *bytes;
+                row["unit"] = family.units;
+                row["bytes"] = std::ldexp(1.0, std::stoi(*power));
                 row["misses"] = *figure.value;
                 values.push_back(std::move(row));
             }

@@ -14,7 +14,7 @@ namespace edgewise::reports {
 namespace {
 
 void add_row(const ReportCell& cell, PairKind kind, ChartJson& values, Omissions& omitted) {
-    const StoredFigure ratio = cell.figure("time", pair_name(kind) + "_ratio");
+    const measure::Figure ratio = cell.figure(times_of(kind).ratio);
     if (!ratio.value || *ratio.value <= 0) {
         omitted.add(pair_name(kind) +
                     " pairs: " + (ratio.value ? "a ratio of 0 has no logarithm" : ratio.reason));

@@ -15,8 +15,8 @@ namespace edgewise::reports {
 namespace {
 
 void add_row(const ReportCell& cell, ChartJson& values, Omissions& omitted) {
-    const StoredFigure ns = cell.figure("time", "separated_ns");
-    const StoredFigure error = cell.figure("error", "worst_error_given");
+    const measure::Figure ns = cell.figure("time.separated_ns");
+    const measure::Figure error = cell.figure("error.worst_error_given");
     if (!ns.value || *ns.value <= 0) {
         omitted.add("time: " + (ns.value ? "a time of 0 has no place on a logarithmic axis" : ns.reason));
     } else if (!error.value) {

@@ -14,7 +14,7 @@ namespace {
 
 void add_row(const ReportCell& cell, PairKind kind, ChartJson& values, Omissions& omitted) {
     const std::string pairs = pair_name(kind);
-    const StoredFigure ns = cell.figure("time", pairs + "_ns");
+    const measure::Figure ns = cell.figure(times_of(kind).ns);
     if (!ns.value || *ns.value <= 0) {
         omitted.add(pairs +
                     " pairs: " + (ns.value ? "a time of 0 has no place on a logarithmic axis" : ns.reason));
@@ -25,8 +25,7 @@ void add_row(const ReportCell& cell, PairKind kind, ChartJson& values, Omissions
     // Sizes of one family are joined by a line; a mesh is a point of its own.
     row["family"] = cell.shape_source == "built-in";
     row["ns"] = *ns.value;
-    const StoredFigure low = cell.figure("time", pairs + "_ns_low"),
-                       high = cell.figure("time", pairs + "_ns_high");
+    const measure::Figure low = cell.figure(times_of(kind).low), high = cell.figure(times_of(kind).high);
     row["low"] = low.value && *low.value > 0 ? *low.value : *ns.value;
     row["high"] = high.value && *high.value > 0 ? *high.value : *ns.value;
     values.push_back(std::move(row));

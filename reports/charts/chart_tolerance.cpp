@@ -24,10 +24,10 @@ using Sums = std::map<std::tuple<std::string, std::string, double>, Sum>;
 
 Sums sums_of(const ReportData& data) {
     Sums sums;
-    for (const StabilityFigure& figure : stability_figures(data, "failures_at_")) {
+    for (const StabilityFigure& figure : stability_figures(data, "stability.failures_at_{tolerance}")) {
         Sum& sum = sums[{figure.row->algorithm, figure.row->table, std::stod(figure.at)}];
         sum.failures += figure.value;
-        sum.cases += figure.row->figure("stability", "cases").value.value_or(0);
+        sum.cases += figure.row->figure("stability.cases").value.value_or(0);
     }
     return sums;
 }

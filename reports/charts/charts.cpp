@@ -182,12 +182,12 @@ TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fiel
     return grid;
 }
 
-std::vector<StabilityFigure> stability_figures(const ReportData& data, const std::string& prefix) {
+std::vector<StabilityFigure> stability_figures(const ReportData& data, const store::FigureName& family) {
     std::vector<StabilityFigure> result;
     for (const ReportCell& row : data.stability) {
-        for (const StoredFigure& figure : row.figures) {
-            if (!figure.value || figure.name.rfind(prefix, 0) != 0) continue;
-            result.push_back({&row, figure.name.substr(prefix.size()), *figure.value});
+        for (const store::FigureRow& figure : row.figures) {
+            const auto at = family.value_in(figure.probe, figure.name);
+            if (at && figure.value) result.push_back({&row, *at, *figure.value});
         }
     }
     return result;

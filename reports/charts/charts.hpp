@@ -41,14 +41,14 @@ inline constexpr std::size_t mark_limit = 20000;
 
 /// What names a cell in every chart's data.
 [[nodiscard]] ChartJson cell_json(const ReportCell& cell);
-/// One stored figure of the stability run whose name begins with a prefix.
+/// One stored figure of a family of the stability run.
 struct StabilityFigure {
     const ReportCell* row;
-    std::string at;  ///< the rest of its name
+    std::string at;  ///< what its name has for the braces
     double value;
 };
 [[nodiscard]] std::vector<StabilityFigure> stability_figures(const ReportData& data,
-                                                             const std::string& prefix);
+                                                             const store::FigureName& family);
 /// What names an algorithm on a table type.
 [[nodiscard]] ChartJson table_json(const ReportData& data, const std::string& algorithm,
                                    const std::string& table);

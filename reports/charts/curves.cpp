@@ -109,8 +109,8 @@ ChartJson curve_json(const ReportCell& cell) {
     return row;
 }
 
-ChartJson timed_row(const ReportCell& cell, const std::string& time, Omissions& omitted) {
-    const StoredFigure ns = cell.figure("time", time + "_ns");
+ChartJson timed_row(const ReportCell& cell, const store::QueryTime& time, Omissions& omitted) {
+    const measure::Figure ns = cell.figure(time.ns);
     if (!cell.verified() || !ns.value || *ns.value <= 0) {
         omitted.add(!cell.verified() ? fmt::format("the cell is {}: {}", cell.status, cell.reason)
                     : ns.value       ? "a time of 0"
@@ -119,8 +119,7 @@ ChartJson timed_row(const ReportCell& cell, const std::string& time, Omissions& 
     }
     ChartJson row = curve_json(cell);
     row["ns"] = *ns.value;
-    const StoredFigure low = cell.figure("time", time + "_ns_low"),
-                       high = cell.figure("time", time + "_ns_high");
+    const measure::Figure low = cell.figure(time.low), high = cell.figure(time.high);
     row["low"] = low.value && *low.value > 0 ? *low.value : *ns.value;
     row["high"] = high.value && *high.value > 0 ? *high.value : *ns.value;
     return row;

@@ -30,7 +30,7 @@ struct Curves {
 /// is a point that no line goes through; one that sets `apart` is a larger one.
 [[nodiscard]] ChartJson curve_json(const ReportCell& cell);
 /// A row with a time and its interval in `y`, `low`, `high`; null, and counted, when it was not measured.
-[[nodiscard]] ChartJson timed_row(const ReportCell& cell, const std::string& time, Omissions& omitted);
+[[nodiscard]] ChartJson timed_row(const ReportCell& cell, const store::QueryTime& time, Omissions& omitted);
 /// The layers, without data: for one panel, or as the `spec` of facets.
 [[nodiscard]] ChartJson curve_layers(const ReportData& data, const ChartJson& values, const Curves& curves);
 /// A whole specification of one panel.

@@ -47,7 +47,7 @@ std::vector<std::string> cell_fields(const ReportData& data, const ReportCell& c
             cell.reason};
 }
 
-std::vector<std::string> figure_fields(const StoredFigure& figure) {
+std::vector<std::string> figure_fields(const store::FigureRow& figure) {
     return {figure.probe,
             figure.name,
             figure.value ? "measured" : "not measured",
@@ -59,9 +59,9 @@ std::vector<std::string> figure_fields(const StoredFigure& figure) {
 
 std::string rows_of(const ReportData& data, const ReportCell& cell) {
     std::string out;
-    std::vector<StoredFigure> figures = cell.figures;
-    if (figures.empty()) figures.push_back({"", "", std::nullopt, "", "no figure is stored", ""});
-    for (const StoredFigure& figure : figures) {
+    std::vector<store::FigureRow> figures = cell.figures;
+    if (figures.empty()) figures.push_back({{"", std::nullopt, "", "no figure is stored"}, ""});
+    for (const store::FigureRow& figure : figures) {
         std::vector<std::string> fields = cell_fields(data, cell);
         const std::vector<std::string> rest = figure_fields(figure);
         fields.insert(fields.end(), rest.begin(), rest.end());

@@ -36,7 +36,7 @@ std::string caches_markdown(const ReportData& data) {
     for (const std::string& machine : modelled_machines(data)) {
         out += grid_markdown(causes_grid(data, machine));
         for (const std::string& level : broken_down_levels(data, machine)) {
-            for (const char* by : {"field.", "step."})
+            for (const store::FigureName& by : {misses_by_field, misses_by_step})
                 out += grid_markdown(breakdown_grid(data, machine, level, by));
         }
     }

@@ -111,7 +111,7 @@ std::string caches_html(const ReportData& data) {
     for (const std::string& machine : modelled_machines(data)) {
         std::string inside = grid_html(causes_grid(data, machine));
         for (const std::string& level : broken_down_levels(data, machine)) {
-            for (const char* by : {"field.", "step."})
+            for (const store::FigureName& by : {misses_by_field, misses_by_step})
                 inside += grid_html(breakdown_grid(data, machine, level, by));
         }
         out += html_folded(machine + ": why, what and where", inside);

@@ -87,7 +87,7 @@ std::string cache_explanation(const ReportData& data) {
 std::string counter_explanation(const ReportData& data) {
     std::string why;
     for (const ReportCell& cell : data.cells) {
-        const StoredFigure figure = cell.figure("counters", "instructions");
+        const measure::Figure figure = cell.figure("counters.instructions");
         if (!cell.verified() || figure.value) continue;
         why = " Not counted here: " + figure.reason + ".";
         break;

@@ -12,7 +12,7 @@ namespace edgewise::reports {
 
 namespace {
 
-bool is_component(const StoredFigure& figure) {
+bool is_component(const store::FigureRow& figure) {
     const std::string suffix = "_bytes_per_edge";
     const bool total = figure.name.size() >= suffix.size() &&
                        figure.name.compare(figure.name.size() - suffix.size(), suffix.size(), suffix) == 0;
@@ -31,9 +31,10 @@ std::vector<GridCell> bytes_row(const ReportCell& cell, const std::vector<std::s
     row.push_back({cell.algorithm});
     row.push_back({cell.table});
     for (const std::string& name : components) row.push_back(figure_cell(cell.figure("bytes", name)));
-    for (const char* name :
-         {"total_bytes_per_edge", "paper_bytes_per_edge", "slope_bytes_per_edge", "table_bytes"})
-        row.push_back(figure_cell(cell.figure("bytes", name)));
+    for (const store::FigureName& name :
+         std::initializer_list<store::FigureName>{"bytes.total_bytes_per_edge", "bytes.paper_bytes_per_edge",
+                                                  "bytes.slope_bytes_per_edge", "bytes.table_bytes"})
+        row.push_back(figure_cell(cell.figure(name)));
     return row;
 }
 
@@ -60,7 +61,7 @@ std::vector<std::string> byte_components(const ReportData& data) {
                                    "face_planes",    "topology",      "padding"};
     std::set<std::string> present;
     for (const ReportCell& cell : data.cells)
-        for (const StoredFigure& figure : cell.figures)
+        for (const store::FigureRow& figure : cell.figures)
             if (is_component(figure)) present.insert(figure.name);
     order.erase(std::remove_if(order.begin(), order.end(),
                                [&](const std::string& name) { return present.erase(name) == 0; }),

@@ -17,17 +17,18 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr const char* misses = ".misses_per_query";
+struct TitledFigure {
+    store::FigureName name;
+    const char* title;
+};
 
 /// The levels of a machine, as the figures of any cell name them: caches from the first on, then TLBs.
 std::vector<std::string> levels_of(const ReportData& data, const std::string& machine) {
     std::set<std::pair<bool, std::string>> found;
     for (const ReportCell& cell : data.cells) {
-        for (const StoredFigure& figure : cell.figures) {
-            if (figure.probe != "caches" || !figure.name.starts_with(machine + ".")) continue;
-            const std::string rest = figure.name.substr(machine.size() + 1);
-            const std::string level = rest.substr(0, rest.find('.'));
-            if (rest == level + misses) found.insert({level.find("TLB") != std::string::npos, level});
+        for (const store::FigureRow& figure : cell.figures) {
+            if (const auto level = store::level_misses.of(machine).value_in(figure.probe, figure.name))
+                found.insert({level->find("TLB") != std::string::npos, *level});
         }
     }
     std::vector<std::string> levels;
@@ -40,21 +41,21 @@ std::vector<GridCell> naming(const ReportCell& cell) {
     return {{cell.scene_label}, {cell.shape}, {cell.algorithm}, {cell.table}};
 }
 
-GridCell scaled(const StoredFigure& figure, double unit) {
+GridCell scaled(const measure::Figure& figure, double unit) {
     if (!figure.value) return figure_cell(figure);
     return {number_text(*figure.value / unit)};
 }
 
 /// A figure of the probe `caches`; a star where the machine's description marks it as unverified.
 GridCell cache_cell(const ReportCell& cell, const std::string& name) {
-    const StoredFigure figure = cell.figure("caches", name);
+    const measure::Figure figure = cell.figure(store::level_misses.probe(), name);
     GridCell text = figure_cell(figure);
     if (figure.value && figure.unit.find("unverified") != std::string::npos) text.text += " *";
     return text;
 }
 
 double sort_key(const ReportCell& cell) {
-    const StoredFigure lines = cell.figure("reuse", "lines_per_query");
+    const measure::Figure lines = cell.figure("reuse.lines_per_query");
     return lines.value.value_or(std::numeric_limits<double>::infinity());
 }
 
@@ -63,7 +64,7 @@ double sort_key(const ReportCell& cell) {
 std::vector<const ReportCell*> modelled_cells(const ReportData& data) {
     std::vector<const ReportCell*> cells;
     for (const ReportCell& cell : data.cells) {
-        if (cell.verified() && cell.figure("reuse", "line_knee_bytes").value) cells.push_back(&cell);
+        if (cell.verified() && cell.figure("reuse.line_knee_bytes").value) cells.push_back(&cell);
     }
     std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
         return std::make_tuple(a->scene_label, a->vertices, b->algorithm, sort_key(*a)) <
@@ -75,7 +76,7 @@ std::vector<const ReportCell*> modelled_cells(const ReportData& data) {
 std::vector<std::string> modelled_machines(const ReportData& data) {
     std::set<std::string> found;
     for (const ReportCell& cell : data.cells) {
-        for (const StoredFigure& figure : cell.figures) {
+        for (const store::FigureRow& figure : cell.figures) {
             const std::size_t dot = figure.name.find('.');
             if (figure.probe != "caches" || dot == std::string::npos) continue;
             if (const std::string name = figure.name.substr(0, dot); name.find('/') == std::string::npos)
@@ -96,10 +97,10 @@ TextGrid misses_grid(const ReportData& data) {
     for (const std::string& machine : modelled_machines(data)) {
         for (const std::string& level : levels_of(data, machine)) {
             grid.columns.push_back({fmt::format("{} {}", machine, level), true});
-            names.push_back(machine + "." + level + misses);
+            names.push_back(store::level_misses.of(machine, level).name());
         }
         grid.columns.push_back({machine + " memory, ns", true});
-        names.push_back(machine + ".modelled_memory_ns");
+        names.push_back(store::memory_time.of(machine).name());
     }
     for (const ReportCell* cell : modelled_cells(data)) {
         std::vector<GridCell> row = naming(*cell);
@@ -114,22 +115,23 @@ TextGrid causes_grid(const ReportData& data, const std::string& machine) {
                   naming_columns(),
                   {}};
     std::vector<std::string> names;
-    const std::pair<const char*, const char*> columns[] = {{"compulsory_per_query", "compulsory (warm)"},
-                                                           {"warm_misses_per_query", "all (warm)"},
-                                                           {"cold_misses_per_query", "all (cold)"},
-                                                           {"capacity_per_query", "capacity"},
-                                                           {"conflict_per_query", "conflict"},
-                                                           {"misses_per_edge", "all an edge"}};
+    const TitledFigure columns[] = {{"caches.{machine}.{level}.compulsory_per_query", "compulsory (warm)"},
+                                    {"caches.{machine}.{level}.warm_misses_per_query", "all (warm)"},
+                                    {"caches.{machine}.{level}.cold_misses_per_query", "all (cold)"},
+                                    {"caches.{machine}.{level}.capacity_per_query", "capacity"},
+                                    {"caches.{machine}.{level}.conflict_per_query", "conflict"},
+                                    {"caches.{machine}.{level}.misses_per_edge", "all an edge"}};
     for (const std::string& level : levels_of(data, machine)) {
         for (const auto& [name, title] : columns) {
             grid.columns.push_back({fmt::format("{} {}", level, title), true});
-            names.push_back(machine + "." + level + "." + name);
+            names.push_back(name.of(machine, level).name());
         }
     }
-    for (const auto& [name, title] : {std::pair{".fetched_bytes_per_query", "bytes brought in"},
-                                      std::pair{".unused_bytes_per_query", "never used"}}) {
+    const TitledFigure bytes[] = {{"caches.{machine}.fetched_bytes_per_query", "bytes brought in"},
+                                  {"caches.{machine}.unused_bytes_per_query", "never used"}};
+    for (const auto& [name, title] : bytes) {
         grid.columns.push_back({title, true});
-        names.push_back(machine + name);
+        names.push_back(name.of(machine).name());
     }
     for (const ReportCell* cell : modelled_cells(data)) {
         std::vector<GridCell> row = naming(*cell);
@@ -142,21 +144,21 @@ TextGrid causes_grid(const ReportData& data, const std::string& machine) {
 std::vector<std::string> broken_down_levels(const ReportData& data, const std::string& machine) {
     std::vector<std::string> levels;
     for (const std::string& level : levels_of(data, machine)) {
-        if (!breakdown_grid(data, machine, level, "step.").rows.empty()) levels.push_back(level);
+        if (!breakdown_grid(data, machine, level, misses_by_step).rows.empty()) levels.push_back(level);
     }
     return levels;
 }
 
 TextGrid breakdown_grid(const ReportData& data, const std::string& machine, const std::string& level,
-                        const std::string& by) {
-    const std::string prefix = machine + "." + level + "." + by;
+                        const store::FigureName& by) {
+    const store::FigureName all = by.of(machine, level);
     std::set<std::string> parts;
     for (const ReportCell* cell : modelled_cells(data)) {
-        for (const StoredFigure& figure : cell->figures)
-            if (figure.name.starts_with(prefix)) parts.insert(figure.name.substr(prefix.size()));
+        for (const store::FigureRow& figure : cell->figures)
+            if (const auto part = all.value_in(figure.probe, figure.name)) parts.insert(*part);
     }
     TextGrid grid{fmt::format("{} {}: misses a query, by {}; a dash: not accessed", machine, level,
-                              by == "field." ? "what was read" : "what read it"),
+                              &by.info() == &misses_by_field.info() ? "what was read" : "what read it"),
                   naming_columns(),
                   {}};
     if (parts.empty()) return grid;
@@ -164,7 +166,7 @@ TextGrid breakdown_grid(const ReportData& data, const std::string& machine, cons
     for (const ReportCell* cell : modelled_cells(data)) {
         std::vector<GridCell> row = naming(*cell);
         for (const std::string& part : parts) {
-            const StoredFigure figure = cell->figure("caches", prefix + part);
+            const measure::Figure figure = cell->figure(by.of(machine, level, part));
             row.push_back({figure.value ? number_text(*figure.value) : "–"});
         }
         grid.rows.push_back(std::move(row));
@@ -175,29 +177,29 @@ TextGrid breakdown_grid(const ReportData& data, const std::string& machine, cons
 TextGrid working_sets_grid(const ReportData& data) {
     constexpr double kibibyte = 1024, lines = 64.0 / 1024, pages = 4;
     struct Column {
-        const char *title, *probe, *figure;
+        const char* title;
+        store::FigureName figure;
         double unit;
     };
-    const Column columns[] = {{"query, lines", "reuse", "lines_per_query", 1},
-                              {"query, pages", "reuse", "pages_per_query", 1},
-                              {"frame, KiB", "reuse", "lines_of_frame", 1 / lines},
-                              {"body, KiB", "reuse", "lines_of_body", 1 / lines},
-                              {"scene, KiB", "reuse", "lines_of_scene", 1 / lines},
-                              {"scene, KiB in pages", "reuse", "pages_of_scene", 1 / pages},
-                              {"line knee, KiB", "reuse", "line_knee_bytes", kibibyte},
-                              {"page knee, KiB", "reuse", "page_knee_bytes", kibibyte},
-                              {"part of tables", "heat", "touched_part", 1},
-                              {"vertices", "heat", "touched_vertices", 1},
-                              {"edges", "heat", "touched_edges", 1},
-                              {"faces", "heat", "touched_faces", 1},
-                              {"lines of half", "heat", "lines_of_half_the_accesses", 1},
-                              {"lines of 90 %", "heat", "lines_of_most_accesses", 1}};
+    const Column columns[] = {{"query, lines", "reuse.lines_per_query", 1},
+                              {"query, pages", "reuse.pages_per_query", 1},
+                              {"frame, KiB", "reuse.lines_of_frame", 1 / lines},
+                              {"body, KiB", "reuse.lines_of_body", 1 / lines},
+                              {"scene, KiB", "reuse.lines_of_scene", 1 / lines},
+                              {"scene, KiB in pages", "reuse.pages_of_scene", 1 / pages},
+                              {"line knee, KiB", "reuse.line_knee_bytes", kibibyte},
+                              {"page knee, KiB", "reuse.page_knee_bytes", kibibyte},
+                              {"part of tables", "heat.touched_part", 1},
+                              {"vertices", "heat.touched_vertices", 1},
+                              {"edges", "heat.touched_edges", 1},
+                              {"faces", "heat.touched_faces", 1},
+                              {"lines of half", "heat.lines_of_half_the_accesses", 1},
+                              {"lines of 90 %", "heat.lines_of_most_accesses", 1}};
     TextGrid grid{"Working sets, knees, and what was ever touched", naming_columns(), {}};
     for (const Column& column : columns) grid.columns.push_back({column.title, true});
     for (const ReportCell* cell : modelled_cells(data)) {
         std::vector<GridCell> row = naming(*cell);
-        for (const Column& column : columns)
-            row.push_back(scaled(cell->figure(column.probe, column.figure), column.unit));
+        for (const Column& column : columns) row.push_back(scaled(cell->figure(column.figure), column.unit));
         grid.rows.push_back(std::move(row));
     }
     return grid;

@@ -23,9 +23,11 @@ namespace edgewise::reports {
 [[nodiscard]] TextGrid causes_grid(const ReportData& data, const std::string& machine);
 /// The levels of a machine whose misses are told by field and step.
 [[nodiscard]] std::vector<std::string> broken_down_levels(const ReportData& data, const std::string& machine);
-/// Of one level: misses by what was read (`field.`) or by what read it (`step.`).
+inline constexpr store::FigureName misses_by_field("caches.{machine}.{level}.field.{field}"),
+    misses_by_step("caches.{machine}.{level}.step.{step}");
+/// Of one level: misses by what was read or by what read it.
 [[nodiscard]] TextGrid breakdown_grid(const ReportData& data, const std::string& machine,
-                                      const std::string& level, const std::string& by);
+                                      const std::string& level, const store::FigureName& by);
 /// Lines and pages: of a query, a frame, a body and the scene; knees; parts touched.
 [[nodiscard]] TextGrid working_sets_grid(const ReportData& data);
 

@@ -23,6 +23,10 @@ void add_status(TextGrid& grid, const ReportData& data, const std::string& statu
 
 }  // namespace
 
+const store::QueryTime& times_of(PairKind kind) {
+    return kind == PairKind::Separated ? store::separated_time : store::overlapping_time;
+}
+
 std::string pair_name(PairKind kind) { return kind == PairKind::Separated ? "separated" : "overlapping"; }
 
 std::vector<std::string> scene_labels(const ReportData& data) {

@@ -13,24 +13,26 @@ namespace edgewise::reports {
 namespace {
 
 struct Column {
-    const char *title, *probe, *figure;
+    const char* title;
+    store::FigureName figure;
 };
 
-constexpr Column columns[] = {{"minor faults", "counters", "minor_faults"},
-                              {"major faults", "counters", "major_faults"},
-                              {"context switches", "counters", "context_switches"},
-                              {"migrations", "counters", "cpu_migrations"},
-                              {"instructions", "counters", "instructions"},
-                              {"cycles", "counters", "cycles"},
-                              {"branch misses", "counters", "branch_misses"},
-                              {"L1D fills", "counters", "l1d_fills"},
-                              {"L2 demand misses", "counters", "l2_demand_misses"},
-                              {"LLC misses", "counters", "llc_misses"},
-                              {"dTLB walks", "counters", "dtlb_walks"},
-                              {"table asked for, B", "heap", "table.requested_bytes"},
-                              {"size classes, B", "heap", "table.size_class_bytes"},
-                              {"slack, B", "heap", "table.slack_bytes"},
-                              {"resident, B", "heap", "table.resident_bytes"}};
+constexpr Column columns[] = {
+    {"minor faults", "counters.minor_faults"},
+    {"major faults", "counters.major_faults"},
+    {"context switches", "counters.context_switches"},
+    {"migrations", "counters.cpu_migrations"},
+    {"instructions", "counters.instructions"},
+    {"cycles", "counters.cycles"},
+    {"branch misses", "counters.branch_misses"},
+    {"L1D fills", "counters.l1d_fills"},
+    {"L2 demand misses", "counters.l2_demand_misses"},
+    {"LLC misses", "counters.llc_misses"},
+    {"dTLB walks", "counters.dtlb_walks"},
+    {"table asked for, B", store::FigureName("heap.{structure}.requested_bytes").of("table")},
+    {"size classes, B", store::FigureName("heap.{structure}.size_class_bytes").of("table")},
+    {"slack, B", store::FigureName("heap.{structure}.slack_bytes").of("table")},
+    {"resident, B", store::FigureName("heap.{structure}.resident_bytes").of("table")}};
 
 }  // namespace
 
@@ -47,15 +49,14 @@ TextGrid counters_grid(const ReportData& data) {
     std::vector<Column> shown;
     for (const Column& column : columns) {
         const auto has = [&](const ReportCell* cell) {
-            return cell->figure(column.probe, column.figure).value.has_value();
+            return cell->figure(column.figure).value.has_value();
         };
         if (std::any_of(cells.begin(), cells.end(), has)) shown.push_back(column);
     }
     for (const Column& column : shown) grid.columns.push_back({column.title, true});
     for (const ReportCell* cell : cells) {
         std::vector<GridCell> row = {{cell->algorithm}, {cell->table}};
-        for (const Column& column : shown)
-            row.push_back(figure_cell(cell->figure(column.probe, column.figure)));
+        for (const Column& column : shown) row.push_back(figure_cell(cell->figure(column.figure)));
         grid.rows.push_back(std::move(row));
     }
     return grid;

@@ -13,22 +13,22 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr SummaryColumn columns[] = {{"checked", "checked", true},
-                                     {"separated", "separated", true},
-                                     {"touching", "touching", true},
-                                     {"overlapping", "overlapping", true},
-                                     {"worst error, given bodies", "worst_error_given", false},
-                                     {"worst error, stored bodies", "worst_error_stored", false},
-                                     {"p99 error, stored bodies", "p99_error_stored", false},
-                                     {"witness error", "witness_error", false},
-                                     {"wrong verdicts", "wrong_verdicts", true},
-                                     {"verdicts in band", "verdicts_in_band", true},
-                                     {"fallbacks", "fallbacks", true},
-                                     {"refinements", "refinements", true},
-                                     {"escapes", "escapes", true},
-                                     {"cycles", "cycles", true},
-                                     {"mean steps", "mean_steps", false},
-                                     {"max steps", "max_steps", false}};
+constexpr SummaryColumn columns[] = {{"checked", "error.checked", true},
+                                     {"separated", "error.separated", true},
+                                     {"touching", "error.touching", true},
+                                     {"overlapping", "error.overlapping", true},
+                                     {"worst error, given bodies", "error.worst_error_given", false},
+                                     {"worst error, stored bodies", "error.worst_error_stored", false},
+                                     {"p99 error, stored bodies", "error.p99_error_stored", false},
+                                     {"witness error", "error.witness_error", false},
+                                     {"wrong verdicts", "error.wrong_verdicts", true},
+                                     {"verdicts in band", "error.verdicts_in_band", true},
+                                     {"fallbacks", "error.fallbacks", true},
+                                     {"refinements", "error.refinements", true},
+                                     {"escapes", "error.escapes", true},
+                                     {"cycles", "error.cycles", true},
+                                     {"mean steps", "error.mean_steps", false},
+                                     {"max steps", "error.max_steps", false}};
 
 }  // namespace
 
@@ -42,7 +42,7 @@ TextGrid error_summary_grid(const ReportData& data) {
     for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
     for (const auto& [name, cells] : groups) {
         std::vector<GridCell> row{{name.first}, {name.second}, {std::to_string(cells.size())}};
-        for (const SummaryColumn& column : columns) row.push_back(summary_cell(cells, "error", column));
+        for (const SummaryColumn& column : columns) row.push_back(summary_cell(cells, column));
         grid.rows.push_back(std::move(row));
     }
     return grid;
@@ -54,8 +54,7 @@ TextGrid error_grid(const ReportData& data) {
     for (const ReportCell& cell : data.cells) {
         std::vector<GridCell> row{
             {cell.scene_label}, {cell.shape}, {cell.algorithm}, {cell.table}, {cell.status}};
-        for (const SummaryColumn& column : columns)
-            row.push_back(figure_cell(cell.figure("error", column.name)));
+        for (const SummaryColumn& column : columns) row.push_back(figure_cell(cell.figure(column.figure)));
         grid.rows.push_back(std::move(row));
     }
     return grid;

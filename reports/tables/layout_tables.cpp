@@ -29,7 +29,7 @@ std::string reference_scene(const ReportData& data) {
 }
 
 /// The figure's number divided, with this many digits; or why there is none.
-GridCell scaled_cell(const StoredFigure& figure, double unit, int digits) {
+GridCell scaled_cell(const measure::Figure& figure, double unit, int digits) {
     if (!figure.value) return figure_cell(figure);
     return {fmt::format("{:.{}f}", *figure.value / unit, digits)};
 }
@@ -37,17 +37,17 @@ GridCell scaled_cell(const StoredFigure& figure, double unit, int digits) {
 std::vector<GridCell> cost_row(const ReportCell& cell) {
     return {{cell.algorithm},
             {cell.table},
-            scaled_cell(cell.figure("lines", "lines_per_query"), 1, 1),
-            scaled_cell(cell.figure("lines", "line_bytes_per_query"), 1, 0),
-            scaled_cell(cell.figure("lines", "read_bytes_per_query"), 1, 0),
-            scaled_cell(cell.figure("build", "build_ns"), 1000, 1),
-            scaled_cell(cell.figure("build", "refit_ns"), 1000, 1),
-            scaled_cell(cell.figure("build", "refit_over_build"), 1, 2),
-            scaled_cell(cell.figure("memory", "materialised"), 1, 3)};
+            scaled_cell(cell.figure("lines.lines_per_query"), 1, 1),
+            scaled_cell(cell.figure("lines.line_bytes_per_query"), 1, 0),
+            scaled_cell(cell.figure("lines.read_bytes_per_query"), 1, 0),
+            scaled_cell(cell.figure("build.build_ns"), 1000, 1),
+            scaled_cell(cell.figure("build.refit_ns"), 1000, 1),
+            scaled_cell(cell.figure("build.refit_over_build"), 1, 2),
+            scaled_cell(cell.figure("memory.materialised"), 1, 3)};
 }
 
 double lines_of(const ReportCell& cell) {
-    return cell.figure("lines", "lines_per_query").value.value_or(std::numeric_limits<double>::infinity());
+    return cell.figure("lines.lines_per_query").value.value_or(std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ TextGrid scene_memory_grid(const ReportData& data) {
                    {"ratio to baseline", true}},
                   {}};
     for (const ReportCell& cell : data.cells) {
-        const StoredFigure tables = cell.figure("memory", "tables");
+        const measure::Figure tables = cell.figure("memory.tables");
         const bool many = tables.value && *tables.value > 4;
         if (!cell.verified() || !many) continue;
         grid.rows.push_back({{cell.scene_label},
@@ -97,11 +97,11 @@ TextGrid scene_memory_grid(const ReportData& data) {
                              {cell.algorithm},
                              {cell.table},
                              scaled_cell(tables, 1, 0),
-                             scaled_cell(cell.figure("memory", "requested_bytes"), mebibyte, 2),
-                             scaled_cell(cell.figure("memory", "taken_bytes"), mebibyte, 2),
-                             scaled_cell(cell.figure("memory", "resident_bytes"), mebibyte, 2),
-                             scaled_cell(cell.figure("time", "separated_ns"), 1, 0),
-                             scaled_cell(cell.figure("time", "separated_ratio"), 1, 3)});
+                             scaled_cell(cell.figure("memory.requested_bytes"), mebibyte, 2),
+                             scaled_cell(cell.figure("memory.taken_bytes"), mebibyte, 2),
+                             scaled_cell(cell.figure("memory.resident_bytes"), mebibyte, 2),
+                             scaled_cell(cell.figure("time.separated_ns"), 1, 0),
+                             scaled_cell(cell.figure("time.separated_ratio"), 1, 3)});
     }
     return grid;
 }

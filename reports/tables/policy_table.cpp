@@ -14,8 +14,6 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr const char* measured = ".misses_per_query";
-
 /// Misses this close are no order.
 constexpr double tie = 0.01;
 
@@ -55,12 +53,13 @@ using PolicyLevel = std::pair<std::string, std::string>;
 
 std::vector<PolicyLevel> policy_levels(const ReportCell& cell) {
     std::vector<PolicyLevel> found;
-    for (const StoredFigure& figure : cell.figures) {
+    for (const store::FigureRow& figure : cell.figures) {
         const std::size_t slash = figure.name.find('/'), dot = figure.name.find('.', slash);
         if (figure.probe != "caches" || slash == std::string::npos || dot == std::string::npos) continue;
         const std::size_t end = figure.name.find('.', dot + 1);
-        if (end != std::string::npos && figure.name.substr(end) == measured)
-            found.emplace_back(figure.name.substr(0, dot), figure.name.substr(dot + 1, end - dot - 1));
+        if (end == std::string::npos) continue;
+        const PolicyLevel at{figure.name.substr(0, dot), figure.name.substr(dot + 1, end - dot - 1)};
+        if (figure.name == store::level_misses.of(at.first, at.second).name()) found.push_back(at);
     }
     return found;
 }
@@ -83,9 +82,9 @@ TextGrid policy_grid(const ReportData& data) {
     std::map<Group, std::vector<Ranked>> groups;
     for (const ReportCell* cell : modelled_cells(data)) {
         for (const auto& [policy, level] : policy_levels(*cell)) {
-            const std::string machine = policy.substr(0, policy.find('/')), at = "." + level + measured;
-            const auto lru = cell->figure("caches", machine + at).value;
-            const auto other = cell->figure("caches", policy + at).value;
+            const std::string machine = policy.substr(0, policy.find('/'));
+            const auto lru = cell->figure(store::level_misses.of(machine, level)).value;
+            const auto other = cell->figure(store::level_misses.of(policy, level)).value;
             if (lru && other)
                 groups[{cell->scene_label, cell->shape, cell->algorithm, policy, level}].push_back(
                     {cell->table, *lru, *other});

@@ -11,29 +11,30 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr SummaryColumn columns[] = {{"cases", "cases", true},
-                                     {"refused", "refused", true},
-                                     {"in the band", "in_band", true},
-                                     {"wrong verdicts", "wrong_outside_band", true},
-                                     {"differing inside the band", "wrong_inside_band", true},
-                                     {"errors beyond the bound", "errors_beyond", true},
-                                     {"worst error", "worst_error", false},
-                                     {"p99.9 error", "p999_error", false},
-                                     {"witness error", "worst_witness_error", false},
-                                     {"depth error", "worst_depth_error", false},
-                                     {"depths beyond the bound", "depths_beyond", true},
-                                     {"cap hits", "cap_hits", true},
-                                     {"certificate width", "worst_certificate_width", false},
-                                     {"certificates that miss", "certificates_missed", true},
-                                     {"asked of the control", "control_asked", true},
-                                     {"control disagrees", "control_disagrees", true},
-                                     {"... outside the band", "control_disagrees_outside_band", true},
-                                     {"control wrong", "control_wrong", true},
-                                     {"escapes", "escapes", true},
-                                     {"cycles", "cycles", true},
-                                     {"fallbacks", "fallbacks", true},
-                                     {"refinements", "refinements", true},
-                                     {"max steps", "max_steps", false}};
+constexpr SummaryColumn columns[] = {
+    {"cases", "stability.cases", true},
+    {"refused", "stability.refused", true},
+    {"in the band", "stability.in_band", true},
+    {"wrong verdicts", "stability.wrong_outside_band", true},
+    {"differing inside the band", "stability.wrong_inside_band", true},
+    {"errors beyond the bound", "stability.errors_beyond", true},
+    {"worst error", "stability.worst_error", false},
+    {"p99.9 error", "stability.p999_error", false},
+    {"witness error", "stability.worst_witness_error", false},
+    {"depth error", "stability.worst_depth_error", false},
+    {"depths beyond the bound", "stability.depths_beyond", true},
+    {"cap hits", "stability.cap_hits", true},
+    {"certificate width", "stability.worst_certificate_width", false},
+    {"certificates that miss", "stability.certificates_missed", true},
+    {"asked of the control", "stability.control_asked", true},
+    {"control disagrees", "stability.control_disagrees", true},
+    {"... outside the band", "stability.control_disagrees_outside_band", true},
+    {"control wrong", "stability.control_wrong", true},
+    {"escapes", "stability.escapes", true},
+    {"cycles", "stability.cycles", true},
+    {"fallbacks", "stability.fallbacks", true},
+    {"refinements", "stability.refinements", true},
+    {"max steps", "stability.max_steps", false}};
 
 }  // namespace
 
@@ -49,7 +50,7 @@ TextGrid stability_summary_grid(const ReportData& data) {
                                           [](const ReportCell* row) { return row->status == "failed"; });
         std::vector<GridCell> cells{
             {name.first}, {name.second}, {std::to_string(rows.size())}, {std::to_string(failed)}};
-        for (const SummaryColumn& column : columns) cells.push_back(summary_cell(rows, "stability", column));
+        for (const SummaryColumn& column : columns) cells.push_back(summary_cell(rows, column));
         grid.rows.push_back(std::move(cells));
     }
     return grid;
@@ -60,8 +61,7 @@ TextGrid stability_grid(const ReportData& data) {
     for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
     for (const ReportCell& row : data.stability) {
         std::vector<GridCell> cells{{row.shape}, {row.algorithm}, {row.table}, {row.status}};
-        for (const SummaryColumn& column : columns)
-            cells.push_back(figure_cell(row.figure("stability", column.name)));
+        for (const SummaryColumn& column : columns) cells.push_back(figure_cell(row.figure(column.figure)));
         grid.rows.push_back(std::move(cells));
     }
     return grid;

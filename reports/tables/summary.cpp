@@ -7,12 +7,11 @@
 
 namespace edgewise::reports {
 
-GridCell summary_cell(const std::vector<const ReportCell*>& rows, const char* probe,
-                      const SummaryColumn& column) {
-    StoredFigure total{probe, column.name, std::nullopt, "", "", ""};
+GridCell summary_cell(const std::vector<const ReportCell*>& rows, const SummaryColumn& column) {
+    measure::Figure total{column.figure.name(), std::nullopt, ""};
     std::size_t missing = 0;
     for (const ReportCell* cell : rows) {
-        const StoredFigure figure = cell->figure(probe, column.name);
+        const measure::Figure figure = cell->figure(column.figure);
         if (!figure.value) {
             ++missing;
             if (!total.value) total.reason = figure.reason, total.remedy = figure.remedy;

@@ -12,12 +12,11 @@ namespace edgewise::reports {
 
 struct SummaryColumn {
     const char* title;
-    const char* name;  ///< of the figure
-    bool sum;          ///< add up, else take the worst
+    store::FigureName figure;
+    bool sum;  ///< add up, else take the worst
 };
 
 /// Over the rows that have the figure; says so where some lack it.
-[[nodiscard]] GridCell summary_cell(const std::vector<const ReportCell*>& rows, const char* probe,
-                                    const SummaryColumn& column);
+[[nodiscard]] GridCell summary_cell(const std::vector<const ReportCell*>& rows, const SummaryColumn& column);
 
 }  // namespace edgewise::reports

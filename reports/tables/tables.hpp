@@ -13,8 +13,8 @@
 namespace edgewise::reports {
 
 enum class PairKind { Separated, Overlapping };
-[[nodiscard]] std::string pair_name(
-    PairKind kind);  ///< "separated" | "overlapping": also the figures' prefix
+[[nodiscard]] std::string pair_name(PairKind kind);  ///< "separated" | "overlapping"
+[[nodiscard]] const store::QueryTime& times_of(PairKind kind);
 
 /// What ran, on what, built how: key and value.
 [[nodiscard]] TextGrid facts_grid(const ReportData& data);

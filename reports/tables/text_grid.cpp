@@ -53,7 +53,7 @@ GridCell missing_cell(const std::string& why) {
     return {"not measured", why.empty() ? "no reason given" : why};
 }
 
-GridCell figure_cell(const StoredFigure& figure) {
+GridCell figure_cell(const measure::Figure& figure) {
     if (figure.value) return {number_text(*figure.value, figure.unit)};
     return missing_cell(figure.remedy.empty() ? figure.reason : figure.reason + " – " + figure.remedy);
 }

@@ -27,7 +27,7 @@ struct TextGrid {
 };
 
 /// The figure's number, or "not measured" with its reason and remedy.
-[[nodiscard]] GridCell figure_cell(const StoredFigure& figure);
+[[nodiscard]] GridCell figure_cell(const measure::Figure& figure);
 [[nodiscard]] GridCell missing_cell(const std::string& why);
 
 [[nodiscard]] std::string grid_html(const TextGrid& grid);

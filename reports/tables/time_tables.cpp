@@ -15,7 +15,7 @@ namespace edgewise::reports {
 
 namespace {
 
-GridCell interval_cell(const StoredFigure& low, const StoredFigure& high) {
+GridCell interval_cell(const measure::Figure& low, const measure::Figure& high) {
     if (!low.value) return figure_cell(low);
     if (!high.value) return figure_cell(high);
     return {fmt::format("{} to {}", number_text(*low.value, low.unit), number_text(*high.value, high.unit))};
@@ -23,10 +23,10 @@ GridCell interval_cell(const StoredFigure& low, const StoredFigure& high) {
 
 GridCell ratio_interval_cell(const ReportCell& cell, PairKind kind) {
     std::vector<double> ratios;
-    for (const StoredRound& round : cell.rounds) {
-        const auto& ratio = kind == PairKind::Separated ? round.separated_ratio : round.overlapping_ratio;
-        if (ratio) ratios.push_back(*ratio);
-    }
+    const measure::PerQuery per_query =
+        kind == PairKind::Separated ? &measure::Timing::separated : &measure::Timing::overlapping;
+    for (const measure::Round& round : cell.rounds)
+        if (const auto ratio = round.ratio(per_query)) ratios.push_back(*ratio);
     const auto interval = median_interval(std::move(ratios));
     if (!interval) return missing_cell("fewer than two rounds with such pairs in cell and baseline");
     return {fmt::format("{:.3f} to {:.3f}{}", interval->low, interval->high,
@@ -34,23 +34,22 @@ GridCell ratio_interval_cell(const ReportCell& cell, PairKind kind) {
 }
 
 std::vector<GridCell> time_row(const ReportCell& cell, PairKind kind) {
-    const std::string pairs = pair_name(kind);
-    const StoredFigure ratio = cell.figure("time", pairs + "_ratio");
+    const store::QueryTime& times = times_of(kind);
+    const measure::Figure ratio = cell.figure(times.ratio);
     return {{cell.shape},
             {std::to_string(cell.vertices)},
             {cell.algorithm},
             {cell.table},
-            figure_cell(cell.figure("time", pairs + "_ns")),
-            interval_cell(cell.figure("time", pairs + "_ns_low"), cell.figure("time", pairs + "_ns_high")),
+            figure_cell(cell.figure(times.ns)),
+            interval_cell(cell.figure(times.low), cell.figure(times.high)),
             ratio.value ? GridCell{fmt::format("{:.3f}", *ratio.value)} : figure_cell(ratio),
             ratio.value ? ratio_interval_cell(cell, kind) : figure_cell(ratio),
-            figure_cell(cell.figure("time", "rounds"))};
+            figure_cell(cell.figure("time.rounds"))};
 }
 
 /// Unmeasured cells go last.
 double rank(const ReportCell& cell, PairKind kind) {
-    return cell.figure("time", pair_name(kind) + "_ns")
-        .value.value_or(std::numeric_limits<double>::infinity());
+    return cell.figure(times_of(kind).ns).value.value_or(std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

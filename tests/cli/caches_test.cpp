@@ -42,6 +42,24 @@ TEST(Caches, AreModelledForCellsThatAskForIt) {
     EXPECT_THAT(text_of(folder / "report.md"), testing::AllOf(HasSubstr("zen5 L1D"), HasSubstr("mine L1D")));
 }
 
+/// A table that is built again takes another time.
+TEST(Caches, AreNotModelledAgainForTheSameMachines) {
+    const Folder folder;
+    Arguments arguments = {"sweep",     "--scenes", "static",     "--shapes", "sphere38",
+                           "--layouts", "aos_f64",  "--queries",  "200",      "--checked",
+                           "20",        "--rounds", "1",          "--caches", "sphere38",
+                           "--store",   "s.db",     "--machines", "zen5"};
+    const auto built = [&] {
+        EXPECT_EQ(run(arguments, folder).exit_code, 0);
+        return rows_of(folder / "s.db", "select hash, value from figure where name = 'build_ns' order by 1");
+    };
+    const auto first = built();
+    ASSERT_FALSE(first.empty());
+    EXPECT_EQ(built(), first);
+    arguments.back() = "zen4";
+    EXPECT_NE(built(), first);
+}
+
 TEST(Caches, OfAnUnknownMachineAreOneLineOfComplaint) {
     const Folder folder;
     const Outcome unknown = run({"sweep", "--scenes", "static", "--machines", "zen17"}, folder);

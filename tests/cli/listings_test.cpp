@@ -162,7 +162,8 @@ TEST_P(List, NamesEveryEntry) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, List,
-                         testing::Values("layouts", "probes", "algorithms", "scenes", "shapes", "plans"),
+                         testing::Values("layouts", "probes", "algorithms", "scenes", "shapes", "plans",
+                                         "figures"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST(List, SaysWhatALayoutIs) {

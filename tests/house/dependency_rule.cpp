@@ -25,7 +25,7 @@ const std::map<std::string, std::set<std::string>> direct_edges = {
     {"algorithms", {"table"}},
     {"truth", {"geometry"}},
     {"scene", {"algorithms", "truth"}},
-    {"measure", {}},
+    {"measure", {"geometry"}},
     {"store", {"measure"}},
     {"bench", {"scene", "store", "layout_parts"}},
     {"probes", {"bench"}},

@@ -11,14 +11,17 @@ namespace edgewise::reports {
 std::vector<PagingLimit> paging_limits(const ReportCell& row) {
     std::vector<PagingLimit> limits;
     for (int i = 0;; ++i) {
-        const std::string end = "." + std::to_string(i);
-        const auto is_limit = [&](const StoredFigure& figure) {
-            return figure.probe == "paging" && figure.name == "limit_bytes" + end;
+        const std::string number = std::to_string(i);
+        const std::string limit = store::FigureName("paging.limit_bytes.{limit}").of(number).name();
+        const auto is_limit = [&](const store::FigureRow& figure) {
+            return figure.probe == "paging" && figure.name == limit;
         };
         if (std::none_of(row.figures.begin(), row.figures.end(), is_limit)) return limits;
-        const auto figure = [&](const char* name) { return row.figure("paging", name + end); };
-        limits.push_back({figure("limit_bytes"), figure("held_bytes"), figure("faults_per_query"),
-                          figure("predicted_at_held"), figure("predicted_at_limit"), figure("us_per_query")});
+        const auto figure = [&](const store::FigureName& name) { return row.figure(name.of(number)); };
+        limits.push_back(
+            {figure("paging.limit_bytes.{limit}"), figure("paging.held_bytes.{limit}"),
+             figure("paging.faults_per_query.{limit}"), figure("paging.predicted_at_held.{limit}"),
+             figure("paging.predicted_at_limit.{limit}"), figure("paging.us_per_query.{limit}")});
     }
 }
 

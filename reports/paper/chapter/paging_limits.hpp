@@ -11,7 +11,7 @@ namespace edgewise::reports {
 
 /// What one limit of a paging row says; null where the store has no value.
 struct PagingLimit {
-    StoredFigure limit, held, faults, predicted_at_held, predicted_at_limit, us;
+    measure::Figure limit, held, faults, predicted_at_held, predicted_at_limit, us;
 };
 
 /// In the order of the store's numbers, until one is not there.

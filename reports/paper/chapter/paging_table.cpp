@@ -10,7 +10,7 @@ namespace edgewise::reports {
 
 namespace {
 
-GridCell mebibytes(const StoredFigure& figure) {
+GridCell mebibytes(const measure::Figure& figure) {
     return figure.value ? GridCell{number_text(*figure.value / 1048576)} : figure_cell(figure);
 }
 
@@ -37,8 +37,8 @@ TextGrid paging_grid(const ReportData& data) {
                                  {row.algorithm},
                                  {row.table},
                                  {bodies ? number_text(*bodies) : "–"},
-                                 mebibytes(row.figure("paging", "table_bytes")),
-                                 mebibytes(row.figure("paging", "touched_bytes")),
+                                 mebibytes(row.figure("paging.table_bytes")),
+                                 mebibytes(row.figure("paging.touched_bytes")),
                                  mebibytes(limit.limit),
                                  mebibytes(limit.held),
                                  figure_cell(limit.predicted_at_held),

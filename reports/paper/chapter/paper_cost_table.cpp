@@ -12,28 +12,28 @@ namespace edgewise::reports {
 namespace {
 
 struct Column {
-    const char *title, *figure;
+    const char* title;
+    store::FigureName figure;
 };
-constexpr Column columns[] = {{"N_v box tests", "box_tests_per_step"},
-                              {"C_v, ns", "box_test_ns"},
-                              {"N_p pairs", "pairs_per_step"},
-                              {"C_p, ns", "pair_ns"},
-                              {"N_u boxes", "bodies"},
-                              {"C_u, ns", "update_ns"},
-                              {"equation 1, ns", "equation_1_ns"},
-                              {"equation 2, ns", "equation_2_ns"},
-                              {"measured, ns", "step_ns"}};
+constexpr Column columns[] = {{"N_v box tests", "cost.box_tests_per_step"},
+                              {"C_v, ns", "cost.box_test_ns"},
+                              {"N_p pairs", "cost.pairs_per_step"},
+                              {"C_p, ns", "cost.pair_ns"},
+                              {"N_u boxes", "cost.bodies"},
+                              {"C_u, ns", "cost.update_ns"},
+                              {"equation 1, ns", "cost.equation_1_ns"},
+                              {"equation 2, ns", "cost.equation_2_ns"},
+                              {"measured, ns", "cost.step_ns"}};
 
 GridCell ratio_of(const ReportCell& cell) {
-    const StoredFigure predicted = cell.figure("cost", "equation_2_ns"),
-                       step = cell.figure("cost", "step_ns");
+    const measure::Figure predicted = cell.figure("cost.equation_2_ns"), step = cell.figure("cost.step_ns");
     if (!predicted.value) return figure_cell(predicted);
     if (!step.value || *step.value <= 0) return figure_cell(step);
     return {fmt::format("{:.3f}", *predicted.value / *step.value)};
 }
 
 bool has_cost(const ReportCell& cell) {
-    for (const StoredFigure& figure : cell.figures)
+    for (const store::FigureRow& figure : cell.figures)
         if (figure.probe == "cost" && figure.value) return true;
     return false;
 }
@@ -44,7 +44,7 @@ std::vector<GridCell> row_of(const StoredScene& scene, const ReportCell& cell) {
                               {scene.varied.empty() ? cell.shape : scene.axis_title()},
                               {place ? number_text(*place) : "–"},
                               {cell.algorithm}};
-    for (const Column& column : columns) row.push_back(figure_cell(cell.figure("cost", column.figure)));
+    for (const Column& column : columns) row.push_back(figure_cell(cell.figure(column.figure)));
     row.push_back(ratio_of(cell));
     return row;
 }

@@ -67,10 +67,10 @@ TextGrid build_grid(const ReportData& data) {
                              {std::to_string(cell->vertices)},
                              {cell->algorithm},
                              {cell->table},
-                             figure_cell(cell->figure("build", "build_ns")),
-                             figure_cell(cell->figure("build", "refit_ns")),
-                             figure_cell(cell->figure("bytes", "paper_bytes_per_edge")),
-                             figure_cell(cell->figure("bytes", "table_bytes"))});
+                             figure_cell(cell->figure("build.build_ns")),
+                             figure_cell(cell->figure("build.refit_ns")),
+                             figure_cell(cell->figure("bytes.paper_bytes_per_edge")),
+                             figure_cell(cell->figure("bytes.table_bytes"))});
     }
     return grid;
 }

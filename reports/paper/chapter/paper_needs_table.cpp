@@ -27,13 +27,13 @@ Groups groups_of(const StoredScene& scene) {
     return groups;
 }
 
-GridCell ratio_of(const ByAxes& cells, const std::string& need, const std::string& time) {
+GridCell ratio_of(const ByAxes& cells, const std::string& need, const store::FigureName& time) {
     const auto cell = cells.find("needs=" + need), plain = cells.find("");
     if (cell == cells.end()) return missing_cell("the store has no cell with needs=" + need);
-    const StoredFigure ns = cell->second->figure("time", time);
+    const measure::Figure ns = cell->second->figure(time);
     if (!ns.value) return figure_cell(ns);
     if (plain == cells.end()) return missing_cell("the store has no plain cell to compare with");
-    const StoredFigure base = plain->second->figure("time", time);
+    const measure::Figure base = plain->second->figure(time);
     if (!base.value || *base.value <= 0) return figure_cell(base);
     return {fmt::format("{:.3f}", *ns.value / *base.value)};
 }
@@ -49,10 +49,10 @@ TextGrid needs_grid(const ReportData& data) {
         const auto& [vertices, shape, algorithm, table] = key;
         const auto plain = cells.find("");
         for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
-            const std::string time = pair_name(kind) + "_ns";
+            const store::FigureName& time = times_of(kind).ns;
             std::vector<GridCell> row{{shape}, {algorithm}, {table}, {pair_name(kind)}};
             row.push_back(plain == cells.end() ? missing_cell("the store has no plain cell")
-                                               : figure_cell(plain->second->figure("time", time)));
+                                               : figure_cell(plain->second->figure(time)));
             for (const char* need : needs) row.push_back(ratio_of(cells, need, time));
             grid.rows.push_back(std::move(row));
         }

@@ -21,9 +21,9 @@ struct Sum {
     std::optional<double> total;
     std::string reason = "no cell";
 
-    Sum(const Cells& cells, const char* name) {
+    Sum(const Cells& cells, const store::FigureName& name) {
         for (const ReportCell* cell : cells) {
-            const StoredFigure figure = cell->figure("error", name);
+            const measure::Figure figure = cell->figure(name);
             if (figure.value)
                 total = total.value_or(0) + *figure.value;
             else
@@ -46,13 +46,13 @@ GridCell percent_cell(const Sum& part, const Sum& whole) {
 std::vector<GridCell> row_of(const std::vector<std::string>& names, const Cells& cells) {
     std::vector<GridCell> row;
     for (const std::string& name : names) row.push_back({name});
-    const Sum checked(cells, "checked"), asked(cells, "control_checked");
+    const Sum checked(cells, "error.checked"), asked(cells, "error.control_checked");
     row.push_back(count_cell(checked));
-    row.push_back(percent_cell(Sum(cells, "wrong_verdicts"), checked));
-    row.push_back(percent_cell(Sum(cells, "verdicts_in_band"), checked));
+    row.push_back(percent_cell(Sum(cells, "error.wrong_verdicts"), checked));
+    row.push_back(percent_cell(Sum(cells, "error.verdicts_in_band"), checked));
     row.push_back(count_cell(asked));
-    row.push_back(percent_cell(Sum(cells, "control_disagreements"), asked));
-    row.push_back(percent_cell(Sum(cells, "control_disagreements_outside_band"), asked));
+    row.push_back(percent_cell(Sum(cells, "error.control_disagreements"), asked));
+    row.push_back(percent_cell(Sum(cells, "error.control_disagreements_outside_band"), asked));
     return row;
 }
 

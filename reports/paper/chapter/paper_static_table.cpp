@@ -30,16 +30,16 @@ SidesOfTables sides_of(const StoredScene& scene) {
     return tables;
 }
 
-GridCell cell_of(const ReportCell* cell, const char* probe, const char* name) {
+GridCell cell_of(const ReportCell* cell, const store::FigureName& name) {
     if (!cell) return {"–"};
-    return figure_cell(cell->figure(probe, name));
+    return figure_cell(cell->figure(name));
 }
 
 /// Both relative to the baseline timed in the same rounds: what moved the clock is in neither.
 GridCell ratio_of(const Sides& sides) {
     if (!sides.vclip || !sides.gjk) return {"–"};
-    const StoredFigure vclip = sides.vclip->figure("time", "all_ratio"),
-                       gjk = sides.gjk->figure("time", "all_ratio");
+    const measure::Figure vclip = sides.vclip->figure("time.all_ratio"),
+                          gjk = sides.gjk->figure("time.all_ratio");
     if (!gjk.value) return figure_cell(gjk);
     if (!vclip.value || *vclip.value <= 0) return figure_cell(vclip);
     return {fmt::format("{:.3f}", *gjk.value / *vclip.value)};
@@ -69,11 +69,11 @@ TextGrid static_grid(const ReportData& data) {
         grid.rows.push_back({{shape},
                              {std::to_string(vertices)},
                              {table},
-                             cell_of(sides.vclip, "time", "all_ns"),
-                             cell_of(sides.gjk, "time", "all_ns"),
+                             cell_of(sides.vclip, "time.all_ns"),
+                             cell_of(sides.gjk, "time.all_ns"),
                              ratio_of(sides),
-                             cell_of(sides.vclip, "build", "build_ns"),
-                             cell_of(sides.gjk, "build", "build_ns")});
+                             cell_of(sides.vclip, "build.build_ns"),
+                             cell_of(sides.gjk, "build.build_ns")});
     }
     return grid;
 }
@@ -97,9 +97,10 @@ TextGrid file_scene_grid(const StoredScene& scene) {
         if (varies) row.push_back(place_of(scene, *cell));
         row.push_back({cell->algorithm});
         row.push_back({cell->table});
-        for (const char* name :
-             {"all_ns", "all_ns_low", "all_ns_high", "all_ratio", "separated_ns", "overlapping_ns"})
-            row.push_back(figure_cell(cell->figure("time", name)));
+        for (const store::FigureName& name :
+             {store::all_time.ns, store::all_time.low, store::all_time.high, store::all_time.ratio,
+              store::separated_time.ns, store::overlapping_time.ns})
+            row.push_back(figure_cell(cell->figure(name)));
         grid.rows.push_back(std::move(row));
     }
     return grid;

@@ -29,12 +29,12 @@ std::string bytes_text(double bytes) {
 
 std::string missing_text(const std::string& why) { return "missing (" + why + ")"; }
 
-std::string bytes_text(const ThrashEvidence& bytes) {
-    return bytes.value ? bytes_text(*bytes.value) : missing_text(bytes.missing);
+std::string bytes_text(const measure::Expected<double>& bytes) {
+    return bytes.value ? bytes_text(*bytes.value) : missing_text(bytes.reason);
 }
 
-std::string count_text(const ThrashEvidence& bodies) {
-    if (!bodies.value) return missing_text(bodies.missing);
+std::string count_text(const measure::Expected<double>& bodies) {
+    if (!bodies.value) return missing_text(bodies.reason);
     return std::isfinite(*bodies.value) ? fmt::format("{:.0f}", std::ceil(*bodies.value)) : "no number";
 }
 
@@ -50,29 +50,28 @@ std::string answer(const ReportData& data) {
     }
     if (!cache)
         out = "Whether the cache makes figure 8 is not known: " +
-              memory_factor(data, old_machines[0], false).missing + ". ";
+              memory_factor(data, old_machines[0], false).reason + ". ";
     else
         out = *cache ? "The cache makes figure 8. " : "The cache does not make figure 8. ";
     if (!paging)
         return out + "Whether paging makes it is not known: " +
-               bodies_to_fill(data, 386, "page_knee_bytes", least_old_memory).missing + ".";
+               bodies_to_fill(data, 386, "reuse.page_knee_bytes", least_old_memory).reason + ".";
     return out + (*paging ? "Paging makes it." : "Paging does not make it.");
 }
 
 std::string factor_at(const ReportData& data, const char* machine, bool fastest) {
-    const ThrashEvidence factor = memory_factor(data, machine, fastest),
-                         step = thrash_step(data, 386, fastest),
-                         time = thrash_figure(data, 386, fastest, "caches",
-                                              std::string(machine) + ".modelled_memory_ns");
+    const measure::Expected<double> factor = memory_factor(data, machine, fastest),
+                                    step = thrash_step(data, 386, fastest),
+                                    time = thrash_figure(data, 386, fastest, store::memory_time.of(machine));
     const std::string speed =
         step.value ? number_text(*step.value) + " rad a step" : (fastest ? "the fastest" : "the slowest");
-    if (!factor.value) return fmt::format("at {} {}", speed, missing_text(factor.missing));
+    if (!factor.value) return fmt::format("at {} {}", speed, missing_text(factor.reason));
     const std::string times =
         std::isfinite(*factor.value) ? "by a factor of " + number_text(*factor.value) : "from none";
-    const std::string misses = std::string(machine) + ".L2.misses_per_query";
+    const auto misses = store::level_misses.of(machine, "L2");
     const auto count = [&](int vertices) {
-        const ThrashEvidence found = thrash_figure(data, vertices, fastest, "caches", misses);
-        return found.value ? number_text(*found.value) : missing_text(found.missing);
+        const measure::Expected<double> found = thrash_figure(data, vertices, fastest, misses);
+        return found.value ? number_text(*found.value) : missing_text(found.reason);
     };
     return fmt::format("at {} {} to {} us (misses of the second level: {} to {})", speed, times,
                        number_text(*time.value / 1000), count(38), count(386));
@@ -91,17 +90,17 @@ std::string cache_sentence(const ReportData& data) {
 }
 
 /// From which size on, and at 386 vertices from which speed on, a knee passes what was there in 2001.
-std::string where_it_passes(const ReportData& data, const std::string& knee, double bytes) {
+std::string where_it_passes(const ReportData& data, const store::FigureName& knee, double bytes) {
     std::optional<int> size;
     std::optional<double> speed;
     bool any = false;
     for (const int vertices : thrash_vertices) {
-        const ThrashEvidence worst = worst_figure(data, vertices, "reuse", knee);
+        const measure::Expected<double> worst = worst_figure(data, vertices, knee);
         any = any || worst.value;
         if (!size && worst.value && *worst.value > bytes) size = vertices;
     }
     for (const auto& [step, cell] : thrash_cells(data, 386, "vclip", "aos_f64")) {
-        const StoredFigure figure = cell->figure("reuse", knee);
+        const measure::Figure figure = cell->figure(knee);
         if (!speed && figure.value && *figure.value > bytes) speed = step;
     }
     if (!any) return "nowhere that is known";
@@ -110,16 +109,16 @@ std::string where_it_passes(const ReportData& data, const std::string& knee, dou
                        speed ? fmt::format("from {} rad a step on", number_text(*speed)) : "at no speed");
 }
 
-std::string knees_text(const ReportData& data, const std::string& knee) {
+std::string knees_text(const ReportData& data, const store::FigureName& knee) {
     std::vector<std::string> texts;
     for (const int vertices : thrash_vertices)
-        texts.push_back(fmt::format("{} with {} vertices",
-                                    bytes_text(worst_figure(data, vertices, "reuse", knee)), vertices));
+        texts.push_back(
+            fmt::format("{} with {} vertices", bytes_text(worst_figure(data, vertices, knee)), vertices));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string line_sentence(const ReportData& data) {
-    const char* const knee = "line_knee_bytes";
+    constexpr store::FigureName knee("reuse.line_knee_bytes");
     return fmt::format(
         "With {} bodies the cache that a query needs (knee of the lines) is {}: it passes the {} of a "
         "second-level cache {}. In proportion, {} bodies of 386 vertices are enough for that, of 38 it takes "
@@ -131,16 +130,16 @@ std::string line_sentence(const ReportData& data) {
 
 /// Of all bodies' tables, used or not.
 std::string tables_text(const ReportData& data) {
-    const ThrashEvidence table = thrash_figure(data, 386, false, "bytes", "table_bytes"),
-                         bodies = thrash_bodies(data, 386);
+    const measure::Expected<double> table = thrash_figure(data, 386, false, "bytes.table_bytes"),
+                                    bodies = thrash_bodies(data, 386);
     if (!table.value || !bodies.value)
-        return "what their tables take is " + missing_text(table.value ? bodies.missing : table.missing);
+        return "what their tables take is " + missing_text(table.value ? bodies.reason : table.reason);
     return fmt::format("the tables of {} bodies of 386 vertices take {}", count_text(bodies),
                        bytes_text(*table.value * *bodies.value));
 }
 
 std::string page_sentence(const ReportData& data) {
-    const char* const knee = "page_knee_bytes";
+    constexpr store::FigureName knee("reuse.page_knee_bytes");
     std::string tables = tables_text(data);
     tables[0] = static_cast<char>(std::toupper(tables[0]));
     return tables + "; " +
@@ -186,20 +185,19 @@ std::string measured_sentence(const ReportData& data) {
 }
 
 /// A figure over the baseline's, both at 386 vertices and the slowest turn.
-std::string share_text(const StoredFigure& figure, const StoredFigure& base) {
+std::string share_text(const measure::Figure& figure, const measure::Figure& base) {
     if (!figure.value) return missing_text(figure.reason);
     if (!base.value || *base.value <= 0) return "no ratio";
     return number_text(*figure.value / *base.value);
 }
 
 std::string layout_text(const ReportCell& cell, const ReportCell& base) {
-    const std::string time = std::string(old_machines[0]) + ".modelled_memory_ns";
-    const auto share = [&](const char* probe, const std::string& name) {
-        return share_text(cell.figure(probe, name), base.figure(probe, name));
+    const auto time = store::memory_time.of(old_machines[0]);
+    const auto share = [&](const store::FigureName& name) {
+        return share_text(cell.figure(name), base.figure(name));
     };
     return fmt::format("{}{} {}, {}, {}", cell.algorithm == "vclip" ? "" : cell.algorithm + " ", cell.table,
-                       share("reuse", "line_knee_bytes"), share("reuse", "page_knee_bytes"),
-                       share("caches", time));
+                       share("reuse.line_knee_bytes"), share("reuse.page_knee_bytes"), share(time));
 }
 
 /// Every other table type of V-Clip, and GJK on the same tables.
@@ -226,7 +224,7 @@ std::string papers_sentence(const ReportData& data) {
     const auto holds = [](const std::optional<bool>& cause) {
         return !cause ? "cannot be judged from this store" : *cause ? "holds" : "does not account for it";
     };
-    const ThrashEvidence knee = worst_figure(data, 386, "reuse", "line_knee_bytes");
+    const measure::Expected<double> knee = worst_figure(data, 386, "reuse.line_knee_bytes");
     std::string out = fmt::format(
         "Of the paper's two sentences, \"consuming all available memory ... thrashing\" (section 4, "
         "swapping) "

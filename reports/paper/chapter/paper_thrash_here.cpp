@@ -19,7 +19,7 @@ std::optional<double> time_of(const ReportData& data, int vertices, const std::s
                               const std::string& table) {
     const StoredScene scene = scene_file(data, "paper_angular_" + std::to_string(vertices));
     const ReportCell* cell = nearest_cell(scene, algorithm, table, half_a_turn);
-    return cell ? cell->figure("time", "all_ns").value : std::nullopt;
+    return cell ? cell->figure("time.all_ns").value : std::nullopt;
 }
 
 /// "from 1.06 to 16.4 us, a factor of 15.5"; empty where a time is missing.

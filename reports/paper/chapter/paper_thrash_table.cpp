@@ -12,7 +12,7 @@ namespace edgewise::reports {
 
 namespace {
 
-GridCell scaled(const StoredFigure& figure, double unit) {
+GridCell scaled(const measure::Figure& figure, double unit) {
     return figure.value ? GridCell{number_text(*figure.value / unit)} : figure_cell(figure);
 }
 
@@ -21,15 +21,14 @@ std::vector<GridCell> row_of(int vertices, double step, const ReportCell& cell) 
                               {number_text(step)},
                               {cell.algorithm},
                               {cell.table},
-                              scaled(cell.figure("reuse", "line_knee_bytes"), 1024),
-                              scaled(cell.figure("reuse", "page_knee_bytes"), 1048576),
-                              figure_cell(cell.figure("reuse", "lines_per_query")),
-                              figure_cell(cell.figure("reuse", "pages_per_query"))};
+                              scaled(cell.figure("reuse.line_knee_bytes"), 1024),
+                              scaled(cell.figure("reuse.page_knee_bytes"), 1048576),
+                              figure_cell(cell.figure("reuse.lines_per_query")),
+                              figure_cell(cell.figure("reuse.pages_per_query"))};
     for (const OldLevel& level : old_levels)
-        row.push_back(figure_cell(
-            cell.figure("caches", fmt::format("{}.{}.misses_per_query", level.machine, level.level))));
+        row.push_back(figure_cell(cell.figure(store::level_misses.of(level.machine, level.level))));
     for (const char* machine : old_machines)
-        row.push_back(scaled(cell.figure("caches", std::string(machine) + ".modelled_memory_ns"), 1000));
+        row.push_back(scaled(cell.figure(store::memory_time.of(machine)), 1000));
     return row;
 }
 

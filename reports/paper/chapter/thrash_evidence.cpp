@@ -31,7 +31,7 @@ std::string no_cell(int vertices) {
 }
 
 bool gives_the_time(const ReportData& data, const std::string& machine, bool fastest) {
-    const ThrashEvidence time = thrash_figure(data, 386, fastest, "caches", machine + ".modelled_memory_ns");
+    const measure::Expected<double> time = thrash_figure(data, 386, fastest, store::memory_time.of(machine));
     return time.value && *time.value >= least_share * papers_growth_ns;
 }
 
@@ -50,49 +50,49 @@ std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData&
     return cells;
 }
 
-ThrashEvidence thrash_figure(const ReportData& data, int vertices, bool fastest, const std::string& probe,
-                             const std::string& name) {
+measure::Expected<double> thrash_figure(const ReportData& data, int vertices, bool fastest,
+                                        const store::FigureName& name) {
     const ReportCell* cell = end_cell(data, vertices, fastest);
     if (!cell) return {std::nullopt, no_cell(vertices)};
-    const StoredFigure figure = cell->figure(probe, name);
+    const measure::Figure figure = cell->figure(name);
     if (figure.value) return {figure.value, {}};
-    return {std::nullopt, fmt::format("{} at {} vertices: {}", name, vertices, figure.reason)};
+    return {std::nullopt, fmt::format("{} at {} vertices: {}", name.name(), vertices, figure.reason)};
 }
 
-ThrashEvidence thrash_step(const ReportData& data, int vertices, bool fastest) {
+measure::Expected<double> thrash_step(const ReportData& data, int vertices, bool fastest) {
     const ReportCell* cell = end_cell(data, vertices, fastest);
-    return cell ? ThrashEvidence{scene_number(*cell, "rotation_step"), "no rotation_step"}
-                : ThrashEvidence{std::nullopt, no_cell(vertices)};
+    return cell ? measure::Expected<double>{scene_number(*cell, "rotation_step"), "no rotation_step"}
+                : measure::Expected<double>{std::nullopt, no_cell(vertices)};
 }
 
-ThrashEvidence thrash_bodies(const ReportData& data, int vertices) {
+measure::Expected<double> thrash_bodies(const ReportData& data, int vertices) {
     const ReportCell* cell = end_cell(data, vertices, false);
-    return cell ? ThrashEvidence{scene_number(*cell, "bodies"),
-                                 "the scene's parameters do not name its bodies"}
-                : ThrashEvidence{std::nullopt, no_cell(vertices)};
+    return cell ? measure::Expected<double>{scene_number(*cell, "bodies"),
+                                            "the scene's parameters do not name its bodies"}
+                : measure::Expected<double>{std::nullopt, no_cell(vertices)};
 }
 
-ThrashEvidence worst_figure(const ReportData& data, int vertices, const std::string& probe,
-                            const std::string& name) {
-    const ThrashEvidence slow = thrash_figure(data, vertices, false, probe, name),
-                         fast = thrash_figure(data, vertices, true, probe, name);
+measure::Expected<double> worst_figure(const ReportData& data, int vertices, const store::FigureName& name) {
+    const measure::Expected<double> slow = thrash_figure(data, vertices, false, name),
+                                    fast = thrash_figure(data, vertices, true, name);
     if (slow.value && fast.value) return {std::max(*slow.value, *fast.value), {}};
     return slow.value ? slow : fast;
 }
 
-ThrashEvidence bodies_to_fill(const ReportData& data, int vertices, const std::string& knee, double bytes) {
-    const ThrashEvidence worst = worst_figure(data, vertices, "reuse", knee),
-                         bodies = thrash_bodies(data, vertices);
+measure::Expected<double> bodies_to_fill(const ReportData& data, int vertices, const store::FigureName& knee,
+                                         double bytes) {
+    const measure::Expected<double> worst = worst_figure(data, vertices, knee),
+                                    bodies = thrash_bodies(data, vertices);
     if (!worst.value) return worst;
     if (!bodies.value) return bodies;
     if (*worst.value <= 0) return {std::numeric_limits<double>::infinity(), {}};
     return {*bodies.value * bytes / *worst.value, {}};
 }
 
-ThrashEvidence memory_factor(const ReportData& data, const std::string& machine, bool fastest) {
-    const std::string name = machine + ".modelled_memory_ns";
-    const ThrashEvidence large = thrash_figure(data, 386, fastest, "caches", name),
-                         small = thrash_figure(data, 38, fastest, "caches", name);
+measure::Expected<double> memory_factor(const ReportData& data, const std::string& machine, bool fastest) {
+    const store::FigureName name = store::memory_time.of(machine);
+    const measure::Expected<double> large = thrash_figure(data, 386, fastest, name),
+                                    small = thrash_figure(data, 38, fastest, name);
     if (!large.value) return large;
     if (!small.value) return small;
     if (*small.value > 0) return {*large.value / *small.value, {}};
@@ -103,7 +103,7 @@ std::optional<bool> cache_is_a_cause(const ReportData& data) {
     std::optional<bool> found;
     for (const char* machine : old_machines) {
         for (const bool fastest : {false, true}) {
-            const ThrashEvidence factor = memory_factor(data, machine, fastest);
+            const measure::Expected<double> factor = memory_factor(data, machine, fastest);
             if (!factor.value) continue;
             const bool enough = *factor.value >= papers_factor && gives_the_time(data, machine, fastest);
             found = found.value_or(false) || enough;
@@ -127,8 +127,10 @@ std::optional<bool> faults_in_old_memory(const ReportCell& row) {
 
 std::optional<bool> paging_is_a_cause(const ReportData& data) {
     std::optional<bool> found;
-    const ThrashEvidence large = bodies_to_fill(data, 386, "page_knee_bytes", least_old_memory),
-                         small = bodies_to_fill(data, 38, "page_knee_bytes", least_old_memory);
+    const measure::Expected<double> large =
+                                        bodies_to_fill(data, 386, "reuse.page_knee_bytes", least_old_memory),
+                                    small =
+                                        bodies_to_fill(data, 38, "reuse.page_knee_bytes", least_old_memory);
     const bool at_38 = small.value && *small.value < more_than_hundreds;
     if (large.value) found = *large.value < more_than_hundreds && !at_38;
     for (const ReportCell& row : data.paging)

@@ -9,15 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "edgewise/measure/expected.hpp"
 #include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
-
-/// A number, or the reason why there is none.
-struct ThrashEvidence {
-    std::optional<double> value;
-    std::string missing;
-};
 
 /// Cells of paper_thrash_N by angle a step, rising: one algorithm on one table type.
 [[nodiscard]] std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData& data,
@@ -25,19 +20,20 @@ struct ThrashEvidence {
                                                                              const std::string& algorithm,
                                                                              const std::string& table);
 /// V-Clip on aos_f64: a figure at the slowest or the fastest turn.
-[[nodiscard]] ThrashEvidence thrash_figure(const ReportData& data, int vertices, bool fastest,
-                                           const std::string& probe, const std::string& name);
+[[nodiscard]] measure::Expected<double> thrash_figure(const ReportData& data, int vertices, bool fastest,
+                                                      const store::FigureName& name);
 /// The angle a step, and the bodies, of those cells.
-[[nodiscard]] ThrashEvidence thrash_step(const ReportData& data, int vertices, bool fastest);
-[[nodiscard]] ThrashEvidence thrash_bodies(const ReportData& data, int vertices);
+[[nodiscard]] measure::Expected<double> thrash_step(const ReportData& data, int vertices, bool fastest);
+[[nodiscard]] measure::Expected<double> thrash_bodies(const ReportData& data, int vertices);
 /// The larger of a figure at the slowest and at the fastest turn.
-[[nodiscard]] ThrashEvidence worst_figure(const ReportData& data, int vertices, const std::string& probe,
-                                          const std::string& name);
+[[nodiscard]] measure::Expected<double> worst_figure(const ReportData& data, int vertices,
+                                                     const store::FigureName& name);
 /// How many bodies it takes, in proportion, until the worst knee passes `bytes`.
-[[nodiscard]] ThrashEvidence bodies_to_fill(const ReportData& data, int vertices, const std::string& knee,
-                                            double bytes);
+[[nodiscard]] measure::Expected<double> bodies_to_fill(const ReportData& data, int vertices,
+                                                       const store::FigureName& knee, double bytes);
 /// Modelled memory time at 386 vertices over that at 38; infinite where 38 vertices never wait.
-[[nodiscard]] ThrashEvidence memory_factor(const ReportData& data, const std::string& machine, bool fastest);
+[[nodiscard]] measure::Expected<double> memory_factor(const ReportData& data, const std::string& machine,
+                                                      bool fastest);
 
 /// Whether a row of the paging run is such a measurement, and what it says: V-Clip on aos_f64, 386 vertices,
 /// hundreds of bodies, a limit that leaves the tables as much as a memory of the time.

@@ -25,7 +25,7 @@ ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
             omitted.add("its scene parameters do not hold " + scene.varied);
             continue;
         }
-        ChartJson row = timed_row(*cell, "all", omitted);
+        ChartJson row = timed_row(*cell, store::all_time, omitted);
         if (row.is_null()) continue;
         row["place"] = *place;
         if (scene.varied == "rotation_step" && is_random_turn(*cell)) {

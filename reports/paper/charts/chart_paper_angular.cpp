@@ -45,7 +45,7 @@ ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : scene.cells) {
         const double step = scene_number(*cell, "rotation_step").value_or(0);
-        ChartJson row = timed_row(*cell, "all", omitted);
+        ChartJson row = timed_row(*cell, store::all_time, omitted);
         if (row.is_null()) continue;
         set_turn(*cell, step, row);
         values.push_back(std::move(row));

@@ -24,7 +24,7 @@ std::map<double, double> tests_of(const StoredScene& scene, Omissions& omitted) 
     std::map<double, double> tests;
     for (const ReportCell* cell : scene.cells) {
         const auto bodies = scene_number(*cell, "bodies");
-        const StoredFigure pairs = cell->figure("cost", "pairs_per_step");
+        const measure::Figure pairs = cell->figure("cost.pairs_per_step");
         if (!bodies || !pairs.value || *pairs.value <= 0)
             omitted.add(pairs.value ? "no pair was tested, which a logarithmic axis cannot show"
                                     : pairs.reason);

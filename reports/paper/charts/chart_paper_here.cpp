@@ -24,7 +24,7 @@ ChartJson times_of(const StoredScene& scene, Omissions& omitted) {
     for (const ReportCell* cell : scene.cells) {
         const auto bodies = scene_number(*cell, "bodies");
         if (!bodies) continue;
-        ChartJson row = timed_row(*cell, "all", omitted);
+        ChartJson row = timed_row(*cell, store::all_time, omitted);
         if (row.is_null()) continue;
         row["bodies"] = *bodies;
         values.push_back(std::move(row));
@@ -36,12 +36,12 @@ ChartJson times_of(const StoredScene& scene, Omissions& omitted) {
 /// same angle a step, in proportion to the bodies.
 std::optional<double> knee_of(const ReportData& data, const ReportCell& cell, double bodies,
                               bool& estimated) {
-    const StoredFigure own = cell.figure("reuse", "line_knee_bytes");
+    const measure::Figure own = cell.figure("reuse.line_knee_bytes");
     if (own.value) return own.value;
     const ReportCell* like =
         nearest_cell(scene_file(data, "paper_thrash_386"), cell.algorithm, cell.table, thrash_turn);
     if (!like) return std::nullopt;
-    const StoredFigure knee = like->figure("reuse", "line_knee_bytes");
+    const measure::Figure knee = like->figure("reuse.line_knee_bytes");
     const auto traced = scene_number(*like, "bodies");
     if (!knee.value || !traced || *traced <= 0) return std::nullopt;
     estimated = true;

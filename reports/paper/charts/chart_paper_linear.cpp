@@ -20,7 +20,7 @@ ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
     for (const ReportCell* cell : scene.cells) {
         const auto way = scene_number(*cell, "step_in_dimensions");
         if (!way) continue;
-        ChartJson row = timed_row(*cell, "all", omitted);
+        ChartJson row = timed_row(*cell, store::all_time, omitted);
         if (row.is_null()) continue;
         row["step_in_dimensions"] = *way;
         row["m_s_at_60_Hz"] = *way / short_step;

@@ -17,8 +17,7 @@ void add_cell(const ReportCell& cell, Omissions& omitted, ChartJson& values) {
     const auto step = scene_number(cell, "rotation_step");
     if (!step || *step <= 0) return;
     for (const OldLevel& level : old_levels) {
-        const StoredFigure misses =
-            cell.figure("caches", fmt::format("{}.{}.misses_per_query", level.machine, level.level));
+        const measure::Figure misses = cell.figure(store::level_misses.of(level.machine, level.level));
         if (!cell.verified() || !misses.value) {
             omitted.add(fmt::format("{}: {}", level.label, misses.reason));
             continue;

@@ -89,7 +89,7 @@ Chart paper_paging_chart(const ReportData& data) {
     ChartJson values = ChartJson::array();
     bool keeps_recency = true;
     for (const ReportCell& row : data.paging) {
-        keeps_recency = keeps_recency && row.figure("paging", "keeps_recency").value.value_or(1) != 0;
+        keeps_recency = keeps_recency && row.figure("paging.keeps_recency").value.value_or(1) != 0;
         for (const PagingLimit& limit : paging_limits(row)) add_limit(row, limit, omitted, values);
     }
     if (values.empty()) return chart;

@@ -4,6 +4,7 @@
 // a row of panels a number of vertices. The cache and the memories of 2001 stand as rules in every panel.
 #include <fmt/core.h>
 
+#include <cmath>
 #include <set>
 
 #include "edgewise/reports/charts/curves.hpp"
@@ -15,14 +16,13 @@ namespace edgewise::reports {
 
 namespace {
 
-void add_curve(const ReportCell& cell, const std::string& unit, ChartJson& values) {
-    const std::string prefix = unit + "_misses_at_2^";
-    for (const StoredFigure& figure : cell.figures) {
-        if (figure.probe != "reuse" || !figure.value || !figure.name.starts_with(prefix)) continue;
-        const int exponent = std::stoi(figure.name.substr(prefix.size()));
+void add_curve(const ReportCell& cell, const store::ReuseNames& family, ChartJson& values) {
+    for (const store::FigureRow& figure : cell.figures) {
+        const auto power = family.misses.value_in(figure.probe, figure.name);
+        if (!power || !figure.value) continue;
         ChartJson row = curve_json(cell);
-        row["unit"] = unit + "s";
-        row["bytes"] = static_cast<double>(std::uint64_t{1} << exponent);
+        row["unit"] = family.units;
+        row["bytes"] = std::ldexp(1.0, std::stoi(*power));
         row["misses"] = *figure.value;
         values.push_back(std::move(row));
     }
@@ -35,7 +35,7 @@ void add_scene(const StoredScene& scene, ChartJson& values) {
         if (!done.emplace(cell->algorithm, cell->table).second) continue;
         const ReportCell* shown = nearest_cell(scene, cell->algorithm, cell->table, thrash_turn);
         if (!shown) continue;
-        for (const char* unit : {"line", "page"}) add_curve(*shown, unit, values);
+        for (const store::ReuseNames& family : store::reuse_names) add_curve(*shown, family, values);
     }
 }
 

@@ -95,7 +95,7 @@ constexpr int sizes[] = {8, 38, 386};
 
 std::vector<CurvePoint> climbs(const ReportData& data) {
     std::vector<CurvePoint> curve =
-        curve_of(cells_along(data, gjk_key("paper_cold"), "vertices"), "work", "vertices_per_support");
+        curve_of(cells_along(data, gjk_key("paper_cold"), "vertices"), "work.vertices_per_support");
     // Bodies that are scanned do not climb; without any that do, the reason is theirs.
     const auto is_scanned = [](const CurvePoint& point) { return !point.y.value; };
     if (!std::all_of(curve.begin(), curve.end(), is_scanned)) std::erase_if(curve, is_scanned);
@@ -118,11 +118,10 @@ Claim judge_neighbours(const ReportData& data) {
     std::vector<ClaimPart> parts;
     for (const int vertices : sizes) {
         parts.push_back({"near, " + paper_shape(vertices),
-                         slowest_figure(data, vertices, "gjk", "work", "support_near"),
+                         slowest_figure(data, vertices, "gjk", "work.support_near"),
                          at_least(nearly_always)});
         parts.push_back({"unchanged, " + paper_shape(vertices),
-                         slowest_figure(data, vertices, "gjk", "work", "support_unchanged"),
-                         at_least(often)});
+                         slowest_figure(data, vertices, "gjk", "work.support_unchanged"), at_least(often)});
     }
     return judge_claim(neighbours, parts);
 }
@@ -132,8 +131,9 @@ Claim judge_degenerate(const ReportData& data) {
     for (const ReportCell& row : data.stability) {
         if (row.algorithm != "gjk" || row.table != "aos_f64") continue;
         Evidence helped = exact_evidence(all.value.value_or(0));
-        for (const char* name : {"refinements", "fallbacks"}) {
-            const StoredFigure figure = row.figure("stability", name);
+        for (const store::FigureName& name :
+             std::initializer_list<store::FigureName>{"stability.refinements", "stability.fallbacks"}) {
+            const measure::Figure figure = row.figure(name);
             helped = sum(helped, figure.value ? exact_evidence(*figure.value) : no_evidence(figure.reason));
         }
         // A family without the figures says nothing of the others.
@@ -145,12 +145,12 @@ Claim judge_degenerate(const ReportData& data) {
 Claim judge_early(const ReportData& data) {
     const CellKey standing = gjk_key("paper_static", "cube8");
     std::vector<ClaimPart> parts = {
-        {"standing", figure_of(data, standing, "work", "subsets_tried"), at_most(half_of_subsets)},
-        {"turning", slowest_figure(data, 8, "gjk", "work", "subsets_tried"), at_most(half_of_subsets)}};
+        {"standing", figure_of(data, standing, "work.subsets_tried"), at_most(half_of_subsets)},
+        {"turning", slowest_figure(data, 8, "gjk", "work.subsets_tried"), at_most(half_of_subsets)}};
     for (const char* size : {"1", "2", "3", "4"})
         parts.push_back({std::string("accepted with ") + size + " points, standing",
-                         figure_of(data, standing, "work", std::string("accepted_") + size), only_shown(),
-                         "1"});
+                         figure_of(data, standing, store::FigureName("work.accepted_{number}").of(size)),
+                         only_shown(), "1"});
     return judge_claim(early, parts);
 }
 
@@ -159,7 +159,7 @@ Claim judge_analog(const ReportData& data) {
     for (const int vertices : sizes)
         parts.push_back(
             {paper_shape(vertices),
-             figure_of(data, gjk_key("paper_static", paper_shape(vertices)), "work", "features_agree"),
+             figure_of(data, gjk_key("paper_static", paper_shape(vertices)), "work.features_agree"),
              at_least(nearly_always)});
     return judge_claim(analog, parts);
 }
@@ -171,7 +171,7 @@ std::vector<Claim> algorithm_claims(const ReportData& data) {
     const WantedBand flat = between(-almost_constant, almost_constant);
     return {judge_claim(constant_time, {{"exponent", growth_exponent(time_curve(vclip)), flat}}),
             judge_claim(constant_steps,
-                        {{"exponent", growth_exponent(curve_of(vclip, "error", "mean_steps")), flat}}),
+                        {{"exponent", growth_exponent(curve_of(vclip, "error.mean_steps")), flat}}),
             judge_logarithm(data),
             judge_claim(cheaper, {{"exponent", growth_exponent(climbs(data)), at_most(below_scan)}}),
             judge_neighbours(data),

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "edgewise/measure/statistics.hpp"
 #include "edgewise/reports/tables/ratio_interval.hpp"
 
 namespace edgewise::reports {
@@ -49,14 +50,11 @@ std::string no_cell(const CellKey& key) {
 
 std::optional<Evidence> ratio_of_rounds(const ReportCell& cell) {
     std::vector<double> ratios;
-    for (const StoredRound& round : cell.rounds)
-        if (round.all_ratio) ratios.push_back(*round.all_ratio);
+    for (const measure::Round& round : cell.rounds)
+        if (const auto ratio = round.ratio(&measure::Timing::all)) ratios.push_back(*ratio);
     const auto interval = median_interval(ratios);
     if (!interval) return std::nullopt;
-    std::sort(ratios.begin(), ratios.end());
-    const std::size_t half = ratios.size() / 2;
-    const double middle = ratios.size() % 2 ? ratios[half] : (ratios[half - 1] + ratios[half]) / 2;
-    return interval_evidence(middle, interval->low, interval->high);
+    return interval_evidence(*measure::median(ratios), interval->low, interval->high);
 }
 
 }  // namespace
@@ -94,22 +92,21 @@ std::vector<CurveCell> in_range(const std::vector<CurveCell>& cells, const Curve
     return inside;
 }
 
-Evidence figure_of(const ReportCell& cell, const std::string& probe, const std::string& name) {
+Evidence figure_of(const ReportCell& cell, const store::FigureName& name) {
     if (!cell.verified()) return no_evidence(fmt::format("a cell is {}: {}", cell.status, cell.reason));
-    const StoredFigure figure = cell.figure(probe, name);
+    const measure::Figure figure = cell.figure(name);
     if (figure.value) return exact_evidence(*figure.value);
-    return no_evidence(fmt::format("{}.{}: {}", probe, name, figure.reason));
+    return no_evidence(fmt::format("{}.{}: {}", name.probe(), name.name(), figure.reason));
 }
 
-Evidence figure_of(const ReportData& data, const CellKey& key, const std::string& probe,
-                   const std::string& name) {
+Evidence figure_of(const ReportData& data, const CellKey& key, const store::FigureName& name) {
     const ReportCell* cell = find_cell(data, key);
-    return cell ? figure_of(*cell, probe, name) : no_evidence(no_cell(key));
+    return cell ? figure_of(*cell, name) : no_evidence(no_cell(key));
 }
 
 Evidence time_of(const ReportCell& cell) {
-    const Evidence middle = figure_of(cell, "time", "all_ns"), low = figure_of(cell, "time", "all_ns_low"),
-                   high = figure_of(cell, "time", "all_ns_high");
+    const Evidence middle = figure_of(cell, "time.all_ns"), low = figure_of(cell, "time.all_ns_low"),
+                   high = figure_of(cell, "time.all_ns_high");
     for (const Evidence* part : {&middle, &low, &high})
         if (!part->value) return *part;
     return interval_evidence(*middle.value, *low.value, *high.value);
@@ -133,10 +130,9 @@ Evidence time_ratio(const ReportData& data, const CellKey& key, const CellKey& b
     return time_ratio(*above, *below);
 }
 
-std::vector<CurvePoint> curve_of(const std::vector<CurveCell>& cells, const std::string& probe,
-                                 const std::string& name) {
+std::vector<CurvePoint> curve_of(const std::vector<CurveCell>& cells, const store::FigureName& name) {
     std::vector<CurvePoint> curve;
-    for (const CurveCell& at : cells) curve.push_back({at.x, figure_of(*at.cell, probe, name)});
+    for (const CurveCell& at : cells) curve.push_back({at.x, figure_of(*at.cell, name)});
     return curve;
 }
 

@@ -43,9 +43,8 @@ struct CurveRange {
                                                  const std::string& parameter);
 [[nodiscard]] std::vector<CurveCell> in_range(const std::vector<CurveCell>& cells, const CurveRange& range);
 
-[[nodiscard]] Evidence figure_of(const ReportCell& cell, const std::string& probe, const std::string& name);
-[[nodiscard]] Evidence figure_of(const ReportData& data, const CellKey& key, const std::string& probe,
-                                 const std::string& name);
+[[nodiscard]] Evidence figure_of(const ReportCell& cell, const store::FigureName& name);
+[[nodiscard]] Evidence figure_of(const ReportData& data, const CellKey& key, const store::FigureName& name);
 /// Nanoseconds a query, all pairs as they come: median and interval.
 [[nodiscard]] Evidence time_of(const ReportCell& cell);
 [[nodiscard]] Evidence time_of(const ReportData& data, const CellKey& key);
@@ -54,8 +53,8 @@ struct CurveRange {
 [[nodiscard]] Evidence time_ratio(const ReportCell& cell, const ReportCell& baseline);
 [[nodiscard]] Evidence time_ratio(const ReportData& data, const CellKey& key, const CellKey& baseline);
 
-[[nodiscard]] std::vector<CurvePoint> curve_of(const std::vector<CurveCell>& cells, const std::string& probe,
-                                               const std::string& name);
+[[nodiscard]] std::vector<CurvePoint> curve_of(const std::vector<CurveCell>& cells,
+                                               const store::FigureName& name);
 [[nodiscard]] std::vector<CurvePoint> time_curve(const std::vector<CurveCell>& cells);
 /// Time ratios at the numbers that both have.
 [[nodiscard]] std::vector<CurvePoint> ratio_curve(const std::vector<CurveCell>& cells,

@@ -69,9 +69,8 @@ constexpr int sizes[] = {8, 38, 386};
 
 /// Mean steps, from incoherent to as coherent as can be.
 Evidence gain_in_steps(const ReportData& data, int vertices, const std::string& algorithm) {
-    return quotient(
-        figure_of(data, {"paper_static", paper_shape(vertices), algorithm}, "error", "mean_steps"),
-        slowest_figure(data, vertices, algorithm, "error", "mean_steps"));
+    return quotient(figure_of(data, {"paper_static", paper_shape(vertices), algorithm}, "error.mean_steps"),
+                    slowest_figure(data, vertices, algorithm, "error.mean_steps"));
 }
 
 Evidence gains_in_steps(const ReportData& data, int vertices) {
@@ -98,7 +97,7 @@ Claim judge_caching(const ReportData& data, const ClaimText& text,
 
 Evidence growth_of_steps(const ReportData& data, const std::string& algorithm) {
     std::vector<CurvePoint> curve =
-        curve_of(angular_cells(data, 8, algorithm, {0, half_turn}), "error", "mean_steps");
+        curve_of(angular_cells(data, 8, algorithm, {0, half_turn}), "error.mean_steps");
     std::erase_if(curve, [](const CurvePoint& point) { return !(point.x > 0); });
     if (curve.size() < 2) return no_evidence("paper_angular_8 has fewer than two speeds for " + algorithm);
     return quotient(curve.back().y, curve.front().y);
@@ -108,7 +107,7 @@ Claim judge_kept(const ReportData& data) {
     std::vector<ClaimPart> parts;
     for (const int vertices : sizes)
         parts.push_back({"V-Clip, " + paper_shape(vertices),
-                         slowest_figure(data, vertices, "vclip", "work", "unchanged"), at_least(often)});
+                         slowest_figure(data, vertices, "vclip", "work.unchanged"), at_least(often)});
     return judge_claim(kept, parts);
 }
 

@@ -43,21 +43,21 @@ constexpr double most_without_updates = 0.95;
 
 const char* const no_bodies = "no cells of scene paper_bodies, vclip on aos_f64, are stored";
 
-std::vector<CurvePoint> cost_curve(const ReportData& data, const std::string& name) {
-    return curve_of(cells_along(data, vclip_key("paper_bodies"), "bodies"), "cost", name);
+std::vector<CurvePoint> cost_curve(const ReportData& data, const store::FigureName& name) {
+    return curve_of(cells_along(data, vclip_key("paper_bodies"), "bodies"), name);
 }
 
 Claim judge_equation_2(const ReportData& data) {
     const auto ratios =
-        values_of(quotient_curve(cost_curve(data, "equation_2_ns"), cost_curve(data, "step_ns")));
+        values_of(quotient_curve(cost_curve(data, "cost.equation_2_ns"), cost_curve(data, "cost.step_ns")));
     return judge_claim(
         equation_2, {{"predicted over measured, least", smallest(ratios, no_bodies), at_least(least_share)},
                      {"most", largest(ratios, no_bodies), at_most(most_share)}});
 }
 
 Claim judge_updates(const ReportData& data) {
-    const auto ratios =
-        values_of(quotient_curve(cost_curve(data, "equation_1_ns"), cost_curve(data, "equation_2_ns")));
+    const auto ratios = values_of(
+        quotient_curve(cost_curve(data, "cost.equation_1_ns"), cost_curve(data, "cost.equation_2_ns")));
     return judge_claim(updates, {{"equation 1 over equation 2, most", largest(ratios, no_bodies),
                                   at_most(most_without_updates)}});
 }

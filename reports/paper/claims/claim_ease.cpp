@@ -81,8 +81,9 @@ Evidence wrong_share(const ReportData& data, const std::string& table, const Fam
     std::string why = "no stability run of such families on " + table + " is stored";
     for (const ReportCell& row : data.stability) {
         if (row.table != table || !is_among(row.shape, wanted)) continue;
-        const StoredFigure failed = row.figure("stability", "failures_at_" + at);
-        const StoredFigure asked = row.figure("stability", "cases");
+        const measure::Figure failed =
+            row.figure(store::FigureName("stability.failures_at_{tolerance}").of(at));
+        const measure::Figure asked = row.figure("stability.cases");
         if (!failed.value || !asked.value) {
             why = failed.value ? asked.reason : failed.reason;
             continue;
@@ -120,22 +121,22 @@ Claim judge_limits(const ReportData& data) {
          {"excess at 1e-8, single", excess(data, "aos_f32", all_families, "1e-08"), at_least(trouble)}});
 }
 
-Evidence table_time(const ReportData& data, const std::string& algorithm, const char* name) {
-    return figure_of(data, {"paper_angular_386", "", algorithm}, "build", name);
+Evidence table_time(const ReportData& data, const std::string& algorithm, const store::FigureName& name) {
+    return figure_of(data, {"paper_angular_386", "", algorithm}, name);
 }
 
 Evidence queries_to_build(const ReportData& data, const std::string& algorithm) {
-    return quotient(table_time(data, algorithm, "build_ns"), slowest_time(data, 386, algorithm));
+    return quotient(table_time(data, algorithm, "build.build_ns"), slowest_time(data, 386, algorithm));
 }
 
 Claim judge_deforming(const ReportData& data) {
     const auto both = [&](const std::string& algorithm) {
-        return sum(table_time(data, algorithm, "refit_ns"), slowest_time(data, 386, algorithm));
+        return sum(table_time(data, algorithm, "build.refit_ns"), slowest_time(data, 386, algorithm));
     };
     return judge_claim(deforming,
                        {{"V-Clip over GJK", quotient(both("vclip"), both("gjk")), more_than(1)},
-                        {"V-Clip's refit", table_time(data, "vclip", "refit_ns"), only_shown(), "ns"},
-                        {"GJK's refit", table_time(data, "gjk", "refit_ns"), only_shown(), "ns"}});
+                        {"V-Clip's refit", table_time(data, "vclip", "build.refit_ns"), only_shown(), "ns"},
+                        {"GJK's refit", table_time(data, "gjk", "build.refit_ns"), only_shown(), "ns"}});
 }
 
 }  // namespace

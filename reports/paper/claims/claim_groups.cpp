@@ -38,9 +38,9 @@ const ReportCell* slowest_cell(const ReportData& data, int vertices, const std::
 }
 
 Evidence slowest_figure(const ReportData& data, int vertices, const std::string& algorithm,
-                        const std::string& probe, const std::string& name) {
+                        const store::FigureName& name) {
     const ReportCell* cell = slowest_cell(data, vertices, algorithm);
-    return cell ? figure_of(*cell, probe, name) : no_slow_cell(vertices, algorithm);
+    return cell ? figure_of(*cell, name) : no_slow_cell(vertices, algorithm);
 }
 
 Evidence slowest_time(const ReportData& data, int vertices, const std::string& algorithm) {

@@ -51,7 +51,7 @@ inline constexpr CurveRange figure_6_speeds{0, 12.57}, figures_7_and_8_speeds{1,
                                              const std::string& algorithm);
 /// Its figure, or its time; none where there is no such cell.
 [[nodiscard]] Evidence slowest_figure(const ReportData& data, int vertices, const std::string& algorithm,
-                                      const std::string& probe, const std::string& name);
+                                      const store::FigureName& name);
 [[nodiscard]] Evidence slowest_time(const ReportData& data, int vertices, const std::string& algorithm);
 
 /// The shape of so many vertices in the paper's scenes: "cube8", "sphere38".

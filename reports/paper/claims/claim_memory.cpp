@@ -61,14 +61,14 @@ constexpr ClaimText all_memory{
     true};
 
 Evidence slope(const ReportData& data, const std::string& table) {
-    return figure_of(data, {"", "sphere386", "vclip", table}, "bytes", "paper_bytes_per_edge");
+    return figure_of(data, {"", "sphere386", "vclip", table}, "bytes.paper_bytes_per_edge");
 }
 
 const char* const no_sizes = "no cells of scene paper_complexity, vclip on aos_f64, are stored";
 
 Claim judge_linear(const ReportData& data) {
-    const auto sizes = values_of(curve_of(cells_along(data, vclip_key("paper_complexity"), "vertices"),
-                                          "bytes", "total_bytes_per_edge"));
+    const auto sizes = values_of(
+        curve_of(cells_along(data, vclip_key("paper_complexity"), "vertices"), "bytes.total_bytes_per_edge"));
     return judge_claim(bytes_linear,
                        {{"largest over smallest", quotient(largest(sizes, no_sizes), smallest(sizes)),
                          at_most(most_spread)}});
@@ -78,8 +78,8 @@ Claim judge_linear(const ReportData& data) {
 
 std::vector<Claim> memory_claims(const ReportData& data) {
     const Evidence in_double = slope(data, "aos_f64"), in_single = slope(data, "aos_f32");
-    const Evidence vclip = figure_of(data, vclip_key("", "sphere386"), "bytes", "table_bytes");
-    const Evidence gjk = figure_of(data, gjk_key("", "sphere386"), "bytes", "table_bytes");
+    const Evidence vclip = figure_of(data, vclip_key("", "sphere386"), "bytes.table_bytes");
+    const Evidence gjk = figure_of(data, gjk_key("", "sphere386"), "bytes.table_bytes");
     Evidence many = vclip;
     if (many.value) many = exact_evidence(hundreds * *many.value);
     return {judge_claim(bytes_double, {{"aos_f64", in_double, between(paper_edge_low, paper_edge_high)}}),

@@ -52,8 +52,8 @@ const ReportCell* row_of(const ReportData& data, const std::string& algorithm) {
     return nullptr;
 }
 
-Evidence at(const ReportCell& row, const char* name, int i) {
-    return figure_of(row, "paging", fmt::format("{}.{}", name, i));
+Evidence at(const ReportCell& row, const store::FigureName& name, int i) {
+    return figure_of(row, name.of(std::to_string(i)));
 }
 
 /// The number of the wanted limit: the largest that is below `bound`, where 0 bytes mean no limit at all; -1
@@ -62,7 +62,7 @@ int largest_limit(const ReportCell& row, double bound) {
     int best = -1;
     double most = -1;
     for (int i = 0;; ++i) {
-        const Evidence limit = at(row, "limit_bytes", i);
+        const Evidence limit = at(row, "paging.limit_bytes.{limit}", i);
         if (!limit.value) return best;
         const double bytes = *limit.value > 0 ? *limit.value : 1e300;
         if (bytes < bound && bytes > most) best = i, most = bytes;
@@ -73,15 +73,15 @@ int largest_limit(const ReportCell& row, double bound) {
 Evidence tight_limit(const ReportData& data) {
     const ReportCell* row = row_of(data, "vclip");
     if (!row) return no_evidence("no paging run of vclip on aos_f64, sphere386, is stored");
-    const Evidence touched = figure_of(*row, "paging", "touched_bytes");
+    const Evidence touched = figure_of(*row, "paging.touched_bytes");
     if (!touched.value) return touched;
     const int i = largest_limit(*row, part_of_touched * *touched.value);
     if (i < 0) return no_evidence("no limit is below half of what V-Clip touches");
-    return at(*row, "limit_bytes", i);
+    return at(*row, "paging.limit_bytes.{limit}", i);
 }
 
 /// A figure of an algorithm's row at V-Clip's tight limit.
-Evidence when_tight(const ReportData& data, const std::string& algorithm, const char* name) {
+Evidence when_tight(const ReportData& data, const std::string& algorithm, const store::FigureName& name) {
     const Evidence limit = tight_limit(data);
     if (!limit.value) return limit;
     const ReportCell* row = row_of(data, algorithm);
@@ -97,15 +97,16 @@ Evidence time_at_ease(const ReportData& data) {
     const ReportCell* row = row_of(data, "vclip");
     if (!row) return no_evidence("no paging run of vclip on aos_f64, sphere386, is stored");
     const int i = largest_limit(*row, 1e301);
-    return i < 0 ? no_evidence("the paging run has no limit") : at(*row, "us_per_query", i);
+    return i < 0 ? no_evidence("the paging run has no limit") : at(*row, "paging.us_per_query.{limit}", i);
 }
 
 }  // namespace
 
 std::vector<Claim> paging_claims(const ReportData& data) {
-    const Evidence vclip = when_tight(data, "vclip", "faults_per_query");
-    const Evidence ratio = quotient(when_tight(data, "gjk", "faults_per_query"), vclip);
-    const Evidence slower = quotient(when_tight(data, "vclip", "us_per_query"), time_at_ease(data));
+    const Evidence vclip = when_tight(data, "vclip", "paging.faults_per_query.{limit}");
+    const Evidence ratio = quotient(when_tight(data, "gjk", "paging.faults_per_query.{limit}"), vclip);
+    const Evidence slower =
+        quotient(when_tight(data, "vclip", "paging.us_per_query.{limit}"), time_at_ease(data));
     return {judge_claim(faults, {{"V-Clip", vclip, at_least(large_amounts)},
                                  {"limit", tight_limit(data), only_shown(), "B"}}),
             judge_claim(gjk_fits, {{"GJK over V-Clip", ratio, at_most(spared_share)}}),

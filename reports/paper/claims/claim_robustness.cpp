@@ -85,12 +85,11 @@ Rows families(const ReportData& data, const std::function<bool(const ReportCell&
 }
 
 /// Over the rows that have it, whatever their status: a failed cell's failures count.
-Evidence total(const Rows& rows, const std::string& probe, const std::string& name) {
+Evidence total(const Rows& rows, const store::FigureName& name) {
     if (rows.empty()) return no_evidence("nothing of V-Clip and GJK is stored");
-    Evidence all = no_evidence(rows.front()->figure(probe, name).reason);
+    Evidence all = no_evidence(rows.front()->figure(name).reason);
     for (const ReportCell* row : rows)
-        if (const auto value = row->figure(probe, name).value)
-            all = exact_evidence(all.value.value_or(0) + *value);
+        if (const auto value = row->figure(name).value) all = exact_evidence(all.value.value_or(0) + *value);
     return all;
 }
 
@@ -110,7 +109,7 @@ std::vector<ClaimPart> no_failures(const Evidence& failures, const Evidence& che
 Claim judge_exact(const ReportData& data) {
     const Rows rows = subjects(data);
     std::vector<ClaimPart> parts =
-        no_failures(total(rows, "error", "wrong_verdicts"), total(rows, "error", "checked"));
+        no_failures(total(rows, "error.wrong_verdicts"), total(rows, "error.checked"));
     double failed = 0;
     for (const ReportCell* row : rows) failed += row->status == "failed";
     parts.push_back({"failed cells", exact_evidence(failed), at_most(0), "cells"});
@@ -122,8 +121,9 @@ Claim judge_superfluous(const ReportData& data) {
         const Rows rows = families(data, [&](const ReportCell& row) {
             return row.algorithm == algorithm && row.table == "aos_f64";
         });
-        return quotient(no_less_than(total(rows, "stability", "failures_at_0e+00"), 1),
-                        total(rows, "stability", "cases"));
+        return quotient(
+            no_less_than(total(rows, store::FigureName("stability.failures_at_{tolerance}").of("0e+00")), 1),
+            total(rows, "stability.cases"));
     };
     const Evidence vclip = share("vclip"), gjk = share("gjk");
     return judge_claim(
@@ -134,8 +134,8 @@ Claim judge_superfluous(const ReportData& data) {
 }
 
 Claim judge_wrong_points(const Rows& rows) {
-    const Evidence points = total(rows, "stability", "errors_beyond"),
-                   verdicts = total(rows, "stability", "wrong_outside_band");
+    const Evidence points = total(rows, "stability.errors_beyond"),
+                   verdicts = total(rows, "stability.wrong_outside_band");
     // Of none and none nothing is the more frequent.
     const WantedBand more = more_than(verdicts.value.value_or(0));
     return judge_claim(wrong_points,
@@ -147,11 +147,11 @@ Claim judge_wrong_points(const Rows& rows) {
 
 std::vector<Claim> robustness_claims(const ReportData& data) {
     const Rows rows = subjects(data), hard = families(data, [](const ReportCell&) { return true; });
-    return {judge_claim(by_control, no_failures(total(rows, "error", "control_disagreements_outside_band"),
-                                                total(rows, "error", "control_checked"))),
+    return {judge_claim(by_control, no_failures(total(rows, "error.control_disagreements_outside_band"),
+                                                total(rows, "error.control_checked"))),
             judge_exact(data),
-            judge_claim(in_families, no_failures(total(hard, "stability", "wrong_outside_band"),
-                                                 total(hard, "stability", "cases"))),
+            judge_claim(in_families, no_failures(total(hard, "stability.wrong_outside_band"),
+                                                 total(hard, "stability.cases"))),
             judge_wrong_points(hard), judge_superfluous(data)};
 }
 

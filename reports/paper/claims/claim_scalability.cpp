@@ -83,8 +83,8 @@ std::vector<CurveCell> bodies_cells(const ReportData& data, const std::string& a
     return cells_along(data, {"paper_bodies", "", algorithm}, "bodies");
 }
 
-std::vector<CurvePoint> cost_curve(const ReportData& data, const std::string& name) {
-    return curve_of(bodies_cells(data, "vclip"), "cost", name);
+std::vector<CurvePoint> cost_curve(const ReportData& data, const store::FigureName& name) {
+    return curve_of(bodies_cells(data, "vclip"), name);
 }
 
 /// Both curves have the same cells.
@@ -104,7 +104,7 @@ Evidence larger_over_smaller(const Evidence& a, const Evidence& b) {
 
 Claim judge_shrinking(const ReportData& data) {
     const auto steps = [&](const char* scene) {
-        return curve_of(cells_along(data, vclip_key(scene), "bodies"), "error", "mean_steps");
+        return curve_of(cells_along(data, vclip_key(scene), "bodies"), "error.mean_steps");
     };
     Evidence difference = no_evidence("the two scenes have no number of bodies in common");
     const std::vector<CurvePoint> shrunk = steps("paper_bodies_shrinking");
@@ -116,19 +116,21 @@ Claim judge_shrinking(const ReportData& data) {
 
 Claim judge_pairs_reduced(const ReportData& data) {
     const Evidence left = interpolated(
-        quotient_curve(cost_curve(data, "pairs_per_step"), cost_curve(data, "all_pairs")), figure_5_bodies);
+        quotient_curve(cost_curve(data, "cost.pairs_per_step"), cost_curve(data, "cost.all_pairs")),
+        figure_5_bodies);
     return judge_claim(squares, {{"tested of all pairs", left, at_most(most_left)}});
 }
 
 Claim judge_sweep_work(const ReportData& data) {
-    const auto work = sum_curve(cost_curve(data, "moves_per_step"), cost_curve(data, "box_tests_per_step"));
+    const auto work =
+        sum_curve(cost_curve(data, "cost.moves_per_step"), cost_curve(data, "cost.box_tests_per_step"));
     return judge_claim(sweep_work, {{"exponent", growth_exponent(work), at_most(linear_high)}});
 }
 
 }  // namespace
 
 std::vector<Claim> scalability_claims(const ReportData& data) {
-    const auto pairs = cost_curve(data, "pairs_per_step");
+    const auto pairs = cost_curve(data, "cost.pairs_per_step");
     return {
         judge_claim(tests_linear, {{"exponent", growth_exponent(pairs), between(linear_low, linear_high)}}),
         judge_claim(tests_at_600, {{"at 600 bodies", interpolated(pairs, figure_5_bodies),
@@ -136,7 +138,7 @@ std::vector<Claim> scalability_claims(const ReportData& data) {
         judge_pairs_reduced(data),
         judge_sweep_work(data),
         judge_claim(step_linear,
-                    {{"exponent", growth_exponent(cost_curve(data, "step_ns")), at_most(linear_high)}}),
+                    {{"exponent", growth_exponent(cost_curve(data, "cost.step_ns")), at_most(linear_high)}}),
         judge_claim(degrades,
                     {{"V-Clip", last_over_first(time_curve(bodies_cells(data, "vclip"))), at_least(change)},
                      {"GJK", last_over_first(time_curve(bodies_cells(data, "gjk"))), at_least(change)}}),

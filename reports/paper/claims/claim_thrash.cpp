@@ -81,12 +81,11 @@ constexpr const char* machines[] = {"pentium3_coppermine", "pentium2_deschutes",
 /// Of one of the scenes paper_thrash_*, geometric mean over the speeds in a reading's range of figure 8.
 Evidence thrash_mean(const ReportData& data, int vertices, const std::string& algorithm,
                      const std::string& table, const TimeStepReading& reading,
-                     const std::pair<std::string, std::string>& figure) {
+                     const store::FigureName& figure) {
     const CellKey key{"paper_thrash_" + std::to_string(vertices), "", algorithm, table};
     const CurveRange steps = in_steps(figures_7_and_8_speeds, reading);
     std::vector<Evidence> values;
-    for (const CurvePoint& point :
-         curve_of(in_range(cells_along(data, key, "rotation_step"), steps), figure.first, figure.second))
+    for (const CurvePoint& point : curve_of(in_range(cells_along(data, key, "rotation_step"), steps), figure))
         values.push_back(no_less_than(point.y, least_misses));
     if (values.empty())
         return no_evidence("no cell of " + key.scene + ", " + algorithm + " on " + table + ", " +
@@ -97,8 +96,7 @@ Evidence thrash_mean(const ReportData& data, int vertices, const std::string& al
 Evidence misses(const ReportData& data, int vertices, const std::string& algorithm,
                 const TimeStepReading& reading, const std::string& machine,
                 const std::string& table = "aos_f64") {
-    return thrash_mean(data, vertices, algorithm, table, reading,
-                       {"caches", machine + ".L2.misses_per_query"});
+    return thrash_mean(data, vertices, algorithm, table, reading, store::level_misses.of(machine, "L2"));
 }
 
 using PartList = std::vector<ClaimPart>;
@@ -146,8 +144,7 @@ Claim judge_cause(const ReportData& data) {
 
 Claim judge_knee(const ReportData& data) {
     return both_readings(knee, [&](const TimeStepReading& reading) {
-        return PartList{{"knee",
-                         thrash_mean(data, 386, "vclip", "aos_f64", reading, {"reuse", "line_knee_bytes"}),
+        return PartList{{"knee", thrash_mean(data, 386, "vclip", "aos_f64", reading, "reuse.line_knee_bytes"),
                          more_than(cache_of_2001)}};
     });
 }
@@ -155,7 +152,7 @@ Claim judge_knee(const ReportData& data) {
 Claim judge_locality(const ReportData& data) {
     return both_readings(locality, [&](const TimeStepReading& reading) {
         const auto lines = [&](const char* algorithm) {
-            return thrash_mean(data, 386, algorithm, "aos_f64", reading, {"reuse", "lines_per_query"});
+            return thrash_mean(data, 386, algorithm, "aos_f64", reading, "reuse.lines_per_query");
         };
         return PartList{{"V-Clip over GJK", quotient(lines("vclip"), lines("gjk")), more_than(1)}};
     });

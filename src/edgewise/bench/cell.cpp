@@ -41,7 +41,7 @@ void name_cell(store::CellRow& cell, const Polyhedron& body) {
         .add(cell.table)
         .add(cell.axes);
     if (!cell.scene_kind.empty()) print.add(cell.scene_kind);
-    cell.hash = print.add(cell.seed).add(cell.queries).add(body).hex();
+    cell.hash = print.add(cell.seed).add(static_cast<std::uint64_t>(cell.queries)).add(body).hex();
 }
 
 }  // namespace edgewise::bench

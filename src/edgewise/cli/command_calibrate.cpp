@@ -54,7 +54,7 @@ void print(const std::vector<measure::CalibrationRow>& rows) {
 }
 
 int run(const measure::CalibrationOptions& options, bool json) {
-    const measure::Fact<measure::CacheMachine> host = measure::host_machine();
+    const measure::Expected<measure::CacheMachine> host = measure::host_machine();
     if (!host.value) throw std::runtime_error("this machine's caches are not known: " + host.reason);
     const auto rows = measure::calibrate_model(*host.value, measure::read_machine().cpu, options);
     if (!json) {

@@ -28,18 +28,18 @@ struct Compared {
 };
 
 Compared compare(const measure::MachineChoice& choice, const Options& options,
-                 const studies::SingleCell& cell, const measure::Fact<std::string>& program) {
+                 const studies::SingleCell& cell, const measure::Expected<std::string>& program) {
     Compared row{choice.name, {}, {}, {}, {}};
-    const measure::Fact<measure::CacheGeometry> geometry =
+    const measure::Expected<measure::CacheGeometry> geometry =
         choice.machine.value ? measure::callgrind_geometry(*choice.machine.value)
-                             : measure::Fact<measure::CacheGeometry>::unknown(choice.machine.reason);
+                             : measure::Expected<measure::CacheGeometry>::none(choice.machine.reason);
     if (!geometry.value || !program.value) {
         row.reason = geometry.value ? program.reason : geometry.reason;
         return row;
     }
     row.model = studies::model_pass(cell, *geometry.value, false);
     row.with_poses = studies::model_pass(cell, *geometry.value, true);
-    const measure::Fact<measure::CallgrindCounts> counts =
+    const measure::Expected<measure::CallgrindCounts> counts =
         studies::callgrind_pass(options.cell, *geometry.value, *program.value);
     if (!counts.value) {
         row.reason = counts.reason;
@@ -105,7 +105,7 @@ int run(const Options& options, bool json) {
     const std::vector<measure::MachineChoice> machines = measure::choose_machines(options.machines);
     const studies::SingleCell cell(options.cell);
     const auto queries = static_cast<double>(cell.workload().queries.size());
-    const measure::Fact<std::string> program = studies::program_for_valgrind();
+    const measure::Expected<std::string> program = studies::program_for_valgrind();
     nlohmann::json rows = nlohmann::json::array();
     if (!json)
         fmt::print("{:<20} {:>8} {:>9} {:>9} {:>10} {:>9} {:>8} {:>9} {:>9}\n", "per query", "accesses",

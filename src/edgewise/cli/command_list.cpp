@@ -14,6 +14,7 @@
 #include "edgewise/scene/scene_texts.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
 
@@ -147,12 +148,25 @@ json list_plans() {
     return result;
 }
 
+/// What stands in braces differs from figure to figure of a family.
+json list_figures() {
+    json result = json::array();
+    for (const auto part : store::vocabulary_parts)
+        for (const store::FigureInfo& figure : part)
+            result.push_back({{"name", figure.key},
+                              {"unit", figure.unit},
+                              {"meaning", figure.meaning},
+                              {"population", to_string(figure.population)},
+                              {"deterministic", figure.repeats == store::Repeats::exactly}});
+    return result;
+}
+
 const std::map<std::string, json (*)()>& lists() {
     static const std::map<std::string, json (*)()> known = {
-        {"layouts", list_layouts},        {"probes", list_probes},    {"algorithms", list_algorithms},
-        {"scenes", list_of_scenes},       {"shapes", list_of_shapes}, {"plans", list_plans},
-        {"families", list_families},      {"axes", list_axes},        {"machines", list_machines},
-        {"scene_files", list_scene_files}};
+        {"layouts", list_layouts},         {"probes", list_probes},    {"algorithms", list_algorithms},
+        {"scenes", list_of_scenes},        {"shapes", list_of_shapes}, {"plans", list_plans},
+        {"families", list_families},       {"axes", list_axes},        {"machines", list_machines},
+        {"scene_files", list_scene_files}, {"figures", list_figures}};
     return known;
 }
 

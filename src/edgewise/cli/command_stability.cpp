@@ -12,6 +12,7 @@
 #include "edgewise/cli/stability_run.hpp"
 #include "edgewise/cli/store_path.hpp"
 #include "edgewise/reports/page/report.hpp"
+#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/sweep/plan.hpp"
 
 namespace edgewise::cli {
@@ -43,9 +44,9 @@ studies::StabilityPlan chosen_plan(const Options& options) {
     return plan;
 }
 
-double value_of(const studies::StabilityRow& row, const char* name) {
+double value_of(const studies::StabilityRow& row, const store::FigureName& name) {
     for (const store::FigureRow& figure : row.figures) {
-        if (figure.figure.name == name) return figure.figure.value.value_or(0);
+        if (figure.name == name.name()) return figure.value.value_or(0);
     }
     return 0;
 }
@@ -59,16 +60,19 @@ void print_heading() {
 }
 
 void print_row(const studies::StabilityRow& row) {
-    const auto count = [&](const char* name) { return static_cast<std::size_t>(value_of(row, name)); };
+    const auto count = [&](const store::FigureName& name) {
+        return static_cast<std::size_t>(value_of(row, name));
+    };
     fmt::print(
         "{:<24} {:<9} {:<6} {:>8} {:>7} {:>6} {:>6} {:>6} {:>8.1e} {:>8.1e} {:>8.1e} {:>4} {:>7} {:>7} {:>7} "
         "{:>6} "
         "{:>5.2f}{}\n",
-        row.cell.shape, row.cell.table, row.cell.algorithm, count("cases"), count("refused"),
-        count("in_band"), count("wrong_outside_band"), count("errors_beyond"), value_of(row, "worst_error"),
-        value_of(row, "worst_witness_error"), value_of(row, "worst_certificate_width"), count("cap_hits"),
-        count("escapes"), count("cycles"), count("fallbacks"), count("refinements"),
-        value_of(row, "mean_steps"),
+        row.cell.shape, row.cell.table, row.cell.algorithm, count("stability.cases"),
+        count("stability.refused"), count("stability.in_band"), count("stability.wrong_outside_band"),
+        count("stability.errors_beyond"), value_of(row, "stability.worst_error"),
+        value_of(row, "stability.worst_witness_error"), value_of(row, "stability.worst_certificate_width"),
+        count("stability.cap_hits"), count("stability.escapes"), count("stability.cycles"),
+        count("stability.fallbacks"), count("stability.refinements"), value_of(row, "stability.mean_steps"),
         row.cell.reason.empty() ? "" : "  " + row.cell.status + ": " + row.cell.reason);
 }
 

@@ -4,18 +4,46 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace edgewise::measure {
 
 struct Timing {
     std::uint64_t separated_queries = 0, overlapping_queries = 0;
     double separated_ns = 0, overlapping_ns = 0;  ///< total time of those queries, clock cost subtracted
+
+    /// Nanoseconds per query, of each kind and of both as they come; null where none was timed.
+    [[nodiscard]] std::optional<double> separated() const {
+        return per_query(separated_ns, separated_queries);
+    }
+    [[nodiscard]] std::optional<double> overlapping() const {
+        return per_query(overlapping_ns, overlapping_queries);
+    }
+    [[nodiscard]] std::optional<double> all() const {
+        return per_query(separated_ns + overlapping_ns, separated_queries + overlapping_queries);
+    }
+
+  private:
+    static std::optional<double> per_query(double ns, std::uint64_t queries) {
+        if (queries == 0) return std::nullopt;
+        return ns / static_cast<double>(queries);
+    }
 };
+
+/// Which queries: `&Timing::separated`, `&Timing::overlapping` or `&Timing::all`.
+using PerQuery = std::optional<double> (Timing::*)() const;
 
 struct Round {
     int number = 0;
-    Timing timing;
-    Timing baseline;  ///< of the same round
+    Timing timing = {};
+    Timing baseline = {};  ///< of the same round
+
+    /// Time per query over the baseline's; null where either timed no such query.
+    [[nodiscard]] std::optional<double> ratio(PerQuery per_query) const {
+        const auto own = (timing.*per_query)(), beside = (baseline.*per_query)();
+        if (!own || !beside || *own <= 0 || *beside <= 0) return std::nullopt;
+        return *own / *beside;
+    }
 };
 
 }  // namespace edgewise::measure

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "edgewise/geometry/split_mix.hpp"
+
 namespace edgewise::measure {
 
 namespace {
@@ -36,30 +38,16 @@ double sorted_quantile(const std::vector<double>& ordered, double p) {
     return std::min(ordered[below] + part * (ordered[above] - ordered[below]), ordered[above]);
 }
 
-/// SplitMix64 (Steele, Lea, Flood 2014): three lines, full period, the same bits everywhere.
-class SplitMix {
-  public:
-    explicit SplitMix(std::uint64_t seed) : state_(seed) {}
-
-    /// Below `bound`, which must be less than 2^32; the bias, bound / 2^32, is nothing for samples of rounds.
-    std::uint32_t below(std::uint32_t bound) {
-        state_ += 0x9e3779b97f4a7c15;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-        z ^= z >> 31;
-        return static_cast<std::uint32_t>(((z >> 32) * bound) >> 32);
-    }
-
-  private:
-    std::uint64_t state_;
-};
+/// Below `bound`, which must be less than 2^32; the bias, bound / 2^32, is nothing for samples of rounds.
+std::uint32_t random_below(std::uint32_t bound, std::uint64_t& state) {
+    return static_cast<std::uint32_t>(((split_mix(state) >> 32) * bound) >> 32);
+}
 
 /// Median of one sample drawn with replacement. Ranks are drawn instead of values: equal values need no care.
-double resampled_median(const std::vector<double>& ordered, SplitMix& random,
+double resampled_median(const std::vector<double>& ordered, std::uint64_t& random,
                         std::vector<std::uint32_t>& ranks) {
     const auto size = static_cast<std::uint32_t>(ordered.size());
-    for (std::uint32_t& rank : ranks) rank = random.below(size);
+    for (std::uint32_t& rank : ranks) rank = random_below(size, random);
     const auto middle = ranks.begin() + size / 2;
     std::nth_element(ranks.begin(), middle, ranks.end());
     const double upper = ordered[*middle];
@@ -98,7 +86,7 @@ std::optional<Interval> bootstrap_median(std::span<const double> sample, const B
         return std::nullopt;
     }
     const std::vector<double> ordered = sorted(sample);
-    SplitMix random(options.seed);
+    std::uint64_t random = options.seed;
     std::vector<std::uint32_t> ranks(ordered.size());
     std::vector<double> medians(static_cast<std::size_t>(options.resamples));
     for (double& value : medians) value = resampled_median(ordered, random, ranks);

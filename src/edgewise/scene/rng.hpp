@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "edgewise/geometry/split_mix.hpp"
 #include "edgewise/geometry/vec.hpp"
 #include "edgewise/scene/quaternion.hpp"
 
@@ -103,14 +104,6 @@ class Rng {
 
   private:
     static std::uint64_t rotate_left(std::uint64_t x, int by) { return (x << by) | (x >> (64 - by)); }
-
-    static std::uint64_t split_mix(std::uint64_t& counter) {
-        counter += 0x9e3779b97f4a7c15;
-        std::uint64_t z = counter;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-        return z ^ (z >> 31);
-    }
 
     std::array<std::uint64_t, 4> state_;
 };

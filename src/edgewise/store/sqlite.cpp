@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <sqlite3.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 namespace edgewise::store::sqlite {
@@ -37,10 +38,20 @@ const char* remedy(int code) {
 
 }  // namespace
 
-Database::Database(const std::string& path) : path_(path) {
+Database::Database(const std::string& path) : Database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) {}
+
+Database Database::for_reading(const std::string& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) {
+        throw std::runtime_error(
+            fmt::format("no results store at {}: run a sweep first, or name the store", path));
+    }
+    return {path, SQLITE_OPEN_READONLY};
+}
+
+Database::Database(const std::string& path, int flags) : path_(path) {
     // SQLite would take an empty name for a temporary file, gone at the end.
     if (path.empty()) throw std::runtime_error("store: no file name given");
-    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
         // The handle exists even then (it holds the message), and a constructor that throws runs no
         // destructor.
@@ -71,8 +82,8 @@ void Database::fail(std::string_view doing) const {
                                          remedy(sqlite3_errcode(handle_))));
 }
 
-Statement::Statement(const Database& database, const char* sql) : database_(database) {
-    if (sqlite3_prepare_v2(database.handle(), sql, -1, &handle_, nullptr) != SQLITE_OK) {
+Statement::Statement(const Database& database, const std::string& sql) : database_(database) {
+    if (sqlite3_prepare_v2(database.handle(), sql.c_str(), -1, &handle_, nullptr) != SQLITE_OK) {
         database.fail("reading its schema");
     }
 }

@@ -21,6 +21,8 @@ class Database {
     /// Opens for reading and writing, creating the file if there is none. Nothing is written yet: SQLite
     /// creates an empty file and reads even its header only with the first statement.
     explicit Database(const std::string& path);
+    /// For reading alone; a file that is missing is not created but refused.
+    [[nodiscard]] static Database for_reading(const std::string& path);
     ~Database();
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
@@ -32,15 +34,18 @@ class Database {
 
     [[noreturn]] void fail(std::string_view doing) const;
     [[nodiscard]] sqlite3* handle() const { return handle_; }
+    [[nodiscard]] const std::string& path() const { return path_; }
 
   private:
+    Database(const std::string& path, int flags);
+
     std::string path_;
     sqlite3* handle_ = nullptr;
 };
 
 class Statement {
   public:
-    Statement(const Database& database, const char* sql);
+    Statement(const Database& database, const std::string& sql);
     ~Statement();
     Statement(const Statement&) = delete;
     Statement& operator=(const Statement&) = delete;

@@ -2,15 +2,12 @@
 //
 // The store over SQLite. Why it survives:
 //   - journal_mode WAL: a transaction is one append to the log, and its commit record makes it whole; a log
-//   cut
-//     short by a kill is read up to the last whole commit. Readers never wait for the sweep.
+//     cut short by a kill is read up to the last whole commit. Readers never wait for the sweep.
 //   - synchronous FULL: a commit returns when the log is on the disk. NORMAL would survive kill -9 too, but
-//   may
-//     lose the last commits at a power cut; a round takes seconds and the sync milliseconds, outside any
+//     may lose the last commits at a power cut; a round takes seconds and the sync milliseconds, outside any
 //     timing.
 //   - Where a file system cannot do WAL (no shared memory), SQLite stays with its rollback journal: as safe,
-//   and
-//     readers wait.
+//     and readers wait.
 // The file is checked before the first write: no pragma that writes runs on a file that is not ours.
 #include "edgewise/store/store.hpp"
 
@@ -20,6 +17,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "edgewise/store/read_rows.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/sqlite.hpp"
 
@@ -72,7 +70,7 @@ void create_schema(const sqlite::Database& database, const std::string& path) {
 }
 
 /// Text and JSON know no infinity, and SQLite turns NaN into a bare null: both become null with a reason.
-measure::Figure storable(measure::Figure figure) {
+FigureRow storable(FigureRow figure) {
     if (figure.value && !std::isfinite(*figure.value)) {
         figure.reason = fmt::format("not a finite number ({})", *figure.value);
         figure.value.reset();
@@ -85,18 +83,14 @@ void put_figures(const sqlite::Database& database, const std::string& build, con
     sqlite::Statement(database, "delete from figure where build = ? and hash = ?").bind(build, hash).run();
     sqlite::Statement insert(database, "insert into figure values(?,?,?,?,?,?,?,?)");
     for (const FigureRow& row : figures) {
-        const measure::Figure f = storable(row.figure);
+        const FigureRow f = storable(row);
         if (!f.value && f.reason.empty()) {
             throw std::runtime_error(
                 fmt::format("cell {}: figure {}/{} has neither a value nor a reason; its probe must give one",
-                            hash, row.probe, f.name));
+                            hash, f.probe, f.name));
         }
-        insert.bind(build, hash, row.probe, f.name, f.value, f.unit, f.reason, f.remedy).run();
+        insert.bind(build, hash, f.probe, f.name, f.value, f.unit, f.reason, f.remedy).run();
     }
-}
-
-measure::Timing read_timing(const sqlite::Statement& s, int column) {
-    return {s.natural(column), s.natural(column + 2), s.real(column + 1), s.real(column + 3)};
 }
 
 }  // namespace
@@ -154,36 +148,24 @@ void Store::put_round(const std::string& build,
 }
 
 std::optional<CellRow> Store::find_cell(const std::string& build, const std::string& hash) const {
-    sqlite::Statement s(
-        implementation_->database,
-        "select hash, scene, scene_parameters, shape, shape_source, algorithm, layout, precision, "
-        "table_type, vertices, edges, faces, seed, queries, status, reason, axes "
-        "from cell where build = ? and hash = ?");
+    sqlite::Statement s(implementation_->database,
+                        fmt::format("select {} from cell where build = ? and hash = ?", columns_of<CellRow>));
     if (!s.bind(build, hash).step()) return std::nullopt;
-    return CellRow{s.text(0),     s.text(1),     s.text(2),  s.text(3),    s.text(4),     s.text(5),
-                   s.text(6),     s.text(7),     s.text(8),  s.natural(9), s.natural(10), s.natural(11),
-                   s.natural(12), s.natural(13), s.text(14), s.text(15),   s.text(16)};
+    return read_cell(s);
 }
 
 std::vector<FigureRow> Store::figures(const std::string& build, const std::string& hash) const {
     sqlite::Statement s(implementation_->database,
-                        "select probe, name, value, unit, reason, remedy from figure "
-                        "where build = ? and hash = ? order by probe, name");
+                        fmt::format("select {} from figure where build = ? and hash = ? order by probe, name",
+                                    columns_of<FigureRow>));
     s.bind(build, hash);
     std::vector<FigureRow> rows;
-    while (s.step()) {
-        rows.push_back(
-            {s.text(0), measure::Figure{s.text(1), s.optional_real(2), s.text(3), s.text(4), s.text(5)}});
-    }
+    while (s.step()) rows.push_back(read_figure(s));
     return rows;
 }
 
 std::optional<BuildRow> Store::find_build(const std::string& id) const {
-    sqlite::Statement s(implementation_->database,
-                        "select id, git_revision, compiler, flags, build_type, machine_json from build "
-                        "where id = ?");
-    if (!s.bind(id).step()) return std::nullopt;
-    return BuildRow{s.text(0), s.text(1), s.text(2), s.text(3), s.text(4), s.text(5)};
+    return store::find_build(implementation_->database, id);
 }
 
 std::set<int> Store::rounds_done(const std::string& build, const std::string& hash) const {
@@ -195,14 +177,12 @@ std::set<int> Store::rounds_done(const std::string& build, const std::string& ha
 }
 
 std::vector<measure::Round> Store::rounds(const std::string& build, const std::string& hash) const {
-    sqlite::Statement s(
-        implementation_->database,
-        "select number, separated_queries, separated_ns, overlapping_queries, overlapping_ns, "
-        "baseline_separated_queries, baseline_separated_ns, baseline_overlapping_queries, "
-        "baseline_overlapping_ns from round where build = ? and hash = ? order by number");
+    sqlite::Statement s(implementation_->database,
+                        fmt::format("select {} from round where build = ? and hash = ? order by number",
+                                    columns_of<measure::Round>));
     s.bind(build, hash);
     std::vector<measure::Round> rounds;
-    while (s.step()) rounds.push_back({static_cast<int>(s.integer(0)), read_timing(s, 1), read_timing(s, 5)});
+    while (s.step()) rounds.push_back(read_round(s));
     return rounds;
 }
 

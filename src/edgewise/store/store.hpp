@@ -6,7 +6,6 @@
 // programs may share a store and wait for each other.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
@@ -15,36 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "edgewise/measure/figure.hpp"
 #include "edgewise/measure/round.hpp"
+#include "edgewise/store/rows.hpp"
 
 namespace edgewise::store {
-
-/// What built and what ran: the provenance of every figure. `id` hashes the rest, seed and time aside.
-struct BuildRow {
-    std::string id;
-    std::string git_revision, compiler, flags, build_type;
-    std::string machine_json;  ///< what `edgewise machine --json` prints
-};
-
-/// One cell: scene x shape x algorithm x layout x precision x further axes.
-struct CellRow {
-    std::string hash;  ///< of everything below that names the cell, and of the bodies and the seed
-    std::string scene, scene_parameters;  ///< name, and its numbers as canonical JSON
-    std::string shape, shape_source;      ///< name, and "built-in" or the mesh file's name
-    std::string algorithm, layout, precision, table;
-    std::uint64_t vertices = 0, edges = 0, faces = 0;
-    std::uint64_t seed = 0, queries = 0;
-    std::string status;           ///< verified | failed | unavailable
-    std::string reason;           ///< why failed or unavailable
-    std::string axes;             ///< further axes, as in sweep/axes.hpp; empty for the plain cell
-    std::string scene_kind = {};  ///< of a scene file: part of the hash, and no column
-};
-
-struct FigureRow {
-    std::string probe;
-    measure::Figure figure;
-};
 
 class Store {
   public:

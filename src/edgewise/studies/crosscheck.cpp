@@ -89,7 +89,7 @@ std::optional<std::string> perf_name(const measure::ChosenEvent& event) {
 }
 
 /// The count in one line of `perf stat -x,`: value, unit, event, time, part of the time in per cent.
-measure::Fact<double> perf_count(const std::string& output, const std::string& event) {
+measure::Expected<double> perf_count(const std::string& output, const std::string& event) {
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
@@ -99,41 +99,41 @@ measure::Fact<double> perf_count(const std::string& output, const std::string& e
         char* end = nullptr;
         const double number = std::strtod(value.c_str(), &end);
         if (end == value.c_str() || *end != '\0')
-            return measure::Fact<double>::unknown("perf says: " + value);
+            return measure::Expected<double>::none("perf says: " + value);
         if (std::strtod(part.c_str(), nullptr) < 100)
-            return measure::Fact<double>::unknown("it shared a counter: perf's count is a guess");
+            return measure::Expected<double>::none("it shared a counter: perf's count is a guess");
         return {number};
     }
-    return measure::Fact<double>::unknown("perf said nothing of it");
+    return measure::Expected<double>::none("perf said nothing of it");
 }
 
-measure::Fact<std::string> perf_output(const CellChoice& choice, const std::string& program,
-                                       const std::string& event, int passes) {
+measure::Expected<std::string> perf_output(const CellChoice& choice, const std::string& program,
+                                           const std::string& event, int passes) {
     std::vector<std::string> command = {"perf", "stat", "-x,", "-e", event + ":u"};
     const auto words = pass_command(choice, program, passes);
     command.insert(command.end(), words.begin(), words.end());
     const auto outcome = measure::run_program(command);
-    if (!outcome.value) return measure::Fact<std::string>::unknown(outcome.reason + "; install linux-perf");
+    if (!outcome.value) return measure::Expected<std::string>::none(outcome.reason + "; install linux-perf");
     if (outcome.value->exit_code != 0)
-        return measure::Fact<std::string>::unknown("perf failed: " + outcome.value->err.substr(0, 200));
+        return measure::Expected<std::string>::none("perf failed: " + outcome.value->err.substr(0, 200));
     return {outcome.value->err};
 }
 
-measure::Fact<double> count_by_perf(const CellChoice& choice, const std::string& program,
-                                    const measure::ChosenEvent& event) {
+measure::Expected<double> count_by_perf(const CellChoice& choice, const std::string& program,
+                                        const measure::ChosenEvent& event) {
     constexpr int passes = 20;
-    if (!event.refusal.reason.empty()) return measure::Fact<double>::unknown(event.refusal.reason);
+    if (!event.refusal.reason.empty()) return measure::Expected<double>::none(event.refusal.reason);
     const std::optional<std::string> name = perf_name(event);
-    if (!name) return measure::Fact<double>::unknown("perf has no plain name for it");
+    if (!name) return measure::Expected<double>::none("perf has no plain name for it");
     double counts[2] = {};
     for (int k = 0; k < 2; ++k) {
-        const measure::Fact<std::string> output = perf_output(choice, program, *name, 1 + k * passes);
-        if (!output.value) return measure::Fact<double>::unknown(output.reason);
-        const measure::Fact<double> count = perf_count(*output.value, *name);
+        const measure::Expected<std::string> output = perf_output(choice, program, *name, 1 + k * passes);
+        if (!output.value) return measure::Expected<double>::none(output.reason);
+        const measure::Expected<double> count = perf_count(*output.value, *name);
         if (!count.value) return count;
         counts[k] = *count.value;
     }
-    if (counts[1] <= counts[0]) return measure::Fact<double>::unknown("lost in what else the program does");
+    if (counts[1] <= counts[0]) return measure::Expected<double>::none("lost in what else the program does");
     return {(counts[1] - counts[0]) / passes};
 }
 
@@ -150,21 +150,21 @@ ModelledPass model_pass(const SingleCell& cell, const measure::CacheGeometry& ge
             count(listener.model().counts(1).misses)};
 }
 
-measure::Fact<measure::CallgrindCounts> callgrind_pass(const CellChoice& choice,
-                                                       const measure::CacheGeometry& geometry,
-                                                       const std::string& program) {
-    using Answer = measure::Fact<measure::CallgrindCounts>;
+measure::Expected<measure::CallgrindCounts> callgrind_pass(const CellChoice& choice,
+                                                           const measure::CacheGeometry& geometry,
+                                                           const std::string& program) {
+    using Answer = measure::Expected<measure::CallgrindCounts>;
     const fs::path output = fs::temp_directory_path() / fmt::format("edgewise-callgrind-{}", getpid());
     const auto outcome =
         measure::run_program(measure::callgrind_command(geometry, output, pass_command(choice, program, 1)));
     const std::string text = read_file(output);
     std::error_code ignored;
     fs::remove(output, ignored);
-    if (!outcome.value) return Answer::unknown(outcome.reason + "; install valgrind");
+    if (!outcome.value) return Answer::none(outcome.reason + "; install valgrind");
     if (outcome.value->exit_code != 0) {
         const std::string& err = outcome.value->err;
-        return Answer::unknown(fmt::format("valgrind ended with {}: {}", outcome.value->exit_code,
-                                           err.substr(err.size() > 300 ? err.size() - 300 : 0)));
+        return Answer::none(fmt::format("valgrind ended with {}: {}", outcome.value->exit_code,
+                                        err.substr(err.size() > 300 ? err.size() - 300 : 0)));
     }
     return measure::parse_callgrind(text);
 }
@@ -182,14 +182,14 @@ std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& pr
     return counts;
 }
 
-measure::Fact<std::string> program_for_valgrind() {
+measure::Expected<std::string> program_for_valgrind() {
     const fs::path self = fs::read_symlink("/proc/self/exe");
     const std::string flags = bench::this_build().flags;
     if (flags.find("-march=native") == std::string::npos && flags.find("v4") == std::string::npos)
         return {self.string()};
     const fs::path sim = self.parent_path() / "edgewise_sim";
     if (fs::exists(sim)) return {sim.string()};
-    return measure::Fact<std::string>::unknown(fmt::format(
+    return measure::Expected<std::string>::none(fmt::format(
         "this program may use instructions that Valgrind does not know, and {} is not there; make it with "
         "sh cmake/build_preset.sh release edgewise_sim",
         sim.string()));

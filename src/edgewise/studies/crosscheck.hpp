@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/measure/expected.hpp"
 #include "edgewise/measure/machine/cpu.hpp"
-#include "edgewise/measure/machine/fact.hpp"
 #include "edgewise/measure/process/callgrind.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
@@ -27,16 +27,15 @@ struct ModelledPass {
                                       bool with_poses);
 
 /// The same under Callgrind. `program`: Edgewise, built for a processor that Valgrind knows.
-[[nodiscard]] measure::Fact<measure::CallgrindCounts> callgrind_pass(const CellChoice& choice,
-                                                                     const measure::CacheGeometry& geometry,
-                                                                     const std::string& program);
+[[nodiscard]] measure::Expected<measure::CallgrindCounts> callgrind_pass(
+    const CellChoice& choice, const measure::CacheGeometry& geometry, const std::string& program);
 
 /// An event as `perf stat` counts it over one pass in user mode: the difference of many passes and one, so
 /// that all else falls out.
 struct PerfCount {
     std::string event, encoding;
     std::optional<std::string> level;  ///< what it counts here
-    measure::Fact<double> count;
+    measure::Expected<double> count;
 };
 /// Instructions and misses by level, by the encodings that `edgewise machine` tells; unknown where this
 /// machine does not count them, or perf does not all the time.
@@ -44,6 +43,6 @@ struct PerfCount {
                                                const measure::Cpu& cpu);
 
 /// A program that Valgrind can run: this one, or edgewise_sim beside it. Unknown: how to make it.
-[[nodiscard]] measure::Fact<std::string> program_for_valgrind();
+[[nodiscard]] measure::Expected<std::string> program_for_valgrind();
 
 }  // namespace edgewise::studies

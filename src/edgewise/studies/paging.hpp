@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/expected.hpp"
 #include "edgewise/scene/workload.hpp"
 
 namespace edgewise::studies {

@@ -10,6 +10,7 @@
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/studies/paging.hpp"
 
 namespace edgewise::studies {
@@ -81,32 +82,32 @@ store::CellRow row_of(const PagedCell& cell, const PagingPlan& plan, const Polyh
     return row;
 }
 
-/// Of limit i, by the names that the report knows.
+/// Of limit i.
 void add_limit(const PagingRow& limit, std::size_t i, std::vector<store::FigureRow>& figures) {
     const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
-    const auto add = [&](const char* name, double value, const char* unit, bool measured) {
-        measure::Figure figure{fmt::format("{}.{}", name, i), value, unit};
+    const auto add = [&](const store::FigureName& name, double value, bool measured) {
+        measure::Figure figure = store::figure(name.of(std::to_string(i)), value);
         if (measured && !limit.reason.empty()) {
             figure.value.reset();
             figure.reason = limit.reason;
             figure.remedy = "run as root, where memory control groups may be made";
         }
-        figures.push_back({"paging", std::move(figure)});
+        figures.push_back({std::move(figure), "paging"});
     };
-    add("limit_bytes", static_cast<double>(limit.limit_bytes), "B", false);
-    add("predicted_at_limit", limit.predicted_at_limit, "faults", false);
-    add("held_bytes", static_cast<double>(limit.table_pages_held.value_or(0)) * page, "B", true);
-    add("predicted_at_held", limit.predicted_at_held, "faults", true);
-    add("faults_per_query", limit.faults_per_query, "faults", true);
-    add("us_per_query", limit.ns_per_query / 1000, "us", true);
+    add("paging.limit_bytes.{limit}", static_cast<double>(limit.limit_bytes), false);
+    add("paging.predicted_at_limit.{limit}", limit.predicted_at_limit, false);
+    add("paging.held_bytes.{limit}", static_cast<double>(limit.table_pages_held.value_or(0)) * page, true);
+    add("paging.predicted_at_held.{limit}", limit.predicted_at_held, true);
+    add("paging.faults_per_query.{limit}", limit.faults_per_query, true);
+    add("paging.us_per_query.{limit}", limit.ns_per_query / 1000, true);
 }
 
 std::vector<store::FigureRow> figures_of(const PagingResult& result) {
     const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
     std::vector<store::FigureRow> figures = {
-        {"paging", {"table_bytes", static_cast<double>(result.table_bytes), "B"}},
-        {"paging", {"touched_bytes", static_cast<double>(result.pages_touched) * page, "B"}},
-        {"paging", {"keeps_recency", result.keeps_recency ? 1.0 : 0.0, "1"}}};
+        {store::figure("paging.table_bytes", static_cast<double>(result.table_bytes)), "paging"},
+        {store::figure("paging.touched_bytes", static_cast<double>(result.pages_touched) * page), "paging"},
+        {store::figure("paging.keeps_recency", result.keeps_recency ? 1.0 : 0.0), "paging"}};
     for (std::size_t i = 0; i < result.rows.size(); ++i) add_limit(result.rows[i], i, figures);
     return figures;
 }

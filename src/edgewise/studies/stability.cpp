@@ -106,7 +106,7 @@ StabilitySummary run_stability(const StabilityPlan& plan,
                 if (possible) {
                     StabilitySubject(*type, algorithm, family->warm, cases.of(*type), plan.proofs).run(tally);
                     for (measure::Figure& figure : tally.figures())
-                        row.figures.push_back({"stability", figure});
+                        row.figures.push_back({std::move(figure), "stability"});
                 }
                 const std::string wrong = possible ? tally.what_is_wrong() : "";
                 row.cell.status = !possible ? "unavailable" : wrong.empty() ? "verified" : "failed";

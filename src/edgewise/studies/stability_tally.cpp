@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "edgewise/measure/statistics.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::studies {
 
@@ -18,17 +19,18 @@ double witness_error(const StabilityJudgement& judged) {
     return error_beyond(std::abs(apart - judged.answer.distance), judged.band);
 }
 
-measure::Figure at_quantile(const char* name, const std::vector<double>& sample, double p,
+measure::Figure at_quantile(const store::FigureName& name, const std::vector<double>& sample, double p,
                             const std::string& none) {
     const auto value = measure::quantile(sample, p);
-    return {name, value, "of scale", value ? "" : sample.empty() ? none : "an error is not a number"};
+    return store::figure(name, value, value ? "" : sample.empty() ? none : "an error is not a number");
 }
 
-measure::Figure count(const std::string& name, std::uint64_t n) {
-    return {name, static_cast<double>(n), "queries"};
+measure::Figure count(const store::FigureName& name, std::uint64_t n) {
+    return store::figure(name, static_cast<double>(n));
 }
 
-measure::Figure worst(const char* name, const std::vector<double>& sample, const std::string& none) {
+measure::Figure worst(const store::FigureName& name, const std::vector<double>& sample,
+                      const std::string& none) {
     return at_quantile(name, sample, 1, none);
 }
 
@@ -109,44 +111,48 @@ void StabilityTally::add_time(const std::string& bin, std::optional<double> ns) 
 std::vector<measure::Figure> StabilityTally::figures() const {
     const std::string none = asked_ > 0 ? "not asked for" : "every case was refused: " + first_refusal_;
     const double asked = static_cast<double>(std::max<std::size_t>(asked_, 1));
-    std::vector<measure::Figure> result = {count("cases", asked_),
-                                           count("refused", refused_),
-                                           count("separated", separated_),
-                                           count("touching", touching_),
-                                           count("overlapping", overlapping_),
-                                           count("in_band", in_band_),
-                                           count("wrong_outside_band", wrong_outside_),
-                                           count("wrong_inside_band", wrong_inside_),
-                                           count("errors_beyond", beyond_),
-                                           worst("worst_error", errors_, none),
-                                           at_quantile("p999_error", errors_, 0.999, none),
-                                           worst("worst_witness_error", witness_errors_, none),
-                                           worst("worst_depth_error", depth_errors_, none),
-                                           count("depths_beyond", depths_beyond_),
-                                           count("cap_hits", cap_hits_),
-                                           worst("worst_certificate_width", widths_, none),
-                                           count("certificates", proofs_),
-                                           count("certificates_missed", missed_),
-                                           count("control_asked", control_asked_),
-                                           count("control_disagrees", control_disagrees_),
-                                           count("control_disagrees_outside_band", control_outside_),
-                                           count("control_wrong", control_wrong_),
-                                           {"escapes", static_cast<double>(escapes_), "escapes"},
-                                           count("cycles", cycles_),
-                                           count("fallbacks", fallbacks_),
-                                           count("refinements", refinements_),
-                                           {"mean_steps", static_cast<double>(steps_) / asked, "steps"},
-                                           {"max_steps", static_cast<double>(max_steps_), "steps"}};
+    std::vector<measure::Figure> result = {
+        count("stability.cases", asked_),
+        count("stability.refused", refused_),
+        count("stability.separated", separated_),
+        count("stability.touching", touching_),
+        count("stability.overlapping", overlapping_),
+        count("stability.in_band", in_band_),
+        count("stability.wrong_outside_band", wrong_outside_),
+        count("stability.wrong_inside_band", wrong_inside_),
+        count("stability.errors_beyond", beyond_),
+        worst("stability.worst_error", errors_, none),
+        at_quantile("stability.p999_error", errors_, 0.999, none),
+        worst("stability.worst_witness_error", witness_errors_, none),
+        worst("stability.worst_depth_error", depth_errors_, none),
+        count("stability.depths_beyond", depths_beyond_),
+        count("stability.cap_hits", cap_hits_),
+        worst("stability.worst_certificate_width", widths_, none),
+        count("stability.certificates", proofs_),
+        count("stability.certificates_missed", missed_),
+        count("stability.control_asked", control_asked_),
+        count("stability.control_disagrees", control_disagrees_),
+        count("stability.control_disagrees_outside_band", control_outside_),
+        count("stability.control_wrong", control_wrong_),
+        store::figure("stability.escapes", static_cast<double>(escapes_)),
+        count("stability.cycles", cycles_),
+        count("stability.fallbacks", fallbacks_),
+        count("stability.refinements", refinements_),
+        store::figure("stability.mean_steps", static_cast<double>(steps_) / asked),
+        store::figure("stability.max_steps", static_cast<double>(max_steps_))};
     add_curves(result);
     return result;
 }
 
 void StabilityTally::add_curves(std::vector<measure::Figure>& to) const {
     for (std::size_t i = 0; i < failures_.size(); ++i) {
-        to.push_back(count(fmt::format("failures_at_{:.0e}", stability_tolerances[i]), failures_[i]));
+        to.push_back(count(store::FigureName("stability.failures_at_{tolerance}")
+                               .of(fmt::format("{:.0e}", stability_tolerances[i])),
+                           failures_[i]));
     }
     for (const auto& [bin, ns] : times_) {
-        to.push_back({"ns_at_" + bin, ns, "ns", ns ? "" : "no case of this family has such a gap"});
+        to.push_back(store::figure(store::FigureName("stability.ns_at_{gap}").of(bin), ns,
+                                   ns ? "" : "no case of this family has such a gap"));
     }
 }
 

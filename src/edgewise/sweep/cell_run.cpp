@@ -135,7 +135,7 @@ std::vector<store::FigureRow> CellRun::figures(const SharedQueries& shared, Size
     subject.work = work_;
     for (const auto& probe : measure::registered_probes()) {
         for (measure::Figure& figure : probe->figures(subject)) {
-            result.push_back({std::string(probe->name()), std::move(figure)});
+            result.push_back({std::move(figure), std::string(probe->name())});
         }
     }
     return result;

@@ -15,6 +15,7 @@
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"
+#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/sweep/cell_run.hpp"
 #include "edgewise/sweep/trace_scene.hpp"
 
@@ -172,10 +173,11 @@ class Sweep {
     /// An earlier run may not have modelled these machines, or fewer queries.
     [[nodiscard]] bool lacks_caches(const CellRun& cell_run) const {
         if (!cell_run.models_caches()) return false;
+        constexpr store::FigureName identity("caches.identity");
         const double wanted = trace_identity(work_.machines, plan_.traced);
         const std::vector<store::FigureRow> stored = store_.figures(build_, cell_run.row().hash);
         return std::none_of(stored.begin(), stored.end(), [&](const store::FigureRow& row) {
-            return row.probe == "caches" && row.figure.name == "identity" && row.figure.value == wanted;
+            return row.probe == identity.probe() && row.name == identity.name() && row.value == wanted;
         });
     }
 

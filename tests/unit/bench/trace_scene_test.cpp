@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Of, TraceScene,
 TEST(TraceSceneFigures, AreThereForEveryMachineOrSayWhyNot) {
     const studies::SingleCell cell(in_time_order("aos_f64", "vclip"));
     std::vector<measure::MachineChoice> machines = two_machines();
-    machines.push_back({"host", measure::Fact<measure::CacheMachine>::unknown("made up")});
+    machines.push_back({"host", measure::Expected<measure::CacheMachine>::none("made up")});
     const measure::SceneTrace trace = sweep::trace_scene(cell.runner(), cell.workload(), 100, machines);
     measure::Subject subject;
     subject.table.edges = 108;

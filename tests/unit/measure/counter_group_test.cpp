@@ -22,7 +22,7 @@ TEST(CounterGroup, CountsEachEventFromZeroEveryTime) {
         ASSERT_TRUE(group.start());
         touch_pages(pages);
         const auto count = group.stop();
-        ASSERT_TRUE(count.value) << count.refusal.reason;
+        ASSERT_TRUE(count.value) << count.reason;
         EXPECT_GE(count.value->values[1], static_cast<std::uint64_t>(pages));
         EXPECT_LE(count.value->values[1], static_cast<std::uint64_t>(pages) + 100);  // the sanitizers' own
         EXPECT_GT(count.value->values[0], 0u);
@@ -40,7 +40,7 @@ TEST(CounterGroup, TakesOneToFourEvents) {
     ASSERT_TRUE(four.start());
     touch_pages(7);
     const auto count = four.stop();
-    ASSERT_TRUE(count.value) << count.refusal.reason;
+    ASSERT_TRUE(count.value) << count.reason;
     EXPECT_GE(count.value->values[0], 7u);
     for (const std::uint64_t value : count.value->values) EXPECT_EQ(value, count.value->values[0]);
 }
@@ -51,7 +51,7 @@ TEST(CounterGroup, OneEventThatDoesNotExistClosesTheGroup) {
     EXPECT_FALSE(group.start());
     const auto count = group.stop();
     EXPECT_FALSE(count.value);
-    EXPECT_FALSE(count.refusal.reason.empty());
+    EXPECT_FALSE(count.reason.empty());
 }
 
 constexpr std::int64_t bytes_of(std::size_t words) { return static_cast<std::int64_t>(words * 8); }
@@ -59,7 +59,7 @@ constexpr std::int64_t bytes_of(std::size_t words) { return static_cast<std::int
 TEST(CounterGroup, ValuesAreTakenByTheirIds) {
     const std::vector<std::uint64_t> words{2, 100, 100, 11, 71, 22, 70};
     const auto count = parse_group(words, bytes_of(7), std::vector<std::uint64_t>{70, 71});
-    ASSERT_TRUE(count.value) << count.refusal.reason;
+    ASSERT_TRUE(count.value) << count.reason;
     EXPECT_EQ(count.value->values[0], 22u);
     EXPECT_EQ(count.value->values[1], 11u);
 }
@@ -68,8 +68,8 @@ TEST(CounterGroup, EndOfFileIsNoCount) {
     const std::vector<std::uint64_t> words(7, 0);
     const auto count = parse_group(words, 0, std::vector<std::uint64_t>{70, 71});
     EXPECT_FALSE(count.value);
-    EXPECT_NE(count.refusal.reason.find("free counters"), std::string::npos) << count.refusal.reason;
-    EXPECT_NE(count.refusal.remedy.find("nmi_watchdog"), std::string::npos) << count.refusal.remedy;
+    EXPECT_NE(count.reason.find("free counters"), std::string::npos) << count.reason;
+    EXPECT_NE(count.remedy.find("nmi_watchdog"), std::string::npos) << count.remedy;
 }
 
 TEST(CounterGroup, AnythingOddIsNoCount) {
@@ -88,7 +88,7 @@ TEST(CounterGroup, PartOfTheTimeIsRefusedNeverScaled) {
     EXPECT_FALSE(whole_time_only({{5}, 100, 99}).value);
     EXPECT_FALSE(whole_time_only({{5}, 100, 0}).value);
     EXPECT_FALSE(whole_time_only({{5}, 0, 0}).value);
-    EXPECT_EQ(whole_time_only({{5}, 100, 50}).refusal.reason,
+    EXPECT_EQ(whole_time_only({{5}, 100, 50}).reason,
               "on the counters for only 50 of 100 ns, and a scaled count is a guess");
 }
 

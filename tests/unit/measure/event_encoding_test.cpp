@@ -68,7 +68,7 @@ void check_every_row() {
         }
         for (const EventRow& row : event_table()) {
             if ((row.generations & processor.generation) == 0) continue;
-            const Fact<EventCode> code = encode_by_libpfm(full_name(processor, row));
+            const Expected<EventCode> code = encode_by_libpfm(full_name(processor, row));
             ASSERT_TRUE(code.value) << code.reason;
             EXPECT_EQ(code.value->type, static_cast<std::uint32_t>(PERF_TYPE_RAW));
             EXPECT_EQ(code.value->config, row.config) << full_name(processor, row);
@@ -87,7 +87,7 @@ void check_wrong_names() {
     for (const char* name :
          {"skx::MEM_LOAD_RETIRED:L9_MISS", "skx::MEM_LOADS_RETIRED:L1_MISS",
           "nosuch::MEM_LOAD_RETIRED:L1_MISS", "amd64_fam17h_zen2::MISALIGNED_LOADS:MA64"}) {
-        const Fact<EventCode> code = encode_by_libpfm(name);
+        const Expected<EventCode> code = encode_by_libpfm(name);
         EXPECT_FALSE(code.value) << name;
         EXPECT_NE(code.reason.find(name), std::string::npos) << code.reason;
     }

@@ -60,7 +60,8 @@ TEST_P(EveryClaim, IsNotReproducedWhereTheRuleIsMissed) {
 TEST_P(EveryClaim, IsNotMeasuredForTheStoredReason) {
     ReportData data = GetParam().make(GetParam().reproduced);
     change_cells(data, [](ReportCell& cell) {
-        for (StoredFigure& figure : cell.figures) figure.value.reset(), figure.reason = "made to be missing";
+        for (store::FigureRow& figure : cell.figures)
+            figure.value.reset(), figure.reason = "made to be missing";
     });
     const Claim claim = claim_of(data, GetParam().id);
     EXPECT_EQ(claim.verdict, "not measured") << claim.ours;
@@ -131,7 +132,7 @@ TEST(Claims, WithoutTimesAreDeterministic) {
         bool timed = false;
         for (const auto* cells : {&data.cells, &data.from_files, &data.stability, &data.paging})
             for (const ReportCell& cell : *cells)
-                for (const StoredFigure& figure : cell.figures)
+                for (const store::FigureRow& figure : cell.figures)
                     timed = timed || figure.probe == "time" || figure.probe == "build" ||
                             figure.probe == "paging" || figure.name.ends_with("_ns");
         if (one.id == "caching_favours_vclip_in_steps") continue;  // shares its data with the one in times

@@ -16,11 +16,11 @@ namespace edgewise::reports {
 /// "time.all_ns" -> value.
 using MadeUp = std::map<std::string, double>;
 
-inline std::vector<StoredFigure> figures_of(const MadeUp& values) {
-    std::vector<StoredFigure> figures;
+inline std::vector<store::FigureRow> figures_of(const MadeUp& values) {
+    std::vector<store::FigureRow> figures;
     for (const auto& [name, value] : values) {
         const std::size_t dot = name.find('.');
-        figures.push_back({name.substr(0, dot), name.substr(dot + 1), value, "1", "", ""});
+        figures.push_back({{name.substr(dot + 1), value, "1"}, name.substr(0, dot)});
     }
     return figures;
 }

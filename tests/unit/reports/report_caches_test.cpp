@@ -60,8 +60,8 @@ TEST_F(Report, OfCachesRanksByLinesAndNamesMachines) {
     EXPECT_EQ(working_sets_grid(data).rows.size(), 3U);
     EXPECT_THAT(texts(grid.rows[0]), testing::Contains("70 *")) << "no source proves its latencies";
     EXPECT_EQ(broken_down_levels(data, "zen5"), std::vector<std::string>{"L1D"}) << "not the TLB";
-    EXPECT_EQ(breakdown_grid(data, "zen5", "L1D", "field.").columns.back().title, "vertex");
-    EXPECT_EQ(breakdown_grid(data, "zen5", "L1D", "step.").columns.back().title, "settle");
+    EXPECT_EQ(breakdown_grid(data, "zen5", "L1D", misses_by_field).columns.back().title, "vertex");
+    EXPECT_EQ(breakdown_grid(data, "zen5", "L1D", misses_by_step).columns.back().title, "settle");
 }
 
 /// f64 and f32 swap places under random replacement; f64 and mixed are a tie under LRU, which is no order.

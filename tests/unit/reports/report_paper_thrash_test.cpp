@@ -98,7 +98,7 @@ TEST(PaperThrash, SaysWhatIsMissing) {
                                HasSubstr("the store holds no paging run"), Not(HasSubstr("nan"))));
     ReportData data = made_up(thrashing, large);
     for (ReportCell& cell : data.from_files)
-        for (StoredFigure& figure : cell.figures)
+        for (store::FigureRow& figure : cell.figures)
             if (figure.probe == "caches") figure.value.reset(), figure.reason = "not modelled here";
     EXPECT_FALSE(cache_is_a_cause(data));
     EXPECT_THAT(thrash_paragraph(data), AllOf(HasSubstr("not modelled here"), HasSubstr("Paging makes it."),

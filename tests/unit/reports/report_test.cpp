@@ -57,12 +57,13 @@ TEST_F(Report, RoundsHaveRatiosByKindAndOfAllPairs) {
     for (const ReportCell& cell : data.cells) {
         if (cell.hash == "h-full") {
             ASSERT_EQ(cell.rounds.size(), 7u);
-            EXPECT_EQ(cell.rounds[5].all_ratio, cell.rounds[5].separated_ratio);
-            EXPECT_DOUBLE_EQ(cell.rounds[5].all_ratio.value_or(0), 1.005);
-            EXPECT_FALSE(cell.rounds[5].overlapping_ratio);
+            const auto all = cell.rounds[5].ratio(&measure::Timing::all);
+            EXPECT_EQ(all, cell.rounds[5].ratio(&measure::Timing::separated));
+            EXPECT_DOUBLE_EQ(all.value_or(0), 1.005);
+            EXPECT_FALSE(cell.rounds[5].ratio(&measure::Timing::overlapping));
         }
         if (cell.hash == "h-null") {
-            EXPECT_DOUBLE_EQ(cell.rounds.at(0).all_ratio.value_or(0), 3);
+            EXPECT_DOUBLE_EQ(cell.rounds.at(0).ratio(&measure::Timing::all).value_or(0), 3);
         }
     }
 }
@@ -223,7 +224,7 @@ TEST_F(Report, BadStoresGiveOneClearLine) {
     EXPECT_NE(failure((directory_ / "absent.db").string()).find("no results store at"), std::string::npos);
     write_file(directory_ / "text.db",
                "this is no database, just a long enough line of text to be read as one\n");
-    EXPECT_NE(failure((directory_ / "text.db").string()).find("is not a results store"), std::string::npos);
+    EXPECT_NE(failure((directory_ / "text.db").string()).find("not an SQLite file"), std::string::npos);
     const std::string empty = make_store(empty_store_sql());
     EXPECT_NE(failure(empty).find("holds no cell"), std::string::npos);
     fs::remove(directory_ / "store.db");
@@ -256,7 +257,8 @@ TEST_F(Report, RatioIntervalsComeFromTheRounds) {
     EXPECT_EQ(grid.rows[0][6].text, "1.000");
     EXPECT_EQ(grid.rows[0][7].text, "1.000 to 1.006");
     for (const ReportCell& cell : data.cells)
-        for (const StoredRound& round : cell.rounds) EXPECT_FALSE(round.overlapping_ratio);
+        for (const measure::Round& round : cell.rounds)
+            EXPECT_FALSE(round.ratio(&measure::Timing::overlapping));
 }
 
 }  // namespace

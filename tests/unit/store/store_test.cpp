@@ -56,11 +56,11 @@ void expect_equal(const CellRow& a, const CellRow& b) {
 
 void expect_equal(const FigureRow& a, const FigureRow& b) {
     EXPECT_EQ(a.probe, b.probe);
-    EXPECT_EQ(a.figure.name, b.figure.name);
-    EXPECT_EQ(a.figure.value, b.figure.value);
-    EXPECT_EQ(a.figure.unit, b.figure.unit);
-    EXPECT_EQ(a.figure.reason, b.figure.reason);
-    EXPECT_EQ(a.figure.remedy, b.figure.remedy);
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.value, b.value);
+    EXPECT_EQ(a.unit, b.unit);
+    EXPECT_EQ(a.reason, b.reason);
+    EXPECT_EQ(a.remedy, b.remedy);
 }
 
 /// Runs SQL past the store, as a foreign program would.
@@ -99,10 +99,10 @@ TEST_F(StoreTest, EveryFieldComesBackAfterReopening) {
     cell.status = "failed";
     cell.reason = "query 17: wrong verdict, \"quoted\", and umlaut \xc3\xa4";
     const std::vector<FigureRow> figures = {
-        {"bytes", {"paper", 168.0, "B/edge", "", ""}},
-        {"bytes", {"tiny", 5e-324, "1", "", ""}},
-        {"counters", {"misses", std::nullopt, "1", "no counters", "run on the bare machine"}},
-        {"error", {"worst", 0.1, "1", "", ""}}};
+        {{"paper", 168.0, "B/edge", "", ""}, "bytes"},
+        {{"tiny", 5e-324, "1", "", ""}, "bytes"},
+        {{"misses", std::nullopt, "1", "no counters", "run on the bare machine"}, "counters"},
+        {{"worst", 0.1, "1", "", ""}, "error"}};
     {
         Store store(path_);
         store.put_build(sample_build());
@@ -142,17 +142,17 @@ TEST_F(StoreTest, ReplacesTheSameCellAndKeepsItsRounds) {
     Store store(path_);
     store.put_build(sample_build());
     store.put_cell("build-1", sample_cell(),
-                   std::vector<FigureRow>{{"a", {"x", 1.0, "1"}}, {"a", {"y", 2.0, "1"}}});
+                   std::vector<FigureRow>{{{"x", 1.0, "1"}, "a"}, {{"y", 2.0, "1"}, "a"}});
     const std::vector<std::pair<std::string, measure::Round>> round = {{"cell-1", sample_round(0)}};
     store.put_round("build-1", round);
 
     CellRow changed = sample_cell();
     changed.queries = 7;
-    store.put_cell("build-1", changed, std::vector<FigureRow>{{"a", {"y", 3.0, "1"}}});
+    store.put_cell("build-1", changed, std::vector<FigureRow>{{{"y", 3.0, "1"}, "a"}});
     EXPECT_EQ(store.find_cell("build-1", "cell-1")->queries, 7u);
     const auto figures = store.figures("build-1", "cell-1");
     ASSERT_EQ(figures.size(), 1u);  // x is gone
-    EXPECT_EQ(figures[0].figure.value, 3.0);
+    EXPECT_EQ(figures[0].value, 3.0);
     EXPECT_EQ(store.rounds_done("build-1", "cell-1"), std::set<int>{0});
 }
 
@@ -162,14 +162,14 @@ TEST_F(StoreTest, KeepsBuildsApart) {
         store.put_build(sample_build(id));
         CellRow cell = sample_cell();
         cell.reason = id;
-        store.put_cell(id, cell, std::vector<FigureRow>{{"a", {"x", id[6] - '0' + 0.0, "1"}}});
+        store.put_cell(id, cell, std::vector<FigureRow>{{{"x", id[6] - '0' + 0.0, "1"}, "a"}});
     }
     const std::vector<std::pair<std::string, measure::Round>> round = {{"cell-1", sample_round(3)}};
     store.put_round("build-2", round);
     EXPECT_EQ(store.find_cell("build-1", "cell-1")->reason, "build-1");
     EXPECT_EQ(store.find_cell("build-2", "cell-1")->reason, "build-2");
-    EXPECT_EQ(store.figures("build-1", "cell-1")[0].figure.value, 1.0);
-    EXPECT_EQ(store.figures("build-2", "cell-1")[0].figure.value, 2.0);
+    EXPECT_EQ(store.figures("build-1", "cell-1")[0].value, 1.0);
+    EXPECT_EQ(store.figures("build-2", "cell-1")[0].value, 2.0);
     EXPECT_TRUE(store.rounds_done("build-1", "cell-1").empty());
     EXPECT_EQ(store.rounds_done("build-2", "cell-1"), std::set<int>{3});
     EXPECT_FALSE(store.find_cell("build-3", "cell-1"));
@@ -199,7 +199,7 @@ TEST_F(StoreTest, RoundsComeBackInOrderAndReplaceEachOther) {
 TEST_F(StoreTest, AFailingWriteChangesNothing) {
     Store store(path_);
     store.put_build(sample_build());
-    store.put_cell("build-1", sample_cell(), std::vector<FigureRow>{{"a", {"x", 1.0, "1"}}});
+    store.put_cell("build-1", sample_cell(), std::vector<FigureRow>{{{"x", 1.0, "1"}, "a"}});
 
     measure::Round broken = sample_round(2);
     broken.timing.separated_ns =
@@ -210,10 +210,10 @@ TEST_F(StoreTest, AFailingWriteChangesNothing) {
     EXPECT_TRUE(store.rounds_done("build-1", "cell-1").empty());
 
     EXPECT_THROW(
-        store.put_cell("build-1", sample_cell(), std::vector<FigureRow>{{"a", {"z", std::nullopt, "1"}}}),
+        store.put_cell("build-1", sample_cell(), std::vector<FigureRow>{{{"z", std::nullopt, "1"}, "a"}}),
         std::runtime_error);  // neither value nor reason
     ASSERT_EQ(store.figures("build-1", "cell-1").size(), 1u);
-    EXPECT_EQ(store.figures("build-1", "cell-1")[0].figure.name, "x");
+    EXPECT_EQ(store.figures("build-1", "cell-1")[0].name, "x");
 
     EXPECT_THROW(store.put_cell("no such build", sample_cell(), {}), std::runtime_error);
     CellRow strange = sample_cell();
@@ -229,10 +229,10 @@ TEST_F(StoreTest, AValueThatIsNotFiniteIsNullWithAReason) {
     store.put_build(sample_build());
     const double infinity = std::numeric_limits<double>::infinity();
     store.put_cell("build-1", sample_cell(),
-                   std::vector<FigureRow>{{"a", {"x", std::nan(""), "1"}}, {"a", {"y", -infinity, "1"}}});
+                   std::vector<FigureRow>{{{"x", std::nan(""), "1"}, "a"}, {{"y", -infinity, "1"}, "a"}});
     for (const FigureRow& row : store.figures("build-1", "cell-1")) {
-        EXPECT_FALSE(row.figure.value);
-        EXPECT_NE(row.figure.reason.find("not a finite number"), std::string::npos) << row.figure.reason;
+        EXPECT_FALSE(row.value);
+        EXPECT_NE(row.reason.find("not a finite number"), std::string::npos) << row.reason;
     }
     EXPECT_EQ(store.figures("build-1", "cell-1").size(), 2u);
 }

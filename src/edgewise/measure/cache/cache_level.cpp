@@ -5,18 +5,11 @@
 #include <bit>
 #include <cassert>
 
+#include "edgewise/geometry/split_mix.hpp"
+
 namespace edgewise::measure {
 
 namespace {
-
-/// Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (2014).
-std::uint64_t split_mix(std::uint64_t& counter) {
-    counter += 0x9e3779b97f4a7c15;
-    std::uint64_t z = counter;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
-}
 
 /// Where a node over ways first .. last - 1 splits: the left half is the larger.
 std::uint32_t middle(std::uint32_t first, std::uint32_t last) { return first + (last - first + 1) / 2; }

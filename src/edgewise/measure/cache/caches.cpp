@@ -19,15 +19,15 @@ Cache read_cache(const std::filesystem::path& index) {
     cache.sets = read_number(index / "number_of_sets");
     cache.shared_cpus = read_text(index / "shared_cpu_list");
     // The kernel writes 0 where it does not know (Arm without firmware tables): that is not a number of ways.
-    for (Fact<std::int64_t>* number : {&cache.bytes, &cache.ways, &cache.line_bytes, &cache.sets}) {
-        if (number->value == 0) *number = Fact<std::int64_t>::unknown("the kernel says 0: it does not know");
+    for (Expected<std::int64_t>* number : {&cache.bytes, &cache.ways, &cache.line_bytes, &cache.sets}) {
+        if (number->value == 0) *number = Expected<std::int64_t>::none("the kernel says 0: it does not know");
     }
     return cache;
 }
 
 }  // namespace
 
-Fact<std::vector<Cache>> read_caches(const std::filesystem::path& root) {
+Expected<std::vector<Cache>> read_caches(const std::filesystem::path& root) {
     const std::filesystem::path directory = root / "sys/devices/system/cpu/cpu0/cache";
     std::vector<Cache> caches;
     std::error_code error;
@@ -35,7 +35,7 @@ Fact<std::vector<Cache>> read_caches(const std::filesystem::path& root) {
         caches.push_back(read_cache(directory / fmt::format("index{}", i)));
     }
     if (caches.empty()) {
-        return Fact<std::vector<Cache>>::unknown(fmt::format("{}: no caches described", directory.string()));
+        return Expected<std::vector<Cache>>::none(fmt::format("{}: no caches described", directory.string()));
     }
     return {std::move(caches)};
 }

@@ -9,17 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/machine/read_text.hpp"
 
 namespace edgewise::measure {
 
 struct Cache {
-    Fact<std::int64_t> level, bytes, ways, line_bytes, sets;
-    Fact<std::string> type;         ///< Data, Instruction or Unified
-    Fact<std::string> shared_cpus;  ///< logical processors that share it, e.g. "0-7"
+    Expected<std::int64_t> level, bytes, ways, line_bytes, sets;
+    Expected<std::string> type;         ///< Data, Instruction or Unified
+    Expected<std::string> shared_cpus;  ///< logical processors that share it, e.g. "0-7"
 };
 
 /// In the order of sysfs (level 1 first). `root` is "/" except in tests.
-[[nodiscard]] Fact<std::vector<Cache>> read_caches(const std::filesystem::path& root);
+[[nodiscard]] Expected<std::vector<Cache>> read_caches(const std::filesystem::path& root);
 
 }  // namespace edgewise::measure

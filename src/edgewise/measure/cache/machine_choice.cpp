@@ -15,7 +15,7 @@ namespace edgewise::measure {
 
 namespace {
 
-Fact<CacheMachine> from_file(const std::string& file) {
+Expected<CacheMachine> from_file(const std::string& file) {
     std::ifstream stream(file);
     if (!stream) throw std::runtime_error(file + ": cannot be read");
     std::ostringstream text;
@@ -27,7 +27,7 @@ Fact<CacheMachine> from_file(const std::string& file) {
     return {machine};
 }
 
-Fact<CacheMachine> machine_of(const std::string& name) {
+Expected<CacheMachine> machine_of(const std::string& name) {
     if (name == "host") return host_machine();
     if (name.ends_with(".json")) return from_file(name);
     std::string known = "host";

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "edgewise/measure/cache/cache_machine.hpp"
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/expected.hpp"
 
 namespace edgewise::measure {
 
 struct MachineChoice {
     std::string name;
-    Fact<CacheMachine> machine;  ///< unknown: this host does not tell its caches
+    Expected<CacheMachine> machine;  ///< unknown: this host does not tell its caches
 };
 
 /// Throws std::invalid_argument for an unknown name, listing the known ones, and std::runtime_error for a bad

@@ -30,9 +30,9 @@ class PassCounter {
     using Batches = std::array<std::vector<std::uint64_t>, largest_group>;
     using Samples = std::array<std::vector<CounterSample>, largest_group>;
 
-    Measured<GroupCount> count_once(CounterGroup& group, const std::function<void()>& work);
-    Measured<Batches> count_empty(CounterGroup& group, std::size_t events);
-    Measured<Samples> count_passes(CounterGroup& group, std::size_t events);
+    Expected<GroupCount> count_once(CounterGroup& group, const std::function<void()>& work);
+    Expected<Batches> count_empty(CounterGroup& group, std::size_t events);
+    Expected<Samples> count_passes(CounterGroup& group, std::size_t events);
     void halve_or_refuse(std::span<PassRecord* const> records, const Refusal& refusal);
     void conclude(PassRecord& record, std::span<const std::uint64_t> empty,
                   std::span<const CounterSample> samples) const;
@@ -43,36 +43,36 @@ class PassCounter {
     std::size_t passes_ = 0;
 };
 
-Measured<GroupCount> PassCounter::count_once(CounterGroup& group, const std::function<void()>& work) {
+Expected<GroupCount> PassCounter::count_once(CounterGroup& group, const std::function<void()>& work) {
     if (!group.start()) {
-        return Measured<GroupCount>::refused("the kernel does not take these events together",
-                                             "end other users of the counters");
+        return Expected<GroupCount>::none("the kernel does not take these events together",
+                                          "end other users of the counters");
     }
     work();
     return group.stop();
 }
 
-Measured<PassCounter::Batches> PassCounter::count_empty(CounterGroup& group, std::size_t events) {
+Expected<PassCounter::Batches> PassCounter::count_empty(CounterGroup& group, std::size_t events) {
     const std::function<void()> nothing = [] {};
     Batches batches;
     for (std::size_t i = 0; i < options_.empty_batches; ++i) {
-        const Measured<GroupCount> count = count_once(group, nothing);
-        if (!count.value) return {std::nullopt, count.refusal};
+        const Expected<GroupCount> count = count_once(group, nothing);
+        if (!count.value) return {std::nullopt, count.reason, count.remedy};
         for (std::size_t k = 0; k < events; ++k) batches[k].push_back(count.value->values[k]);
     }
     return {std::move(batches)};
 }
 
-Measured<PassCounter::Samples> PassCounter::count_passes(CounterGroup& group, std::size_t events) {
+Expected<PassCounter::Samples> PassCounter::count_passes(CounterGroup& group, std::size_t events) {
     Samples samples;
     std::size_t good = 0;
     for (std::size_t i = 0; i < options_.most_passes && good < options_.samples; ++i) {
         const int processor = sched_getcpu();
         const ThreadUsage before = thread_usage();
-        const Measured<GroupCount> count = count_once(group, pass_);
+        const Expected<GroupCount> count = count_once(group, pass_);
         const ThreadUsage during = thread_usage() - before;
         ++passes_;
-        if (!count.value) return {std::nullopt, count.refusal};
+        if (!count.value) return {std::nullopt, count.reason, count.remedy};
         CounterSample sample{0, count.value->enabled_ns, count.value->running_ns};
         sample.page_faults = during.minor_faults + during.major_faults;
         sample.context_switches = during.context_switches;
@@ -97,16 +97,16 @@ void PassCounter::halve_or_refuse(std::span<PassRecord* const> records, const Re
 
 void PassCounter::conclude(PassRecord& record, std::span<const std::uint64_t> empty,
                            std::span<const CounterSample> samples) const {
-    const Measured<CountingCost> cost = counting_cost(empty);
+    const Expected<CountingCost> cost = counting_cost(empty);
     if (!cost.value) {
-        record.refusal = cost.refusal;
+        record.refusal = cost.refusal();
         return;
     }
     record.overhead = cost.value->overhead;
     record.floor = cost.value->floor;
-    const Measured<CounterFigure> figure = count_per_query(samples, *cost.value, queries_);
+    const Expected<CounterFigure> figure = count_per_query(samples, *cost.value, queries_);
     if (!figure.value) {
-        record.refusal = figure.refusal;
+        record.refusal = figure.refusal();
         return;
     }
     record.value = figure.value->per_query;
@@ -122,10 +122,10 @@ void PassCounter::count(std::span<PassRecord* const> records) {
         return halve_or_refuse(records, {"the event opened before, but not now",
                                          "end other users of the counters, or raise ulimit -n"});
     }
-    const Measured<Batches> empty = count_empty(group, records.size());
-    if (!empty.value) return halve_or_refuse(records, empty.refusal);
-    const Measured<Samples> samples = count_passes(group, records.size());
-    if (!samples.value) return halve_or_refuse(records, samples.refusal);
+    const Expected<Batches> empty = count_empty(group, records.size());
+    if (!empty.value) return halve_or_refuse(records, empty.refusal());
+    const Expected<Samples> samples = count_passes(group, records.size());
+    if (!samples.value) return halve_or_refuse(records, samples.refusal());
     for (std::size_t k = 0; k < records.size(); ++k) {
         conclude(*records[k], (*empty.value)[k], (*samples.value)[k]);
     }

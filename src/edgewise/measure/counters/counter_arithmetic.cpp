@@ -47,9 +47,9 @@ std::string why_dropped(const Sorted& sorted, std::size_t total) {
 
 }  // namespace
 
-Measured<CountingCost> counting_cost(std::span<const std::uint64_t> empty_batches) {
+Expected<CountingCost> counting_cost(std::span<const std::uint64_t> empty_batches) {
     if (empty_batches.size() < least_empty_batches) {
-        return Measured<CountingCost>::refused(
+        return Expected<CountingCost>::none(
             fmt::format("{} empty batches say too little of what counting costs", empty_batches.size()),
             fmt::format("count at least {}", least_empty_batches));
     }
@@ -58,20 +58,20 @@ Measured<CountingCost> counting_cost(std::span<const std::uint64_t> empty_batche
     return {CountingCost{overhead, std::max<std::uint64_t>(rank(counts, 9, 10), 1)}};
 }
 
-Measured<CounterFigure> count_per_query(std::span<const CounterSample> samples, const CountingCost& cost,
+Expected<CounterFigure> count_per_query(std::span<const CounterSample> samples, const CountingCost& cost,
                                         std::size_t queries) {
-    using Result = Measured<CounterFigure>;
-    if (queries == 0) return Result::refused("no queries in the batch", "count a batch that has some");
+    using Result = Expected<CounterFigure>;
+    if (queries == 0) return Result::none("no queries in the batch", "count a batch that has some");
     const Sorted sorted = sort_out(samples);
     if (sorted.good.size() < least_samples) {
-        return Result::refused(why_dropped(sorted, samples.size()),
-                               "leave the machine to this program, pin it to a processor, and count more "
-                               "often or in shorter batches");
+        return Result::none(why_dropped(sorted, samples.size()),
+                            "leave the machine to this program, pin it to a processor, and count more "
+                            "often or in shorter batches");
     }
     const double batch = median(sorted.good).value_or(0) - static_cast<double>(cost.overhead);
     const double least = static_cast<double>(least_to_floor * cost.floor);
     if (batch < least) {
-        return Result::refused(
+        return Result::none(
             fmt::format("fewer than {} in a batch of {} queries, so below {:.3g} per query: too few to tell "
                         "from what counting itself may cause ({})",
                         least, queries, least / static_cast<double>(queries), cost.floor),

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-#include "edgewise/measure/measured.hpp"
+#include "edgewise/measure/expected.hpp"
 
 namespace edgewise::measure {
 
@@ -35,7 +35,7 @@ inline constexpr std::size_t least_samples = 3;  ///< undisturbed ones: of fewer
 inline constexpr std::uint64_t least_to_floor = 10;  ///< a batch must count so many times the floor
 
 /// Refused for fewer than least_empty_batches.
-[[nodiscard]] Measured<CountingCost> counting_cost(std::span<const std::uint64_t> empty_batches);
+[[nodiscard]] Expected<CountingCost> counting_cost(std::span<const std::uint64_t> empty_batches);
 
 struct CounterFigure {
     double per_query = 0;
@@ -44,7 +44,7 @@ struct CounterFigure {
 };
 
 /// The median of the samples that are good, less the overhead, over the queries of one batch.
-[[nodiscard]] Measured<CounterFigure> count_per_query(std::span<const CounterSample> samples,
+[[nodiscard]] Expected<CounterFigure> count_per_query(std::span<const CounterSample> samples,
                                                       const CountingCost& cost, std::size_t queries);
 
 }  // namespace edgewise::measure

@@ -66,12 +66,12 @@ bool CounterGroup::start() {
            ioctl(descriptors_[0], PERF_EVENT_IOC_ENABLE, 0) == 0;
 }
 
-Measured<GroupCount> CounterGroup::stop() {
-    using Result = Measured<GroupCount>;
+Expected<GroupCount> CounterGroup::stop() {
+    using Result = Expected<GroupCount>;
     std::array<std::uint64_t, head_words + 2 * largest_group> words{};
-    if (error_ != 0) return Result::refused("the group is not open", "open it where its events exist");
+    if (error_ != 0) return Result::none("the group is not open", "open it where its events exist");
     if (ioctl(descriptors_[0], PERF_EVENT_IOC_DISABLE, 0) != 0) {
-        return Result::refused("the kernel does not stop the group", "try again");
+        return Result::none("the kernel does not stop the group", "try again");
     }
     const std::int64_t bytes = read(descriptors_[0], words.data(), sizeof words);
     Result result = parse_group(words, bytes, std::span(ids_).first(size_));
@@ -82,18 +82,18 @@ Measured<GroupCount> CounterGroup::stop() {
     return whole_time_only(count);
 }
 
-Measured<GroupCount> parse_group(std::span<const std::uint64_t> words, std::int64_t bytes,
+Expected<GroupCount> parse_group(std::span<const std::uint64_t> words, std::int64_t bytes,
                                  std::span<const std::uint64_t> ids) {
-    using Result = Measured<GroupCount>;
+    using Result = Expected<GroupCount>;
     const std::size_t needed = head_words + 2 * ids.size();
     if (bytes == 0) {
-        return Result::refused("not enough free counters for the group: it is in error (end of file)",
-                               free_counters);
+        return Result::none("not enough free counters for the group: it is in error (end of file)",
+                            free_counters);
     }
     if (bytes != static_cast<std::int64_t>(needed * sizeof(std::uint64_t)) || words.size() < needed ||
         words[0] != ids.size()) {
-        return Result::refused(fmt::format("the kernel gave {} bytes, not {} events", bytes, ids.size()),
-                               "try again, or use another kernel");
+        return Result::none(fmt::format("the kernel gave {} bytes, not {} events", bytes, ids.size()),
+                            "try again, or use another kernel");
     }
     GroupCount count;
     count.enabled_ns = words[1];
@@ -101,16 +101,16 @@ Measured<GroupCount> parse_group(std::span<const std::uint64_t> words, std::int6
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const auto* const id = std::find(ids.data(), ids.data() + ids.size(), words[head_words + 2 * i + 1]);
         if (id == ids.data() + ids.size()) {
-            return Result::refused("the kernel counted an event that was not asked for", "try again");
+            return Result::none("the kernel counted an event that was not asked for", "try again");
         }
         count.values[static_cast<std::size_t>(id - ids.data())] = words[head_words + 2 * i];
     }
     return {count};
 }
 
-Measured<GroupCount> whole_time_only(const GroupCount& count) {
+Expected<GroupCount> whole_time_only(const GroupCount& count) {
     if (count.enabled_ns != 0 && count.running_ns == count.enabled_ns) return {count};
-    return Measured<GroupCount>::refused(
+    return Expected<GroupCount>::none(
         fmt::format("on the counters for only {} of {} ns, and a scaled count is a guess", count.running_ns,
                     count.enabled_ns),
         free_counters);

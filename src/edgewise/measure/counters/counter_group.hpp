@@ -12,7 +12,7 @@
 #include <span>
 
 #include "edgewise/measure/counters/perf_event.hpp"
-#include "edgewise/measure/measured.hpp"
+#include "edgewise/measure/expected.hpp"
 
 namespace edgewise::measure {
 
@@ -38,7 +38,7 @@ class CounterGroup {
     /// Counts from zero; false when the kernel refuses.
     bool start();
 
-    [[nodiscard]] Measured<GroupCount> stop();
+    [[nodiscard]] Expected<GroupCount> stop();
 
   private:
     bool open_all(std::span<const EventCode> events);
@@ -53,10 +53,10 @@ class CounterGroup {
 
 /// What the kernel wrote for a group of that many events: number, two times, then value and id of each.
 /// `bytes`: what read returned; 0 is how a pinned group says that it found no counters.
-[[nodiscard]] Measured<GroupCount> parse_group(std::span<const std::uint64_t> words, std::int64_t bytes,
+[[nodiscard]] Expected<GroupCount> parse_group(std::span<const std::uint64_t> words, std::int64_t bytes,
                                                std::span<const std::uint64_t> ids);
 
 /// Refused unless it was on the counters all the time that it was asked for.
-[[nodiscard]] Measured<GroupCount> whole_time_only(const GroupCount& count);
+[[nodiscard]] Expected<GroupCount> whole_time_only(const GroupCount& count);
 
 }  // namespace edgewise::measure

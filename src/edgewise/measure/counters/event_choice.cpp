@@ -35,7 +35,7 @@ void add_of_processor(std::vector<ChosenEvent>& found, const MetricName& metric,
     const EventRow* const row = find_event(metric.metric, processor.generation);
     if (row == nullptr) return;
     const std::string name = fmt::format("{}::{}", processor.pmu, row->name);
-    if (const Fact<EventCode> code = encode_by_libpfm(name); code.value) {
+    if (const Expected<EventCode> code = encode_by_libpfm(name); code.value) {
         found.push_back(from_row(metric, "libpfm", *row, *code.value));
         found.back().encoding = fmt::format("{} = {}", name, encoding_text(*code.value));
     }

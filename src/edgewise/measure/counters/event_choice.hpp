@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "edgewise/measure/counters/perf_event.hpp"
+#include "edgewise/measure/expected.hpp"
 #include "edgewise/measure/machine/cpu.hpp"
-#include "edgewise/measure/measured.hpp"
 #include "edgewise/measure/metric.hpp"
 
 namespace edgewise::measure {

@@ -27,8 +27,8 @@ std::string why_no_libpfm() {
     return result == PFM_SUCCESS ? "" : fmt::format("libpfm does not start: {}", pfm_strerror(result));
 }
 
-Fact<EventCode> encode_by_libpfm(const std::string& name) {
-    if (std::string why = why_no_libpfm(); !why.empty()) return Fact<EventCode>::unknown(std::move(why));
+Expected<EventCode> encode_by_libpfm(const std::string& name) {
+    if (std::string why = why_no_libpfm(); !why.empty()) return Expected<EventCode>::none(std::move(why));
     perf_event_attr attributes{};
     pfm_perf_encode_arg_t request{};
     request.attr = &attributes;
@@ -36,7 +36,7 @@ Fact<EventCode> encode_by_libpfm(const std::string& name) {
     attributes.size = sizeof attributes;
     const int result = pfm_get_os_event_encoding(name.c_str(), PFM_PLM3, PFM_OS_PERF_EVENT, &request);
     if (result != PFM_SUCCESS) {
-        return Fact<EventCode>::unknown(fmt::format("libpfm: {}: {}", name, pfm_strerror(result)));
+        return Expected<EventCode>::none(fmt::format("libpfm: {}: {}", name, pfm_strerror(result)));
     }
     return {EventCode{attributes.type, attributes.config}};
 }

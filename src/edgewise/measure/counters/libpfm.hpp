@@ -6,7 +6,7 @@
 #include <string>
 
 #include "edgewise/measure/counters/perf_event.hpp"
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/expected.hpp"
 
 namespace edgewise::measure {
 
@@ -15,6 +15,6 @@ namespace edgewise::measure {
 
 /// Of a name like "skx::MEM_LOAD_RETIRED:L1_MISS", user mode only. Unknown also when the processor is
 /// another. libpfm reads LIBPFM_ENCODE_INACTIVE and LIBPFM_FORCE_PMU once, when it starts.
-[[nodiscard]] Fact<EventCode> encode_by_libpfm(const std::string& name);
+[[nodiscard]] Expected<EventCode> encode_by_libpfm(const std::string& name);
 
 }  // namespace edgewise::measure

@@ -13,6 +13,8 @@ constexpr const char* left_out = "this build is without libpfm (Debian: libpfm4-
 
 std::string why_no_libpfm() { return left_out; }
 
-Fact<EventCode> encode_by_libpfm(const std::string& /*name*/) { return Fact<EventCode>::unknown(left_out); }
+Expected<EventCode> encode_by_libpfm(const std::string& /*name*/) {
+    return Expected<EventCode>::none(left_out);
+}
 
 }  // namespace edgewise::measure

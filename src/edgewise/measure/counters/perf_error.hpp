@@ -4,8 +4,8 @@
 // event that is not there and no counter free are different, and so is what helps.
 #pragma once
 
+#include "edgewise/measure/expected.hpp"
 #include "edgewise/measure/machine/cpu.hpp"
-#include "edgewise/measure/measured.hpp"
 
 namespace edgewise::measure {
 

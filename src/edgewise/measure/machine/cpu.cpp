@@ -39,33 +39,34 @@ std::vector<Keys> parse_blocks(std::string_view cpuinfo) {
 }
 
 /// The value of the first key that is there: x86's name for it, then Arm's.
-Fact<std::string> find_text(const Keys& keys, std::string_view x86, std::string_view arm) {
+Expected<std::string> find_text(const Keys& keys, std::string_view x86, std::string_view arm) {
     for (const std::string_view key : {x86, arm}) {
         const auto found = keys.find(key);
         if (found != keys.end() && !found->second.empty()) return {found->second};
     }
-    return Fact<std::string>::unknown(fmt::format("/proc/cpuinfo has no \"{}\"", x86));
+    return Expected<std::string>::none(fmt::format("/proc/cpuinfo has no \"{}\"", x86));
 }
 
-Fact<std::int64_t> find_number(const Keys& keys, std::string_view x86, std::string_view arm) {
-    const Fact<std::string> text = find_text(keys, x86, arm);
-    if (!text.value) return Fact<std::int64_t>::unknown(text.reason);
+Expected<std::int64_t> find_number(const Keys& keys, std::string_view x86, std::string_view arm) {
+    const Expected<std::string> text = find_text(keys, x86, arm);
+    if (!text.value) return Expected<std::int64_t>::none(text.reason);
     const auto number = parse_number(*text.value);
-    if (!number) return Fact<std::int64_t>::unknown(fmt::format("/proc/cpuinfo: {} is {}", x86, *text.value));
+    if (!number)
+        return Expected<std::int64_t>::none(fmt::format("/proc/cpuinfo: {} is {}", x86, *text.value));
     return {number};
 }
 
-Fact<std::int64_t> count_cores(const std::vector<Keys>& blocks) {
+Expected<std::int64_t> count_cores(const std::vector<Keys>& blocks) {
     std::set<std::pair<std::string, std::string>> cores;
     for (const Keys& keys : blocks) {
         const auto package = keys.find("physical id");
         const auto core = keys.find("core id");
         if (package == keys.end() || core == keys.end()) {
-            return Fact<std::int64_t>::unknown("/proc/cpuinfo has no \"core id\"");
+            return Expected<std::int64_t>::none("/proc/cpuinfo has no \"core id\"");
         }
         cores.emplace(package->second, core->second);
     }
-    if (cores.empty()) return Fact<std::int64_t>::unknown("/proc/cpuinfo names no processor");
+    if (cores.empty()) return Expected<std::int64_t>::none("/proc/cpuinfo names no processor");
     return {static_cast<std::int64_t>(cores.size())};
 }
 
@@ -100,8 +101,8 @@ Cpu parse_cpu(std::string_view cpuinfo) {
     for (std::string word; words >> word;) flags.insert(word);
     cpu.vector_extensions = vector_extensions(flags);
     const bool x86 = keys.find("flags") != keys.end();
-    cpu.hypervisor = x86 ? Fact<bool>{flags.count("hypervisor") != 0}
-                         : Fact<bool>::unknown("only x86 processors tell a guest that it is one");
+    cpu.hypervisor = x86 ? Expected<bool>{flags.count("hypervisor") != 0}
+                         : Expected<bool>::none("only x86 processors tell a guest that it is one");
     return cpu;
 }
 

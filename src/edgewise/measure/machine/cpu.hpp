@@ -9,18 +9,18 @@
 #include <string_view>
 #include <vector>
 
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/machine/read_text.hpp"
 
 namespace edgewise::measure {
 
 struct Cpu {
-    Fact<std::string> vendor;  ///< "GenuineIntel", "AuthenticAMD", or Arm's implementer: "0x41"
-    Fact<std::string> name;
-    Fact<std::int64_t> family, model, stepping;
-    Fact<std::int64_t> cores;                    ///< physical ones
+    Expected<std::string> vendor;  ///< "GenuineIntel", "AuthenticAMD", or Arm's implementer: "0x41"
+    Expected<std::string> name;
+    Expected<std::int64_t> family, model, stepping;
+    Expected<std::int64_t> cores;                ///< physical ones
     std::int64_t threads = 0;                    ///< logical processors the system runs
     std::vector<std::string> vector_extensions;  ///< those that change what code can be generated or run
-    Fact<bool> hypervisor;                       ///< x86 only: the flag a guest is told
+    Expected<bool> hypervisor;                   ///< x86 only: the flag a guest is told
 };
 
 [[nodiscard]] Cpu parse_cpu(std::string_view cpuinfo);

@@ -14,7 +14,7 @@ constexpr const char* source =
 
 /// Empty, or what is wrong with the kernel's word for a model.
 std::string add_level(const Cache& cache, CacheMachine& machine) {
-    const auto known = [](const Fact<std::int64_t>& fact) { return fact.value && *fact.value > 0; };
+    const auto known = [](const Expected<std::int64_t>& fact) { return fact.value && *fact.value > 0; };
     if (!known(cache.level) || !known(cache.bytes) || !known(cache.ways) || !known(cache.line_bytes))
         return "sysfs does not tell level, size, ways and line of every cache";
     const std::int64_t line = *cache.line_bytes.value, ways = *cache.ways.value;
@@ -30,9 +30,9 @@ std::string add_level(const Cache& cache, CacheMachine& machine) {
 
 }  // namespace
 
-Fact<CacheMachine> host_machine(const std::filesystem::path& root) {
-    const Fact<std::vector<Cache>> caches = read_caches(root);
-    if (!caches.value) return Fact<CacheMachine>::unknown(caches.reason);
+Expected<CacheMachine> host_machine(const std::filesystem::path& root) {
+    const Expected<std::vector<Cache>> caches = read_caches(root);
+    if (!caches.value) return Expected<CacheMachine>::none(caches.reason);
     CacheMachine machine;
     machine.name = "host";
     machine.what = "this machine, as the kernel tells it";
@@ -40,9 +40,9 @@ Fact<CacheMachine> host_machine(const std::filesystem::path& root) {
     for (const Cache& cache : *caches.value) {
         if (cache.type.value.value_or("") == "Instruction") continue;
         if (const std::string problem = add_level(cache, machine); !problem.empty())
-            return Fact<CacheMachine>::unknown(problem);
+            return Expected<CacheMachine>::none(problem);
     }
-    if (machine.caches.levels.empty()) return Fact<CacheMachine>::unknown("sysfs tells of no data cache");
+    if (machine.caches.levels.empty()) return Expected<CacheMachine>::none("sysfs tells of no data cache");
     return {machine};
 }
 

@@ -8,11 +8,11 @@
 #include <filesystem>
 
 #include "edgewise/measure/cache/cache_machine.hpp"
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/machine/read_text.hpp"
 
 namespace edgewise::measure {
 
 /// `root` is "/" except in tests.
-[[nodiscard]] Fact<CacheMachine> host_machine(const std::filesystem::path& root = "/");
+[[nodiscard]] Expected<CacheMachine> host_machine(const std::filesystem::path& root = "/");
 
 }  // namespace edgewise::measure

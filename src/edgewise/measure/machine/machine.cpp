@@ -14,11 +14,11 @@ namespace edgewise::measure {
 namespace {
 
 Cpu read_cpu(const std::filesystem::path& root) {
-    const Fact<std::string> text = read_text(root / "proc/cpuinfo");
+    const Expected<std::string> text = read_text(root / "proc/cpuinfo");
     Cpu cpu = parse_cpu(text.value.value_or(""));
     if (!text.value) {
-        for (Fact<std::string>* fact : {&cpu.vendor, &cpu.name}) fact->reason = text.reason;
-        for (Fact<std::int64_t>* fact : {&cpu.family, &cpu.model, &cpu.stepping, &cpu.cores}) {
+        for (Expected<std::string>* fact : {&cpu.vendor, &cpu.name}) fact->reason = text.reason;
+        for (Expected<std::int64_t>* fact : {&cpu.family, &cpu.model, &cpu.stepping, &cpu.cores}) {
             fact->reason = text.reason;
         }
         cpu.hypervisor.reason = text.reason;
@@ -26,9 +26,9 @@ Cpu read_cpu(const std::filesystem::path& root) {
     return cpu;
 }
 
-Fact<std::int64_t> read_memory(const std::filesystem::path& root) {
-    const Fact<std::string> text = read_text(root / "proc/meminfo");
-    if (!text.value) return Fact<std::int64_t>::unknown(text.reason);
+Expected<std::int64_t> read_memory(const std::filesystem::path& root) {
+    const Expected<std::string> text = read_text(root / "proc/meminfo");
+    if (!text.value) return Expected<std::int64_t>::none(text.reason);
     std::istringstream lines(*text.value);
     std::string key;
     std::int64_t kibibytes = 0;
@@ -36,34 +36,34 @@ Fact<std::int64_t> read_memory(const std::filesystem::path& root) {
         std::istringstream words(line);
         if (words >> key >> kibibytes && key == "MemTotal:") return {kibibytes * 1024};
     }
-    return Fact<std::int64_t>::unknown("/proc/meminfo has no MemTotal");
+    return Expected<std::int64_t>::none("/proc/meminfo has no MemTotal");
 }
 
 /// Intel's own driver has a switch for "no turbo", the others one for "boost".
-Fact<bool> read_turbo(const std::filesystem::path& root) {
-    const Fact<std::int64_t> off = read_number(root / "sys/devices/system/cpu/intel_pstate/no_turbo");
+Expected<bool> read_turbo(const std::filesystem::path& root) {
+    const Expected<std::int64_t> off = read_number(root / "sys/devices/system/cpu/intel_pstate/no_turbo");
     if (off.value) return {*off.value == 0};
-    const Fact<std::int64_t> boost = read_number(root / "sys/devices/system/cpu/cpufreq/boost");
+    const Expected<std::int64_t> boost = read_number(root / "sys/devices/system/cpu/cpufreq/boost");
     if (boost.value) return {*boost.value != 0};
-    return Fact<bool>::unknown(fmt::format("{}; {}", off.reason, boost.reason));
+    return Expected<bool>::none(fmt::format("{}; {}", off.reason, boost.reason));
 }
 
 /// The choice in brackets: "always [madvise] never".
-Fact<std::string> read_choice(const std::filesystem::path& file) {
-    const Fact<std::string> text = read_text(file);
+Expected<std::string> read_choice(const std::filesystem::path& file) {
+    const Expected<std::string> text = read_text(file);
     if (!text.value) return text;
     const auto open = text.value->find('[');
     const auto close = text.value->find(']');
     if (open == std::string::npos || close == std::string::npos || close < open) {
-        return Fact<std::string>::unknown(
+        return Expected<std::string>::none(
             fmt::format("{}: no choice in brackets: {}", file.string(), *text.value));
     }
     return {text.value->substr(open + 1, close - open - 1)};
 }
 
-Fact<bool> read_own_aslr() {
+Expected<bool> read_own_aslr() {
     const int flags = personality(0xffffffff);  // asks, changes nothing
-    if (flags < 0) return Fact<bool>::unknown("personality() is not allowed here");
+    if (flags < 0) return Expected<bool>::none("personality() is not allowed here");
     return {(flags & ADDR_NO_RANDOMIZE) == 0};
 }
 

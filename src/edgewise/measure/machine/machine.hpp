@@ -11,22 +11,22 @@
 
 #include "edgewise/measure/cache/caches.hpp"
 #include "edgewise/measure/machine/cpu.hpp"
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/machine/read_text.hpp"
 
 namespace edgewise::measure {
 
 struct Machine {
     Cpu cpu;
-    Fact<std::vector<Cache>> caches;
-    Fact<std::int64_t> page_bytes, memory_bytes;
-    Fact<std::string> kernel;
-    Fact<std::string> clock_source;            ///< "tsc" is cheap to read, "hpet" or "acpi_pm" are not
-    Fact<std::string> governor;                ///< of the first processor's clock
-    Fact<bool> turbo;                          ///< may the clock exceed the nominal rate
-    Fact<std::int64_t> aslr;                   ///< the system's: 0 off, 1 without the heap, 2 all
-    Fact<bool> aslr_this_process;              ///< false under `setarch -R` and some debuggers
-    Fact<std::string> transparent_huge_pages;  ///< always, madvise or never
-    Fact<std::int64_t> perf_event_paranoid;
+    Expected<std::vector<Cache>> caches;
+    Expected<std::int64_t> page_bytes, memory_bytes;
+    Expected<std::string> kernel;
+    Expected<std::string> clock_source;            ///< "tsc" is cheap to read, "hpet" or "acpi_pm" are not
+    Expected<std::string> governor;                ///< of the first processor's clock
+    Expected<bool> turbo;                          ///< may the clock exceed the nominal rate
+    Expected<std::int64_t> aslr;                   ///< the system's: 0 off, 1 without the heap, 2 all
+    Expected<bool> aslr_this_process;              ///< false under `setarch -R` and some debuggers
+    Expected<std::string> transparent_huge_pages;  ///< always, madvise or never
+    Expected<std::int64_t> perf_event_paranoid;
 };
 
 /// `root` is "/" except in tests.

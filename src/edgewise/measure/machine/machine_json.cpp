@@ -20,7 +20,7 @@ class FactWriter {
     }
 
     template <class Value>
-    void put(const char* key, const Fact<Value>& fact) {
+    void put(const char* key, const Expected<Value>& fact) {
         if (fact.value) {
             target_[key] = *fact.value;
         } else {
@@ -44,13 +44,13 @@ json cpu_json(const Cpu& cpu, json& reasons) {
     writer.put("model", cpu.model);
     writer.put("stepping", cpu.stepping);
     writer.put("cores", cpu.cores);
-    writer.put("threads", cpu.threads > 0 ? Fact<std::int64_t>{cpu.threads}
-                                          : Fact<std::int64_t>::unknown("/proc/cpuinfo names no processor"));
+    writer.put("threads", cpu.threads > 0 ? Expected<std::int64_t>{cpu.threads}
+                                          : Expected<std::int64_t>::none("/proc/cpuinfo names no processor"));
     result["vector_extensions"] = cpu.vector_extensions;
     return result;
 }
 
-json caches_json(const Fact<std::vector<Cache>>& caches, json& reasons) {
+json caches_json(const Expected<std::vector<Cache>>& caches, json& reasons) {
     json result = json::array();
     if (!caches.value) {
         reasons["caches"] = caches.reason;

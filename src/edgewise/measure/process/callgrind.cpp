@@ -14,13 +14,13 @@
 
 namespace edgewise::measure {
 
-Fact<CacheGeometry> callgrind_geometry(const CacheMachine& machine) {
+Expected<CacheGeometry> callgrind_geometry(const CacheMachine& machine) {
     const auto& levels = machine.caches.levels;
-    if (levels.size() < 2) return Fact<CacheGeometry>::unknown("Callgrind has two levels, this machine one");
+    if (levels.size() < 2) return Expected<CacheGeometry>::none("Callgrind has two levels, this machine one");
     CacheGeometry geometry{machine.caches.line_bytes, {levels[0], levels[1]}, LineCrossing::merge};
     for (LevelGeometry& level : geometry.levels) {
         if (!std::has_single_bit(level.sets))
-            return Fact<CacheGeometry>::unknown("Callgrind wants a power of two of sets");
+            return Expected<CacheGeometry>::none("Callgrind wants a power of two of sets");
         level.inclusion = Inclusion::non_inclusive;
         level.replacement = Replacement::lru;
     }
@@ -46,7 +46,7 @@ std::vector<std::string> callgrind_command(const CacheGeometry& geometry, const 
 }
 
 /// A total leaves out zeros at its end: missing events are none.
-Fact<CallgrindCounts> parse_callgrind(const std::string& text) {
+Expected<CallgrindCounts> parse_callgrind(const std::string& text) {
     std::map<std::string, double> events;
     std::vector<std::string> names;
     std::istringstream lines(text);
@@ -63,7 +63,7 @@ Fact<CallgrindCounts> parse_callgrind(const std::string& text) {
     }
     for (const char* needed : {"Ir", "Dr", "Dw", "D1mr", "D1mw", "DLmr", "DLmw"}) {
         if (std::find(names.begin(), names.end(), needed) == names.end())
-            return Fact<CallgrindCounts>::unknown(
+            return Expected<CallgrindCounts>::none(
                 fmt::format("Callgrind's output lacks the event {}", needed));
     }
     return {CallgrindCounts{events["Ir"], events["Dr"] + events["Dw"], events["D1mr"] + events["D1mw"],

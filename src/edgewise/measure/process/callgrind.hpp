@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "edgewise/measure/cache/cache_machine.hpp"
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/expected.hpp"
 
 namespace edgewise::measure {
 
@@ -19,7 +19,7 @@ struct CallgrindCounts {
 
 /// The machine's first two levels as Callgrind simulates them: LRU, an access across lines as one. Unknown:
 /// it has one level only, or its sets are no power of two.
-[[nodiscard]] Fact<CacheGeometry> callgrind_geometry(const CacheMachine& machine);
+[[nodiscard]] Expected<CacheGeometry> callgrind_geometry(const CacheMachine& machine);
 
 /// The command line; the program collects where it says so (callgrind_region.hpp).
 [[nodiscard]] std::vector<std::string> callgrind_command(const CacheGeometry& geometry,
@@ -27,6 +27,6 @@ struct CallgrindCounts {
                                                          const std::vector<std::string>& program);
 
 /// From the text of its output file.
-[[nodiscard]] Fact<CallgrindCounts> parse_callgrind(const std::string& text);
+[[nodiscard]] Expected<CallgrindCounts> parse_callgrind(const std::string& text);
 
 }  // namespace edgewise::measure

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/expected.hpp"
 
 namespace edgewise::measure {
 
@@ -16,6 +16,6 @@ struct ProcessOutcome {
 };
 
 /// Found by PATH unless named with a slash. Unknown: it cannot be started.
-[[nodiscard]] Fact<ProcessOutcome> run_program(const std::vector<std::string>& command);
+[[nodiscard]] Expected<ProcessOutcome> run_program(const std::vector<std::string>& command);
 
 }  // namespace edgewise::measure

@@ -84,7 +84,7 @@ std::string control_group_in(const std::string& text, const std::string& control
     return {};
 }
 
-Fact<std::unique_ptr<MemoryLimit>> MemoryLimit::make(const fs::path& root) {
+Expected<std::unique_ptr<MemoryLimit>> MemoryLimit::make(const fs::path& root) {
     std::string why = "no memory control groups are mounted";
     const fs::path first = root / "sys/fs/cgroup/memory", second = root / "sys/fs/cgroup";
     if (fs::exists(first / "memory.limit_in_bytes")) {
@@ -96,7 +96,7 @@ Fact<std::unique_ptr<MemoryLimit>> MemoryLimit::make(const fs::path& root) {
         const fs::path folder = new_folder(upwards(second, own_group(root, "")), "memory.max", why);
         if (!folder.empty()) return {std::unique_ptr<MemoryLimit>(new MemoryLimit(folder, true))};
     }
-    return Fact<std::unique_ptr<MemoryLimit>>::unknown(why);
+    return Expected<std::unique_ptr<MemoryLimit>>::none(why);
 }
 
 MemoryLimit::~MemoryLimit() {
@@ -114,9 +114,9 @@ std::string MemoryLimit::take_in(pid_t process) const {
     return write_to(folder_ / "cgroup.procs", std::to_string(process));
 }
 
-Fact<MemoryInGroup> MemoryLimit::holds() const {
+Expected<MemoryInGroup> MemoryLimit::holds() const {
     const auto all = read_number(folder_ / (second_ ? "memory.current" : "memory.usage_in_bytes"));
-    if (!all.value) return Fact<MemoryInGroup>::unknown(all.reason);
+    if (!all.value) return Expected<MemoryInGroup>::none(all.reason);
     MemoryInGroup held;
     held.file = number_in(folder_ / "memory.stat", second_ ? "file" : "cache");
     const auto used = static_cast<std::uint64_t>(*all.value);

@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/machine/read_text.hpp"
 
 namespace edgewise::measure {
 
@@ -28,7 +28,7 @@ struct MemoryInGroup {
 class MemoryLimit {
   public:
     /// Nothing, with the reason, where this process may not make one. `root` is "/" except in tests.
-    [[nodiscard]] static Fact<std::unique_ptr<MemoryLimit>> make(const std::filesystem::path& root = "/");
+    [[nodiscard]] static Expected<std::unique_ptr<MemoryLimit>> make(const std::filesystem::path& root = "/");
     /// Its processes must have ended.
     ~MemoryLimit();
     MemoryLimit(const MemoryLimit&) = delete;
@@ -37,7 +37,7 @@ class MemoryLimit {
     /// Empty, or what the kernel refused. 0 bytes: no limit.
     [[nodiscard]] std::string set_bytes(std::uint64_t bytes) const;
     [[nodiscard]] std::string take_in(pid_t process) const;
-    [[nodiscard]] Fact<MemoryInGroup> holds() const;
+    [[nodiscard]] Expected<MemoryInGroup> holds() const;
 
   private:
     MemoryLimit(std::filesystem::path folder, bool second) : folder_(std::move(folder)), second_(second) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Readers of /proc and /sys; such files have no size, so they are read to their end.
-#include "edgewise/measure/machine/fact.hpp"
+#include "edgewise/measure/machine/read_text.hpp"
 
 #include <fmt/core.h>
 
@@ -31,24 +31,24 @@ std::int64_t unit_factor(char unit) {
 
 }  // namespace
 
-Fact<std::string> read_text(const std::filesystem::path& file) {
+Expected<std::string> read_text(const std::filesystem::path& file) {
     errno = 0;
     std::ifstream stream(file);
     if (!stream)
-        return Fact<std::string>::unknown(fmt::format("{}: {}", file.string(), std::strerror(errno)));
+        return Expected<std::string>::none(fmt::format("{}: {}", file.string(), std::strerror(errno)));
     std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     const auto end = text.find_last_not_of(" \t\r\n");
     text.erase(end == std::string::npos ? 0 : end + 1);
-    if (text.empty()) return Fact<std::string>::unknown(fmt::format("{}: empty", file.string()));
+    if (text.empty()) return Expected<std::string>::none(fmt::format("{}: empty", file.string()));
     return {std::move(text)};
 }
 
-Fact<std::int64_t> read_number(const std::filesystem::path& file) {
-    const Fact<std::string> text = read_text(file);
-    if (!text.value) return Fact<std::int64_t>::unknown(text.reason);
+Expected<std::int64_t> read_number(const std::filesystem::path& file) {
+    const Expected<std::string> text = read_text(file);
+    if (!text.value) return Expected<std::int64_t>::none(text.reason);
     const auto number = parse_number(*text.value);
     if (!number) {
-        return Fact<std::int64_t>::unknown(fmt::format("{}: not a number: {}", file.string(), *text.value));
+        return Expected<std::int64_t>::none(fmt::format("{}: not a number: {}", file.string(), *text.value));
     }
     return {number};
 }

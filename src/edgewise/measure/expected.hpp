@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// A value, or why there is none and what to do about it. What cannot be measured or read is said so; it never
+// becomes a 0.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace edgewise::measure {
+
+struct Refusal {
+    std::string reason, remedy;
+};
+
+template <class Value>
+struct Expected {
+    std::optional<Value> value;
+    std::string reason = {};  ///< why there is no value
+    std::string remedy = {};  ///< what would help, where that is known
+
+    [[nodiscard]] static Expected none(std::string reason, std::string remedy = {}) {
+        return {std::nullopt, std::move(reason), std::move(remedy)};
+    }
+    [[nodiscard]] Refusal refusal() const { return {reason, remedy}; }
+};
+
+}  // namespace edgewise::measure

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// See reader.hpp. All reads are one transaction, so a sweep that writes meanwhile cannot mix two states.
+#include "edgewise/store/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "edgewise/store/read_rows.hpp"
+#include "edgewise/store/schema.hpp"
+#include "edgewise/store/sqlite.hpp"
+
+namespace edgewise::store {
+
+namespace {
+
+void check_schema(const sqlite::Database& database) {
+    if (database.number("pragma application_id") != store_application_id)
+        throw std::runtime_error(
+            fmt::format("{} is not a results store: name one that a sweep wrote", database.path()));
+    const std::int64_t version = database.number("pragma user_version");
+    if (version != store_schema_version)
+        throw std::runtime_error(
+            fmt::format("{} has schema version {}, this program reads {}: write a new store with a sweep",
+                        database.path(), version, store_schema_version));
+}
+
+std::string latest_build(const sqlite::Database& database) {
+    sqlite::Statement named(
+        database,
+        "select b.id from meta m join build b on b.id = m.value where m.key = 'build' and exists "
+        "(select 1 from cell c where c.build = b.id)");
+    if (named.step()) return named.text(0);
+    sqlite::Statement fullest(database,
+                              "select build from cell group by build order by count(*) desc, build limit 1");
+    if (fullest.step()) return fullest.text(0);
+    throw std::runtime_error(
+        fmt::format("the results store {} holds no cell: run a sweep first", database.path()));
+}
+
+/// Calls `use(cell, row)` for each row of a table, in this order, whose cell there is. The hash of the cell
+/// is the last of the columns.
+template <class Row, class Use>
+void read_into(std::vector<StoredCell>& cells, const sqlite::Database& database, const std::string& build,
+               const std::string& table, const std::string& order, int hash_column, Use use) {
+    std::map<std::string, StoredCell*> by_hash;
+    for (StoredCell& cell : cells) by_hash[cell.hash] = &cell;
+    sqlite::Statement row(database, fmt::format("select {}, hash from {} where build = ? order by hash, {}",
+                                                columns_of<Row>, table, order));
+    row.bind(build);
+    while (row.step()) {
+        const auto found = by_hash.find(row.text(hash_column));
+        if (found != by_hash.end()) use(*found->second, row);
+    }
+}
+
+/// Files that another program wrote may hold what a store never does.
+FigureRow checked(FigureRow figure) {
+    if (figure.value && !std::isfinite(*figure.value)) {
+        figure.value.reset();
+        figure.reason = "the stored value is not finite";
+    }
+    if (!figure.value && figure.reason.empty()) figure.reason = "the probe gave no reason";
+    return figure;
+}
+
+std::vector<StoredCell> read_cells(const sqlite::Database& database, const std::string& build) {
+    std::vector<StoredCell> cells;
+    sqlite::Statement row(
+        database, fmt::format("select {} from cell where build = ? order by hash", columns_of<CellRow>));
+    row.bind(build);
+    while (row.step()) cells.push_back({read_cell(row)});
+    read_into<FigureRow>(cells, database, build, "figure", "probe, name", 6,
+                         [](StoredCell& cell, const sqlite::Statement& figure) {
+                             cell.figures.push_back(checked(read_figure(figure)));
+                         });
+    read_into<measure::Round>(
+        cells, database, build, "round", "number", 9,
+        [](StoredCell& cell, const sqlite::Statement& round) { cell.rounds.push_back(read_round(round)); });
+    return cells;
+}
+
+}  // namespace
+
+measure::Figure StoredCell::figure(const std::string& probe, const std::string& name) const {
+    for (const FigureRow& stored : figures)
+        if (stored.probe == probe && stored.name == name) return stored;
+    const std::string why =
+        verified() ? "no such figure is stored" : fmt::format("the cell is {}: {}", status, reason);
+    return {name, std::nullopt, "", why};
+}
+
+StoredBuild read_build(const std::string& store, const std::string& id) {
+    const sqlite::Database database = sqlite::Database::for_reading(store);
+    database.execute("begin");
+    check_schema(database);
+    StoredBuild read;
+    sqlite::Statement meta(database, "select key, value from meta order by key");
+    while (meta.step()) read.meta.emplace_back(meta.text(0), meta.text(1));
+    const std::string wanted = id.empty() ? latest_build(database) : id;
+    const auto build = find_build(database, wanted);
+    if (!build) throw std::runtime_error(fmt::format("the results store {} has no build {}", store, wanted));
+    read.build = *build;
+    sqlite::Statement others(database, "select id from build where id <> ? order by id");
+    others.bind(wanted);
+    while (others.step()) read.other_builds.push_back(others.text(0));
+    read.cells = read_cells(database, wanted);
+    return read;
+}
+
+}  // namespace edgewise::store

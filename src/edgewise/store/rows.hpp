@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// The rows of the store as plain structs: for those who write them and for those who read them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "edgewise/measure/figure.hpp"
+
+namespace edgewise::store {
+
+/// What built and what ran: the provenance of every figure. `id` hashes the rest, seed and time aside.
+struct BuildRow {
+    std::string id;
+    std::string git_revision, compiler, flags, build_type;
+    std::string machine_json;  ///< what `edgewise machine --json` prints
+};
+
+/// One cell: scene x shape x algorithm x layout x precision x further axes.
+struct CellRow {
+    std::string hash;  ///< of everything below that names the cell, and of the bodies and the seed
+    std::string scene, scene_parameters;  ///< name, and its numbers as canonical JSON
+    std::string shape, shape_source;      ///< name, and "built-in" or the mesh file's name
+    std::string algorithm, layout, precision, table;
+    std::int64_t vertices = 0, edges = 0, faces = 0;
+    std::uint64_t seed = 0;
+    std::int64_t queries = 0;
+    std::string status;           ///< verified | failed | unavailable
+    std::string reason;           ///< why failed or unavailable
+    std::string axes;             ///< further axes, as in sweep/axes.hpp; empty for the plain cell
+    std::string scene_kind = {};  ///< of a scene file: part of the hash, and no column
+
+    [[nodiscard]] bool verified() const { return status == "verified"; }
+};
+
+struct FigureRow : measure::Figure {
+    std::string probe;
+};
+
+}  // namespace edgewise::store
