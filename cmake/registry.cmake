@@ -2,10 +2,11 @@
 # The manifests: one line a layout (layouts/CMakeLists.txt), one line a probe (probes/CMakeLists.txt). From each line
 # come generated units, one a table type, so that builds stay parallel and nothing else names a layout.
 
-# edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER]): NAME is the file's stem, the type and the command-line name. A
-# variant hardly differs from the other: plans leave it out, but for `full`.
+# edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER] [SUPPORT_ONLY]): NAME is the file's stem, the type and the
+# command-line name. A variant hardly differs from the other: plans leave it out, but for `full`. SUPPORT_ONLY: a table
+# for GJK alone.
 function(edgewise_layout LAYOUT)
-    cmake_parse_arguments(given "" VARIANT_OF "" ${ARGN})
+    cmake_parse_arguments(given SUPPORT_ONLY VARIANT_OF "" ${ARGN})
     set(VARIANT_OF ${given_VARIANT_OF})
     set_property(GLOBAL APPEND PROPERTY EDGEWISE_ALL_LAYOUTS ${LAYOUT})
     if(EDGEWISE_LAYOUTS STREQUAL distinct)
@@ -14,6 +15,11 @@ function(edgewise_layout LAYOUT)
         endif()
     elseif(EDGEWISE_LAYOUTS AND NOT LAYOUT IN_LIST EDGEWISE_LAYOUTS)
         return()
+    endif()
+    set(HAS_FEATURES true)
+    if(given_SUPPORT_ONLY)
+        set(HAS_FEATURES false)
+        set_property(GLOBAL APPEND PROPERTY EDGEWISE_SUPPORT_LAYOUTS ${LAYOUT})
     endif()
     foreach(PRECISION IN LISTS given_UNPARSED_ARGUMENTS)
         # Under sanitizers a unit takes half a minute to compile, and the text of all precisions is one.
