@@ -12,7 +12,7 @@
 #include "edgewise/algorithms/penetration/start.hpp"
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/bench/name_feature.hpp"
-#include "edgewise/bench/runner.hpp"
+#include "edgewise/bench/named_answer.hpp"
 #include "edgewise/table/needs.hpp"
 
 namespace edgewise::bench {

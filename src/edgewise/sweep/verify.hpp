@@ -9,7 +9,7 @@
 
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/query_options.hpp"
-#include "edgewise/measure/probe.hpp"
+#include "edgewise/measure/checked_answer.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
 
 namespace edgewise::sweep {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/sweep/decompositions.hpp"
+#include "edgewise/reports/paper/decompositions.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-namespace edgewise::sweep {
+namespace edgewise::reports {
 
 namespace {
 
@@ -33,7 +33,7 @@ const std::vector<Decomposition>& decompositions() {
          "an edge that splits a face brings one; the direction is a plane's normal"},
         {"4 plane normals (12) + direction (3) + both ends' coordinates (6) reals", 168, 84,
          "offsets taken from the ends"},
-        {"4 planes (16) + direction (3) + 1/2 face plane (2) reals", 168, 84, "quads: half a face an edge"},
+        {"4 planes (16) + direction (3) + 1/2 face plane (2) reals", 168, 84, "quads: half a face per edge"},
         {"4 planes, direction, and 4 pointers of 32 bits", 168, 92, "does not halve"},
         {"4 planes, direction, length, and 2 pointers of 32 bits", 168, 88, "does not halve"},
         {"4 planes and 2 nodes of a face's list of 20 bytes", 168, 104, "does not halve"},
@@ -63,4 +63,4 @@ std::string decompositions_text() {
     return text + std::string(known);
 }
 
-}  // namespace edgewise::sweep
+}  // namespace edgewise::reports
