@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a sweep is to do: scenes x shapes x algorithms x table types, and how thoroughly. Named plans are
-// written here in code; a plan file is the same as JSON.
+// written in code or come as JSON with what they are about (plan_json.hpp); a plan file is the same as JSON.
 #pragma once
 
 #include <cstdint>
@@ -46,11 +46,11 @@ struct Plan {
     std::vector<std::string> machines;  ///< to model the caches of; as for choose_machines
 };
 
-/// Names of the plans written in code.
+/// Names of the plans that come with Edgewise.
 [[nodiscard]] std::vector<std::string> plan_names();
 
-/// A named plan, or a JSON file with the members of Plan (missing ones as in `quick`). Throws
-/// std::invalid_argument: what, where, what to do.
+/// A named plan, of the layouts that the program was built with, or a JSON file with the members of Plan
+/// (missing ones as in `quick`). Throws std::invalid_argument: what, where, what to do.
 [[nodiscard]] Plan make_plan(const std::string& name_or_file);
 
 /// Mesh files of real objects that the set-up unpacked; may be empty.
