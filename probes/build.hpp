@@ -2,7 +2,7 @@
 //
 // What a table costs to make: preprocessing, from the canonical body with its face planes, hull and planes
 // not counted; and again after a deformation that keeps the topology, refitted in place where the layout can.
-// Both are timed in turn, so that their ratio means more than either.
+// Both are timed alternately, so that their ratio means more than either.
 #pragma once
 
 #include "edgewise/bench/probe.hpp"

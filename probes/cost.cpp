@@ -99,7 +99,7 @@ class StepWatch {
     volatile double sum_ = 0;
 };
 
-/// ns of the whole, then of boxes, broad phase and queries alone: medians of passes taken in turn, so that
+/// ns of the whole, then of boxes, broad phase and queries alone: medians of alternating passes, so that
 /// what slows the machine for a while slows all of them.
 std::array<double, 4> times_of(StepWatch& watch) {
     constexpr std::array<StepParts, 4> what = {

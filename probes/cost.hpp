@@ -12,7 +12,7 @@
 
 namespace edgewise::probes {
 
-/// Means a step over the steps that have one before them. A volume is a body's box in world axes; a pair of
+/// Means per step over the steps that have one before them. A volume is a body's box in world axes; a pair of
 /// boxes is tested when sweep and prune compares their ends on the axis that it sweeps.
 struct StepCosts {
     std::uint64_t steps = 0;                             ///< 0: not measured

@@ -17,7 +17,7 @@ class counters final : public bench::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "counters"; }
     [[nodiscard]] std::string_view summary() const override {
-        return "hardware counters a query, or why not; page faults, context switches, migrations a query";
+        return "hardware counters per query, or why not; page faults, context switches, migrations per query";
     }
 
     /// In the steady state: tables and pairs were all used before.

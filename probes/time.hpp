@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Time: nanoseconds a query, separated and contact pairs apart; medians over the interleaved rounds with a
+// Time: nanoseconds per query, separated and contact pairs apart; medians over the interleaved rounds with a
 // bootstrap interval; and the headline, the median ratio to the baseline cell timed in the same round.
 #pragma once
 
@@ -14,7 +14,7 @@ class time final : public bench::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "time"; }
     [[nodiscard]] std::string_view summary() const override {
-        return "median ns a query with 95 % interval, and ratio to the baseline of the same rounds";
+        return "median ns per query with 95 % interval, and ratio to the baseline of the same rounds";
     }
 
     [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {

@@ -10,18 +10,13 @@ namespace edgewise::reports {
 namespace {
 
 constexpr std::string_view known =
-    "The paper says that \"each additional edge requires 168 bytes of feature space information\", that "
-    "single "
-    "precision\nhalves it, and that the prebuilt regions take \"168 bytes for every edge in the model\"; it "
-    "does "
-    "not list the terms.\nHalving exactly asks for 21 real numbers and no pointer. The first reading, which "
-    "the "
-    "column \"paper\" shows, takes every\nnumber of V-Clip's edge and the third of a vertex that an "
-    "additional "
-    "edge of a closed triangle mesh brings; against it\nspeaks that coordinates are hardly feature space. "
-    "With "
-    "list nodes and pointers allowed some 900 combinations reach 168,\nso that a match alone proves nothing. "
-    "Which one the authors meant cannot be told.\n";
+    R"(The paper says that "each additional edge requires 168 bytes of feature space information", that single precision
+halves it, and that the prebuilt regions take "168 bytes for every edge in the model"; it does not list the terms.
+Halving exactly asks for 21 real numbers and no pointer. The first reading, which the column "paper" shows, takes every
+number of V-Clip's edge and the third of a vertex that an additional edge of a closed triangle mesh brings; against it
+speaks that coordinates are hardly feature space. With list nodes and pointers allowed some 900 combinations reach 168,
+so that a match alone proves nothing. Which one the authors meant cannot be told.
+)";
 
 }  // namespace
 

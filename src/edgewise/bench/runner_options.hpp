@@ -15,7 +15,7 @@ namespace edgewise::bench {
 
 enum class Sharing : std::uint8_t {
     as_scene,      ///< what the scene is about: shared, but for `pressure`
-    shared,        ///< one table a body, instances point at it
+    shared,        ///< one table per body, instances point at it
     per_instance,  ///< a copy each, as in the paper
 };
 

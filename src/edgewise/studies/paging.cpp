@@ -29,7 +29,7 @@ struct Counted {
 /// How the kernel throws pages out varies from pass to pass, most of all where nearly all fits.
 constexpr int counted_passes = 3;
 
-/// In the child: fills memory once it is put under the limit, then counts passes, tells of each, and waits
+/// In the child: fills memory once it is put under the limit, then counts passes, reports each, and waits
 /// before the next, since what it holds is looked at from outside.
 [[noreturn]] void run_child(const std::function<bench::PassSum()>& pass, const bench::Pipe& to_child,
                             const bench::Pipe& to_parent) {

@@ -39,7 +39,7 @@ std::string baseline_algorithm_on(const bench::TableType& type) {
     return type.serves(baseline_algorithm) ? baseline_algorithm : type.algorithms.front();
 }
 
-/// One picture a layout, of its first precision.
+/// One picture per layout, of its first precision.
 void store_drawings(const SweepWork& work, store::Store& store) {
     auto body = scene::make_shape(drawn_shape);
     if (!body) throw std::logic_error(body.error);
@@ -63,7 +63,7 @@ void store_sweep(const SweepWork& work, const store::BuildRow& build, store::Sto
                    "in an arena from a multiple of 2 MiB on, the first at its start, one after "
                    "the other; large pages declined; else as the axis allocator says");
     for (const SceneWork& scene : work.scenes) {
-        if (!scene.text.empty()) store.set_meta(store::scene_file_key + scene.choice.name, scene.text);
+        if (!scene.json.empty()) store.set_meta(store::scene_file_key + scene.choice.name, scene.json);
     }
     store_drawings(work, store);
 }
