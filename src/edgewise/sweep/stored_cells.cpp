@@ -17,11 +17,11 @@ std::optional<std::string> StoredCells::status_of(const CellRun& cell) const {
 
 bool StoredCells::lacks_caches(const CellRun& cell) const {
     if (cell.caches().machines.empty()) return false;
-    constexpr store::FigureName name("caches.identity");
+    constexpr store::FigureName identity("caches.identity");
     const double wanted = cell.caches().identity();
     const std::vector<store::FigureRow> stored = store_.figures(build_, cell.row().hash);
     return std::none_of(stored.begin(), stored.end(), [&](const store::FigureRow& row) {
-        return row.probe == name.probe() && row.name == name.name() && row.value == wanted;
+        return row.probe == identity.probe() && row.name == identity.name() && row.value == wanted;
     });
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // What any probe must keep, of a cell that is verified and timed, and of one that is neither: a figure is a
-// finite number, or null with a reason.
+// finite number, or null with a reason, and stands in the vocabulary.
 #include "edgewise/bench/probe.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/studies/single_cell.hpp"
 #include "found.hpp"
 
@@ -42,6 +43,11 @@ TEST(Probes, FindNumbersOrSayWhyNot) {
         for (const auto& probe : bench::registered_probes()) {
             const bench::Findings found = probe->measure(probed);
             EXPECT_FALSE(by_name(found.figures).empty()) << probe->name();
+            for (const measure::Figure& figure : found.figures) {
+                const store::FigureInfo* known = store::find_figure(probe->name(), figure.name);
+                EXPECT_TRUE(known && figure.unit.starts_with(known->unit))
+                    << figure.name << " in " << figure.unit;
+            }
             if (!found.passed) continue;
             double sum = 0;
             for (const Distance& answer : cell.runner().answer()) sum += answer.distance;
