@@ -40,12 +40,15 @@ function(edgewise_table_type_list FILE)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/table_type_list.cpp.in ${FILE} @ONLY)
 endfunction()
 
-# edgewise_probe(NAME): NAME is the file's stem and the type.
+# edgewise_probe(NAME): NAME is the stem of NAME.hpp, and of NAME.cpp if there is one, and the type.
 function(edgewise_probe PROBE)
     set(unit ${PROJECT_BINARY_DIR}/registry/probe_${PROBE}.cpp)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/probe.cpp.in ${unit} @ONLY)
     set_property(GLOBAL APPEND PROPERTY EDGEWISE_PROBES ${PROBE})
     set_property(GLOBAL APPEND PROPERTY EDGEWISE_PROBE_UNITS ${unit})
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${PROBE}.cpp)
+        set_property(GLOBAL APPEND PROPERTY EDGEWISE_PROBE_UNITS ${CMAKE_CURRENT_SOURCE_DIR}/${PROBE}.cpp)
+    endif()
 endfunction()
 
 # To be called when both manifests are read: no layout that was asked for is unknown; the list of all probes.

@@ -35,7 +35,7 @@ endif()
 get_property(probe_units GLOBAL PROPERTY EDGEWISE_PROBE_UNITS)
 add_library(edgewise_core STATIC
     ${sources} ${probe_units} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info} ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp
-    ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp)
+    ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp)
 add_dependencies(edgewise_core edgewise_build_info)
 target_link_libraries(edgewise_core
     PUBLIC edgewise_library nlohmann_json::nlohmann_json fmt::fmt ${GMPXX_LIBRARY} ${GMP_LIBRARY}

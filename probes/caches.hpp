@@ -7,27 +7,38 @@
 // missed in every level, so that cold_verified is 1.
 #pragma once
 
-#include "edgewise/measure/probe.hpp"
+#include "edgewise/bench/probe.hpp"
+#include "edgewise/bench/trace/trace_scene.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
-class caches final : public measure::Probe {
+class caches final : public bench::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "caches"; }
     [[nodiscard]] std::string_view summary() const override {
         return "modelled misses by machine, level, cause, field and step; bytes brought in vain; memory time";
     }
 
-    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
-        const measure::SceneTrace& trace = *subject.trace;
+    [[nodiscard]] bool beside_others() const override { return true; }
+
+    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+        const measure::SceneTrace& trace = bench::scene_trace(cell);
+        const std::size_t edges = cell.runner.stored_bodies()[0].edge_count();
+        bench::Findings found{figures(trace, static_cast<double>(edges))};
+        if (!cell.caches.machines.empty())
+            found.figures.push_back(store::figure("caches.identity", cell.caches.identity()));
+        if (trace.traced()) found.passed = bench::PassSum{trace.answered, trace.distances};
+        return found;
+    }
+
+    /// edges: of the scene's first body.
+    [[nodiscard]] static std::vector<measure::Figure> figures(const measure::SceneTrace& trace,
+                                                              double edges) {
+        if (!trace.traced()) return {store::no_figure("caches.misses_per_query", trace.reason, trace.remedy)};
         std::vector<measure::Figure> all;
-        if (trace.identity != 0) all.push_back(store::figure("caches.identity", trace.identity));
-        if (!trace.traced()) {
-            all.push_back(store::no_figure("caches.misses_per_query", trace.reason, trace.remedy));
-            return all;
-        }
-        for (const measure::ModelledMachine& machine : trace.machines) add_machine(machine, subject, all);
+        for (const measure::ModelledMachine& machine : trace.machines)
+            add_machine(machine, trace, edges, all);
         for (const measure::ModelledMachine& machine : trace.policies) {
             for (const measure::LevelMisses& level : machine.steady.caches)
                 add(all, trace, store::level_misses.of(machine.name, level.level), level.misses.all());
@@ -41,9 +52,8 @@ class caches final : public measure::Probe {
         all.push_back(store::figure(name, static_cast<double>(count) / static_cast<double>(trace.queries)));
     }
 
-    static void add_machine(const measure::ModelledMachine& machine, const measure::Subject& subject,
-                            std::vector<measure::Figure>& all) {
-        const measure::SceneTrace& trace = *subject.trace;
+    static void add_machine(const measure::ModelledMachine& machine, const measure::SceneTrace& trace,
+                            double edges, std::vector<measure::Figure>& all) {
         if (!machine.reason.empty()) {
             for (const store::FigureName& name :
                  {store::level_misses.of(machine.name, "L1D"), store::memory_time.of(machine.name)})
@@ -52,9 +62,9 @@ class caches final : public measure::Probe {
             return;
         }
         for (std::size_t i = 0; i < machine.steady.caches.size(); ++i)
-            add_level(machine, machine.steady.caches[i], machine.first.caches[i], subject, all);
+            add_level(machine, machine.steady.caches[i], machine.first.caches[i], trace, edges, all);
         for (std::size_t i = 0; i < machine.steady.tlbs.size(); ++i)
-            add_level(machine, machine.steady.tlbs[i], machine.first.tlbs[i], subject, all);
+            add_level(machine, machine.steady.tlbs[i], machine.first.tlbs[i], trace, edges, all);
         for (std::size_t i = 0; i < machine.cold.size(); ++i)
             add(all, trace,
                 store::FigureName("caches.{machine}.{level}.cold_misses_per_query")
@@ -70,19 +80,17 @@ class caches final : public measure::Probe {
     }
 
     static void add_level(const measure::ModelledMachine& machine, const measure::LevelMisses& steady,
-                          const measure::LevelMisses& warm, const measure::Subject& subject,
+                          const measure::LevelMisses& warm, const measure::SceneTrace& trace, double edges,
                           std::vector<measure::Figure>& all) {
-        const measure::SceneTrace& trace = *subject.trace;
         const auto at = [&](const store::FigureName& name) { return name.of(machine.name, steady.level); };
         add(all, trace, at(store::level_misses), steady.misses.all());
         add(all, trace, at("caches.{machine}.{level}.capacity_per_query"), steady.misses.capacity);
         add(all, trace, at("caches.{machine}.{level}.conflict_per_query"), steady.misses.conflict);
         add(all, trace, at("caches.{machine}.{level}.warm_misses_per_query"), warm.misses.all());
         add(all, trace, at("caches.{machine}.{level}.compulsory_per_query"), warm.misses.compulsory);
-        all.push_back(
-            store::figure(at("caches.{machine}.{level}.misses_per_edge"),
-                          static_cast<double>(steady.misses.all()) / static_cast<double>(trace.queries) /
-                              static_cast<double>(subject.table.edges)));
+        all.push_back(store::figure(
+            at("caches.{machine}.{level}.misses_per_edge"),
+            static_cast<double>(steady.misses.all()) / static_cast<double>(trace.queries) / edges));
         const double verified = static_cast<double>(warm.misses.compulsory) /
                                 static_cast<double>(std::max<std::uint64_t>(warm.first_touches, 1));
         all.push_back(store::figure(at("caches.{machine}.{level}.cold_verified"), verified));

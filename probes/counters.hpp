@@ -5,21 +5,38 @@
 // event is and counts, on this machine, is in the build's record, as `edgewise machine` tells it.
 #pragma once
 
-#include "edgewise/measure/probe.hpp"
+#include "edgewise/bench/probe.hpp"
+#include "edgewise/measure/counters/count_pass.hpp"
+#include "edgewise/measure/counters/software_watch.hpp"
+#include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
-class counters final : public measure::Probe {
+class counters final : public bench::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "counters"; }
     [[nodiscard]] std::string_view summary() const override {
-        return "hardware counters a query, or why not; page faults, context switches, migrations a query";
+        return "hardware counters per query, or why not; page faults, context switches, migrations per query";
     }
 
-    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+    /// In the steady state: tables and pairs were all used before.
+    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+        if (!cell.verified) return {figures({})};
+        static const measure::Cpu cpu = measure::read_machine().cpu;
+        const std::function<bench::PassSum()> pass = cell.runner.prepared_pass();
+        bench::PassSum last = pass();
+        const std::function<void()> again = [&] { last = pass(); };
+        const std::size_t queries = cell.workload.queries.size();
+        std::vector<measure::PassRecord> counted = measure::count_software(again, queries, cpu);
+        const measure::CountedPass hardware = measure::count_pass(again, queries, cpu);
+        counted.insert(counted.end(), hardware.records.begin(), hardware.records.end());
+        return {figures(counted), last};
+    }
+
+    [[nodiscard]] static std::vector<measure::Figure> figures(std::span<const measure::PassRecord> counted) {
         std::vector<measure::Figure> all;
-        for (const measure::PassRecord& record : subject.counted)
+        for (const measure::PassRecord& record : counted)
             all.push_back(
                 {record.event, record.value, record.unit, record.refusal.reason, record.refusal.remedy});
         if (all.empty())

@@ -8,35 +8,41 @@
 
 #include <algorithm>
 
-#include "edgewise/measure/probe.hpp"
+#include "edgewise/bench/probe.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
-class error final : public measure::Probe {
+class error final : public bench::Probe {
   public:
+    using Answers = std::span<const measure::CheckedAnswer>;
+
     [[nodiscard]] std::string_view name() const override { return "error"; }
     [[nodiscard]] std::string_view summary() const override {
         return "worst error and wrong verdicts against exact arithmetic; steps, escapes, cycles, "
                "fallbacks and refinements";
     }
 
-    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+        return {figures(cell.checked, cell.counts)};
+    }
+
+    [[nodiscard]] static std::vector<measure::Figure> figures(Answers answers,
+                                                              const measure::AnswerCounts& counts) {
         const auto count = [&](auto is) {
-            return static_cast<double>(std::count_if(subject.checked.begin(), subject.checked.end(), is));
+            return static_cast<double>(std::count_if(answers.begin(), answers.end(), is));
         };
         using Answer = const measure::CheckedAnswer&;
         const double separated = count([](Answer a) { return a.separated; });
         const double touching = count([](Answer a) { return a.touching; });
-        const double checked = static_cast<double>(subject.checked.size());
-        const measure::AnswerCounts& counts = subject.counts;
+        const double checked = static_cast<double>(answers.size());
         std::vector<measure::Figure> all = {
             store::figure("error.checked", checked),
-            worst("error.worst_error_stored", subject, &measure::CheckedAnswer::error_stored),
-            worst("error.worst_error_given", subject, &measure::CheckedAnswer::error_given),
-            at_quantile("error.p99_error_stored", subject, &measure::CheckedAnswer::error_stored, 0.99),
-            worst("error.witness_error", subject, &measure::CheckedAnswer::witness_error),
+            worst("error.worst_error_stored", answers, &measure::CheckedAnswer::error_stored),
+            worst("error.worst_error_given", answers, &measure::CheckedAnswer::error_given),
+            at_quantile("error.p99_error_stored", answers, &measure::CheckedAnswer::error_stored, 0.99),
+            worst("error.witness_error", answers, &measure::CheckedAnswer::witness_error),
             store::figure("error.wrong_verdicts", count([](Answer a) { return a.verdict_wrong; })),
             store::figure("error.verdicts_in_band", count([](Answer a) { return a.in_band; })),
             store::figure("error.separated", separated),
@@ -49,15 +55,15 @@ class error final : public measure::Probe {
             mean_steps(counts),
             store::figure("error.max_steps", static_cast<double>(counts.max_steps)),
         };
-        add_control(subject, all);
+        add_control(answers, all);
         return all;
     }
 
   private:
     /// How often the paper's control disagrees: of checked answers, and of these outside the band.
-    static void add_control(const measure::Subject& subject, std::vector<measure::Figure>& all) {
+    static void add_control(Answers answers, std::vector<measure::Figure>& all) {
         double asked = 0, disagrees = 0, outside = 0;
-        for (const measure::CheckedAnswer& answer : subject.checked) {
+        for (const measure::CheckedAnswer& answer : answers) {
             if (!answer.control_disagrees) continue;
             ++asked;
             disagrees += *answer.control_disagrees;
@@ -73,21 +79,20 @@ class error final : public measure::Probe {
         add("error.control_disagreements_outside_band", outside);
     }
 
-    static std::vector<double> column(const measure::Subject& subject,
-                                      double measure::CheckedAnswer::*error) {
+    static std::vector<double> column(Answers answers, double measure::CheckedAnswer::*error) {
         std::vector<double> result;
-        for (const measure::CheckedAnswer& answer : subject.checked) result.push_back(answer.*error);
+        for (const measure::CheckedAnswer& answer : answers) result.push_back(answer.*error);
         return result;
     }
 
-    static measure::Figure worst(const store::FigureName& name, const measure::Subject& subject,
+    static measure::Figure worst(const store::FigureName& name, Answers answers,
                                  double measure::CheckedAnswer::*error) {
-        return at_quantile(name, subject, error, 1.0);
+        return at_quantile(name, answers, error, 1.0);
     }
 
-    static measure::Figure at_quantile(const store::FigureName& name, const measure::Subject& subject,
+    static measure::Figure at_quantile(const store::FigureName& name, Answers answers,
                                        double measure::CheckedAnswer::*error, double p) {
-        const auto value = measure::quantile(column(subject, error), p);
+        const auto value = measure::quantile(column(answers, error), p);
         if (value) return store::figure(name, value);
         return store::no_figure(name, "no query was checked", "check more queries");
     }

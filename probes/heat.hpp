@@ -4,20 +4,26 @@
 // edges and faces the scene ever touched: what it needs, against what was modelled.
 #pragma once
 
-#include "edgewise/measure/probe.hpp"
+#include "edgewise/bench/probe.hpp"
+#include "edgewise/bench/trace/trace_scene.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
-class heat final : public measure::Probe {
+class heat final : public bench::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "heat"; }
     [[nodiscard]] std::string_view summary() const override {
         return "accesses by field, hottest lines, and the part of tables and features ever touched";
     }
 
-    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
-        const measure::SceneTrace& trace = *subject.trace;
+    [[nodiscard]] bool beside_others() const override { return true; }
+
+    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+        return {figures(bench::scene_trace(cell))};
+    }
+
+    [[nodiscard]] static std::vector<measure::Figure> figures(const measure::SceneTrace& trace) {
         if (!trace.traced()) return {store::no_figure("heat.touched_part", trace.reason, trace.remedy)};
         const measure::SceneHeat& found = trace.heat;
         const measure::TouchedTables& tables = found.tables;

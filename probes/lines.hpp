@@ -5,20 +5,26 @@
 // lower the first and raise the table's size: a cache pays for lines.
 #pragma once
 
-#include "edgewise/measure/probe.hpp"
+#include "edgewise/bench/probe.hpp"
+#include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
-class lines final : public measure::Probe {
+class lines final : public bench::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "lines"; }
     [[nodiscard]] std::string_view summary() const override {
         return "distinct cache lines a query touches in both tables, and bytes and reads it asks for";
     }
 
-    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
-        const measure::LinesTouched& touched = subject.touched;
+    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+        measure::LineCounter counter;
+        static_cast<void>(cell.runner.trace(measure::traced_queries, counter));
+        return {figures(counter.sums())};
+    }
+
+    [[nodiscard]] static std::vector<measure::Figure> figures(const measure::LinesTouched& touched) {
         const auto mean = [&](const store::FigureName& name, double sum) {
             if (touched.queries == 0)
                 return store::no_figure(name, "no query was traced", "ask for more queries");

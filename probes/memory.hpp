@@ -4,20 +4,23 @@
 // really there, and how much of the tables ever stood (less than all in lazy ones).
 #pragma once
 
-#include "edgewise/measure/probe.hpp"
+#include "edgewise/bench/probe.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
-class memory final : public measure::Probe {
+class memory final : public bench::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "memory"; }
     [[nodiscard]] std::string_view summary() const override {
         return "bytes of all tables: asked for, taken by the allocator, resident; part ever materialised";
     }
 
-    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
-        const measure::MemoryUse& use = subject.memory;
+    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+        return {figures(cell.runner.memory())};
+    }
+
+    [[nodiscard]] static std::vector<measure::Figure> figures(const measure::MemoryUse& use) {
         const measure::Figure resident =
             use.resident ? store::figure("memory.resident_bytes", use.resident)
                          : store::no_figure("memory.resident_bytes",

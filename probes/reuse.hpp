@@ -5,20 +5,26 @@
 // (measure/cache/miss_curve.hpp has the rule); and the working sets.
 #pragma once
 
-#include "edgewise/measure/probe.hpp"
+#include "edgewise/bench/probe.hpp"
+#include "edgewise/bench/trace/trace_scene.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
-class reuse final : public measure::Probe {
+class reuse final : public bench::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "reuse"; }
     [[nodiscard]] std::string_view summary() const override {
         return "lines and pages: touched, working sets, misses in caches of every size, and the knee";
     }
 
-    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
-        const measure::SceneTrace& trace = *subject.trace;
+    [[nodiscard]] bool beside_others() const override { return true; }
+
+    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+        return {figures(bench::scene_trace(cell))};
+    }
+
+    [[nodiscard]] static std::vector<measure::Figure> figures(const measure::SceneTrace& trace) {
         if (!trace.traced()) return {store::no_figure("reuse.line_knee_bytes", trace.reason, trace.remedy)};
         std::vector<measure::Figure> all;
         add_unit(trace, trace.lines, store::reuse_names[0], 10, 26, all);

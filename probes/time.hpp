@@ -1,47 +1,51 @@
 // SPDX-License-Identifier: MIT
 //
-// Time: nanoseconds a query, separated and contact pairs apart; medians over the interleaved rounds with a
+// Time: nanoseconds per query, separated and contact pairs apart; medians over the interleaved rounds with a
 // bootstrap interval; and the headline, the median ratio to the baseline cell timed in the same round.
 #pragma once
 
-#include "edgewise/measure/probe.hpp"
+#include "edgewise/bench/probe.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
-class time final : public measure::Probe {
+class time final : public bench::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "time"; }
     [[nodiscard]] std::string_view summary() const override {
-        return "median ns a query with 95 % interval, and ratio to the baseline of the same rounds";
+        return "median ns per query with 95 % interval, and ratio to the baseline of the same rounds";
     }
 
-    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
+    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+        return {figures(cell.rounds)};
+    }
+
+    [[nodiscard]] static std::vector<measure::Figure> figures(std::span<const measure::Round> rounds) {
         std::vector<measure::Figure> result;
-        add(result, store::separated_time, subject, &measure::Timing::separated,
+        add(result, store::separated_time, rounds, &measure::Timing::separated,
             "the cell has no separated pair");
-        add(result, store::overlapping_time, subject, &measure::Timing::overlapping,
+        add(result, store::overlapping_time, rounds, &measure::Timing::overlapping,
             "the cell has no overlapping pair");
-        add(result, store::all_time, subject, &measure::Timing::all, "no query was timed");
-        result.push_back(store::figure("time.rounds", static_cast<double>(subject.rounds.size())));
+        add(result, store::all_time, rounds, &measure::Timing::all, "no query was timed");
+        result.push_back(store::figure("time.rounds", static_cast<double>(rounds.size())));
         return result;
     }
 
   private:
     /// `none`: why no round has such queries.
     static void add(std::vector<measure::Figure>& result, const store::QueryTime& names,
-                    const measure::Subject& subject, measure::PerQuery per_query, const char* none) {
+                    std::span<const measure::Round> rounds, measure::PerQuery per_query, const char* none) {
         std::vector<double> each, baseline;
-        for (const measure::Round& round : subject.rounds) {
+        for (const measure::Round& round : rounds) {
             const auto own = (round.timing.*per_query)(), beside = (round.baseline.*per_query)();
             if (!own || !beside) continue;
             each.push_back(*own);
             baseline.push_back(*beside);
         }
-        const std::string reason = subject.rounds.empty() ? "no round was timed"
-                                   : each.empty()         ? none
-                                                          : "too few rounds for an interval";
+        const std::string reason = rounds.empty() ? "no round was timed"
+                                   : each.empty() ? none
+                                                  : "too few rounds for an interval";
         const std::string remedy =
             each.empty() ? "ask for more queries, or run the sweep again: it resumes" : "ask for more rounds";
         const auto figure = [&](const store::FigureName& name, std::optional<double> value) {

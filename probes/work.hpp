@@ -5,22 +5,49 @@
 // ends on V-Clip's features.
 #pragma once
 
-#include "edgewise/measure/probe.hpp"
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "edgewise/bench/probe.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
 
-class work final : public measure::Probe {
+/// What Enhanced GJK does inside, whatever the layout: how its support points move, how its sub-distance
+/// algorithm ends, and where it ends beside V-Clip.
+struct AlgorithmWork {
+    std::uint64_t queries = 0;  ///< observed; 0: none
+    std::uint64_t supports = 0, hops = 0,
+                  vertices = 0;  ///< calls that climbed; edges climbed; vertices visited
+    /// Of warm queries, vertices of the last simplex: all; in the one before; beside one of it.
+    std::uint64_t kept_of = 0, kept = 0, near = 0;
+    std::uint64_t sub_distances = 0, subsets_tried = 0;
+    std::array<std::uint64_t, 4> accepted{};        ///< sub-distances by the size of the subset that held
+    std::uint64_t compared = 0, same_features = 0;  ///< answers beside V-Clip's
+    std::string reason = "not observed", remedy;    ///< where queries is 0
+};
+
+/// Looks into Enhanced GJK at work on the workload; of the queries at the checked positions that are
+/// separated some are compared with V-Clip's answers on this table type.
+[[nodiscard]] AlgorithmWork gjk_work(const bench::TableType& type, const scene::Workload& workload,
+                                     std::span<const std::size_t> checked_positions);
+
+class work final : public bench::Probe {
   public:
     [[nodiscard]] std::string_view name() const override { return "work"; }
     [[nodiscard]] std::string_view summary() const override {
         return "unchanged answers; of GJK: support points kept, hops of a climb, subsets tried";
     }
 
-    [[nodiscard]] std::vector<measure::Figure> figures(const measure::Subject& subject) const override {
-        const measure::AlgorithmWork& inside = subject.work;
+    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+        return {figures(work_of(cell), cell.counts)};
+    }
+
+    [[nodiscard]] static std::vector<measure::Figure> figures(const AlgorithmWork& inside,
+                                                              const measure::AnswerCounts& counts) {
         std::vector<measure::Figure> all = {
-            share("work.unchanged", subject.counts.unchanged, subject.counts.warm, "no query starts warm")};
+            share("work.unchanged", counts.unchanged, counts.warm, "no query starts warm")};
         if (inside.queries == 0) {
             all.push_back(store::no_figure("work.support_unchanged", inside.reason, inside.remedy));
             return all;
@@ -43,7 +70,23 @@ class work final : public measure::Probe {
     }
 
   private:
-    /// Part over whole, or why there is no such thing.
+    /// None of it depends on the layout, so it is done for one.
+    [[nodiscard]] static AlgorithmWork work_of(const bench::ProbedCell& cell) {
+        AlgorithmWork work;
+        if (!cell.verified) return work;
+        if (!cell.plain) {
+            work.reason = "measured for the cell without further axes";
+        } else if (cell.algorithm.name != "gjk") {
+            work.reason = "only GJK has support points and sub-distances";
+        } else if (cell.type.name != "aos_f64") {
+            work.reason = "the same for every layout: see aos_f64";
+        } else {
+            work = gjk_work(cell.type, cell.workload, cell.checked_positions);
+        }
+        return work;
+    }
+
+    /// Part divided by whole, or why there is no such thing.
     static measure::Figure share(const store::FigureName& name, std::uint64_t part, std::uint64_t whole,
                                  const char* reason) {
         if (whole == 0) return store::no_figure(name, reason, "another scene");

@@ -70,10 +70,10 @@ void add_answers(Prints& prints, const scene::Workload& workload, const std::str
     for (const bench::TableType& type : bench::table_types()) {
         for (const std::string& algorithm : type.algorithms) {
             const auto runner = type.make_runner(algorithm);
-            const std::string error = runner->load(workload.bodies);
+            const std::string error = runner->load(workload);
             if (!error.empty()) throw std::runtime_error(type.name + ": " + error);
             bench::Fingerprint& print = prints[type.name + " " + algorithm + detail];
-            for (const Distance& answer : runner->answer(workload)) add(print, answer);
+            for (const Distance& answer : runner->answer()) add(print, answer);
         }
     }
 }
@@ -102,14 +102,14 @@ void add_traces(Prints& prints) {
     sweep::Plan plan = golden_plan();
     plan.queries = 600;
     const sweep::SceneChoice scene{"tumble", {{"bodies", 30}, {"in_time_order", 1}, {"rotation_step", 0.3}}};
-    const sweep::SharedQueries group(plan, scene, {"sphere38", "built-in", std::move(*body), ""});
+    const sweep::SharedQueries queries(plan, scene, {"sphere38", "built-in", std::move(*body), ""});
     for (const bench::TableType& type : bench::table_types()) {
         for (const std::string& algorithm : type.algorithms) {
             const auto runner = type.make_runner(algorithm);
-            const std::string error = runner->load(group.workload().bodies);
+            const std::string error = runner->load(queries.workload());
             if (!error.empty()) throw std::runtime_error(type.name + ": " + error);
             TracePrint print(prints["trace " + type.name + " " + algorithm]);
-            runner->trace(group.workload(), plan.queries, print);
+            runner->trace(plan.queries, print);
         }
     }
 }
@@ -122,12 +122,12 @@ Prints all_prints(bool details) {
         for (const char* shape : shapes) {
             auto body = scene::make_shape(shape);
             if (!body) throw std::runtime_error(body.error);
-            const sweep::SharedQueries group(golden_plan(), {scene.name, {}},
-                                             {shape, "built-in", std::move(*body), ""});
+            const sweep::SharedQueries queries(golden_plan(), {scene.name, {}},
+                                               {shape, "built-in", std::move(*body), ""});
             const std::string detail = details ? fmt::format(" {} {}", scene.name, shape) : "";
             add(prints["queries " + scene.name + (details ? fmt::format(" {}", shape) : "")],
-                group.workload());
-            add_answers(prints, group.workload(), detail);
+                queries.workload());
+            add_answers(prints, queries.workload(), detail);
         }
     }
     add_traces(prints);

@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "edgewise/bench/runner.hpp"
+#include "edgewise/bench/named_answer.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/truth/certificate.hpp"
 

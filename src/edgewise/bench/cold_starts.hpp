@@ -12,7 +12,7 @@
 
 namespace edgewise::bench {
 
-/// One flag a query; all zero where every query is cold.
+/// One flag per query; all zero where every query is cold.
 [[nodiscard]] inline std::vector<std::uint8_t> cold_starts(const scene::Workload& workload) {
     std::vector<std::uint8_t> cold(workload.queries.size(), 0), met(workload.pair_count, 0);
     for (std::size_t i = 0; workload.warm && i < cold.size(); ++i) {

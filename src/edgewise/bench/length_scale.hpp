@@ -10,7 +10,8 @@
 #include <cmath>
 #include <span>
 
-#include "edgewise/bench/runner.hpp"
+#include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/bench/named_answer.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/scene/workload.hpp"
 

@@ -12,7 +12,7 @@
 #include "edgewise/algorithms/penetration/start.hpp"
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/bench/name_feature.hpp"
-#include "edgewise/bench/runner.hpp"
+#include "edgewise/bench/named_answer.hpp"
 #include "edgewise/table/needs.hpp"
 
 namespace edgewise::bench {
@@ -27,8 +27,8 @@ struct AskedPair {
 
 /// How deep, and with that whether it is more than a touch, to the rounding of coordinates.
 template <class Table, class Pair>
-void settle_contact(const AskedPair<Table>& asked, const Pair& pair, const Distance& distance,
-                    NamedAnswer& answer) {
+void measure_contact(const AskedPair<Table>& asked, const Pair& pair, const Distance& distance,
+                     NamedAnswer& answer) {
     const auto& [a, b, body_a, body_b, query] = asked;
     const auto a_from_b = relative_pose(query.pose_a, query.pose_b);
     PenetrationSpace<Table, Table> space;
@@ -60,7 +60,7 @@ void name_answer(const AskedPair<Table>& asked, const Pair& pair, const Distance
                  NamedAnswer& answer) {
     answer.distance = to_world(distance, asked.query.pose_a);
     const bool apart = distance.status == Status::separated || distance.distance > 0;
-    if (!apart && needs >= Needs::depth) settle_contact(asked, pair, distance, answer);
+    if (!apart && needs >= Needs::depth) measure_contact(asked, pair, distance, answer);
     std::tie(answer.feature_a, answer.feature_b) =
         name_features(pair, asked.a, asked.body_a, asked.b, asked.body_b);
 }

@@ -44,6 +44,13 @@ std::span<const AlgorithmInfo> algorithms() {
     return known;
 }
 
+const AlgorithmInfo& algorithm_called(std::string_view name) {
+    for (const AlgorithmInfo& info : algorithms()) {
+        if (info.name == name) return info;
+    }
+    throw std::invalid_argument(fmt::format("there is no algorithm '{}'", name));
+}
+
 std::vector<const TableType*> select_table_types(std::span<const std::string> names) {
     return select<TableType>(
         table_types(), names, "layout (or table type, as in aos_f64)",

@@ -52,6 +52,8 @@ struct AlgorithmInfo {
 /// In the manifest's order.
 [[nodiscard]] std::span<const TableType> table_types();
 [[nodiscard]] std::span<const AlgorithmInfo> algorithms();
+/// Throws std::invalid_argument for an unknown name.
+[[nodiscard]] const AlgorithmInfo& algorithm_called(std::string_view name);
 
 /// What their query loops are compiled with beyond all other code: " query loops: -march=native".
 [[nodiscard]] const char* table_types_flags();

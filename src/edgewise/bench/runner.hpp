@@ -12,38 +12,17 @@
 #include <vector>
 
 #include "edgewise/algorithms/distance.hpp"
-#include "edgewise/algorithms/query_options.hpp"
-#include "edgewise/bench/table_options.hpp"
-#include "edgewise/geometry/feature.hpp"
-#include "edgewise/geometry/result.hpp"
+#include "edgewise/bench/named_answer.hpp"
+#include "edgewise/bench/prepared_workload.hpp"
+#include "edgewise/bench/runner_options.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 #include "edgewise/measure/memory_use.hpp"
 #include "edgewise/measure/round.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/table/ledger.hpp"
 #include "edgewise/table/memory_map.hpp"
-#include "edgewise/table/needs.hpp"
 
 namespace edgewise::bench {
-
-/// An answer with everything a user may ask for, in world coordinates. In contact the witness points are
-/// those of the penetration: each body's point deepest in the other.
-struct NamedAnswer {
-    Distance distance;
-    NamedFeature feature_a, feature_b;
-    double depth = 0;              ///< 0 unless in contact
-    bool depth_cut_short = false;  ///< EPA's work space was full: the depth is an upper bound
-    Vec3d normal = Vec3d::Zero();  ///< in contact: B moved by depth * normal only touches A
-    std::vector<Index> proof_a,
-        proof_b;  ///< in contact: stored vertices whose hulls hold a common point, or nearly
-};
-
-/// What a pass beside the timed one answered, to be held against the answers: how many of the workload's
-/// first queries, and the sum of their distances in order, which is the same bits if they are.
-struct PassSum {
-    std::size_t queries = 0;
-    double distances = 0;
-};
 
 /// One table's memory, and how many features of each kind its body has.
 struct TableMap {
@@ -53,78 +32,102 @@ struct TableMap {
 
 class Runner {
   public:
-    Runner() = default;
+    /// in_single: what the precision computes in.
+    explicit Runner(bool in_single) : in_single_(in_single) {}
     Runner(const Runner&) = delete;
     Runner& operator=(const Runner&) = delete;
     virtual ~Runner() = default;
 
-    /// What later answers may give away; contact_tolerance in the given bodies' unit.
-    virtual void set_options(const QueryOptions& options) = 0;
+    /// For what is loaded later.
+    void configure(const RunnerOptions& options);
 
-    /// What later passes and timings ask of every answer, and pay for; witnesses at first, which comes with
-    /// the distance. Answers themselves stay as they are, but for the verdict alone: query_options.hpp.
-    virtual void set_needs(Needs needs) = 0;
+    /// Builds one table for each body (rounded to what the table stores), for single queries. An error line
+    /// when a body cannot be stored.
+    [[nodiscard]] std::string load(std::span<const Polyhedron> bodies);
 
-    /// How tables loaded later are placed.
-    virtual void place_tables(const TableOptions& options) = 0;
+    /// Builds the workload's tables, one for each body or for each instance as the options and the workload
+    /// say, and prepares its queries: passes are over these. The workload must stay where it is.
+    [[nodiscard]] std::string load(const scene::Workload& workload);
 
-    /// Builds one table for each body (rounded to what the table stores); with `instances`, one for each of
-    /// these, of the body that it says. An error line when a body cannot be stored.
-    [[nodiscard]] virtual std::string load(std::span<const Polyhedron> bodies,
-                                           std::span<const std::uint32_t> instances) = 0;
-    [[nodiscard]] std::string load(std::span<const Polyhedron> bodies) { return load(bodies, {}); }
+    /// The bodies that the tables really hold, in the given bodies' unit and order.
+    [[nodiscard]] std::span<const Polyhedron> stored_bodies() const { return prepared_.unscaled_bodies(); }
 
-    /// The bodies that the tables really hold, in the tables' order.
-    [[nodiscard]] virtual std::span<const Polyhedron> stored_bodies() const = 0;
+    /// Every loaded query in order, from cold pairs; points in A's frame. Bodies farther apart than the
+    /// precision can compute with: status failed, here and below.
+    [[nodiscard]] std::vector<Distance> answer() const;
 
-    /// Every query of the workload in order, from cold pairs; points in A's frame. Bodies farther apart than
-    /// the precision can compute with: status failed, here and below.
-    [[nodiscard]] virtual std::vector<Distance> answer(const scene::Workload& workload) const = 0;
-
-    /// One query from a cold start, with features and, in contact, the depth, which also tells touching from
-    /// overlapping.
+    /// Any query of the loaded bodies from a cold start, with features and, in contact, the depth, which also
+    /// tells touching from overlapping.
     [[nodiscard]] virtual NamedAnswer answer(const scene::Query& query) const = 0;
 
-    /// Times the whole workload; `in_contact[i]` != 0 books query i under overlapping, else under separated.
+    /// Times the loaded queries; `in_contact[i]` != 0 books query i under overlapping, else under separated.
     /// The clock is read where the class changes, and its cost is subtracted. In a warm scene a pair's first
     /// query, cold by nature, is answered outside the clock: the scene `cold` is for those.
-    [[nodiscard]] virtual measure::Timing time(const scene::Workload& workload,
-                                               std::span<const std::uint8_t> in_contact,
-                                               double clock_cost_ns) const = 0;
+    [[nodiscard]] measure::Timing time(std::span<const std::uint8_t> in_contact, double clock_cost_ns) const;
+
+    /// Notifies of the accesses of the first loaded queries, from cold pairs, until so many have counted; of
+    /// a warm scene, those that start warm count.
+    virtual PassSum trace(std::size_t limit, measure::TraceListener& listener) const = 0;
+
+    /// A pass over the loaded queries from cold pairs, ready to run as often as wanted, with nothing around
+    /// the queries but setting the pairs back; for counters that are read outside. Narrow phase only: no
+    /// broad phase. Not to outlive the runner.
+    [[nodiscard]] std::function<PassSum()> prepared_pass() const;
+
+    /// As prepared_pass, but for queries first .. last - 1, as often and far as the caller likes: pairs go on
+    /// where the last call left them, and are set back where first is 0. Returns the sum of distances in the
+    /// runner's unit; answers, in that unit too, are written from answers[first] on unless it is null.
+    using RangePass = std::function<double(std::size_t first, std::size_t last, Distance* answers)>;
+    [[nodiscard]] virtual RangePass prepared_range() const = 0;
 
     /// Bytes of the first table.
     [[nodiscard]] virtual Ledger ledger() const = 0;
 
     /// What all tables take.
-    [[nodiscard]] virtual measure::MemoryUse memory() const = 0;
+    [[nodiscard]] measure::MemoryUse memory() const;
+
+    /// The memory of every table.
+    [[nodiscard]] virtual std::vector<TableMap> memory_maps() const = 0;
+
+    /// What the tables stand in. Only after load().
+    [[nodiscard]] const TableAllocator& table_allocator() const { return *memory_; }
 
     /// Times of building a table of the first body anew, and of refitting one in place to the body deformed,
-    /// so often each, in turn.
+    /// so often each, alternating.
     [[nodiscard]] virtual measure::BuildTimes build_times(int repetitions) const = 0;
-
-    /// Tells of the accesses of the first queries of the workload, from cold pairs, until so many have
-    /// counted; of a warm scene, those that start warm count.
-    virtual PassSum trace(const scene::Workload& workload, std::size_t limit,
-                          measure::TraceListener& listener) const = 0;
-
-    /// A pass over the whole workload from cold pairs, ready to run as often as wanted, with nothing around
-    /// the queries but setting the pairs back; for counters that are read outside. Narrow phase only: no
-    /// broad phase. Not to outlive the runner nor the workload.
-    [[nodiscard]] virtual std::function<PassSum()> prepared_pass(const scene::Workload& workload) const = 0;
-
-    /// As prepared_pass, but for queries first .. last - 1, as often and far as the caller goes: pairs go on
-    /// where the last call left them, and are set back where first is 0. Returns the sum of distances.
-    using RangePass = std::function<double(std::size_t first, std::size_t last)>;
-    [[nodiscard]] virtual RangePass prepared_range(const scene::Workload& workload) const = 0;
 
     /// Bytes of one pair's cache.
     [[nodiscard]] virtual std::size_t pair_bytes() const = 0;
 
-    /// What the tables stand in. Only after load().
-    [[nodiscard]] virtual const TableAllocator& table_allocator() const = 0;
+  protected:
+    [[nodiscard]] virtual Result<Polyhedron> store(const Polyhedron& body) const = 0;
+    /// One for each of these bodies, in that order, in place of the ones there are.
+    virtual void build_tables(const std::vector<const Polyhedron*>& bodies) = 0;
+    [[nodiscard]] virtual std::size_t table_count() const = 0;
+    /// Mean part of the tables' bytes that ever stood.
+    [[nodiscard]] virtual double materialised() const = 0;
 
-    /// The memory of every table.
-    [[nodiscard]] virtual std::vector<TableMap> memory_maps() const = 0;
+    [[nodiscard]] const PreparedWorkload& prepared() const { return prepared_; }
+    [[nodiscard]] const RunnerOptions& options() const { return options_; }  ///< in the runner's unit
+    [[nodiscard]] std::size_t table_a(const scene::Query& query) const {
+        return table_each_ ? query.instance_a : query.body_a;
+    }
+    [[nodiscard]] std::size_t table_b(const scene::Query& query) const {
+        return table_each_ ? query.instance_b : query.body_b;
+    }
+    [[nodiscard]] bool in_range(const scene::Query& query) const {
+        return prepared_.in_range(query, in_single_);
+    }
+
+  private:
+    [[nodiscard]] std::string load_tables(std::span<const Polyhedron> bodies,
+                                          std::span<const std::uint32_t> instances);
+
+    bool in_single_;
+    RunnerOptions given_options_, options_;  ///< in the given bodies' unit, and in the runner's
+    PreparedWorkload prepared_;
+    std::unique_ptr<TableAllocator> memory_;  ///< what the tables stand in
+    bool table_each_ = false;                 ///< one for each instance, not for each body
 };
 
 }  // namespace edgewise::bench

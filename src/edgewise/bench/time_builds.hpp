@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Times of building a table, and of refitting one in place, in turn: neighbours in time share the machine's
-// moods. In memory that nobody used before, where the allocator has that.
+// Times of building a table, and of refitting one in place, alternating: neighbours in time share the
+// machine's moods. In memory that nobody used before, where the allocator has that.
 #pragma once
 
 #include "edgewise/layout_parts/write_geometry.hpp"

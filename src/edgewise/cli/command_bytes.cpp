@@ -9,13 +9,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "edgewise/bench/probe.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/reports/paper/decompositions.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/table_memory_cost.hpp"
-#include "edgewise/sweep/decompositions.hpp"
-#include "edgewise/sweep/table_bytes.hpp"
 
 namespace edgewise::cli {
 
@@ -45,8 +45,8 @@ NamedBody chosen_body(const Options& options) {
     return {(*bodies)[0].name, std::move((*bodies)[0].body)};
 }
 
-const measure::Probe& bytes_probe() {
-    for (const auto& probe : measure::registered_probes()) {
+const bench::Probe& bytes_probe() {
+    for (const auto& probe : bench::registered_probes()) {
         if (probe->name() == "bytes") return *probe;
     }
     throw std::runtime_error("this program was built without the bytes probe (see probes/CMakeLists.txt)");
@@ -100,23 +100,34 @@ void add_slopes(const bench::TableType& type, Parts parts, nlohmann::json& row) 
     }
 }
 
-nlohmann::json row_of(const bench::TableType& type, const NamedBody& shape, sweep::SizeFamily& sizes,
-                      bool slopes) {
+/// Of a table with all its parts.
+std::vector<measure::Figure> bytes_of(const bench::TableType& type, const Polyhedron& body) {
+    const char* const algorithm = type.all_parts() == Parts::features ? "vclip" : "gjk";
+    const auto runner = type.make_runner(algorithm);
+    if (const std::string error = runner->load(std::vector{body}); !error.empty())
+        throw std::invalid_argument(error);
+    const scene::Workload no_queries;
+    return bytes_probe()
+        .measure({.type = type,
+                  .algorithm = bench::algorithm_called(algorithm),
+                  .runner = *runner,
+                  .workload = no_queries})
+        .figures;
+}
+
+nlohmann::json row_of(const bench::TableType& type, const NamedBody& shape, bool slopes) {
     const Polyhedron body = as_stored(type, shape.body);
     const Parts parts = type.all_parts();
-    measure::Subject subject;
-    subject.table = sweep::table_bytes(type.ledger(body, parts), body);
-    subject.sizes = sizes.of(type, parts);
     nlohmann::json row = {
         {"layout", type.layout}, {"precision", type.precision},     {"table", type.name},
         {"shape", shape.name},   {"vertices", body.vertex_count()}, {"edges", body.edge_count()}};
-    for (const measure::Figure& figure : bytes_probe().figures(subject)) {
+    for (const measure::Figure& figure : bytes_of(type, body)) {
         const bool component =
             std::find(component_names.begin(), component_names.end(), figure.name) != component_names.end();
         (component ? row["components"] : row)[figure.name] =
             figure.value ? nlohmann::json(*figure.value) : nlohmann::json();
     }
-    row["bytes_per_vertex"] = subject.table.total / static_cast<double>(body.vertex_count());
+    row["bytes_per_vertex"] = row["table_bytes"].get<double>() / static_cast<double>(body.vertex_count());
     add_costs(type, body, parts, row);
     if (slopes) add_slopes(type, parts, row);
     return row;
@@ -181,20 +192,19 @@ void print_slopes(const nlohmann::json& rows) {
 
 int run(const Options& options, bool json) {
     const NamedBody shape = chosen_body(options);
-    sweep::SizeFamily sizes;
     nlohmann::json rows = nlohmann::json::array();
     for (const bench::TableType* type : bench::select_table_types(options.layouts))
-        rows.push_back(row_of(*type, shape, sizes, options.slopes));
+        rows.push_back(row_of(*type, shape, options.slopes));
     if (json) {
         fmt::print("{}\n",
-                   nlohmann::json{{"rows", rows}, {"decompositions", sweep::decompositions_json()}}.dump());
+                   nlohmann::json{{"rows", rows}, {"decompositions", reports::decompositions_json()}}.dump());
     } else {
         fmt::print("{}: {} vertices, {} edges\n", shape.name, shape.body.vertex_count(),
                    shape.body.edge_count());
         print_table(rows);
         print_costs(rows);
         if (options.slopes) print_slopes(rows);
-        fmt::print("\n{}", sweep::decompositions_text());
+        fmt::print("\n{}", reports::decompositions_text());
     }
     return exit_done;
 }

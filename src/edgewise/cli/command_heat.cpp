@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/bench/draw_heat.hpp"
+#include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/cli/cell_options.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
-#include "edgewise/sweep/touched_tables.hpp"
 
 namespace edgewise::cli {
 
@@ -35,7 +35,7 @@ nlohmann::json features(const bench::TableMap& map, const measure::TouchedBytes&
     const std::pair<const char*, FeatureKind> kinds[] = {
         {"vertices", FeatureKind::vertex}, {"edges", FeatureKind::edge}, {"faces", FeatureKind::face}};
     for (const auto& [name, kind] : kinds) {
-        const auto elements = sweep::touched_features(map, touched, kind);
+        const auto elements = bench::touched_features(map, touched, kind);
         json[name] = elements ? nlohmann::json(*elements) : nlohmann::json();
     }
     return json;
@@ -85,8 +85,8 @@ nlohmann::json json_of(const measure::HeatMap& heat, const measure::TouchedTable
 int run(const Options& options, bool json) {
     const studies::SingleCell cell(options.cell);
     measure::HeatMap heat(bench::field_names().size(), bench::step_names().size());
-    cell.runner().trace(cell.workload(), std::numeric_limits<std::size_t>::max(), heat);
-    const measure::TouchedTables tables = sweep::touched_tables(cell.runner().memory_maps(), heat.touched());
+    cell.runner().trace(std::numeric_limits<std::size_t>::max(), heat);
+    const measure::TouchedTables tables = bench::touched_tables(cell.runner().memory_maps(), heat.touched());
     if (options.svg) {
         const std::string title =
             fmt::format("{} {}, {} {}, {} queries", options.cell.table, options.cell.algorithm,

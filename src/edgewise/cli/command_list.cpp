@@ -6,10 +6,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/bench/probe.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/measure/cache/cache_machine.hpp"
-#include "edgewise/measure/probe.hpp"
 #include "edgewise/scene/hard/families.hpp"
 #include "edgewise/scene/scene_texts.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -42,7 +42,7 @@ json list_layouts() {
 
 json list_probes() {
     json result = json::array();
-    for (const auto& probe : measure::registered_probes())
+    for (const auto& probe : bench::registered_probes())
         result.push_back({{"name", probe->name()}, {"summary", probe->summary()}});
     return result;
 }

@@ -17,7 +17,7 @@ struct Options {
 
 int run(const Options& options) {
     const studies::SingleCell cell(options.cell);
-    const std::function<bench::PassSum()> pass = cell.runner().prepared_pass(cell.workload());
+    const std::function<bench::PassSum()> pass = cell.runner().prepared_pass();
     static_cast<void>(pass());
     const measure::CallgrindRegion collected;
     for (int i = 0; i < options.passes; ++i) static_cast<void>(pass());

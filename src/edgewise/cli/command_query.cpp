@@ -128,7 +128,7 @@ std::unique_ptr<bench::Runner> chosen_runner(const Options& options) {
         throw std::invalid_argument(
             fmt::format("layout {} does not hold what {} needs", types.front()->name, options.algorithm));
     }
-    runner->set_options(options.query);
+    runner->configure({.query = options.query});
     return runner;
 }
 

@@ -142,9 +142,9 @@ measure::Expected<double> count_by_perf(const CellChoice& choice, const std::str
 ModelledPass model_pass(const SingleCell& cell, const measure::CacheGeometry& geometry, bool with_poses) {
     ModelListener listener(geometry, with_poses);
     constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-    cell.runner().trace(cell.workload(), all, listener);
+    cell.runner().trace(all, listener);
     listener.start_pass();
-    cell.runner().trace(cell.workload(), all, listener);
+    cell.runner().trace(all, listener);
     const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
     return {count(listener.model().counts(0).accesses), count(listener.model().counts(0).misses),
             count(listener.model().counts(1).misses)};

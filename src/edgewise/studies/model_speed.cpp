@@ -32,7 +32,7 @@ class Recorder final : public measure::TraceListener {
 
 Trace trace_of(const SingleCell& cell) {
     Recorder recorder;
-    cell.runner().trace(cell.workload(), std::numeric_limits<std::size_t>::max(), recorder);
+    cell.runner().trace(std::numeric_limits<std::size_t>::max(), recorder);
     return recorder.take();
 }
 

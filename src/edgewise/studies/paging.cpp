@@ -29,7 +29,7 @@ struct Counted {
 /// How the kernel throws pages out varies from pass to pass, most of all where nearly all fits.
 constexpr int counted_passes = 3;
 
-/// In the child: fills memory once it is put under the limit, then counts passes, tells of each, and waits
+/// In the child: fills memory once it is put under the limit, then counts passes, reports each, and waits
 /// before the next, since what it holds is looked at from outside.
 [[noreturn]] void run_child(const std::function<bench::PassSum()>& pass, const bench::Pipe& to_child,
                             const bench::Pipe& to_parent) {
@@ -111,11 +111,11 @@ std::string measure_under(const measure::MemoryLimit& group, const bench::Runner
 }
 
 /// Two passes, as the process under the limit runs them; the second counts.
-void trace_pages(const bench::Runner& runner, const scene::Workload& workload, measure::PageReuse& reuse) {
+void trace_pages(const bench::Runner& runner, measure::PageReuse& reuse) {
     constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-    runner.trace(workload, all, reuse);
+    runner.trace(all, reuse);
     reuse.start_counting();
-    runner.trace(workload, all, reuse);
+    runner.trace(all, reuse);
 }
 
 }  // namespace
@@ -127,16 +127,17 @@ PagingResult measure_paging(const bench::TableType& type, const std::string& alg
     result.algorithm = algorithm;
     result.queries = workload.queries.size();
     const auto runner = type.make_runner(algorithm);
-    runner->place_tables({VertexOrder::given, bench::Sharing::per_instance, bench::AllocatorKind::file});
-    result.reason = runner->load(workload.bodies, workload.instances);
+    runner->configure(
+        {.tables = {VertexOrder::given, bench::Sharing::per_instance, bench::AllocatorKind::file}});
+    result.reason = runner->load(workload);
     if (!result.reason.empty()) return result;
     result.keeps_recency = runner->table_allocator().keeps_recency();
     result.table_bytes = runner->table_allocator().taken();
     measure::PageReuse reuse(page_bytes());
-    trace_pages(*runner, workload, reuse);
+    trace_pages(*runner, reuse);
     result.pages_touched = reuse.pages();
     const auto group = measure::MemoryLimit::make();
-    const std::function<bench::PassSum()> pass = runner->prepared_pass(workload);
+    const std::function<bench::PassSum()> pass = runner->prepared_pass();
     for (const std::uint64_t limit : limits(reuse.pages() * page_bytes())) {
         PagingRow& row = result.rows.emplace_back();
         row.limit_bytes = limit;

@@ -29,7 +29,7 @@ struct PagingSummary {
 };
 
 /// What the paper ran, V-Clip on its own layout, beside GJK, a lean layout and a smaller body, as far as this
-/// program has them. Rows already stored for the build are kept. `on_row` hears of each.
+/// program has them. Rows already stored for the build are kept. `on_row` is notified of each.
 PagingSummary run_paging(const PagingPlan& plan, const std::string& build, store::Store& store,
                          const std::function<void(const store::CellRow&)>& on_row,
                          const std::atomic<bool>& stop);

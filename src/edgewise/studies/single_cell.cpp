@@ -20,7 +20,7 @@ const bench::TableType& table_type(const std::string& name) {
     return *found.front();
 }
 
-std::unique_ptr<sweep::SharedQueries> make_group(const CellChoice& choice) {
+std::unique_ptr<sweep::SharedQueries> shared_queries(const CellChoice& choice) {
     auto body = scene::make_shape(choice.shape);
     if (!body) throw std::invalid_argument(body.error);
     const scene::NamedShape shape{choice.shape, "built-in", std::move(*body), {}};
@@ -34,18 +34,14 @@ std::unique_ptr<sweep::SharedQueries> make_group(const CellChoice& choice) {
 }  // namespace
 
 SingleCell::SingleCell(const CellChoice& choice, const bench::TableOptions& placing)
-    : type_(&table_type(choice.table)), shared_(make_group(choice)) {
+    : type_(&table_type(choice.table)), shared_(shared_queries(choice)) {
     const std::string names[] = {choice.algorithm};
     const std::string algorithm = bench::select_algorithms(names).front();
     if (!type_->serves(algorithm))
         throw std::invalid_argument(fmt::format("{} does not serve {}", type_->name, algorithm));
     runner_ = type_->make_runner(algorithm);
-    runner_->place_tables(placing);
-    const bool table_each = placing.sharing == bench::Sharing::per_instance ||
-                            (placing.sharing == bench::Sharing::as_scene && workload().table_each);
-    const std::span<const std::uint32_t> instances =
-        table_each ? std::span<const std::uint32_t>(workload().instances) : std::span<const std::uint32_t>();
-    if (const std::string error = runner_->load(workload().bodies, instances); !error.empty())
+    runner_->configure({.tables = placing});
+    if (const std::string error = runner_->load(workload()); !error.empty())
         throw std::invalid_argument(error);
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/measure/statistics.hpp"
@@ -57,12 +56,12 @@ void StabilitySubject::run(StabilityTally& tally) {
 
 void StabilitySubject::ask(std::size_t index, StabilityTally& tally) {
     const scene::Workload workload = workload_of(index);
-    const std::string error = runner_->load(workload.bodies);
+    const std::string error = runner_->load(workload);
     if (!error.empty()) {
         tally.add_refusal(workload.queries.size(), error);
         return;
     }
-    const auto answers = runner_->answer(workload);
+    const auto answers = runner_->answer();
     for (std::size_t pose = 0; pose < answers.size(); ++pose) {
         judge_pose(index, pose, answers[pose], tally);
         if (proven_ < proofs_) prove_pose(index, pose, tally);
@@ -112,17 +111,15 @@ void StabilitySubject::prove_pose(std::size_t index, std::size_t pose, Stability
     tally.add(proof);
 }
 
-/// Cold queries of the first cases, gap by gap.
-void StabilitySubject::time(StabilityTally& tally) {
+/// The queries of the first cases, by gap; one workload each.
+std::map<std::string, scene::Workload> StabilitySubject::by_gap() {
     std::map<std::string, scene::Workload> bins;
-    std::vector<Polyhedron> bodies;
     std::size_t taken = 0;
     for (std::size_t i = 0; i < cases_.all().size() && taken < proofs_; ++i) {
         const scene::Workload one = workload_of(i);
         if (!runner_->load(one.bodies).empty()) continue;
         const auto stored = runner_->stored_bodies();
-        const auto first = static_cast<std::uint32_t>(bodies.size());
-        bodies.insert(bodies.end(), one.bodies.begin(), one.bodies.end());
+        std::map<std::string, std::uint32_t> first;  // of the case's bodies in a bin
         for (std::size_t pose = 0; pose < one.queries.size() && taken < proofs_; ++pose, ++taken) {
             const truth::ExactDistance& exact = cases_.exact(i, pose, stored[0], stored[1]);
             const auto& query = one.queries[pose];
@@ -131,19 +128,27 @@ void StabilitySubject::time(StabilityTally& tally) {
                                      .scale;
             const bool apart = exact.verdict == truth::ExactVerdict::separated;
             const double gap = apart ? exact.distance : -cases_.depth(i, pose, stored[0], stored[1]);
-            bins[bin_of(gap / (scale > 0 ? scale : 1))].queries.push_back(
-                {first, first + 1, 0, query.pose_a, query.pose_b});
+            const std::string bin = bin_of(gap / (scale > 0 ? scale : 1));
+            auto& bodies = bins[bin].bodies;
+            const auto [place, is_new] = first.try_emplace(bin, static_cast<std::uint32_t>(bodies.size()));
+            if (is_new) bodies.insert(bodies.end(), one.bodies.begin(), one.bodies.end());
+            bins[bin].queries.push_back({place->second, place->second + 1, 0, query.pose_a, query.pose_b});
         }
     }
-    if (bodies.empty() || !runner_->load(bodies).empty()) bins.clear();
+    return bins;
+}
+
+/// Cold queries of the first cases, gap by gap.
+void StabilitySubject::time(StabilityTally& tally) {
+    const std::map<std::string, scene::Workload> bins = by_gap();
     const double clock = measure::calibrate();
     for (const std::string& bin : all_bins()) {
-        const scene::Workload& workload = bins[bin];
         std::vector<double> ns;
-        for (int round = 0; round < timed_rounds && !workload.queries.empty(); ++round) {
-            const std::vector<std::uint8_t> one_class(workload.queries.size(), 0);
-            ns.push_back(runner_->time(workload, one_class, clock).separated_ns /
-                         static_cast<double>(workload.queries.size()));
+        if (const auto found = bins.find(bin); found != bins.end() && runner_->load(found->second).empty()) {
+            const std::vector<std::uint8_t> one_class(found->second.queries.size(), 0);
+            for (int round = 0; round < timed_rounds; ++round)
+                ns.push_back(runner_->time(one_class, clock).separated_ns /
+                             static_cast<double>(one_class.size()));
         }
         tally.add_time(bin, measure::median(ns));
     }

@@ -3,7 +3,9 @@
 // One algorithm on one table type over the cases of one family: asks, judges, proves and times.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/studies/stability_cases.hpp"
@@ -24,6 +26,7 @@ class StabilitySubject {
     void ask(std::size_t index, StabilityTally& tally);
     void judge_pose(std::size_t index, std::size_t pose, const Distance& answer, StabilityTally& tally);
     void prove_pose(std::size_t index, std::size_t pose, StabilityTally& tally);
+    [[nodiscard]] std::map<std::string, scene::Workload> by_gap();
     void time(StabilityTally& tally);
     [[nodiscard]] scene::Workload workload_of(std::size_t index) const;
 

@@ -69,10 +69,9 @@ Result<measure::LinesTouched> lines_in_tumble(const bench::TableType& type, cons
     const auto workload = scene::make_scene("tumble", body, *parameters, 1, 4 * measure::traced_queries, {});
     if (!workload) return Answer::failure(workload.error);
     const auto runner = type.make_runner(algorithm);
-    if (const std::string error = runner->load(workload->bodies); !error.empty())
-        return Answer::failure(error);
+    if (const std::string error = runner->load(*workload); !error.empty()) return Answer::failure(error);
     measure::LineCounter lines;
-    runner->trace(*workload, measure::traced_queries, lines);
+    runner->trace(measure::traced_queries, lines);
     const measure::LinesTouched& touched = lines.sums();
     if (touched.queries == 0 || touched.reads == 0)
         return Answer::failure("no read was traced: the layout does not tell its loader");

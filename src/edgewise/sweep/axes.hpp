@@ -10,22 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "edgewise/algorithms/query_options.hpp"
-#include "edgewise/bench/table_options.hpp"
-#include "edgewise/table/needs.hpp"
+#include "edgewise/bench/runner_options.hpp"
 
 namespace edgewise::sweep {
 
-struct Axes {
-    QueryOptions query;
-    Needs needs = Needs::witnesses;  ///< what timed and counted passes ask of every answer
-    bench::TableOptions tables;
-
-    void set_needs(Needs wanted) {
-        needs = wanted;
-        query.verdict_only = wanted == Needs::verdict;
-    }
-
+struct Axes : bench::RunnerOptions {
     /// Canonical: what differs from the plain cell, in a fixed order; empty for the plain cell.
     [[nodiscard]] std::string text() const;
 

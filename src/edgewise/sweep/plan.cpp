@@ -5,15 +5,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <span>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/sweep/paper_plan.hpp"
+#include "edgewise/sweep/plan_json.hpp"
 
 namespace edgewise::sweep {
 
@@ -35,15 +35,10 @@ std::vector<std::string> widely_different_layouts() {
 
 /// A table for each of so many bodies, of the layouts whose size is the question: two steps, of which the
 /// second starts warm.
-SceneChoice pressure(double bodies, const std::vector<std::string>& layouts) {
+SceneChoice pressure(double bodies, std::vector<std::string> layouts) {
     SceneChoice scene{"pressure", {{"bodies", bodies}}};
     scene.shapes = {"sphere386"};
-    for (const bench::TableType& type :
-         bench::table_types()) {  // a program may have been built with some only
-        for (const std::string& wanted : layouts) {
-            if (wanted == type.layout || wanted == type.name) scene.layouts.push_back(type.name);
-        }
-    }
+    scene.layouts = std::move(layouts);
     scene.algorithms = {"vclip"};
     scene.queries = 2 * (static_cast<std::size_t>(bodies) - 1);
     scene.plain = true;
@@ -62,10 +57,8 @@ Plan base(std::string name) {
                    {"tumble", {{"rotation_step", 1}}}};
     plan.scenes.push_back({"tumble", {{"rotation_step", 0.1}, {"bodies", 100}, {"in_time_order", 1}}});
     plan.scenes.back().shapes = {"sphere386"};
-    for (const SceneChoice& scene :
-         {pressure(600, {"aos", "lean", "quantised"}), pressure(6000, {"aos_f64", "lean_f64"})}) {
-        if (!scene.layouts.empty()) plan.scenes.push_back(scene);
-    }
+    plan.scenes.push_back(pressure(600, {"aos", "lean", "quantised"}));
+    plan.scenes.push_back(pressure(6000, {"aos_f64", "lean_f64"}));
     plan.shapes = {"tetra4", "cube8", "sphere38", "sphere386"};
     plan.meshes = default_meshes();
     plan.layouts = widely_different_layouts();
@@ -100,26 +93,6 @@ Plan quick() {
     return plan;
 }
 
-/// The paper's own scenes (paper_plan.cpp), its sample size (30 000 queries a sample point) and control,
-/// exact checks to match; and the widely different layouts on coherent motion and on independent pairs.
-Plan paper() {
-    Plan plan = base("paper");
-    plan.scenes = paper_scenes();
-    for (const char* name : {"tumble", "cold"}) {
-        plan.scenes.push_back({name, {}, {"sphere38", "sphere386"}});
-        plan.scenes.back().queries = 3000;
-    }
-    plan.queries = 30000;
-    plan.checked = 2000;
-    plan.control = true;
-    plan.rounds = 11;
-    plan.stability = 100;
-    plan.traced = 3000;
-    plan.paging = 600;
-    plan.machines = {"pentium2_deschutes", "pentium3_coppermine", "athlon_thunderbird", "zen5", "host"};
-    return plan;
-}
-
 /// Over all layouts, more sizes and speeds; further axes one at a time around the plain cells.
 Plan full() {
     Plan plan = base("full");
@@ -139,79 +112,57 @@ Plan full() {
     return plan;
 }
 
-template <class Value>
-void take(const nlohmann::json& from, const char* key, Value& to) {
-    if (from.contains(key)) to = from.at(key).get<Value>();
-}
-
-constexpr std::array members = {"scenes", "shapes",   "meshes",  "each_mesh", "layouts", "algorithms",
-                                "axes",   "seed",     "queries", "checked",   "rounds",  "stability",
-                                "traced", "machines", "control", "paging"};
-
-/// A misspelt member would be ignored in silence.
-void refuse_unknown_members(const nlohmann::json& json, std::span<const char* const> known) {
-    for (const auto& [key, value] : json.items()) {
-        if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-        throw std::invalid_argument(
-            fmt::format("unknown member '{}'; known: {}", key, fmt::join(known, ", ")));
-    }
-}
-
-SceneChoice read_scene(const nlohmann::json& json) {
-    constexpr std::array known = {"name",    "parameters", "shapes", "layouts", "algorithms",
-                                  "queries", "plain",      "axes",   "caches"};
-    refuse_unknown_members(json, known);
-    SceneChoice scene{json.at("name"), json.value("parameters", scene::SceneParameters{})};
-    take(json, "shapes", scene.shapes);
-    take(json, "layouts", scene.layouts);
-    take(json, "algorithms", scene.algorithms);
-    take(json, "queries", scene.queries);
-    take(json, "plain", scene.plain);
-    take(json, "axes", scene.axes);
-    take(json, "caches", scene.caches);
-    return scene;
-}
-
-Plan read_plan(const std::string& file) {
+Plan read_file(const std::string& file) {
     std::ifstream stream(file);
     if (!stream) {
         throw std::invalid_argument(fmt::format("unknown plan '{}'; known: {}, or a readable JSON file", file,
                                                 fmt::join(plan_names(), ", ")));
     }
-    Plan plan = quick();
-    plan.name = std::filesystem::path(file).stem().string();
     try {
-        const auto json = nlohmann::json::parse(stream);
-        refuse_unknown_members(json, members);
-        if (json.contains("scenes")) {
-            plan.scenes.clear();
-            for (const auto& scene : json.at("scenes")) plan.scenes.push_back(read_scene(scene));
-        }
-        take(json, "shapes", plan.shapes);
-        take(json, "meshes", plan.meshes);
-        plan.meshes_required = json.contains("meshes");
-        take(json, "each_mesh", plan.each_mesh);
-        take(json, "layouts", plan.layouts);
-        take(json, "algorithms", plan.algorithms);
-        take(json, "axes", plan.axes);
-        take(json, "seed", plan.seed);
-        take(json, "queries", plan.queries);
-        take(json, "checked", plan.checked);
-        take(json, "rounds", plan.rounds);
-        take(json, "stability", plan.stability);
-        take(json, "traced", plan.traced);
-        take(json, "control", plan.control);
-        take(json, "paging", plan.paging);
-        take(json, "machines", plan.machines);
+        Plan plan = read_plan(nlohmann::json::parse(stream), make_plan("quick"));
+        plan.name = std::filesystem::path(file).stem().string();
+        return plan;
     } catch (const std::exception& problem) {
         throw std::invalid_argument(fmt::format("plan {}: {}", file, problem.what()));
     }
-    return plan;
+}
+
+std::optional<Plan> named_plan(const std::string& name) {
+    if (name == "quick") return quick();
+    if (name == "full") return full();
+    for (const PlanText& text : plan_texts()) {
+        if (text.name != name) continue;
+        Plan plan = read_plan(nlohmann::json::parse(text.json), quick());
+        plan.name = name;
+        return plan;
+    }
+    return std::nullopt;
+}
+
+bool is_built(const std::string& layout) {
+    const auto types = bench::table_types();
+    return std::any_of(types.begin(), types.end(), [&](const bench::TableType& type) {
+        return type.layout == layout || type.name == layout;
+    });
+}
+
+/// A program may have been built with some layouts only: scenes for others are left out.
+void leave_out_missing_layouts(Plan& plan) {
+    std::erase_if(plan.scenes, [](SceneChoice& scene) {
+        if (scene.layouts.empty()) return false;
+        std::erase_if(scene.layouts, [](const std::string& layout) { return !is_built(layout); });
+        return scene.layouts.empty();
+    });
 }
 
 }  // namespace
 
-std::vector<std::string> plan_names() { return {"quick", "paper", "full"}; }
+std::vector<std::string> plan_names() {
+    std::vector<std::string> names = {"quick"};
+    for (const PlanText& text : plan_texts()) names.emplace_back(text.name);
+    names.push_back("full");
+    return names;
+}
 
 std::vector<std::string> default_meshes() {
     // The set-up unpacks them beside the build folders: build/meshes for build/release/edgewise.
@@ -223,10 +174,10 @@ std::vector<std::string> default_meshes() {
 }
 
 Plan make_plan(const std::string& name) {
-    if (name == "quick") return quick();
-    if (name == "paper") return paper();
-    if (name == "full") return full();
-    return read_plan(name);
+    auto plan = named_plan(name);
+    if (!plan) return read_file(name);
+    leave_out_missing_layouts(*plan);
+    return *plan;
 }
 
 }  // namespace edgewise::sweep

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a sweep is to do: scenes x shapes x algorithms x table types, and how thoroughly. Named plans are
-// written here in code; a plan file is the same as JSON.
+// written in code or come as JSON with what they are about (plan_json.hpp); a plan file is the same as JSON.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct SceneChoice {
     std::string name;  ///< of a kind of scene or a scene file, or the path of one (.json)
     scene::SceneParameters parameters = {};  ///< those that differ from the scene's defaults
     std::vector<std::string> shapes = {}, layouts = {}, algorithms = {};
-    std::size_t queries = 0;  ///< a cell and round; 0: the plan's
+    std::size_t queries = 0;  ///< per cell and round; 0: the plan's
     bool plain = false;       ///< no further axes: a group's cells stand side by side, and these are large
     std::vector<std::string> axes = {};    ///< instead of the plan's
     std::vector<std::string> caches = {};  ///< shapes whose cells have their caches modelled; "all" is all
@@ -36,21 +36,21 @@ struct Plan {
     std::vector<std::string> algorithms;  ///< as for select_algorithms
     std::vector<std::string> axes;        ///< beside the plain cells, one at a time; as for parse_axes
     std::uint64_t seed = 1;
-    std::size_t queries = 0;            ///< a cell and round
+    std::size_t queries = 0;            ///< per cell and round
     std::size_t checked = 0;            ///< of them, against exact arithmetic
     bool control = false;               ///< of these, against Moore and Wilhelms too, the paper's control
     std::size_t paging = 0;             ///< bodies of the paging run; 0: none
     int rounds = 0;                     ///< timed, interleaved
     std::size_t stability = 0;          ///< hard cases a family; 0: no stability run
-    std::size_t traced = 0;             ///< queries a cell whose caches are modelled; 0: all
+    std::size_t traced = 0;             ///< queries per cell whose caches are modelled; 0: all
     std::vector<std::string> machines;  ///< to model the caches of; as for choose_machines
 };
 
-/// Names of the plans written in code.
+/// Names of the plans that come with Edgewise.
 [[nodiscard]] std::vector<std::string> plan_names();
 
-/// A named plan, or a JSON file with the members of Plan (missing ones as in `quick`). Throws
-/// std::invalid_argument: what, where, what to do.
+/// A named plan, of the layouts that the program was built with, or a JSON file with the members of Plan
+/// (missing ones as in `quick`). Throws std::invalid_argument: what, where, what to do.
 [[nodiscard]] Plan make_plan(const std::string& name_or_file);
 
 /// Mesh files of real objects that the set-up unpacked; may be empty.

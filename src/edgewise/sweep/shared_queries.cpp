@@ -54,11 +54,11 @@ SharedQueries::SharedQueries(const Plan& plan, const SceneChoice& scene, const s
 
 const std::vector<truth::ExactDistance>& SharedQueries::exact(std::span<const Polyhedron> bodies) {
     auto [place, is_new] = exact_.try_emplace(print_of(bodies));
-    if (is_new) place->second = work_out(bodies);
+    if (is_new) place->second = compute_exact(bodies);
     return place->second;
 }
 
-std::vector<truth::ExactDistance> SharedQueries::work_out(std::span<const Polyhedron> bodies) const {
+std::vector<truth::ExactDistance> SharedQueries::compute_exact(std::span<const Polyhedron> bodies) const {
     std::vector<truth::ExactDistance> answers(checked_.size());
     bench::for_each_index(checked_.size(), [&](std::size_t k) {
         const scene::Query& query = workload_.queries[checked_[k]];

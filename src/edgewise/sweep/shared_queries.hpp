@@ -35,7 +35,7 @@ class SharedQueries {
     [[nodiscard]] const std::vector<std::optional<bool>>& control(std::span<const Polyhedron> bodies);
 
   private:
-    [[nodiscard]] std::vector<truth::ExactDistance> work_out(std::span<const Polyhedron> bodies) const;
+    [[nodiscard]] std::vector<truth::ExactDistance> compute_exact(std::span<const Polyhedron> bodies) const;
 
     bool asks_control_;
     scene::SceneParameters parameters_;

@@ -12,7 +12,7 @@ namespace edgewise::sweep {
 
 namespace {
 
-/// | |p_a - p_b| - d | over scale: do the witness points lie as far apart as the answer says?
+/// | |p_a - p_b| - d | divided by scale: do the witness points lie as far apart as the answer says?
 double witness_error(const Distance& answer, const truth::AccuracyBand& band) {
     if (answer.status != Status::separated) return 0;
     const double apart = norm(Vec3d(answer.point_a - answer.point_b));

@@ -9,7 +9,7 @@
 
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/query_options.hpp"
-#include "edgewise/measure/probe.hpp"
+#include "edgewise/measure/checked_answer.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
 
 namespace edgewise::sweep {
@@ -25,7 +25,7 @@ namespace edgewise::sweep {
 [[nodiscard]] std::string what_is_wrong(const SharedQueries& shared,
                                         std::span<const measure::CheckedAnswer> checked, double eps);
 
-/// `cold`: a flag a query, as cold_starts says; of a scene without warm pairs all count as cold.
+/// `cold`: a flag per query, as cold_starts says; of a scene without warm pairs all count as cold.
 [[nodiscard]] measure::AnswerCounts count_answers(std::span<const Distance> answers,
                                                   std::span<const std::uint8_t> cold = {});
 

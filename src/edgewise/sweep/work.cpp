@@ -87,7 +87,7 @@ void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, Swe
     SceneWork scene = unplaced_work(choice, work);
     scene.choice.name = file.name;
     scene.kind = file.kind;
-    scene.text = file.text;
+    scene.json = file.text;
     if (file.queries > 0 && choice.queries == 0) scene.queries = file.queries;
     if (!choice.layouts.empty()) scene.types = bench::select_table_types(choice.layouts);
     for (Axes& axes : scene.axes) {

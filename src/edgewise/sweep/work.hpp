@@ -20,7 +20,7 @@ namespace edgewise::sweep {
 /// A scene of the plan, with what of the plan it is for; of a scene file one of its points.
 struct SceneWork {
     SceneChoice choice;      ///< with every parameter
-    std::string kind, text;  ///< of a scene file: its kind of scene, and its JSON; else empty
+    std::string kind, json;  ///< of a scene file: its kind of scene, and its JSON; else empty
     std::size_t queries = 0;
     std::vector<const scene::NamedShape*> shapes;
     std::vector<const bench::TableType*> types;
@@ -54,7 +54,7 @@ struct SweepWork {
     [[nodiscard]] std::size_t cells() const;
 };
 
-/// Throws std::invalid_argument: what, where, what to do. `warn` hears of what is only a pity.
+/// Throws std::invalid_argument: what, where, what to do. `warn` is notified of non-fatal problems.
 [[nodiscard]] SweepWork prepare_sweep(const Plan& plan,
                                       const std::function<void(const std::string& line)>& warn);
 

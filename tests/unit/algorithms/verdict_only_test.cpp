@@ -17,9 +17,9 @@ struct Steps {
 Steps compare(const char* algorithm, const char* scene, const scene::SceneParameters& parameters) {
     const studies::SingleCell cell({"aos_f64", algorithm, scene, "sphere38", parameters, 5000, 1});
     const auto quick = cell.type().make_runner(algorithm);
-    quick->set_needs(Needs::verdict);
-    EXPECT_EQ(quick->load(cell.workload().bodies), "");
-    const auto whole = cell.runner().answer(cell.workload()), verdicts = quick->answer(cell.workload());
+    quick->configure({.needs = Needs::verdict});
+    EXPECT_EQ(quick->load(cell.workload()), "");
+    const auto whole = cell.runner().answer(), verdicts = quick->answer();
     Steps steps;
     std::size_t wrong = 0, apart = 0;
     for (std::size_t i = 0; i < whole.size(); ++i) {

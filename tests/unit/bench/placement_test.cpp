@@ -30,13 +30,11 @@ struct Placed {
 
 Placed place(const TableType& type, const std::string& algorithm, const TableOptions& options) {
     const auto runner = type.make_runner(algorithm);
-    runner->place_tables(options);
-    const bool each = options.sharing == Sharing::per_instance;
-    const auto& instances = tumble().instances;
-    EXPECT_EQ(each ? runner->load(tumble().bodies, instances) : runner->load(tumble().bodies), "");
+    runner->configure({.tables = options});
+    EXPECT_EQ(runner->load(tumble()), "");
     measure::LineCounter lines;
-    runner->trace(tumble(), 100, lines);
-    return {runner->answer(tumble()), runner->memory(), lines.sums()};
+    runner->trace(100, lines);
+    return {runner->answer(), runner->memory(), lines.sums()};
 }
 
 class Placement : public ::testing::TestWithParam<const char*> {

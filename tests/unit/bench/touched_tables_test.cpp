@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What of made-up tables was touched, by component and by kind of feature.
-#include "edgewise/sweep/touched_tables.hpp"
+#include "edgewise/bench/trace/touched_tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ TEST(TouchedTables, AreCountedByComponentAndFeature) {
     touched.touch(96, 16);        // the first edge's planes
     touched.touch(96 + 24, 8);    // its padding
     touched.touch(1000 + 96, 1);  // of the second table one byte
-    const measure::TouchedTables found = sweep::touched_tables(maps, touched);
+    const measure::TouchedTables found = touched_tables(maps, touched);
     EXPECT_EQ(found.bytes, 8 + 24 + 16 + 8 + 1U);
     EXPECT_EQ(found.of_bytes, 2 * (96 + 64U));
     EXPECT_EQ(found.by_component.size(), 4U);
@@ -58,15 +58,14 @@ TEST(TouchedTables, KnowAFeatureInEachOfItsArrays) {
     touched.touch(80 + 24, 8);   // y of 3
     touched.touch(160 + 72, 1);  // z of 9
     for (const TableMap& map : {apart, together}) {
-        EXPECT_EQ(sweep::touched_features(map, touched, FeatureKind::vertex),
-                  (std::vector<std::uint32_t>{0, 3, 9}));
-        EXPECT_FALSE(sweep::touched_features(map, touched, FeatureKind::face)) << "none stored";
+        EXPECT_EQ(touched_features(map, touched, FeatureKind::vertex), (std::vector<std::uint32_t>{0, 3, 9}));
+        EXPECT_FALSE(touched_features(map, touched, FeatureKind::face)) << "none stored";
     }
 }
 
 TEST(TouchedTables, DoNotGuessWithinBlocks) {
     const TableMap blocks = {{{0, 64, 2, {{Component::vertex_coordinates, 64}}}}, 10, 20, 12};
-    EXPECT_FALSE(sweep::touched_features(blocks, measure::TouchedBytes{}, FeatureKind::vertex));
+    EXPECT_FALSE(touched_features(blocks, measure::TouchedBytes{}, FeatureKind::vertex));
 }
 
 /// The same queries read the same vertices, however they are stored.
@@ -79,9 +78,9 @@ TEST(TouchedTables, SeeTheSameVerticesInEveryLayout) {
         if (type == table_types().end()) continue;  // this program has only some layouts
         const studies::SingleCell cell({names[0], "vclip", "tumble", "sphere386", {{"bodies", 4}}, 60, 1});
         measure::HeatMap heat(field_names().size(), step_names().size());
-        static_cast<void>(cell.runner().trace(cell.workload(), 60, heat));
+        static_cast<void>(cell.runner().trace(60, heat));
         const auto found =
-            sweep::touched_features(cell.runner().memory_maps().front(), heat.touched(), FeatureKind::vertex);
+            touched_features(cell.runner().memory_maps().front(), heat.touched(), FeatureKind::vertex);
         ASSERT_TRUE(found) << table;
         EXPECT_GT(found->size(), 10U);
         EXPECT_LT(found->size(), 386U);

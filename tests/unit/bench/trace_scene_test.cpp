@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // A cell's traced passes, from the scene to the figures: what must hold whatever the layout.
-#include "edgewise/sweep/trace_scene.hpp"
+#include "edgewise/bench/trace/trace_scene.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <set>
 
+#include "edgewise/bench/probe.hpp"
 #include "edgewise/bench/trace/broad_phase_trace.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
-#include "edgewise/measure/probe.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::bench {
@@ -36,7 +36,7 @@ class TraceScene : public testing::TestWithParam<std::pair<const char*, const ch
 TEST_P(TraceScene, MissesWhatItMust) {
     const studies::SingleCell cell(in_time_order(GetParam().first, GetParam().second));
     const auto machines = two_machines();
-    const measure::SceneTrace trace = sweep::trace_scene(cell.runner(), cell.workload(), 0, machines);
+    const measure::SceneTrace trace = trace_scene(cell.runner(), cell.workload(), {machines, 0});
     ASSERT_TRUE(trace.traced()) << trace.reason;
     EXPECT_EQ(trace.queries, cell.workload().queries.size());
     EXPECT_EQ(trace.frames, cell.workload().frames.size());
@@ -67,16 +67,17 @@ TEST_P(TraceScene, MissesWhatItMust) {
 
 TEST_P(TraceScene, AnswersAsThePassThatIsChecked) {
     const studies::SingleCell cell(in_time_order(GetParam().first, GetParam().second));
-    const measure::SceneTrace trace = sweep::trace_scene(cell.runner(), cell.workload(), 0, two_machines());
+    const auto machines = two_machines();
+    const measure::SceneTrace trace = trace_scene(cell.runner(), cell.workload(), {machines, 0});
     const double cold = static_cast<double>(trace.machines[1].cold.front());
     EXPECT_GE(cold, static_cast<double>(trace.lines.touched))
         << "a query from empty caches misses every line";
     EXPECT_LE(cold, 1.2 * static_cast<double>(trace.lines.touched));
     EXPECT_GE(trace.lines.with_scene, trace.lines.touched);
     double sum = 0;
-    for (const Distance& answer : cell.runner().answer(cell.workload())) sum += answer.distance;
+    for (const Distance& answer : cell.runner().answer()) sum += answer.distance;
     EXPECT_EQ(trace.distances, sum) << "the traced pass gives the same answers";
-    const PassSum passed = cell.runner().prepared_pass(cell.workload())();
+    const PassSum passed = cell.runner().prepared_pass()();
     EXPECT_EQ(passed.distances, sum) << "so does the pass for counters";
     EXPECT_EQ(passed.queries, trace.answered);
 }
@@ -84,7 +85,8 @@ TEST_P(TraceScene, AnswersAsThePassThatIsChecked) {
 TEST_P(TraceScene, BooksTheRightSteps) {
     const bool vclip = std::string(GetParam().second) == "vclip";
     const studies::SingleCell cell(in_time_order(GetParam().first, GetParam().second));
-    const measure::SceneTrace trace = sweep::trace_scene(cell.runner(), cell.workload(), 0, two_machines());
+    const auto machines = two_machines();
+    const measure::SceneTrace trace = trace_scene(cell.runner(), cell.workload(), {machines, 0});
     const auto steps = [&](TraceStep step) { return trace.heat.by_step[static_cast<std::size_t>(step)]; };
     for (const TraceStep state : {TraceStep::vertex_vertex, TraceStep::vertex_edge, TraceStep::vertex_face,
                                   TraceStep::edge_edge, TraceStep::edge_face})
@@ -104,14 +106,15 @@ TEST(TraceSceneFigures, AreThereForEveryMachineOrSayWhyNot) {
     const studies::SingleCell cell(in_time_order("aos_f64", "vclip"));
     std::vector<measure::MachineChoice> machines = two_machines();
     machines.push_back({"host", measure::Expected<measure::CacheMachine>::none("made up")});
-    const measure::SceneTrace trace = sweep::trace_scene(cell.runner(), cell.workload(), 100, machines);
-    measure::Subject subject;
-    subject.table.edges = 108;
-    subject.trace = &trace;
+    const ProbedCell probed{.type = cell.type(),
+                            .algorithm = algorithm_called("vclip"),
+                            .runner = cell.runner(),
+                            .workload = cell.workload(),
+                            .caches = {machines, 100}};
     std::set<std::string> names;
-    for (const auto& probe : measure::registered_probes()) {
-        if (probe->name() != "caches" && probe->name() != "reuse" && probe->name() != "heat") continue;
-        for (const measure::Figure& figure : probe->figures(subject)) {
+    for (const auto& probe : registered_probes()) {
+        if (!probe->beside_others()) continue;
+        for (const measure::Figure& figure : probe->measure(probed).figures) {
             EXPECT_TRUE(names.insert(figure.name).second) << figure.name << " twice";
             EXPECT_NE(figure.value.has_value(), !figure.reason.empty()) << figure.name;
             EXPECT_TRUE(!figure.name.ends_with("cold_verified") || figure.value == 1.0) << figure.name;
@@ -125,19 +128,24 @@ TEST(TraceSceneFigures, AreThereForEveryMachineOrSayWhyNot) {
 }
 
 TEST(TraceSceneFigures, KnowWhatTheyAreOf) {
+    const auto identity = [](std::span<const measure::MachineChoice> machines, std::size_t queries) {
+        return CacheOrder{machines, queries}.identity();
+    };
     const std::vector<measure::MachineChoice> two = two_machines();
-    EXPECT_EQ(sweep::trace_identity(two, 100), sweep::trace_identity(two_machines(), 100));
-    EXPECT_NE(sweep::trace_identity(two, 100), sweep::trace_identity(two, 101));
-    EXPECT_NE(sweep::trace_identity(two, 100), sweep::trace_identity(std::span(two).first(1), 100));
+    const std::vector<measure::MachineChoice> again = two_machines();
+    EXPECT_EQ(identity(two, 100), identity(again, 100));
+    EXPECT_NE(identity(two, 100), identity(two, 101));
+    EXPECT_NE(identity(two, 100), identity(std::span(two).first(1), 100));
     std::vector<measure::MachineChoice> other = two;
     ++other[1].machine.value->caches.levels[0].ways;
-    EXPECT_NE(sweep::trace_identity(two, 100), sweep::trace_identity(other, 100));
+    EXPECT_NE(identity(two, 100), identity(other, 100));
 }
 
 TEST(TraceSceneFigures, NeedAddressesThatAreTheSameInEveryRun) {
     const studies::SingleCell cell(in_time_order("aos_f64", "vclip"),
                                    {VertexOrder::given, Sharing::shared, AllocatorKind::libc});
-    EXPECT_FALSE(sweep::trace_scene(cell.runner(), cell.workload(), 10, two_machines()).traced());
+    const auto machines = two_machines();
+    EXPECT_FALSE(trace_scene(cell.runner(), cell.workload(), {machines, 10}).traced());
 }
 
 TEST(TimeOrder, AsksTheSameQueriesAsPairAfterPair) {

@@ -8,9 +8,11 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <tuple>
 
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/scene_texts.hpp"
@@ -90,6 +92,72 @@ TEST(Plan, QuickAndPaperKeepTheirPromises) {
     EXPECT_GE(quick.checked, 200U);
     EXPECT_GE(paper.checked, 2000U);
     EXPECT_EQ(paper.queries, 30000U);
+}
+
+using Names = std::vector<std::string>;
+
+Names built(Names layouts) {
+    std::erase_if(layouts, [](const std::string& name) {
+        const auto types = bench::table_types();
+        return std::none_of(types.begin(), types.end(),
+                            [&](const bench::TableType& type) { return type.name == name; });
+    });
+    return layouts;
+}
+
+/// What stores of the paper's sweep were made by, as its file must say it.
+TEST(Plan, PaperIsWhatItsStoresHold) {
+    const Names both = {"aos_f64", "lean_f64"};
+    const Names timed = {"aos_f64", "aos_f32", "lean_f64", "points_neighbours_f64"};
+    const Names in_static = {"aos_f64", "aos_f32", "linked_f64", "lean_f64", "points_neighbours_f64"};
+    const Names thrashed = {"aos_f64", "linked_f64", "lean_f64"};
+    const Names shared = {"sharing=shared"}, placed = {"sharing=shared", "order=bfs", "order=spatial"};
+    const Names asked = {"needs=verdict", "needs=distance", "needs=features", "needs=depth",
+                         "needs=certificate"};
+    const struct {
+        const char* name;
+        Names layouts, axes;
+    } expected[] = {{"paper_static", in_static, {}},
+                    {"paper_linear_8", both, {}},
+                    {"paper_bodies", both, {}},
+                    {"paper_bodies_shrinking", both, {}},
+                    {"paper_angular_8", timed, shared},
+                    {"paper_angular_38", timed, shared},
+                    {"paper_angular_386", timed, shared},
+                    {"paper_proximity", timed, {}},
+                    {"paper_complexity", both, {}},
+                    {"paper_cold", both, {}},
+                    {"paper_needs", both, asked},
+                    {"paper_caches_here", both, {}},
+                    {"paper_thrash_8", thrashed, placed},
+                    {"paper_thrash_38", thrashed, placed},
+                    {"paper_thrash_386", thrashed, placed},
+                    {"tumble", {}, {}},
+                    {"cold", {}, {}}};
+    const Plan paper = make_plan("paper"), quick = make_plan("quick");
+    std::size_t next = 0;
+    for (const auto& [name, layouts, axes] : expected) {
+        if (!layouts.empty() && built(layouts).empty()) continue;
+        ASSERT_LT(next, paper.scenes.size());
+        const SceneChoice& scene = paper.scenes[next++];
+        const bool own = std::string(name).starts_with("paper_"), traced = axes == placed;
+        EXPECT_EQ(scene.name, name);
+        EXPECT_TRUE(scene.parameters.empty() && scene.algorithms.empty()) << name;
+        EXPECT_EQ(scene.layouts, built(layouts)) << name;
+        EXPECT_EQ(scene.axes, axes) << name;
+        EXPECT_EQ(scene.plain, own && axes.empty()) << name;
+        EXPECT_EQ(scene.caches, traced ? Names{"all"} : Names{}) << name;
+        EXPECT_EQ(scene.queries, own ? 0U : 3000U) << name;
+        EXPECT_EQ(scene.shapes, own ? Names{} : (Names{"sphere38", "sphere386"})) << name;
+    }
+    EXPECT_EQ(next, paper.scenes.size());
+    EXPECT_EQ(paper.shapes, quick.shapes);
+    EXPECT_EQ(paper.layouts, quick.layouts);
+    EXPECT_EQ(std::tuple(paper.seed, paper.checked, paper.control, paper.rounds, paper.stability,
+                         paper.traced, paper.paging, paper.meshes_required),
+              std::tuple(1U, 2000U, true, 11, 100U, 3000U, 600U, false));
+    EXPECT_EQ(paper.machines,
+              (Names{"pentium2_deschutes", "pentium3_coppermine", "athlon_thunderbird", "zen5", "host"}));
 }
 
 TEST_F(PlanFile, OverridesWhatItNamesAndKeepsTheRestOfQuick) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The queries of a workload once more, through tables that tell what is read of them; and what a query reads
-// and writes of its pair's cache, and a frame's broad phase of its arrays. Answers are those of the plain
-// tables.
+// The queries of a workload once more, through tables that report what is read of them; and what a query
+// reads and writes of its pair's cache, and a frame's broad phase of its arrays. Answers are those of the
+// plain tables.
 #pragma once
 
 #include <memory>
@@ -72,7 +72,7 @@ class FrameTrace {
     std::size_t next_ = 0;
 };
 
-/// Tells the listener of the first queries, until so many have counted. tables(query) gives a query's two
+/// Notifies the listener of the first queries, until so many have counted. tables(query) gives a query's two
 /// tables. Tables are only read and pairs read first and written last, so nothing is told as modified.
 template <class Algorithm, class TracedTable, class Tables>
 PassSum trace_queries(const scene::Workload& workload, std::size_t limit, const QueryOptions& options,

@@ -42,7 +42,6 @@ struct SceneTrace {
     std::string reason = "this cell was not chosen for modelled caches",
                 remedy = "edgewise sweep --caches";     ///< why there is nothing; empty: there is
     std::uint64_t queries = 0, frames = 0, tables = 0;  ///< of a pass; tables in all
-    double identity = 0;  ///< of what was asked for: machines, and how many queries
     std::vector<ModelledMachine> machines;
     std::vector<ModelledMachine> policies;  ///< one of the machines under other replacement policies
     ReuseOf lines, pages;
@@ -53,11 +52,5 @@ struct SceneTrace {
 
     [[nodiscard]] bool traced() const { return reason.empty(); }
 };
-
-/// Of a cell that was not asked for one.
-[[nodiscard]] inline const SceneTrace& no_trace() {
-    static const SceneTrace none;
-    return none;
-}
 
 }  // namespace edgewise::measure

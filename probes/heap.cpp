@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/sweep/heap_of_cell.hpp"
+#include "edgewise/probes/heap.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -10,14 +10,13 @@
 #include "edgewise/bench/trace/trace_places.hpp"
 #include "edgewise/table/table_memory.hpp"
 
-namespace edgewise::sweep {
+namespace edgewise::probes {
 
 namespace {
 
 /// What `build` allocates; what it returns is kept until it was measured.
-measure::HeapStructure measured(
-    const std::string& name,
-    const std::function<std::shared_ptr<const void>(bench::TableAllocator&)>& build) {
+HeapStructure measured(const std::string& name,
+                       const std::function<std::shared_ptr<const void>(bench::TableAllocator&)>& build) {
     const auto allocator = bench::make_allocator(bench::AllocatorKind::jemalloc);
     const std::shared_ptr<const void> kept = build(*allocator);
     const std::size_t classes = allocator->by_its_statistics().value_or(0);
@@ -27,7 +26,7 @@ measure::HeapStructure measured(
 }
 
 /// Blocks of such sizes, written to as their owner would.
-measure::HeapStructure blocks(const std::string& name, const std::vector<std::size_t>& sizes) {
+HeapStructure blocks(const std::string& name, const std::vector<std::size_t>& sizes) {
     return measured(name, [&](bench::TableAllocator& allocator) {
         auto owned = std::make_shared<std::vector<std::pmr::vector<std::byte>>>();
         for (const std::size_t size : sizes)
@@ -53,16 +52,16 @@ std::vector<std::size_t> broad_phase_sizes(const scene::Workload& workload) {
 
 }  // namespace
 
-measure::HeapUse heap_of_cell(const bench::TableType& type, Parts parts, const Polyhedron& body,
-                              const scene::Workload& workload, std::size_t pair_bytes) {
-    measure::HeapUse use;
+HeapUse heap_of(const bench::ProbedCell& cell) {
+    const scene::Workload& workload = cell.workload;
+    HeapUse use;
     try {
         use.structures.push_back(measured("table", [&](bench::TableAllocator& allocator) {
             const TablesIn placed(allocator);
-            return type.make_table(body, parts);
+            return cell.type.make_table(cell.runner.stored_bodies()[0], cell.algorithm.parts);
         }));
         if (workload.warm)
-            use.structures.push_back(blocks("pair_caches", {workload.pair_count * pair_bytes}));
+            use.structures.push_back(blocks("pair_caches", {workload.pair_count * cell.runner.pair_bytes()}));
         if (!workload.frames.empty() && !workload.frames.front().boxes.empty())
             use.structures.push_back(blocks("broad_phase", broad_phase_sizes(workload)));
     } catch (const std::exception& problem) {
@@ -75,4 +74,4 @@ measure::HeapUse heap_of_cell(const bench::TableType& type, Parts parts, const P
     return use;
 }
 
-}  // namespace edgewise::sweep
+}  // namespace edgewise::probes

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Costs of steps: what is counted is counted right, whatever the times are; scenes without steps say so.
-#include "edgewise/sweep/measure_steps.hpp"
+#include "edgewise/probes/cost.hpp"
 
 #include <gtest/gtest.h>
 
 #include "edgewise/studies/single_cell.hpp"
+#include "found.hpp"
 
-namespace edgewise {
+namespace edgewise::probes {
 namespace {
 
 studies::SingleCell cell_of(const char* scene, const scene::SceneParameters& parameters,
@@ -18,7 +19,7 @@ studies::SingleCell cell_of(const char* scene, const scene::SceneParameters& par
 TEST(StepCosts, CountWhatAStepAsks) {
     const studies::SingleCell cell =
         cell_of("tumble", {{"bodies", 50}, {"in_time_order", 1}, {"steps", 1000}});
-    const measure::StepCosts costs = sweep::step_costs(cell.runner(), cell.workload());
+    const StepCosts costs = step_costs(cell.runner(), cell.workload());
     ASSERT_GT(costs.steps, 10U);
     EXPECT_EQ(costs.bodies, 50);
     const auto& frames = cell.workload().frames;
@@ -33,12 +34,21 @@ TEST(StepCosts, CountWhatAStepAsks) {
 
 TEST(StepCosts, AreNotThereWithoutSteps) {
     const studies::SingleCell cold = cell_of("static", {});
-    EXPECT_EQ(sweep::step_costs(cold.runner(), cold.workload()).steps, 0U);
-    EXPECT_FALSE(sweep::step_costs(cold.runner(), cold.workload()).reason.empty());
+    EXPECT_EQ(step_costs(cold.runner(), cold.workload()).steps, 0U);
+    EXPECT_FALSE(step_costs(cold.runner(), cold.workload()).reason.empty());
     const studies::SingleCell one = cell_of("tumble", {{"in_time_order", 1}, {"steps", 1}}, 30);
-    EXPECT_EQ(sweep::step_costs(one.runner(), one.workload()).steps, 0U) << "no step has one before it";
-    EXPECT_FALSE(sweep::step_costs(one.runner(), one.workload()).remedy.empty());
+    EXPECT_EQ(step_costs(one.runner(), one.workload()).steps, 0U) << "no step has one before it";
+    EXPECT_FALSE(step_costs(one.runner(), one.workload()).remedy.empty());
+}
+
+TEST(StepCosts, AddUpToTheCostFunctions) {
+    EXPECT_FALSE(by_name(cost::figures({})).at("step_ns").value);
+    const auto cost = by_name(cost::figures({10, 100, 300, 50, 7, 20, 2, 400, 25000, "", ""}));
+    EXPECT_EQ(cost.at("equation_1_ns").value, 300 * 2 + 50 * 400);
+    EXPECT_EQ(cost.at("equation_2_ns").value, 300 * 2 + 50 * 400 + 100 * 20);
+    EXPECT_EQ(cost.at("all_pairs").value, 4950);
+    EXPECT_NEAR(*cost.at("equation_2_ratio").value, 22600.0 / 25000, 1e-12);
 }
 
 }  // namespace
-}  // namespace edgewise
+}  // namespace edgewise::probes

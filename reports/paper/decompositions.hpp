@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-namespace edgewise::sweep {
+namespace edgewise::reports {
 
 struct Decomposition {
     std::string_view terms;
-    double in_double, in_single;  ///< bytes an edge
+    double in_double, in_single;  ///< bytes per edge
     std::string_view remark;
 };
 
@@ -23,4 +23,4 @@ struct Decomposition {
 /// A short table with what is known about it.
 [[nodiscard]] std::string decompositions_text();
 
-}  // namespace edgewise::sweep
+}  // namespace edgewise::reports

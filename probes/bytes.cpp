@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/sweep/table_bytes.hpp"
+#include "edgewise/probes/bytes.hpp"
 
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "edgewise/scene/shapes.hpp"
 
-namespace edgewise::sweep {
+namespace edgewise::probes {
 
-measure::TableBytes table_bytes(const Ledger& ledger, const Polyhedron& body) {
-    measure::TableBytes result;
+TableBytes table_bytes(const Ledger& ledger, const Polyhedron& body) {
+    TableBytes result;
     result.vertices = body.vertex_count();
     result.edges = body.edge_count();
     for (std::size_t i = 0; i < component_names.size(); ++i) {
@@ -19,19 +21,27 @@ measure::TableBytes table_bytes(const Ledger& ledger, const Polyhedron& body) {
     return result;
 }
 
-SizeFamily::SizeFamily() {
+namespace {
+
+std::vector<Polyhedron> growing_spheres() {
+    std::vector<Polyhedron> bodies;
     for (const char* name : {"sphere8", "sphere18", "sphere38", "sphere66", "sphere102", "sphere218",
                              "sphere386", "sphere1538"}) {
         auto body = scene::make_shape(name);
         if (!body) throw std::logic_error(body.error);
-        bodies_.push_back(std::move(*body));
+        bodies.push_back(std::move(*body));
     }
+    return bodies;
 }
 
-const std::vector<measure::TableBytes>& SizeFamily::of(const bench::TableType& type, Parts parts) {
-    auto [place, is_new] = known_.try_emplace({type.name, parts});
+}  // namespace
+
+std::span<const TableBytes> size_family(const bench::TableType& type, Parts parts) {
+    static const std::vector<Polyhedron> bodies = growing_spheres();
+    static std::map<std::pair<std::string, Parts>, std::vector<TableBytes>> known;
+    auto [place, is_new] = known.try_emplace({type.name, parts});
     if (is_new) {
-        for (const Polyhedron& body : bodies_) {
+        for (const Polyhedron& body : bodies) {
             const auto stored = type.stored_body(body);
             if (!stored) throw std::logic_error(stored.error);
             place->second.push_back(table_bytes(type.ledger(*stored, parts), *stored));
@@ -40,4 +50,4 @@ const std::vector<measure::TableBytes>& SizeFamily::of(const bench::TableType& t
     return place->second;
 }
 
-}  // namespace edgewise::sweep
+}  // namespace edgewise::probes

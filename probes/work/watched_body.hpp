@@ -10,7 +10,7 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/canonical.hpp"
 
-namespace edgewise::sweep {
+namespace edgewise::probes {
 
 /// Calls that sought a support point, rounds of their climbs, vertices they looked at.
 struct ClimbCounts {
@@ -59,4 +59,4 @@ class WatchedBody {
 
 static_assert(ClimbingTable<WatchedBody>);
 
-}  // namespace edgewise::sweep
+}  // namespace edgewise::probes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/sweep/measure_steps.hpp"
+#include "edgewise/probes/cost.hpp"
 
 #include <array>
 #include <optional>
@@ -8,7 +8,7 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 
-namespace edgewise::sweep {
+namespace edgewise::probes {
 
 namespace {
 
@@ -23,7 +23,7 @@ struct StepParts {
 class StepWatch {
   public:
     StepWatch(const bench::Runner& runner, const scene::Workload& workload)
-        : workload_(workload), narrow_phase_(runner.prepared_range(workload)) {
+        : workload_(workload), narrow_phase_(runner.prepared_range()) {
         // The last step may have been cut short.
         const std::size_t whole = workload.frames.size() - 1;
         while (steps_ < whole && (steps_ < fewest_steps || end_of(steps_ - 1) < enough_queries)) ++steps_;
@@ -41,8 +41,8 @@ class StepWatch {
     }
 
     /// What a step comes to, over those that count.
-    [[nodiscard]] measure::StepCosts count() {
-        measure::StepCosts costs;
+    [[nodiscard]] StepCosts count() {
+        StepCosts costs;
         std::size_t tests = 0, moves = 0, pairs = 0, bodies = 0;
         for (std::size_t i = 0; i < steps_; ++i) {
             take(i, {true, true, false});
@@ -71,7 +71,7 @@ class StepWatch {
         if (parts.boxes) update_boxes(frame);
         const std::vector<Aabb>& boxes = parts.boxes ? boxes_ : frame.boxes;
         if (parts.broad_phase) found_ = found_ + broad_phase_->update(boxes).size();
-        if (parts.queries) sum_ = sum_ + narrow_phase_(frame.first_query, end_of(i));
+        if (parts.queries) sum_ = sum_ + narrow_phase_(frame.first_query, end_of(i), nullptr);
     }
 
     void update_boxes(const scene::Frame& frame) {
@@ -95,11 +95,11 @@ class StepWatch {
     std::optional<SweepAndPrune> broad_phase_;
     std::vector<Aabb> boxes_;
     std::size_t steps_ = 0;           ///< of a pass
-    volatile std::size_t found_ = 0;  ///< what nobody reads might not be worked out
+    volatile std::size_t found_ = 0;  ///< what nobody reads might not be computed
     volatile double sum_ = 0;
 };
 
-/// ns of the whole, then of boxes, broad phase and queries alone: medians of passes taken in turn, so that
+/// ns of the whole, then of boxes, broad phase and queries alone: medians of alternating passes, so that
 /// what slows the machine for a while slows all of them.
 std::array<double, 4> times_of(StepWatch& watch) {
     constexpr std::array<StepParts, 4> what = {
@@ -118,13 +118,13 @@ bool has_steps(const scene::Workload& workload) {
 
 }  // namespace
 
-measure::StepCosts step_costs(const bench::Runner& runner, const scene::Workload& workload) {
-    measure::StepCosts costs;
+StepCosts step_costs(const bench::Runner& runner, const scene::Workload& workload) {
+    StepCosts costs;
     costs.reason = "the scene has no steps with a broad phase";
     costs.remedy = "tumble with in_time_order=1";
     if (!has_steps(workload)) return costs;
     StepWatch watch(runner, workload);
-    const measure::StepCosts counted = watch.count();
+    const StepCosts counted = watch.count();
     costs.reason = "no step follows another";
     costs.remedy = "ask for more queries";
     if (counted.steps == 0) return costs;
@@ -138,4 +138,4 @@ measure::StepCosts step_costs(const bench::Runner& runner, const scene::Workload
     return costs;
 }
 
-}  // namespace edgewise::sweep
+}  // namespace edgewise::probes

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/sweep/trace_scene.hpp"
+#include "edgewise/bench/trace/trace_scene.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "edgewise/bench/cell.hpp"
+#include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/measure/cache/cold_caches.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
 #include "edgewise/measure/cache/trace_fan_out.hpp"
-#include "edgewise/sweep/touched_tables.hpp"
 
-namespace edgewise::sweep {
+namespace edgewise::bench {
 
 namespace {
 
@@ -61,7 +60,7 @@ void book_machines(const measure::SceneCaches& caches, const measure::ColdCaches
         trace.policies.push_back({machines[next].name, {}, caches.first()[next], steady[next], {}});
 }
 
-measure::SceneHeat heat_of(const measure::HeatMap& heat, const bench::Runner& runner) {
+measure::SceneHeat heat_of(const measure::HeatMap& heat, const Runner& runner) {
     return {heat.accesses_by_field(),
             heat.accesses_by_step(),
             heat.queries(),
@@ -71,58 +70,32 @@ measure::SceneHeat heat_of(const measure::HeatMap& heat, const bench::Runner& ru
             touched_tables(runner.memory_maps(), heat.touched())};
 }
 
-/// Both passes through all listeners.
-bench::PassSum trace_passes(const bench::Runner& runner, const scene::Workload& workload, std::size_t limit,
-                            std::span<const measure::CacheMachine> machines,
-                            std::span<const measure::MachineChoice> choices, measure::SceneTrace& trace) {
-    const std::vector<measure::CacheMachine> known = known_machines(choices);
-    measure::SceneCaches caches(machines, trace.fields.size(), trace.steps.size(), !workload.frames.empty());
+/// Both passes through all listeners; what the second answered.
+PassSum trace_passes(const Runner& runner, bool framed, std::span<const measure::CacheMachine> machines,
+                     const CacheOrder& order, measure::SceneTrace& trace) {
+    const std::size_t limit = order.queries > 0 ? order.queries : std::numeric_limits<std::size_t>::max();
+    const std::vector<measure::CacheMachine> known = known_machines(order.machines);
+    measure::SceneCaches caches(machines, trace.fields.size(), trace.steps.size(), framed);
     measure::ColdCaches cold(known);
     measure::HeatMap heat(trace.fields.size(), trace.steps.size());
     measure::TraceFanOut first({&caches, &heat}), second({&caches, &heat, &cold});
-    static_cast<void>(runner.trace(workload, limit, first));
+    static_cast<void>(runner.trace(limit, first));
     caches.start_steady();
-    const bench::PassSum sum = runner.trace(workload, limit, second);
+    const PassSum sum = runner.trace(limit, second);
     trace.queries = caches.queries();
     trace.frames = caches.frames();
     trace.lines = caches.lines();
     trace.pages = caches.pages();
-    book_machines(caches, cold, machines, choices, trace);
+    book_machines(caches, cold, machines, order.machines, trace);
     trace.heat = heat_of(heat, runner);
     return sum;
 }
 
-void add(bench::Fingerprint& print, const measure::CacheGeometry& geometry) {
-    print.add(std::uint64_t{geometry.line_bytes});
-    for (const measure::LevelGeometry& level : geometry.levels) {
-        print.add(level.name).add(std::uint64_t{level.sets}).add(std::uint64_t{level.ways});
-        print.add(static_cast<std::uint64_t>(level.inclusion));
-        print.add(static_cast<std::uint64_t>(level.replacement));
-    }
-}
-
 }  // namespace
 
-double trace_identity(std::span<const measure::MachineChoice> choices, std::size_t queries) {
-    bench::Fingerprint print;
-    print.add(std::uint64_t{queries});
-    for (const measure::MachineChoice& choice : choices) {
-        print.add(choice.name);
-        if (!choice.machine.value) continue;
-        const measure::CacheMachine& machine = *choice.machine.value;
-        print.add(machine.clock_mhz).add(machine.memory.latency_cycles);
-        for (const measure::LevelOrigin& origin : machine.origins) print.add(origin.latency_cycles);
-        add(print, machine.caches);
-        add(print, machine.tlbs);
-    }
-    // A figure is a double: as many bits as it holds exactly.
-    return static_cast<double>(print.value() >> 12);
-}
-
-measure::SceneTrace trace_scene(const bench::Runner& runner, const scene::Workload& workload,
-                                std::size_t queries, std::span<const measure::MachineChoice> choices) {
+measure::SceneTrace trace_scene(const Runner& runner, const scene::Workload& workload,
+                                const CacheOrder& order) {
     measure::SceneTrace trace;
-    trace.identity = trace_identity(choices, queries);
     if (!runner.table_allocator().base()) {
         trace.reason = "addresses of this allocator are not the same in every run";
         trace.remedy = "allocator=arena";
@@ -130,16 +103,26 @@ measure::SceneTrace trace_scene(const bench::Runner& runner, const scene::Worklo
     }
     trace.reason.clear();
     trace.remedy.clear();
-    trace.fields = bench::field_names();
-    trace.steps = bench::step_names();
+    trace.fields = field_names();
+    trace.steps = step_names();
     trace.tables = runner.memory().tables;
-    std::vector<measure::CacheMachine> machines = known_machines(choices);
+    std::vector<measure::CacheMachine> machines = known_machines(order.machines);
     for (measure::CacheMachine& other : other_policies(machines)) machines.push_back(std::move(other));
-    const std::size_t limit = queries > 0 ? queries : std::numeric_limits<std::size_t>::max();
-    const bench::PassSum sum = trace_passes(runner, workload, limit, machines, choices, trace);
+    const PassSum sum = trace_passes(runner, !workload.frames.empty(), machines, order, trace);
     trace.answered = sum.queries;
     trace.distances = sum.distances;
     return trace;
 }
 
-}  // namespace edgewise::sweep
+const measure::SceneTrace& scene_trace(const ProbedCell& cell) {
+    return cell.shared.get<measure::SceneTrace>([&] {
+        measure::SceneTrace trace;
+        if (cell.caches.machines.empty()) return trace;
+        if (cell.verified) return trace_scene(cell.runner, cell.workload, cell.caches);
+        trace.reason = "the cell was not verified";
+        trace.remedy = "see the cell's own reason";
+        return trace;
+    });
+}
+
+}  // namespace edgewise::bench

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/sweep/watch_algorithm.hpp"
+#include "edgewise/probes/work.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 
 #include "edgewise/algorithms/gjk.hpp"
-#include "edgewise/sweep/watched_body.hpp"
+#include "edgewise/probes/work/watched_body.hpp"
 
-namespace edgewise::sweep {
+namespace edgewise::probes {
 
 namespace {
 
@@ -20,10 +20,10 @@ constexpr std::size_t most_compared = 500;   ///< beside V-Clip's features, each
 /// Johnson's order, and the whole, which is asked last (algorithms/johnson.hpp).
 constexpr std::array<std::uint8_t, 15> ascending = {1, 2, 4, 8, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14, 15};
 
-/// Hears which subset every sub-distance accepted, and so how many were tried before it.
+/// Is notified which subset every sub-distance accepted, and so how many were tried before it.
 class SubsetWatch {
   public:
-    SubsetWatch(measure::AlgorithmWork& work, std::uint32_t cached)
+    SubsetWatch(AlgorithmWork& work, std::uint32_t cached)
         : work_(work), points_(std::max(1, static_cast<int>(cached))), is_first_(true) {}
 
     void iterate(std::uint8_t members) {
@@ -46,14 +46,14 @@ class SubsetWatch {
         return tried;
     }
 
-    measure::AlgorithmWork& work_;
+    AlgorithmWork& work_;
     int points_;
     bool is_first_;
 };
 
 /// How many of the simplex's vertices on one body were in the last one, or beside it.
 void compare_vertices(const WatchedBody& body, std::span<const Index> now, std::span<const Index> before,
-                      measure::AlgorithmWork& work) {
+                      AlgorithmWork& work) {
     for (const Index v : now) {
         const bool kept = std::find(before.begin(), before.end(), v) != before.end();
         const bool near = kept || std::any_of(before.begin(), before.end(),
@@ -66,8 +66,7 @@ void compare_vertices(const WatchedBody& body, std::span<const Index> now, std::
 
 class GjkWatch {
   public:
-    GjkWatch(const scene::Workload& workload, measure::AlgorithmWork& work)
-        : workload_(workload), work_(work) {
+    GjkWatch(const scene::Workload& workload, AlgorithmWork& work) : workload_(workload), work_(work) {
         for (const Polyhedron& body : workload.bodies) bodies_.emplace_back(body, counts_);
         for (std::uint32_t i = 0; i < workload.pair_count; ++i) pairs_.emplace_back();
     }
@@ -102,7 +101,7 @@ class GjkWatch {
     }
 
     const scene::Workload& workload_;
-    measure::AlgorithmWork& work_;
+    AlgorithmWork& work_;
     ClimbCounts counts_;
     std::vector<WatchedBody> bodies_;
     std::vector<Pair> pairs_;
@@ -129,12 +128,11 @@ bool rests_on(const NamedFeature& simplex, const NamedFeature& feature) {
 }
 
 /// Of checked queries that are separated: does GJK's simplex rest on the features that V-Clip ends on?
-void compare_features(const bench::TableType& type, const SharedQueries& shared,
-                      measure::AlgorithmWork& work) {
-    const scene::Workload& workload = shared.workload();
+void compare_features(const bench::TableType& type, const scene::Workload& workload,
+                      std::span<const std::size_t> positions, AlgorithmWork& work) {
     const auto gjk = type.make_runner("gjk"), vclip = type.make_runner("vclip");
     if (!gjk->load(workload.bodies).empty() || !vclip->load(workload.bodies).empty()) return;
-    for (const std::size_t i : shared.checked()) {
+    for (const std::size_t i : positions) {
         if (work.compared == most_compared) return;
         const bench::NamedAnswer by_gjk = gjk->answer(workload.queries[i]);
         if (by_gjk.distance.status != Status::separated) continue;
@@ -147,23 +145,14 @@ void compare_features(const bench::TableType& type, const SharedQueries& shared,
 
 }  // namespace
 
-measure::AlgorithmWork algorithm_work(const std::string& algorithm, const bench::TableType& type,
-                                      const SharedQueries& shared) {
-    measure::AlgorithmWork work;
-    if (algorithm != "gjk") {
-        work.reason = "only GJK has support points and sub-distances";
-        return work;
-    }
-    if (type.name != "aos_f64") {
-        work.reason = "the same for every layout: see aos_f64";
-        return work;
-    }
-    const scene::Workload& workload = shared.workload();
+AlgorithmWork gjk_work(const bench::TableType& type, const scene::Workload& workload,
+                       std::span<const std::size_t> checked_positions) {
+    AlgorithmWork work;
     GjkWatch watch(workload, work);
     for (std::size_t i = 0; i < std::min(most_queries, workload.queries.size()); ++i)
         watch.watch(workload.queries[i]);
-    compare_features(type, shared, work);
+    compare_features(type, workload, checked_positions, work);
     return work;
 }
 
-}  // namespace edgewise::sweep
+}  // namespace edgewise::probes

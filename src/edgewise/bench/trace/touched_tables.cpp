@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/sweep/touched_tables.hpp"
+#include "edgewise/bench/trace/touched_tables.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace edgewise::sweep {
+namespace edgewise::bench {
 
 namespace {
 
@@ -52,7 +52,7 @@ bool serves(const MappedPiece& piece, FeatureKind kind) {
            });
 }
 
-std::size_t features_of(const bench::TableMap& map, FeatureKind kind) {
+std::size_t features_of(const TableMap& map, FeatureKind kind) {
     return kind == FeatureKind::vertex ? map.vertices : kind == FeatureKind::edge ? map.edges : map.faces;
 }
 
@@ -64,10 +64,10 @@ void mark(const MappedPiece& piece, const measure::TouchedBytes& touched, std::v
     }
 }
 
-std::optional<double> fraction_of(std::span<const bench::TableMap> maps, const measure::TouchedBytes& touched,
+std::optional<double> fraction_of(std::span<const TableMap> maps, const measure::TouchedBytes& touched,
                                   FeatureKind kind) {
     Part sum;
-    for (const bench::TableMap& map : maps) {
+    for (const TableMap& map : maps) {
         const auto features = touched_features(map, touched, kind);
         if (!features) return std::nullopt;
         sum += {features->size(), features_of(map, kind)};
@@ -80,7 +80,7 @@ std::optional<double> fraction_of(std::span<const bench::TableMap> maps, const m
 
 /// Pieces of exactly one element a feature are believed first: others may be lists of something else (the
 /// planes of `linked`).
-std::optional<std::vector<std::uint32_t>> touched_features(const bench::TableMap& map,
+std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map,
                                                            const measure::TouchedBytes& touched,
                                                            FeatureKind kind) {
     const std::size_t count = features_of(map, kind);
@@ -100,10 +100,9 @@ std::optional<std::vector<std::uint32_t>> touched_features(const bench::TableMap
     return features;
 }
 
-measure::TouchedTables touched_tables(std::span<const bench::TableMap> maps,
-                                      const measure::TouchedBytes& touched) {
+measure::TouchedTables touched_tables(std::span<const TableMap> maps, const measure::TouchedBytes& touched) {
     Components components;
-    for (const bench::TableMap& map : maps) {
+    for (const TableMap& map : maps) {
         for (const MappedPiece& piece : map.pieces) add_shares(piece, touched, components);
     }
     measure::TouchedTables result;
@@ -119,4 +118,4 @@ measure::TouchedTables touched_tables(std::span<const bench::TableMap> maps,
     return result;
 }
 
-}  // namespace edgewise::sweep
+}  // namespace edgewise::bench

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/sweep/decompositions.hpp"
+#include "edgewise/reports/paper/decompositions.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-namespace edgewise::sweep {
+namespace edgewise::reports {
 
 namespace {
 
 constexpr std::string_view known =
-    "The paper says that \"each additional edge requires 168 bytes of feature space information\", that "
-    "single "
-    "precision\nhalves it, and that the prebuilt regions take \"168 bytes for every edge in the model\"; it "
-    "does "
-    "not list the terms.\nHalving exactly asks for 21 real numbers and no pointer. The first reading, which "
-    "the "
-    "column \"paper\" shows, takes every\nnumber of V-Clip's edge and the third of a vertex that an "
-    "additional "
-    "edge of a closed triangle mesh brings; against it\nspeaks that coordinates are hardly feature space. "
-    "With "
-    "list nodes and pointers allowed some 900 combinations reach 168,\nso that a match alone proves nothing. "
-    "Which one the authors meant cannot be told.\n";
+    R"(The paper says that "each additional edge requires 168 bytes of feature space information", that single precision
+halves it, and that the prebuilt regions take "168 bytes for every edge in the model"; it does not list the terms.
+Halving exactly asks for 21 real numbers and no pointer. The first reading, which the column "paper" shows, takes every
+number of V-Clip's edge and the third of a vertex that an additional edge of a closed triangle mesh brings; against it
+speaks that coordinates are hardly feature space. With list nodes and pointers allowed some 900 combinations reach 168,
+so that a match alone proves nothing. Which one the authors meant cannot be told.
+)";
 
 }  // namespace
 
@@ -33,7 +28,7 @@ const std::vector<Decomposition>& decompositions() {
          "an edge that splits a face brings one; the direction is a plane's normal"},
         {"4 plane normals (12) + direction (3) + both ends' coordinates (6) reals", 168, 84,
          "offsets taken from the ends"},
-        {"4 planes (16) + direction (3) + 1/2 face plane (2) reals", 168, 84, "quads: half a face an edge"},
+        {"4 planes (16) + direction (3) + 1/2 face plane (2) reals", 168, 84, "quads: half a face per edge"},
         {"4 planes, direction, and 4 pointers of 32 bits", 168, 92, "does not halve"},
         {"4 planes, direction, length, and 2 pointers of 32 bits", 168, 88, "does not halve"},
         {"4 planes and 2 nodes of a face's list of 20 bytes", 168, 104, "does not halve"},
@@ -63,4 +58,4 @@ std::string decompositions_text() {
     return text + std::string(known);
 }
 
-}  // namespace edgewise::sweep
+}  // namespace edgewise::reports

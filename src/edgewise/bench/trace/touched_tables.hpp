@@ -14,17 +14,17 @@
 #include "edgewise/measure/cache/scene_trace.hpp"
 #include "edgewise/measure/cache/touched_bytes.hpp"
 
-namespace edgewise::sweep {
+namespace edgewise::bench {
 
 /// Of tables whose maps have the same offsets as the touched bytes; features as touched_features finds them.
-[[nodiscard]] measure::TouchedTables touched_tables(std::span<const bench::TableMap> maps,
+[[nodiscard]] measure::TouchedTables touched_tables(std::span<const TableMap> maps,
                                                     const measure::TouchedBytes& touched);
 
 /// Which features of a kind one table's scene touched, by their order in the layout: those of which any byte
 /// was. Arrays of one element a feature tell it, side by side or several behind each other (x, y and z).
 /// Nothing when the table has no bytes for the kind alone, or packs several features into one element.
-[[nodiscard]] std::optional<std::vector<std::uint32_t>> touched_features(const bench::TableMap& map,
+[[nodiscard]] std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map,
                                                                          const measure::TouchedBytes& touched,
                                                                          FeatureKind kind);
 
-}  // namespace edgewise::sweep
+}  // namespace edgewise::bench

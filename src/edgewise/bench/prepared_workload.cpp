@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/bench/prepared_workload.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/geometry/vertex_order.hpp"
+
+namespace edgewise::bench {
+
+std::string PreparedWorkload::take_bodies(std::span<const Polyhedron> bodies, VertexOrder order,
+                                          const std::function<Result<Polyhedron>(const Polyhedron&)>& store) {
+    bodies_.clear();
+    unscaled_.clear();
+    copy_ = {};
+    given_ = nullptr;
+    scale_ = LengthScale(bodies);
+    for (const Polyhedron& body : bodies) {
+        auto stored = store(scale_.into(body));
+        if (stored) stored = reordered(*stored, order);
+        if (!stored) return stored.error;
+        if (!scale_.is_one()) unscaled_.push_back(scale_.back(*stored));
+        bodies_.push_back(std::move(*stored));
+    }
+    return {};
+}
+
+void PreparedWorkload::take_queries(const scene::Workload& workload) {
+    copy_ = {};
+    given_ = &workload;
+    const auto is_ready = [](const scene::Query& query) {
+        return is_orthonormalised(query.pose_a) && is_orthonormalised(query.pose_b);
+    };
+    if (scale_.is_one() && std::all_of(workload.queries.begin(), workload.queries.end(), is_ready)) return;
+    copy_.pair_count = workload.pair_count;
+    copy_.warm = workload.warm;
+    copy_.instances = workload.instances;
+    copy_.frames = workload.frames;
+    for (const scene::Query& query : workload.queries) copy_.queries.push_back(prepared(query));
+    given_ = nullptr;
+}
+
+scene::Query PreparedWorkload::prepared(const scene::Query& given) const {
+    scene::Query query = scale_.into(given);
+    query.pose_a = orthonormalised(query.pose_a, bodies_[query.body_a].vertices[0]);
+    query.pose_b = orthonormalised(query.pose_b, bodies_[query.body_b].vertices[0]);
+    return query;
+}
+
+bool PreparedWorkload::in_range(const scene::Query& query, bool in_single) const {
+    const double offset = max_abs(relative_pose(query.pose_a, query.pose_b).translation);
+    const double size = std::max(offset, scale_.reach());
+    return offset <= (in_single ? largest_coordinate_single : largest_coordinate) &&
+           (size == 0 || size >= (in_single ? smallest_extent_single : smallest_extent));
+}
+
+}  // namespace edgewise::bench

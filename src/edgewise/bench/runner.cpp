@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/bench/runner.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <exception>
+
+#include "edgewise/bench/cold_starts.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/table/table_memory.hpp"
+
+namespace edgewise::bench {
+
+void Runner::configure(const RunnerOptions& options) {
+    given_options_ = options;
+    given_options_.set_needs(options.needs);
+}
+
+std::string Runner::load(std::span<const Polyhedron> bodies) { return load_tables(bodies, {}); }
+
+std::string Runner::load(const scene::Workload& workload) {
+    const Sharing sharing = given_options_.tables.sharing;
+    const bool each =
+        sharing == Sharing::per_instance || (sharing == Sharing::as_scene && workload.table_each);
+    std::string error = load_tables(workload.bodies, each ? std::span<const std::uint32_t>(workload.instances)
+                                                          : std::span<const std::uint32_t>());
+    if (error.empty()) prepared_.take_queries(workload);
+    return error;
+}
+
+std::string Runner::load_tables(std::span<const Polyhedron> bodies,
+                                std::span<const std::uint32_t> instances) {
+    build_tables({});
+    std::string error = prepared_.take_bodies(bodies, given_options_.tables.order,
+                                              [this](const Polyhedron& body) { return store(body); });
+    if (!error.empty()) return error;
+    options_ = given_options_;
+    options_.query = prepared_.scale().into(given_options_.query);
+    table_each_ = !instances.empty();
+    std::vector<const Polyhedron*> of_tables;
+    for (const std::uint32_t body : instances) of_tables.push_back(&prepared_.bodies()[body]);
+    if (!table_each_) {
+        for (const Polyhedron& body : prepared_.bodies()) of_tables.push_back(&body);
+    }
+    try {
+        memory_ = make_allocator(options_.tables.allocator);
+        const TablesIn placed(*memory_);
+        build_tables(of_tables);
+    } catch (const std::exception& problem) {  // an allocator that is not there, or has no more
+        return std::string("tables: ") + problem.what();
+    }
+    return {};
+}
+
+std::vector<Distance> Runner::answer() const {
+    const std::vector<scene::Query>& queries = prepared_.workload().queries;
+    std::vector<Distance> answers(queries.size());
+    prepared_range()(0, queries.size(), answers.data());
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        answers[i] = in_range(queries[i]) ? prepared_.scale().back(answers[i]) : Distance{};
+    return answers;
+}
+
+measure::Timing Runner::time(std::span<const std::uint8_t> in_contact, double clock_cost_ns) const {
+    assert(in_contact.size() == prepared_.workload().queries.size());
+    measure::Timing timing;
+    const RangePass run = prepared_range();
+    double sum = 0;  // of all distances: an answer nobody reads might not be computed
+    const std::vector<std::uint8_t> cold = cold_starts(prepared_.workload());
+    for (std::size_t first = 0; first < in_contact.size();) {
+        if (cold[first]) {
+            sum += run(first, first + 1, nullptr);
+            ++first;
+            continue;
+        }
+        const std::size_t last = end_of_stretch(cold, in_contact, first);
+        const measure::Stopwatch watch;
+        sum += run(first, last, nullptr);
+        const double ns = std::max(0.0, watch.elapsed_ns() - clock_cost_ns);
+        (in_contact[first] ? timing.overlapping_ns : timing.separated_ns) += ns;
+        (in_contact[first] ? timing.overlapping_queries : timing.separated_queries) += last - first;
+        first = last;
+    }
+    volatile double sink = sum;
+    static_cast<void>(sink);
+    return timing;
+}
+
+std::function<PassSum()> Runner::prepared_pass() const {
+    return [this, count = prepared_.workload().queries.size(), pass = prepared_range()] {
+        return prepared_.scale().back(PassSum{count, pass(0, count, nullptr)});
+    };
+}
+
+measure::MemoryUse Runner::memory() const {
+    measure::MemoryUse use;
+    use.tables = table_count();
+    use.requested = static_cast<double>(memory_->requested());
+    use.taken = static_cast<double>(memory_->taken());
+    if (const auto resident = memory_->resident()) use.resident = static_cast<double>(*resident);
+    use.materialised = materialised();
+    return use;
+}
+
+}  // namespace edgewise::bench

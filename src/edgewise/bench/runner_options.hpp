@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// How a runner places a scene's tables (in what order a body's vertices are numbered, whether instances share
+// a table, where the memory comes from), and what it asks of every query.
+#pragma once
+
+#include <cstdint>
+
+#include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/bench/memory/allocators.hpp"
+#include "edgewise/geometry/vertex_order.hpp"
+#include "edgewise/table/needs.hpp"
+
+namespace edgewise::bench {
+
+enum class Sharing : std::uint8_t {
+    as_scene,      ///< what the scene is about: shared, but for `pressure`
+    shared,        ///< one table per body, instances point at it
+    per_instance,  ///< a copy each, as in the paper
+};
+
+struct TableOptions {
+    VertexOrder order = VertexOrder::given;
+    Sharing sharing = Sharing::as_scene;
+    AllocatorKind allocator = AllocatorKind::arena;
+
+    [[nodiscard]] bool operator==(const TableOptions&) const = default;
+};
+
+struct RunnerOptions {
+    QueryOptions query = {};         ///< contact_tolerance in the given bodies' unit
+    Needs needs = Needs::witnesses;  ///< what passes ask of every answer, and pay for
+    TableOptions tables = {};
+
+    /// For a verdict alone queries end as soon as it is known.
+    void set_needs(Needs wanted) {
+        needs = wanted;
+        query.verdict_only = wanted == Needs::verdict;
+    }
+};
+
+}  // namespace edgewise::bench

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+//
+// A cell's traced passes: two over the same queries, through every chosen machine at once.
+#pragma once
+
+#include "edgewise/bench/probed_cell.hpp"
+#include "edgewise/measure/cache/scene_trace.hpp"
+
+namespace edgewise::bench {
+
+/// Of a runner that the workload was loaded into. The last known machine but `host` is modelled under the
+/// other replacement policies too.
+[[nodiscard]] measure::SceneTrace trace_scene(const Runner& runner, const scene::Workload& workload,
+                                              const CacheOrder& order);
+
+/// The cell's, made once for all probes that use it.
+[[nodiscard]] const measure::SceneTrace& scene_trace(const ProbedCell& cell);
+
+}  // namespace edgewise::bench

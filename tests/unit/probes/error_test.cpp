@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// The worst of known errors, and counts of verdicts.
+#include "edgewise/probes/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include "found.hpp"
+
+namespace edgewise::probes {
+namespace {
+
+std::vector<measure::CheckedAnswer> ten_answers() {
+    std::vector<measure::CheckedAnswer> checked;
+    for (int i = 0; i < 10; ++i) {
+        measure::CheckedAnswer answer;
+        answer.separated = i < 7;
+        answer.touching = i == 7;
+        answer.error_stored = i * 1e-15;
+        answer.error_given = i * 1e-8;
+        answer.witness_error = i * 1e-16;
+        checked.push_back(answer);
+    }
+    checked[9].verdict_wrong = true;
+    checked[4].in_band = true;
+    return checked;
+}
+
+TEST(Error, IsTheWorstAndVerdictsAreCounted) {
+    const auto checked = ten_answers();
+    auto found = by_name(error::figures(checked, {1000, 1500, 3, 2, 17, 5, 8}));
+    EXPECT_EQ(found["checked"].value, 10);
+    EXPECT_EQ(found["worst_error_stored"].value, checked[9].error_stored);
+    EXPECT_EQ(found["worst_error_given"].value, checked[9].error_given);
+    EXPECT_EQ(found["wrong_verdicts"].value, 1);
+    EXPECT_EQ(found["verdicts_in_band"].value, 1);
+    EXPECT_EQ(found["separated"].value, 7);
+    EXPECT_EQ(found["touching"].value, 1);
+    EXPECT_EQ(found["overlapping"].value, 2);
+    EXPECT_EQ(found["fallbacks"].value, 3);
+    EXPECT_EQ(found["cycles"].value, 2);
+    EXPECT_EQ(found["refinements"].value, 5);
+    EXPECT_EQ(found["escapes"].value, 8);
+    EXPECT_EQ(found["mean_steps"].value, 1.5);
+    EXPECT_EQ(found["max_steps"].value, 17);
+}
+
+TEST(Error, OfTheControlIsCountedOrSaidNotToBeAsked) {
+    auto checked = ten_answers();
+    EXPECT_FALSE(by_name(error::figures(checked, {})).at("control_disagreements").value);
+    checked[4].control_disagrees = true;  // in the band
+    checked[5].control_disagrees = true;
+    checked[6].control_disagrees = false;
+    const auto error = by_name(error::figures(checked, {}));
+    EXPECT_EQ(error.at("control_checked").value, 3);
+    EXPECT_EQ(error.at("control_disagreements").value, 2);
+    EXPECT_EQ(error.at("control_disagreements_outside_band").value, 1);
+}
+
+TEST(Error, OfNoAnswerIsNoNumber) {
+    EXPECT_FALSE(by_name(error::figures({}, {}))["worst_error_stored"].value);
+}
+
+}  // namespace
+}  // namespace edgewise::probes

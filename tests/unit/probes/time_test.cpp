@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Medians, intervals and ratios from known rounds.
+#include "edgewise/probes/time.hpp"
+
+#include <gtest/gtest.h>
+
+#include "found.hpp"
+
+namespace edgewise::probes {
+namespace {
+
+measure::Round round_of(int number, double ns, double baseline_ns) {
+    return {number, {10, 5, 10 * ns, 5 * 2 * ns}, {10, 5, 10 * baseline_ns, 5 * 2 * baseline_ns}};
+}
+
+std::vector<measure::Round> nine_rounds() {
+    std::vector<measure::Round> rounds;
+    for (int i = 0; i < 9; ++i) rounds.push_back(round_of(i, 100 + i, 200 + 2 * i));
+    return rounds;
+}
+
+TEST(Time, IsMediansAndRatiosOfTheSameRound) {
+    const std::vector<measure::Round> rounds = nine_rounds();
+    auto found = by_name(time::figures(rounds));
+    EXPECT_EQ(found["separated_ns"].value, 104);
+    EXPECT_EQ(found["overlapping_ns"].value, 208);
+    EXPECT_EQ(found["separated_ratio"].value, 0.5);
+    EXPECT_LT(found["separated_ns_low"].value, 104);
+    EXPECT_GT(found["separated_ns_high"].value, 104);
+    EXPECT_EQ(found["rounds"].value, 9);
+    EXPECT_FALSE(by_name(time::figures({}))["separated_ns"].value);
+    const auto few = by_name(time::figures(std::span(rounds).first(2)));
+    EXPECT_TRUE(few.at("separated_ns").value);
+    EXPECT_FALSE(few.at("separated_ns_low").value);
+}
+
+TEST(Time, OfAllPairsIsTheBothTogether) {
+    const auto time = by_name(time::figures(nine_rounds()));
+    // 10 separated at 104 ns and 5 overlapping at twice that, a median round of the nine.
+    EXPECT_NEAR(*time.at("all_ns").value, (10 * 104.0 + 5 * 208.0) / 15, 1e-9);
+    EXPECT_LE(*time.at("all_ns_low").value, *time.at("all_ns").value);
+    EXPECT_GE(*time.at("all_ns_high").value, *time.at("all_ns").value);
+    EXPECT_NEAR(*time.at("all_ratio").value, 0.5, 1e-9);
+}
+
+}  // namespace
+}  // namespace edgewise::probes

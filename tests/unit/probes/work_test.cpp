@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// The look inside GJK: what must hold of its counts, in scenes where the answer is known.
+#include "edgewise/probes/work.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "edgewise/studies/single_cell.hpp"
+#include "found.hpp"
+
+namespace edgewise::probes {
+namespace {
+
+AlgorithmWork look(const char* scene, const char* shape, const scene::SceneParameters& parameters) {
+    const studies::SingleCell cell({"aos_f64", "gjk", scene, shape, parameters, 2000, 1});
+    std::vector<std::size_t> positions;
+    for (std::size_t i = 0; i < 2000; i += 7) positions.push_back(i);
+    return gjk_work(cell.type(), cell.workload(), positions);
+}
+
+void expect_sound(const AlgorithmWork& work) {
+    EXPECT_GT(work.queries, 0U);
+    EXPECT_LE(work.kept, work.near);
+    EXPECT_LE(work.near, work.kept_of);
+    EXPECT_EQ(work.accepted[0] + work.accepted[1] + work.accepted[2] + work.accepted[3], work.sub_distances);
+    EXPECT_GE(work.subsets_tried, work.sub_distances);
+    EXPECT_LE(work.subsets_tried, 15 * work.sub_distances);
+    EXPECT_LE(work.same_features, work.compared);
+}
+
+TEST(Work, NothingMovesInAStillScene) {
+    const AlgorithmWork work =
+        look("tumble", "sphere386", {{"rotation_step", 0}, {"translation_step", 0}, {"steps", 1000}});
+    expect_sound(work);
+    EXPECT_GT(work.kept_of, 0U);
+    EXPECT_EQ(work.kept, work.kept_of) << "the same simplex every time";
+}
+
+TEST(Work, ClimbsFartherFromAnywhere) {
+    const AlgorithmWork coherent = look("tumble", "sphere386", {{"rotation_step", 0.01}});
+    const AlgorithmWork cold = look("cold", "sphere386", {});
+    const AlgorithmWork cold_large = look("cold", "sphere6146", {});
+    expect_sound(coherent);
+    expect_sound(cold);
+    const auto hops = [](const AlgorithmWork& w) {
+        return static_cast<double>(w.hops) / static_cast<double>(w.supports);
+    };
+    std::printf("hops of a climb: coherent %.2f, cold %.2f, cold at 16 times the vertices %.2f\n",
+                hops(coherent), hops(cold), hops(cold_large));
+    EXPECT_LT(hops(coherent), hops(cold));
+    EXPECT_LT(hops(cold), hops(cold_large));
+    EXPECT_EQ(cold.kept_of, 0U) << "nothing is kept between cold queries";
+    EXPECT_GT(cold.compared, 0U);
+}
+
+TEST(Work, SaysWhyItDoesNotLook) {
+    for (const auto& [table, algorithm] : {std::pair{"aos_f64", "vclip"}, std::pair{"aos_f32", "gjk"}}) {
+        const studies::SingleCell cell({table, algorithm, "cold", "cube8", {}, 50, 1});
+        const auto found = by_name(work()
+                                       .measure({.type = cell.type(),
+                                                 .algorithm = bench::algorithm_called(algorithm),
+                                                 .runner = cell.runner(),
+                                                 .workload = cell.workload()})
+                                       .figures);
+        EXPECT_FALSE(found.at("support_unchanged").value) << table << " " << algorithm;
+    }
+}
+
+TEST(Work, IsSharesOfWhatWasLookedAt) {
+    measure::AnswerCounts counts;
+    counts.warm = 800;
+    counts.unchanged = 200;
+    const auto not_looked = by_name(work::figures({}, counts));
+    EXPECT_EQ(not_looked.at("unchanged").value, 0.25);
+    EXPECT_FALSE(not_looked.at("support_unchanged").value);
+    const auto work = by_name(
+        work::figures({100, 50, 25, 400, 80, 60, 72, 200, 500, {20, 60, 100, 20}, 40, 30, "", ""}, counts));
+    EXPECT_EQ(work.at("support_unchanged").value, 0.75);
+    EXPECT_EQ(work.at("support_near").value, 0.9);
+    EXPECT_EQ(work.at("hops_per_support").value, 0.5);
+    EXPECT_EQ(work.at("vertices_per_support").value, 8);
+    EXPECT_EQ(work.at("subsets_tried").value, 2.5);
+    EXPECT_EQ(work.at("accepted_3").value, 0.5);
+    EXPECT_EQ(work.at("features_agree").value, 0.75);
+}
+
+}  // namespace
+}  // namespace edgewise::probes
