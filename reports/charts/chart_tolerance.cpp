@@ -45,32 +45,12 @@ ChartJson values_of(const ReportData& data) {
     return values;
 }
 
-ChartJson x_axis() {
-    return {{"field", "tolerance"},
-            {"type", "quantitative"},
-            {"title", "contact tolerance, of scale (leftmost: 0)"},
-            {"scale", {{"type", "log"}}},
-            {"axis", {{"format", ".0e"}, {"tickCount", 8}}}};
-}
-
 }  // namespace
 
 Chart tolerance_chart(const ReportData& data) {
-    Chart chart{
-        "tolerance",
-        "Verdicts against the contact tolerance",
-        "Each line is an algorithm on a table type over all hard families: the share of verdicts that "
-        "contradict exact arithmetic when pairs nearer than the tolerance (relative to their scale) count "
-        "as touching. The leftmost point is tolerance 0. Flat to the left means that no tolerance is "
-        "needed; the rise to the right is separated pairs called touching.",
-        nullptr,
-        {},
-        {}};
-    const ChartJson values = values_of(data);
-    if (values.empty()) return chart;
-    const ChartJson y{{"field", "share"}, {"type", "quantitative"}, {"title", "verdicts that differ, %"}};
-    chart.spec = table_lines(data, values, x_axis(), y);
-    chart.fallback = data_grid(values, {"algorithm", "table", "tolerance", "share"});
+    Chart chart = chart_of_file("tolerance");
+    ChartJson values = values_of(data);
+    if (take_rows(chart, values)) draw(chart, data, values);
     return chart;
 }
 

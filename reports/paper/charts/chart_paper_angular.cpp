@@ -65,53 +65,32 @@ double slowest_time(const ReportData& data) {
     return most;
 }
 
-Curves curves_of(const PaperFigure& figure, double most) {
-    Curves curves;
-    curves.x = {"angle", "effective angle a step, rad", scale_with_zero(0.02),
-                ticks_at({0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 3})};
-    curves.y = {"ns", "ns a query, median", scale_up_to(most)};
-    curves.also = {"raw_angle"};
-    const auto span = [&](double step, int row, const char* label) {
-        // Beyond half a turn the axis comes back: all angles up to half a turn are on it.
-        const double end = std::min(figure.fastest * step, std::numbers::pi);
-        for (const auto& layer : span_layers(curves.x, figure.slowest * step, end, row, label))
-            curves.behind.push_back(layer);
-    };
-    span(1.0 / 60, 0, "paper's axis, 60 steps a second");
-    span(0.5, 1, "paper's axis, 2 steps a second");
-    return curves;
-}
-
-std::string how_to_read(const PaperFigure& figure) {
-    return fmt::format(
-        "Each line is an algorithm on a table type: median time of all queries, as they come, with its 95 % "
-        "interval, against the angle between two steps. Only the orientation counts for coherence, so a turn "
-        "of w is drawn at w mod 2 pi or what is left of the turn, whichever is less: points beyond pi are "
-        "not joined by a line, and the tooltip has the turn itself. Points of another shape are new random "
-        "orientations every step, no coherence at all: they stand at their mean angle, pi/2 + 2/pi = 2.207 "
-        "rad. The paper's axis goes from {} to {} rad/s (grey: at 60 and at 2 steps a second; it names "
-        "neither) and ends at {}; it reports: {}. Figures 6, 7 and 8 share one scale of time.",
-        figure.slowest, figure.fastest, figure.top, figure.says);
+/// The paper's axis at 60 and at 2 steps a second; beyond half a turn the axis comes back: all angles up to
+/// half a turn are on it.
+ChartJson slots_of(const PaperFigure& figure, double most) {
+    const auto end = [&](double step) { return std::min(figure.fastest * step, std::numbers::pi); };
+    return {{"from_60", figure.slowest / 60},
+            {"to_60", end(1.0 / 60)},
+            {"from_2", figure.slowest / 2},
+            {"to_2", end(0.5)},
+            {"most", 1.15 * most}};
 }
 
 }  // namespace
 
 Chart paper_angular_chart(const ReportData& data, int number) {
     const PaperFigure& figure = figures[number - figures[0].number];
-    Chart chart{fmt::format("paper_figure_{}", number),
-                fmt::format("Figure {}: time against angular speed ({} vertices)", number, figure.vertices),
-                how_to_read(figure),
-                nullptr,
-                {},
-                {},
-                number == 6 ? dynamic_section : scalability_section};
+    Chart chart = chart_of_file("paper_angular");
+    chart.name = fmt::format("paper_figure_{}", number);
+    chart.title = fmt::format(fmt::runtime(chart.title), fmt::arg("number", number),
+                              fmt::arg("vertices", figure.vertices));
+    chart.how_to_read = fmt::format(fmt::runtime(chart.how_to_read), fmt::arg("slowest", figure.slowest),
+                                    fmt::arg("fastest", figure.fastest), fmt::arg("top", figure.top),
+                                    fmt::arg("says", figure.says));
+    chart.section = number == 6 ? dynamic_section : scalability_section;
     Omissions omitted;
-    const ChartJson values = values_of(scene_file(data, scene_of(figure)), omitted);
-    if (values.empty()) return chart;
-    omitted.write("cell", chart.notes);
-    chart.spec = curve_spec(data, values, curves_of(figure, slowest_time(data)));
-    chart.fallback =
-        data_grid(values, {"angle", "raw_angle", "point", "algorithm", "table", "ns", "low", "high"});
+    ChartJson values = values_of(scene_file(data, scene_of(figure)), omitted);
+    if (take_rows(chart, values, omitted)) draw(chart, data, values, slots_of(figure, slowest_time(data)));
     return chart;
 }
 
