@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes per edge by component: one bar a table type, one panel an algorithm, one shape at a time.
+// Bytes per edge by component: one bar per table type, one panel per algorithm, one shape at a time.
 #include <algorithm>
 #include <set>
 
@@ -12,12 +12,12 @@ namespace edgewise::reports {
 
 namespace {
 
-std::string in_words(std::string name) {
+std::string bytes_in_words(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
     return name;
 }
 
-/// One row a component, once for each algorithm, table type and shape.
+/// One row per component, once for each algorithm, table type and shape.
 ChartJson component_rows(const ReportData& data, const std::vector<std::string>& components,
                          Omissions& omitted) {
     ChartJson values = ChartJson::array();
@@ -28,11 +28,11 @@ ChartJson component_rows(const ReportData& data, const std::vector<std::string>&
         for (std::size_t i = 0; i < components.size(); ++i) {
             const measure::Figure figure = cell.figure("bytes", components[i]);
             if (!figure.value) {
-                omitted.add(in_words(components[i]) + ": " + figure.reason);
+                omitted.add(bytes_in_words(components[i]) + ": " + figure.reason);
                 continue;
             }
             ChartJson row = cell_json(cell);
-            row["component"] = in_words(components[i]);
+            row["component"] = bytes_in_words(components[i]);
             row["order"] = i;
             row["bytes"] = *figure.value;
             values.push_back(std::move(row));
@@ -51,11 +51,11 @@ ChartJson panels_of(const ReportData& data, const ChartJson& pick) {
     return panels;
 }
 
-ChartJson slots_of(const ReportData& data, const std::vector<std::string>& components,
-                   const ChartJson& pick) {
+ChartJson bytes_slots_of(const ReportData& data, const std::vector<std::string>& components,
+                         const ChartJson& pick) {
     ChartJson names = ChartJson::array(), colours = ChartJson::array();
     for (std::size_t i = 0; i < components.size(); ++i) {
-        names.push_back(in_words(components[i]));
+        names.push_back(bytes_in_words(components[i]));
         colours.push_back(store::component_colour(components[i], i));
     }
     return {{"components", names},
@@ -75,7 +75,7 @@ Chart bytes_chart(const ReportData& data) {
     for (const ChartJson& row : values)
         if (row["shape"] == reference_shape(data)) shown.push_back(row);
     chart.fallback = data_grid(shown, chart.file["fallback"]);
-    draw(chart, data, values, slots_of(data, components, chart.file["parts"]["component_pick"]));
+    draw(chart, data, values, bytes_slots_of(data, components, chart.file["parts"]["component_pick"]));
     return chart;
 }
 

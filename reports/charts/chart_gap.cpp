@@ -21,7 +21,7 @@ double middle(std::vector<double> sample) {
 /// Algorithm, table type and bin -> the figure of every family that has it.
 using Samples = std::map<std::tuple<std::string, std::string, std::string>, std::vector<double>>;
 
-ChartJson values_of(const ReportData& data) {
+ChartJson gap_values_of(const ReportData& data) {
     Samples samples;
     for (const StabilityFigure& figure : stability_figures(data, "stability.ns_at_{gap}"))
         samples[{figure.row->algorithm, figure.row->table, figure.at}].push_back(figure.value);
@@ -41,7 +41,7 @@ ChartJson values_of(const ReportData& data) {
 
 Chart gap_chart(const ReportData& data) {
     Chart chart = chart_of_file("gap");
-    ChartJson values = values_of(data);
+    ChartJson values = gap_values_of(data);
     if (take_rows(chart, values)) draw(chart, data, values);
     return chart;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Misses a query against the size of a cache, from exact reuse distances: one line an algorithm x table type,
-// a row of panels a scene; lines of 64 bytes left, pages of 4 KiB right.
+// Misses per query against the size of a cache, from exact reuse distances: one line per algorithm and table
+// type, a row of panels per scene; lines of 64 bytes left, pages of 4 KiB right.
 #include <cmath>
 
 #include "edgewise/reports/charts/charts.hpp"
@@ -12,7 +12,7 @@ namespace edgewise::reports {
 
 namespace {
 
-ChartJson values_of(const ReportData& data) {
+ChartJson misses_values_of(const ReportData& data) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : modelled_cells(data)) {
         for (const store::FigureRow& figure : cell->figures) {
@@ -34,7 +34,7 @@ ChartJson values_of(const ReportData& data) {
 
 Chart misses_chart(const ReportData& data) {
     Chart chart = chart_of_file("misses");
-    ChartJson values = values_of(data);
+    ChartJson values = misses_values_of(data);
     if (take_rows(chart, values)) draw(chart, data, values);
     return chart;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Ratio to the baseline as a heat map: a row an algorithm on a table type, a column a shape, a panel a scene.
-// Colour follows the logarithm, so half and double are equally far from white.
+// Ratio to the baseline as a heat map: a row per algorithm on a table type, a column a shape, a panel per
+// scene. Colour follows the logarithm, so half and double are equally far from white.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -13,7 +13,7 @@ namespace edgewise::reports {
 
 namespace {
 
-void add_row(const ReportCell& cell, PairKind kind, ChartJson& values, Omissions& omitted) {
+void ratio_add_row(const ReportCell& cell, PairKind kind, ChartJson& values, Omissions& omitted) {
     const measure::Figure ratio = cell.figure(times_of(kind).ratio);
     if (!ratio.value || *ratio.value <= 0) {
         omitted.add(pair_name(kind) +
@@ -49,8 +49,8 @@ Chart ratio_chart(const ReportData& data) {
     Omissions omitted;
     for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping})
         for (const ReportCell& cell : data.cells)
-            if (cell.verified()) add_row(cell, kind, values, omitted);
-    // A panel a scene, each with the shapes and table types that it has.
+            if (cell.verified()) ratio_add_row(cell, kind, values, omitted);
+    // A panel per scene, each with the shapes and table types that it has.
     for (const std::string& scene : scene_labels(data))
         panels.push_back(ChartJson::object({{"scene", scene}}));
     if (take_rows(chart, values, omitted))

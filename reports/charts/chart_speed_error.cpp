@@ -14,7 +14,7 @@ namespace edgewise::reports {
 
 namespace {
 
-void add_row(const ReportCell& cell, ChartJson& values, Omissions& omitted) {
+void speed_error_add_row(const ReportCell& cell, ChartJson& values, Omissions& omitted) {
     const measure::Figure ns = cell.figure("time.separated_ns");
     const measure::Figure error = cell.figure("error.worst_error_given");
     if (!ns.value || *ns.value <= 0) {
@@ -65,7 +65,7 @@ Chart speed_error_chart(const ReportData& data) {
     ChartJson values = ChartJson::array(), floors = ChartJson::array();
     Omissions omitted;
     for (const ReportCell& cell : data.cells)
-        if (cell.verified()) add_row(cell, values, omitted);
+        if (cell.verified()) speed_error_add_row(cell, values, omitted);
     if (!take_rows(chart, values, omitted)) return chart;
     const double floor = place_on_axis(values);
     const auto zeros =

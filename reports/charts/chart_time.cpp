@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Time against vertices: log-log, one line an algorithm x table type, a row of panels a scene, separated
+// Time against vertices: log-log, one line per algorithm and table type, a row of panels per scene, separated
 // pairs left and overlapping pairs right.
 #include <set>
 
@@ -11,7 +11,7 @@ namespace edgewise::reports {
 
 namespace {
 
-void add_row(const ReportCell& cell, PairKind kind, ChartJson& values, Omissions& omitted) {
+void time_add_row(const ReportCell& cell, PairKind kind, ChartJson& values, Omissions& omitted) {
     const std::string pairs = pair_name(kind);
     const measure::Figure ns = cell.figure(times_of(kind).ns);
     if (!ns.value || *ns.value <= 0) {
@@ -56,7 +56,7 @@ Chart time_chart(const ReportData& data) {
     Omissions omitted;
     for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping})
         for (const ReportCell& cell : data.cells)
-            if (cell.verified()) add_row(cell, kind, values, omitted);
+            if (cell.verified()) time_add_row(cell, kind, values, omitted);
     if (!take_rows(chart, values, omitted)) return chart;
     fill_panels(data, values);
     draw(chart, data, values);

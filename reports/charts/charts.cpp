@@ -11,15 +11,16 @@
 #include "edgewise/reports/charts/spec_file.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/tables/cache_tables.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
-#include "edgewise/reports/tables/text.hpp"
 #include "edgewise/store/palette.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-std::vector<std::string> in_order(std::set<std::string> present, const std::vector<std::string>& first) {
+std::vector<std::string> charts_in_order(std::set<std::string> present,
+                                         const std::vector<std::string>& first) {
     std::vector<std::string> names;
     for (const std::string& name : first)
         if (present.erase(name)) names.push_back(name);
@@ -33,7 +34,7 @@ std::vector<std::string> ordered_names(const ReportData& data, std::string Repor
     std::set<std::string> present;
     for (const auto* rows : {&data.cells, &data.stability, &data.from_files, &data.paging})
         for (const ReportCell& row : *rows) present.insert(row.*member);
-    return in_order(std::move(present), first);
+    return charts_in_order(std::move(present), first);
 }
 
 /// Those of the values' member that are in `first` before the rest.
@@ -42,7 +43,7 @@ std::vector<std::string> ordered_values(const ChartJson& values, const char* mem
     std::set<std::string> present;
     for (const ChartJson& row : values)
         if (row.contains(member)) present.insert(row[member].get<std::string>());
-    return in_order(std::move(present), first);
+    return charts_in_order(std::move(present), first);
 }
 
 /// One of `list` for each name; beyond its end they repeat.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A chart of curves over one number of a scene: one curve an algorithm x table type, with its interval behind
-// it. Colour is the layout, dash what else makes the table type (precision, further axes), point shape the
-// algorithm. Its layers are the part "curves" of shared.vl.json: the interval layer comes first and holds the
-// layout's parameter, since a composite error bar in its place would swallow legend clicks without a word.
+// A chart of curves over one number of a scene: one curve per algorithm and table type, with its interval
+// behind it. Colour is the layout, dash what else makes the table type (precision, further axes), point shape
+// the algorithm. Its layers are the part "curves" of shared.vl.json: the interval layer comes first and holds
+// the layout's parameter, since a composite error bar in its place would swallow legend clicks without a
+// word.
 #pragma once
 
 #include <string>
@@ -13,7 +14,7 @@
 namespace edgewise::reports {
 
 /// What names a cell among curves: cell_json, and `variant`, `point`, `stroke`. A row that sets `unjoined`
-/// is a point that no line goes through; one that sets `apart` is a larger one.
+/// is a point that no line goes through; one that sets `larger` is a larger one.
 [[nodiscard]] ChartJson curve_json(const ReportCell& cell);
 /// A row with a time and its interval in `y`, `low`, `high`; null, and counted, when it was not measured.
 [[nodiscard]] ChartJson timed_row(const ReportCell& cell, const store::QueryTime& time, Omissions& omitted);

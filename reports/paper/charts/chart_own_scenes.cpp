@@ -8,7 +8,7 @@
 
 #include "edgewise/reports/charts/curves.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
-#include "edgewise/reports/paper/charts/turn.hpp"
+#include "edgewise/reports/paper/charts/rotation_angle.hpp"
 
 namespace edgewise::reports {
 
@@ -19,7 +19,7 @@ bool all_positive(const ChartJson& values) {
                        [](const ChartJson& row) { return row["place"].get<double>() > 0; });
 }
 
-ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
+ChartJson own_scenes_values_of(const StoredScene& scene, Omissions& omitted) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : scene.cells) {
         const auto place = scene.place(*cell);
@@ -30,9 +30,9 @@ ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
         ChartJson row = timed_row(*cell, store::all_time, omitted);
         if (row.is_null()) continue;
         row["place"] = *place;
-        if (scene.varied == "rotation_step" && is_random_turn(*cell)) {
-            row["place"] = random_turn;
-            row["apart"] = row["unjoined"] = true;
+        if (scene.varied == "rotation_step" && has_random_orientation(*cell)) {
+            row["place"] = random_angle;
+            row["larger"] = row["unjoined"] = true;
             row["point"] = cell->algorithm + ", random orientations";
         }
         // Bodies of one shape are joined over what varies; else the shapes are.
@@ -57,7 +57,7 @@ Chart chart_of(const ReportData& data, const StoredScene& scene) {
         fmt::format(fmt::runtime(chart.title), fmt::arg("name", scene.name), fmt::arg("axis", axis));
     chart.how_to_read = fmt::format(fmt::runtime(chart.how_to_read), fmt::arg("note", scene.note));
     Omissions omitted;
-    ChartJson values = values_of(scene, omitted);
+    ChartJson values = own_scenes_values_of(scene, omitted);
     if (!take_rows(chart, values, omitted)) return chart;
     draw(chart, data, values,
          {{"axis_title", axis},

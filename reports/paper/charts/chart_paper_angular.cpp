@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Figures 6, 7 and 8 of the paper: time a query against angular speed, bodies of 8, 38 and 386 vertices. The
-// axis is the effective angle a step: a turn beyond half a turn is a smaller one the other way round. The
-// three charts have one scale of time, so that they can be laid side by side.
+// Figures 6, 7 and 8 of the paper: time per query against angular speed, bodies of 8, 38 and 386 vertices.
+// The axis is the effective angle per step: a rotation beyond half a turn is a smaller one in the opposite
+// direction. The three charts have one scale of time, so that they can be laid side by side.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 #include "edgewise/reports/charts/curves.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
-#include "edgewise/reports/paper/charts/turn.hpp"
+#include "edgewise/reports/paper/charts/rotation_angle.hpp"
 
 namespace edgewise::reports {
 
@@ -30,24 +30,24 @@ constexpr PaperFigure figures[] = {
     {8, 386, 1, 7, "1.2e-3 s, 12 times that of figure 7",
      "Enhanced GJK as with 8 and 38 vertices, V-Clip erratic"}};
 
-/// Where a cell stands, and how: random orientations apart, with a shape of their own; what lies beyond half
-/// a turn comes back over the same angles, as points that no line joins.
-void set_turn(const ReportCell& cell, double step, ChartJson& row) {
-    const bool random = is_random_turn(cell);
-    row["angle"] = random ? random_turn : folded_angle(step);
+/// Where a cell stands, and how: random orientations separately, with a shape of their own; what lies beyond
+/// half a turn comes back over the same angles, as points that no line joins.
+void set_angle(const ReportCell& cell, double step, ChartJson& row) {
+    const bool random = has_random_orientation(cell);
+    row["angle"] = random ? random_angle : folded_angle(step);
     row["raw_angle"] = random ? ChartJson(nullptr) : ChartJson(step);
-    row["apart"] = random;
+    row["larger"] = random;
     row["unjoined"] = random || step > std::numbers::pi + 1e-6;
     if (random) row["point"] = cell.algorithm + ", random orientations";
 }
 
-ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
+ChartJson angular_values_of(const StoredScene& scene, Omissions& omitted) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : scene.cells) {
         const double step = scene_number(*cell, "rotation_step").value_or(0);
         ChartJson row = timed_row(*cell, store::all_time, omitted);
         if (row.is_null()) continue;
-        set_turn(*cell, step, row);
+        set_angle(*cell, step, row);
         values.push_back(std::move(row));
     }
     return values;
@@ -60,14 +60,14 @@ double slowest_time(const ReportData& data) {
     double most = 0;
     Omissions ignored;
     for (const PaperFigure& figure : figures)
-        for (const ChartJson& row : values_of(scene_file(data, scene_of(figure)), ignored))
+        for (const ChartJson& row : angular_values_of(scene_file(data, scene_of(figure)), ignored))
             most = std::max(most, row["high"].get<double>());
     return most;
 }
 
-/// The paper's axis at 60 and at 2 steps a second; beyond half a turn the axis comes back: all angles up to
+/// The paper's axis at 60 and at 2 steps per second; beyond half a turn the axis comes back: all angles up to
 /// half a turn are on it.
-ChartJson slots_of(const PaperFigure& figure, double most) {
+ChartJson angular_slots_of(const PaperFigure& figure, double most) {
     const auto end = [&](double step) { return std::min(figure.fastest * step, std::numbers::pi); };
     return {{"from_60", figure.slowest / 60},
             {"to_60", end(1.0 / 60)},
@@ -89,8 +89,9 @@ Chart paper_angular_chart(const ReportData& data, int number) {
                                     fmt::arg("says", figure.says));
     chart.section = number == 6 ? dynamic_section : scalability_section;
     Omissions omitted;
-    ChartJson values = values_of(scene_file(data, scene_of(figure)), omitted);
-    if (take_rows(chart, values, omitted)) draw(chart, data, values, slots_of(figure, slowest_time(data)));
+    ChartJson values = angular_values_of(scene_file(data, scene_of(figure)), omitted);
+    if (take_rows(chart, values, omitted))
+        draw(chart, data, values, angular_slots_of(figure, slowest_time(data)));
     return chart;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The paper's scalability in complexity: time and memory against the vertices of a body. Panels: coherent
-// queries, cold ones (hill climbing from anywhere), bytes of a table.
+// queries, cold ones (hill climbing from any vertex), bytes of a table.
 #include "edgewise/reports/charts/curves.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
@@ -10,7 +10,7 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr const char *warm = "ns a query", *cold = "ns a cold query", *bytes = "bytes of a table";
+constexpr const char *warm = "ns per query", *cold = "ns per cold query", *bytes = "bytes of a table";
 
 void add_times(const StoredScene& scene, const char* measure, Omissions& omitted, ChartJson& values) {
     for (const ReportCell* cell : scene.cells) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where this machine's own caches thrash: time a query against the number of bodies, each with a table of its
-// own, and under it the knee of the reuse distances beside the caches of this machine.
+// Where this machine's own caches thrash: time per query against the number of bodies, each with a table of
+// its own, and under it the knee of the reuse distances beside the caches of this machine.
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
@@ -31,13 +31,13 @@ ChartJson times_of(const StoredScene& scene, Omissions& omitted) {
 }
 
 /// The knee of the cell; where none was traced, that of the same table in the scene of the thrash, at the
-/// same angle a step, in proportion to the bodies.
+/// same angle per step, in proportion to the bodies.
 std::optional<double> knee_of(const ReportData& data, const ReportCell& cell, double bodies,
                               bool& estimated) {
     const measure::Figure own = cell.figure("reuse.line_knee_bytes");
     if (own.value) return own.value;
     const ReportCell* like =
-        nearest_cell(scene_file(data, "paper_thrash_386"), cell.algorithm, cell.table, thrash_turn);
+        nearest_cell(scene_file(data, "paper_thrash_386"), cell.algorithm, cell.table, thrash_step_angle);
     if (!like) return std::nullopt;
     const measure::Figure knee = like->figure("reuse.line_knee_bytes");
     const auto traced = scene_number(*like, "bodies");
@@ -63,7 +63,7 @@ ChartJson knees_of(const ReportData& data, const StoredScene& scene, std::vector
         notes.emplace_back(
             "Knees of cells whose reuse distances were not traced are those of paper_thrash_386 with the "
             "same "
-            "table at 7/60 rad a step, in proportion to the number of bodies.");
+            "table at 7/60 rad per step, in proportion to the number of bodies.");
     if (values.empty()) notes.emplace_back("No knee is drawn: no reuse distances were traced.");
     return values;
 }

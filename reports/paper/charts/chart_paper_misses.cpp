@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Misses a query in the modelled caches of 2001 against the angle a step: a row of panels a cache level, a
-// column a number of vertices.
+// Misses per query in the modelled caches of 2001 against the angle per step: a row of panels per cache
+// level, a column a number of vertices.
 #include <fmt/core.h>
 
 #include "edgewise/reports/charts/curves.hpp"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Misses a query against the size of a fully associative cache, of lines and of pages, at one angle a step:
-// a row of panels a number of vertices. The cache and the memories of 2001 stand as rules in every panel.
+// Misses per query against the size of a fully associative cache, of lines and of pages, at one angle per
+// step: a row of panels per number of vertices. The cache and the memories of 2001 stand as rules in every
+// panel.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -28,12 +29,12 @@ void add_curve(const ReportCell& cell, const store::ReuseNames& family, ChartJso
     }
 }
 
-/// The scene's cells whose angle a step is nearest to the one that is shown.
+/// The scene's cells whose angle per step is nearest to the one that is shown.
 void add_scene(const StoredScene& scene, ChartJson& values) {
     std::set<std::pair<std::string, std::string>> done;
     for (const ReportCell* cell : scene.cells) {
         if (!done.emplace(cell->algorithm, cell->table).second) continue;
-        const ReportCell* shown = nearest_cell(scene, cell->algorithm, cell->table, thrash_turn);
+        const ReportCell* shown = nearest_cell(scene, cell->algorithm, cell->table, thrash_step_angle);
         if (!shown) continue;
         for (const store::ReuseNames& family : store::reuse_names) add_curve(*shown, family, values);
     }

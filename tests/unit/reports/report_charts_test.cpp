@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/ratio_interval.hpp"
-#include "edgewise/reports/tables/text.hpp"
 #include "report_store.hpp"
 
 namespace edgewise::reports {
