@@ -13,7 +13,7 @@ namespace edgewise::reports {
 
 namespace {
 
-std::vector<ReportCell> in_order(std::vector<store::StoredCell> stored) {
+std::vector<ReportCell> reader_in_order(std::vector<store::StoredCell> stored) {
     std::vector<ReportCell> cells;
     for (store::StoredCell& cell : stored) {
         if (!cell.axes.empty()) cell.table += " " + cell.axes;
@@ -74,7 +74,7 @@ ReportData read_report(const std::string& store, const std::string& build) {
     data.meta = std::move(stored.meta);
     data.build = std::move(stored.build);
     data.other_builds = std::move(stored.other_builds);
-    data.cells = in_order(std::move(stored.cells));
+    data.cells = reader_in_order(std::move(stored.cells));
     sort_out(data);
     return data;
 }

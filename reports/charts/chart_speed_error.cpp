@@ -14,7 +14,7 @@ namespace edgewise::reports {
 
 namespace {
 
-void add_row(const ReportCell& cell, ChartJson& values, Omissions& omitted) {
+void speed_error_add_row(const ReportCell& cell, ChartJson& values, Omissions& omitted) {
     const measure::Figure ns = cell.figure("time.separated_ns");
     const measure::Figure error = cell.figure("error.worst_error_given");
     if (!ns.value || *ns.value <= 0) {
@@ -58,84 +58,30 @@ ChartJson ticks(const ChartJson& values, double floor) {
     return places;
 }
 
-ChartJson tooltip() {
-    ChartJson fields = ChartJson::array();
-    for (const char* name : {"table", "algorithm", "scene", "shape", "vertices"})
-        fields.push_back({{"field", name}, {"type", "nominal"}});
-    fields.push_back({{"field", "ns"}, {"type", "quantitative"}, {"format", ".4~g"}});
-    fields.push_back({{"field", "error"}, {"type", "quantitative"}, {"format", ".2~e"}});
-    return fields;
-}
-
-ChartJson point_layer(const ReportData& data, double floor, const ChartJson& places) {
-    const std::string label =
-        fmt::format("datum.value < {:g} ? 'exactly 0' : format(datum.value, '.0e')", floor * 2);
-    return {{"params", ChartJson::array({legend_pick("layout"), legend_pick("algorithm")})},
-            {"mark", {{"type", "point"}, {"filled", true}, {"size", 55}}},
-            {"encoding",
-             {{"x",
-               {{"field", "drawn"},
-                {"type", "quantitative"},
-                {"title", "worst error / scale"},
-                {"scale", log_scale()},
-                {"axis", {{"labelExpr", label}, {"values", places}}}}},
-              {"y",
-               {{"field", "ns"},
-                {"type", "quantitative"},
-                {"title", "ns a query, separated pairs"},
-                {"scale", log_scale()}}},
-              {"color", layout_colour(data)},
-              {"shape", algorithm_shape(data)},
-              {"opacity", picked_opacity({"layout", "algorithm"})},
-              {"tooltip", tooltip()}}}};
-}
-
-ChartJson floor_layer(double floor) {
-    return {{"data", {{"values", ChartJson::array({{{"drawn", floor}}})}}},
-            {"mark", {{"type", "rule"}, {"strokeDash", {2, 3}}, {"color", "#777"}}},
-            {"encoding", {{"x", {{"field", "drawn"}, {"type", "quantitative"}}}}}};
-}
-
 }  // namespace
 
 Chart speed_error_chart(const ReportData& data) {
-    Chart chart{"speed_error",
-                "Speed against error",
-                "Each point is a cell: left is more exact, low is faster, so the lower left corner wins. The "
-                "error is "
-                "the worst |d - d*| over the scale of the pair, against the exact distance of the bodies as "
-                "given, so "
-                "it includes what the table's rounding costs.",
-                nullptr,
-                {},
-                {}};
-    ChartJson values = ChartJson::array();
+    Chart chart = chart_of_file("speed_error");
+    ChartJson values = ChartJson::array(), floors = ChartJson::array();
     Omissions omitted;
     for (const ReportCell& cell : data.cells)
-        if (cell.verified()) add_row(cell, values, omitted);
-    omitted.write("cell", chart.notes);
-    thin(values, mark_limit, chart.notes);
-    if (values.empty()) return chart;
+        if (cell.verified()) speed_error_add_row(cell, values, omitted);
+    if (!take_rows(chart, values, omitted)) return chart;
     const double floor = place_on_axis(values);
-    ChartJson layers = ChartJson::array();
     const auto zeros =
         std::count_if(values.begin(), values.end(), [](const auto& row) { return row["error"] == 0; });
     if (zeros > 0) {
-        layers.push_back(floor_layer(floor));
+        floors.push_back(ChartJson::object({{"floor", floor}}));
         chart.notes.push_back(fmt::format(
             "{} of {} points have an error of exactly 0: they stand on the dotted line at the left edge, "
             "whose place on the axis means nothing.",
             zeros, values.size()));
     }
-    layers.push_back(point_layer(data, floor, ticks(values, floor)));
-    chart.spec = {
-        {"config", chart_config()},
-        {"data", {{"values", values}}},
-        {"facet",
-         {{"field", "scene"}, {"type", "nominal"}, {"title", nullptr}, {"sort", scene_labels(data)}}},
-        {"columns", 2},
-        {"spec", {{"width", 400}, {"height", 300}, {"layer", layers}}}};
-    chart.fallback = data_grid(values, {"scene", "shape", "algorithm", "table", "ns", "error"});
+    draw(chart, data, values,
+         {{"floors", floors},
+          {"ticks", ticks(values, floor)},
+          {"tick_label",
+           fmt::format("datum.value < {:g} ? 'exactly 0' : format(datum.value, '.0e')", floor * 2)}});
     return chart;
 }
 

@@ -8,19 +8,25 @@
 #include <algorithm>
 #include <set>
 
+#include "edgewise/reports/charts/spec_file.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/tables/cache_tables.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
-#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/store/palette.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-/// Ten plain colours and ten dark ones, all readable on white; beyond twenty layouts they repeat.
-const char* const palette[] = {"#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#8c564b",
-                               "#e377c2", "#7f7f7f", "#a3a500", "#0b3c5d", "#8b1a1a", "#145a14", "#4b2e83",
-                               "#a65200", "#0b6e78", "#4a2c24", "#9b2f72", "#3f3f3f", "#6f7010"};
+std::vector<std::string> charts_in_order(std::set<std::string> present,
+                                         const std::vector<std::string>& first) {
+    std::vector<std::string> names;
+    for (const std::string& name : first)
+        if (present.erase(name)) names.push_back(name);
+    names.insert(names.end(), present.begin(), present.end());
+    return names;
+}
 
 /// The distinct values of a member, those in `first` before the rest, the rest in order of name.
 std::vector<std::string> ordered_names(const ReportData& data, std::string ReportCell::*member,
@@ -28,12 +34,31 @@ std::vector<std::string> ordered_names(const ReportData& data, std::string Repor
     std::set<std::string> present;
     for (const auto* rows : {&data.cells, &data.stability, &data.from_files, &data.paging})
         for (const ReportCell& row : *rows) present.insert(row.*member);
-    std::vector<std::string> names;
-    for (const std::string& name : first)
-        if (present.erase(name)) names.push_back(name);
-    names.insert(names.end(), present.begin(), present.end());
-    return names;
+    return charts_in_order(std::move(present), first);
 }
+
+/// Those of the values' member that are in `first` before the rest.
+std::vector<std::string> ordered_values(const ChartJson& values, const char* member,
+                                        const std::vector<std::string>& first) {
+    std::set<std::string> present;
+    for (const ChartJson& row : values)
+        if (row.contains(member)) present.insert(row[member].get<std::string>());
+    return charts_in_order(std::move(present), first);
+}
+
+/// One of `list` for each name; beyond its end they repeat.
+template <class List>
+void add_order(ChartJson& slots, const std::string& names_slot, const std::vector<std::string>& names,
+               const std::string& list_slot, const List& list) {
+    ChartJson range = ChartJson::array();
+    for (std::size_t i = 0; i < names.size(); ++i) range.push_back(list[i % std::size(list)]);
+    slots[names_slot] = names;
+    slots[list_slot] = range;
+}
+
+const ChartJson dashes[] = {{1, 0}, {6, 3}, {2, 2}, {8, 3, 2, 3}, {1, 4}, {10, 2}, {4, 1, 1, 1, 1, 1}};
+const char* const point_shapes[] = {"circle", "triangle-up", "square", "diamond", "cross", "triangle-down"};
+const std::vector<std::string> first_precisions = {"f64", "f32", "mixed"};
 
 }  // namespace
 
@@ -52,89 +77,54 @@ ChartJson cell_json(const ReportCell& cell) {
             {"table", cell.table}};
 }
 
-ChartJson chart_config() {
-    return {
-        {"font", "system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif"},
-        {"background", "white"},
-        {"view", {{"stroke", "#d0d0d0"}}},
-        {"axis",
-         {{"labelFontSize", 11},
-          {"titleFontSize", 12},
-          {"titleFontWeight", "normal"},
-          {"gridColor", "#ececec"},
-          {"domainColor", "#888"},
-          {"tickColor", "#888"},
-          {"labelLimit", 240}}},
-        {"legend",
-         {{"labelFontSize", 11}, {"titleFontSize", 12}, {"symbolStrokeWidth", 2}, {"labelLimit", 240}}},
-        {"header",
-         {{"labelFontSize", 12}, {"labelFontWeight", "bold"}, {"titleFontSize", 12}, {"labelLimit", 600}}}};
+Chart chart_of_file(const std::string& name) {
+    ChartJson file = spec_file(name);
+    std::string how_to_read;
+    for (const ChartJson& line : file["how_to_read"])
+        how_to_read += (how_to_read.empty() ? "" : " ") + line.get<std::string>();
+    return {name, file["title"], how_to_read, nullptr, {}, {}, file.value("section", ""), file};
 }
 
-ChartJson layout_colour(const ReportData& data) {
-    const auto names = ordered_names(data, &ReportCell::layout, {"aos", "soa"});
-    ChartJson colours = ChartJson::array();
-    for (std::size_t i = 0; i < names.size(); ++i) colours.push_back(palette[i % std::size(palette)]);
-    return {{"field", "layout"},
-            {"type", "nominal"},
-            {"scale", {{"domain", names}, {"range", colours}}},
-            {"legend", {{"symbolLimit", 60}, {"symbolType", "circle"}, {"symbolOpacity", 1}}}};
+bool take_rows(Chart& chart, ChartJson& values, const Omissions& omitted, const std::string& noun) {
+    omitted.write(noun, chart.notes);
+    thin(values, chart.file.value("most_rows", mark_limit), chart.notes);
+    if (values.empty()) return false;
+    chart.fallback = data_grid(values, chart.file["fallback"]);
+    return true;
+}
+
+void draw(Chart& chart, const ReportData& data, const ChartJson& values, const ChartJson& slots) {
+    ChartJson all = order_slots(data, values);
+    all["values"] = values;
+    all.update(slots);
+    chart.spec = fill_spec(chart.file, all);
+}
+
+ChartJson order_slots(const ReportData& data, const ChartJson& values) {
+    ChartJson slots{{"scenes", scene_labels(data)}, {"shapes", shapes_by_size(data)}};
+    add_order(slots, "layouts", ordered_names(data, &ReportCell::layout, {"aos", "soa"}), "layout_colours",
+              store::layout_colours);
+    add_order(slots, "algorithms", algorithm_names(data), "algorithm_shapes", point_shapes);
+    add_order(slots, "precisions", ordered_names(data, &ReportCell::precision, first_precisions),
+              "precision_dashes", dashes);
+    add_order(slots, "variants", ordered_values(values, "variant", first_precisions), "variant_dashes",
+              dashes);
+    add_order(slots, "points", ordered_values(values, "point", algorithm_names(data)), "point_shapes",
+              point_shapes);
+    return slots;
+}
+
+std::vector<std::string> shapes_by_size(const ReportData& data) {
+    std::set<std::pair<std::int64_t, std::string>> shapes;
+    for (const ReportCell& cell : data.cells) shapes.emplace(cell.vertices, cell.shape);
+    std::vector<std::string> names;
+    for (const auto& [vertices, name] : shapes)
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    return names;
 }
 
 std::vector<std::string> algorithm_names(const ReportData& data) {
     return ordered_names(data, &ReportCell::algorithm, {"vclip", "gjk"});
-}
-
-ChartJson equal_filter(const std::string& field, const std::string& value) {
-    return {{"filter", {{"field", field}, {"equal", value}}}};
-}
-
-ChartJson log_scale() { return {{"type", "log"}, {"nice", false}, {"padding", 12}}; }
-
-ChartJson scene_rows(const ReportData& data) {
-    return {{"field", "scene"},
-            {"type", "nominal"},
-            {"title", nullptr},
-            {"sort", scene_labels(data)},
-            // The parameters on a line of their own: together they are longer than a panel is high.
-            {"header",
-             {{"labelExpr", "split(replace(datum.label, ')', ''), ' (')"},
-              {"labelFontSize", 10},
-              {"labelLimit", 420}}}};
-}
-
-ChartJson algorithm_shape(const ReportData& data) {
-    const auto names = algorithm_names(data);
-    const char* const shapes[] = {"circle", "triangle-up", "square", "diamond", "cross", "triangle-down"};
-    ChartJson range = ChartJson::array();
-    for (std::size_t i = 0; i < names.size(); ++i) range.push_back(shapes[i % std::size(shapes)]);
-    return {{"field", "algorithm"},
-            {"type", "nominal"},
-            {"scale", {{"domain", names}, {"range", range}}},
-            {"legend", {{"symbolOpacity", 1}}}};
-}
-
-ChartJson precision_dash(const ReportData& data) {
-    const auto names = ordered_names(data, &ReportCell::precision, {"f64", "f32", "mixed"});
-    const ChartJson dashes[] = {{1, 0}, {6, 3}, {2, 2}, {8, 3, 2, 3}};
-    ChartJson range = ChartJson::array();
-    for (std::size_t i = 0; i < names.size(); ++i) range.push_back(dashes[i % std::size(dashes)]);
-    return {{"field", "precision"},
-            {"type", "nominal"},
-            {"scale", {{"domain", names}, {"range", range}}},
-            {"legend", {{"symbolType", "stroke"}, {"symbolSize", 400}, {"symbolOpacity", 1}}}};
-}
-
-ChartJson legend_pick(const std::string& field) {
-    return {{"name", field + "_pick"},
-            {"select", {{"type", "point"}, {"fields", ChartJson::array({field})}}},
-            {"bind", "legend"}};
-}
-
-ChartJson picked_opacity(const std::vector<std::string>& fields) {
-    ChartJson all = ChartJson::array();
-    for (const std::string& field : fields) all.push_back({{"param", field + "_pick"}});
-    return {{"condition", {{"test", {{"and", all}}}, {"value", 0.9}}}, {"value", 0.06}};
 }
 
 void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes) {
@@ -202,24 +192,6 @@ ChartJson table_json(const ReportData& data, const std::string& algorithm, const
         break;
     }
     return result;
-}
-
-ChartJson table_lines(const ReportData& data, const ChartJson& values, const ChartJson& x,
-                      const ChartJson& y) {
-    return {{"config", chart_config()},
-            {"data", {{"values", values}}},
-            {"width", 640},
-            {"height", 300},
-            {"params", ChartJson::array({legend_pick("layout"), legend_pick("precision")})},
-            {"mark", {{"type", "line"}, {"point", true}, {"strokeWidth", 1.4}}},
-            {"encoding",
-             {{"x", x},
-              {"y", y},
-              {"color", layout_colour(data)},
-              {"strokeDash", precision_dash(data)},
-              {"shape", algorithm_shape(data)},
-              {"detail", {{"field", "algorithm"}, {"type", "nominal"}}},
-              {"opacity", picked_opacity({"layout", "precision"})}}}};
 }
 
 }  // namespace edgewise::reports

@@ -25,6 +25,7 @@ struct Chart {
     std::vector<std::string> notes;  ///< what is not drawn, and why
     TextGrid fallback;               ///< the data as a small table, where no picture can be shown
     std::string section = {};  ///< of the chapter on the paper's figures; empty: among the page's charts
+    ChartJson file = {};       ///< what its file says (spec_file.hpp)
 };
 
 [[nodiscard]] Chart bytes_chart(const ReportData& data);
@@ -36,8 +37,28 @@ struct Chart {
 [[nodiscard]] Chart gap_chart(const ReportData& data);
 [[nodiscard]] std::vector<Chart> all_charts(const ReportData& data);
 
-/// The most marks one chart may hold; browsers draw this many in about half a second.
+/// The most marks one chart may hold; browsers draw this many in about half a second. A chart that draws a
+/// row more than once names fewer rows in its file.
 inline constexpr std::size_t mark_limit = 20000;
+
+/// Counts what was left out by reason, and writes one note for each.
+class Omissions {
+  public:
+    void add(const std::string& reason);
+    void write(const std::string& noun, std::vector<std::string>& notes) const;
+
+  private:
+    std::vector<std::pair<std::string, std::size_t>> counts_;
+};
+/// The chart that NAME.vl.json describes, without data.
+[[nodiscard]] Chart chart_of_file(const std::string& name);
+/// Sets the rows of its fallback table, thins them, notes what was left out (`noun`: of what there was none
+/// to draw); false when no row is left.
+[[nodiscard]] bool take_rows(Chart& chart, ChartJson& values, const Omissions& omitted = {},
+                             const std::string& noun = "cell");
+/// Fills its specification: `slots`, the rows as $values, and the orders and colours of what the data holds.
+void draw(Chart& chart, const ReportData& data, const ChartJson& values,
+          const ChartJson& slots = ChartJson::object());
 
 /// What names a cell in every chart's data.
 [[nodiscard]] ChartJson cell_json(const ReportCell& cell);
@@ -52,39 +73,15 @@ struct StabilityFigure {
 /// What names an algorithm on a table type.
 [[nodiscard]] ChartJson table_json(const ReportData& data, const std::string& algorithm,
                                    const std::string& table);
-/// One line an algorithm x table type.
-[[nodiscard]] ChartJson table_lines(const ReportData& data, const ChartJson& values, const ChartJson& x,
-                                    const ChartJson& y);
-/// Font, grid lines and legend sizes: one look for all.
-[[nodiscard]] ChartJson chart_config();
-/// Colour by layout, from a fixed order of names, whatever else is shown or hidden.
-[[nodiscard]] ChartJson layout_colour(const ReportData& data);
-/// Point shape by algorithm; dash by precision.
-[[nodiscard]] ChartJson algorithm_shape(const ReportData& data);
-[[nodiscard]] ChartJson precision_dash(const ReportData& data);
+/// Colours by layout, shapes by algorithm, dashes by precision, each from a fixed order of names, whatever
+/// else is shown or hidden; of curves also dashes by variant and shapes by point (curves.hpp).
+[[nodiscard]] ChartJson order_slots(const ReportData& data, const ChartJson& values);
 /// Algorithms in the order of all charts.
 [[nodiscard]] std::vector<std::string> algorithm_names(const ReportData& data);
-/// Keeps the rows whose `field` is `value`; the value is data, never part of an expression.
-[[nodiscard]] ChartJson equal_filter(const std::string& field, const std::string& value);
-/// A logarithmic scale that ends a little beyond the data, not at the next power of ten.
-[[nodiscard]] ChartJson log_scale();
-/// One row of panels a scene, in the order of the tables.
-[[nodiscard]] ChartJson scene_rows(const ReportData& data);
-/// A parameter that a click in the legend of `field` sets.
-[[nodiscard]] ChartJson legend_pick(const std::string& field);
-/// Opaque where all `fields` are picked (or none is), else faint.
-[[nodiscard]] ChartJson picked_opacity(const std::vector<std::string>& fields);
+/// Shapes by vertices, then name.
+[[nodiscard]] std::vector<std::string> shapes_by_size(const ReportData& data);
 /// Keeps every k-th row so that at most `rows` stay; says so in a note.
 void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes);
-/// Counts what was left out by reason, and writes one note for each.
-class Omissions {
-  public:
-    void add(const std::string& reason);
-    void write(const std::string& noun, std::vector<std::string>& notes) const;
-
-  private:
-    std::vector<std::pair<std::string, std::size_t>> counts_;
-};
 /// The first rows of a chart's data under the given fields.
 [[nodiscard]] TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fields);
 

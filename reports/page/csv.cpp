@@ -21,7 +21,7 @@ std::string quoted(const std::string& field) {
     return out + "\"";
 }
 
-std::string row(const std::vector<std::string>& fields) {
+std::string csv_row(const std::vector<std::string>& fields) {
     std::string out;
     for (std::size_t i = 0; i < fields.size(); ++i) (out += i ? "," : "") += quoted(fields[i]);
     return out + "\r\n";
@@ -65,7 +65,7 @@ std::string rows_of(const ReportData& data, const ReportCell& cell) {
         std::vector<std::string> fields = cell_fields(data, cell);
         const std::vector<std::string> rest = figure_fields(figure);
         fields.insert(fields.end(), rest.begin(), rest.end());
-        out += row(fields);
+        out += csv_row(fields);
     }
     return out;
 }
@@ -73,12 +73,12 @@ std::string rows_of(const ReportData& data, const ReportCell& cell) {
 }  // namespace
 
 std::string results_csv(const ReportData& data) {
-    std::string out = row({"build",         "hash",         "scene",     "scene_parameters",
-                           "shape",         "shape_source", "algorithm", "layout",
-                           "precision",     "table_type",   "vertices",  "edges",
-                           "faces",         "seed",         "queries",   "status",
-                           "status_reason", "probe",        "figure",    "state",
-                           "value",         "unit",         "reason",    "remedy"});
+    std::string out = csv_row({"build",         "hash",         "scene",     "scene_parameters",
+                               "shape",         "shape_source", "algorithm", "layout",
+                               "precision",     "table_type",   "vertices",  "edges",
+                               "faces",         "seed",         "queries",   "status",
+                               "status_reason", "probe",        "figure",    "state",
+                               "value",         "unit",         "reason",    "remedy"});
     for (const auto* cells : {&data.cells, &data.from_files, &data.paging}) {
         for (const ReportCell& cell : *cells) out += rows_of(data, cell);
     }

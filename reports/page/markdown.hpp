@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "edgewise/reports/charts/charts.hpp"
-#include "edgewise/reports/page/figures.hpp"
+#include "edgewise/reports/page/pictures.hpp"
 #include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
 
 [[nodiscard]] std::string report_markdown(const ReportData& data, const std::vector<Chart>& charts,
-                                          const StaticFigures& figures);
+                                          const StaticPictures& pictures);
 
 }  // namespace edgewise::reports

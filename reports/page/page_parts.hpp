@@ -6,7 +6,7 @@
 #include <string>
 
 #include "edgewise/reports/charts/charts.hpp"
-#include "edgewise/reports/page/figures.hpp"
+#include "edgewise/reports/page/pictures.hpp"
 
 namespace edgewise::reports {
 
@@ -18,10 +18,10 @@ namespace edgewise::reports {
 [[nodiscard]] std::string html_folded(const std::string& summary, const std::string& inside);
 /// Title, words, picture or fallback, notes; `alive`: with its specification for the scripts; `level`: of its
 /// heading, such as "h3".
-[[nodiscard]] std::string html_chart(const Chart& chart, const StaticFigures& figures, bool alive,
+[[nodiscard]] std::string html_chart(const Chart& chart, const StaticPictures& pictures, bool alive,
                                      const std::string& level);
 /// Likewise as Markdown; the picture is linked, where there is one. `level`: of its heading, such as "###".
-[[nodiscard]] std::string markdown_chart(const Chart& chart, const StaticFigures& figures,
+[[nodiscard]] std::string markdown_chart(const Chart& chart, const StaticPictures& pictures,
                                          const std::string& level);
 
 }  // namespace edgewise::reports

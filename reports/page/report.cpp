@@ -26,7 +26,7 @@ void make_directory(const std::filesystem::path& out) {
                                              failed ? failed.message() : "it is not a directory"));
 }
 
-ReportSummary summary(const ReportData& data, const StaticFigures& figures, bool charts,
+ReportSummary summary(const ReportData& data, const StaticPictures& pictures, bool charts,
                       const std::filesystem::path& page) {
     ReportSummary result;
     result.cells = data.cell_count();
@@ -36,8 +36,8 @@ ReportSummary summary(const ReportData& data, const StaticFigures& figures, bool
     result.build = data.build.id;
     result.page = page.string();
     result.charts = charts;
-    result.pictures = figures.svg.size();
-    result.note = charts ? figures.note : "The chart bundles are missing: the report shows tables only.";
+    result.pictures = pictures.svg.size();
+    result.note = charts ? pictures.note : "The chart bundles are missing: the report shows tables only.";
     return result;
 }
 
@@ -50,11 +50,11 @@ ReportSummary write_report(const std::string& store, const std::string& out_dire
     make_directory(out);
     const std::vector<Chart> charts = all_charts(data);
     const std::string scripts = bundle_scripts(bundle_directory);
-    const StaticFigures figures = write_figures(charts, out, bundle_directory);
+    const StaticPictures pictures = write_pictures(charts, out, bundle_directory);
     write_file(out / "results.csv", results_csv(data));
-    write_file(out / "report.md", report_markdown(data, charts, figures));
-    write_file(out / "index.html", page_html(data, charts, figures, scripts));
-    return summary(data, figures, !scripts.empty(), out / "index.html");
+    write_file(out / "report.md", report_markdown(data, charts, pictures));
+    write_file(out / "index.html", page_html(data, charts, pictures, scripts));
+    return summary(data, pictures, !scripts.empty(), out / "index.html");
 }
 
 }  // namespace edgewise::reports

@@ -19,7 +19,7 @@ bool is_component(const store::FigureRow& figure) {
     return figure.probe == "bytes" && figure.unit == "B/edge" && !total;
 }
 
-std::string in_words(std::string name) {
+std::string bytes_in_words(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
     return name;
 }
@@ -73,10 +73,10 @@ std::vector<std::string> byte_components(const ReportData& data) {
 TextGrid bytes_grid(const ReportData& data, const std::string& shape) {
     const std::vector<std::string> components = byte_components(data);
     TextGrid grid{"Bytes per edge of the built tables" + (shape.empty() ? "" : ", " + shape), {}, {}};
-    if (shape.empty()) grid.columns = {{"shape"}, {"edges", true}};
+    if (shape.empty()) grid.columns = columns_of("shape|#edges");
     grid.columns.push_back({"algorithm"});
     grid.columns.push_back({"table type"});
-    for (const std::string& name : components) grid.columns.push_back({in_words(name), true});
+    for (const std::string& name : components) grid.columns.push_back({bytes_in_words(name), true});
     for (const char* title : {"total", "paper's subtotal (slope)", "total (slope)", "table, bytes"})
         grid.columns.push_back({title, true});
     std::vector<const ReportCell*> cells;

@@ -11,7 +11,7 @@
 #include <set>
 #include <tuple>
 
-#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
@@ -36,12 +36,12 @@ std::vector<std::string> levels_of(const ReportData& data, const std::string& ma
     return levels;
 }
 
-std::vector<GridColumn> naming_columns() { return {{"scene"}, {"shape"}, {"algorithm"}, {"table type"}}; }
+std::vector<GridColumn> naming_columns() { return columns_of("scene|shape|algorithm|table type"); }
 std::vector<GridCell> naming(const ReportCell& cell) {
-    return {{cell.scene_label}, {cell.shape}, {cell.algorithm}, {cell.table}};
+    return grid_row(cell.scene_label, cell.shape, cell.algorithm, cell.table);
 }
 
-GridCell scaled(const measure::Figure& figure, double unit) {
+GridCell cache_scaled(const measure::Figure& figure, double unit) {
     if (!figure.value) return figure_cell(figure);
     return {number_text(*figure.value / unit)};
 }
@@ -88,7 +88,7 @@ std::vector<std::string> modelled_machines(const ReportData& data) {
 
 TextGrid misses_grid(const ReportData& data) {
     TextGrid grid{
-        "Misses a query in the steady pass, by machine and level; memory time is a model, with * one of "
+        "Misses per query in the steady pass, by machine and level; memory time is a model, with * one of "
         "latencies "
         "that no source proves",
         naming_columns(),
@@ -111,7 +111,7 @@ TextGrid misses_grid(const ReportData& data) {
 }
 
 TextGrid causes_grid(const ReportData& data, const std::string& machine) {
-    TextGrid grid{fmt::format("{}: misses a query by cause; bytes brought into the first level", machine),
+    TextGrid grid{fmt::format("{}: misses per query by cause; bytes brought into the first level", machine),
                   naming_columns(),
                   {}};
     std::vector<std::string> names;
@@ -120,7 +120,7 @@ TextGrid causes_grid(const ReportData& data, const std::string& machine) {
                                     {"caches.{machine}.{level}.cold_misses_per_query", "all (cold)"},
                                     {"caches.{machine}.{level}.capacity_per_query", "capacity"},
                                     {"caches.{machine}.{level}.conflict_per_query", "conflict"},
-                                    {"caches.{machine}.{level}.misses_per_edge", "all an edge"}};
+                                    {"caches.{machine}.{level}.misses_per_edge", "all per edge"}};
     for (const std::string& level : levels_of(data, machine)) {
         for (const auto& [name, title] : columns) {
             grid.columns.push_back({fmt::format("{} {}", level, title), true});
@@ -157,7 +157,7 @@ TextGrid breakdown_grid(const ReportData& data, const std::string& machine, cons
         for (const store::FigureRow& figure : cell->figures)
             if (const auto part = all.value_in(figure.probe, figure.name)) parts.insert(*part);
     }
-    TextGrid grid{fmt::format("{} {}: misses a query, by {}; a dash: not accessed", machine, level,
+    TextGrid grid{fmt::format("{} {}: misses per query, by {}; a dash: not accessed", machine, level,
                               &by.info() == &misses_by_field.info() ? "what was read" : "what read it"),
                   naming_columns(),
                   {}};
@@ -199,7 +199,8 @@ TextGrid working_sets_grid(const ReportData& data) {
     for (const Column& column : columns) grid.columns.push_back({column.title, true});
     for (const ReportCell* cell : modelled_cells(data)) {
         std::vector<GridCell> row = naming(*cell);
-        for (const Column& column : columns) row.push_back(scaled(cell->figure(column.figure), column.unit));
+        for (const Column& column : columns)
+            row.push_back(cache_scaled(cell->figure(column.figure), column.unit));
         grid.rows.push_back(std::move(row));
     }
     return grid;

@@ -17,7 +17,7 @@ namespace edgewise::reports {
 /// Machines with figures, in order of name; not those under another policy.
 [[nodiscard]] std::vector<std::string> modelled_machines(const ReportData& data);
 
-/// Misses a query in each level of each machine, and the modelled memory time.
+/// Misses per query in each level of each machine, and the modelled memory time.
 [[nodiscard]] TextGrid misses_grid(const ReportData& data);
 /// Of one machine: each level's misses by cause, cold and warm.
 [[nodiscard]] TextGrid causes_grid(const ReportData& data, const std::string& machine);
@@ -34,7 +34,8 @@ inline constexpr store::FigureName misses_by_field("caches.{machine}.{level}.fie
 /// What the processor and the kernel counted, and what the heap took: of one scene, the reference shape.
 [[nodiscard]] TextGrid counters_grid(const ReportData& data);
 
-/// One line a scene, algorithm and level: whether tree-PLRU or random replacement ranks the tables otherwise.
+/// One line per scene, algorithm and level: whether tree-PLRU or random replacement ranks the tables
+/// otherwise.
 [[nodiscard]] TextGrid policy_grid(const ReportData& data);
 
 }  // namespace edgewise::reports

@@ -10,8 +10,8 @@ namespace edgewise::reports {
 namespace {
 
 std::vector<GridCell> problem_row(const ReportCell& cell) {
-    return {{cell.status},    {cell.scene_label}, {cell.shape},
-            {cell.algorithm}, {cell.table},       {cell.reason.empty() ? "no reason stored" : cell.reason}};
+    return grid_row(cell.status, cell.scene_label, cell.shape, cell.algorithm, cell.table,
+                    cell.reason.empty() ? "no reason stored" : cell.reason);
 }
 
 void add_status(TextGrid& grid, const ReportData& data, const std::string& status) {
@@ -38,7 +38,7 @@ std::vector<std::string> scene_labels(const ReportData& data) {
 }
 
 TextGrid scenes_grid(const ReportData& data) {
-    TextGrid grid{"", {{"scene"}, {"parameters"}, {"cells", true}, {"queries a cell", true}}, {}};
+    TextGrid grid{"", columns_of("scene|parameters|#cells|#queries per cell"), {}};
     for (const std::string& label : scene_labels(data)) {
         std::size_t cells = 0;
         std::int64_t least = 0, most = 0;
@@ -52,46 +52,25 @@ TextGrid scenes_grid(const ReportData& data) {
         }
         const std::string queries =
             least == most ? std::to_string(most) : std::to_string(least) + " to " + std::to_string(most);
-        grid.rows.push_back({{label}, {parameters}, {std::to_string(cells)}, {queries}});
+        grid.rows.push_back(grid_row(label, parameters, cells, queries));
     }
     return grid;
 }
 
 TextGrid problems_grid(const ReportData& data) {
-    TextGrid grid{"", {{"status"}, {"scene"}, {"shape"}, {"algorithm"}, {"table type"}, {"reason"}}, {}};
+    TextGrid grid{"", columns_of("status|scene|shape|algorithm|table type|reason"), {}};
     add_status(grid, data, "failed");
     add_status(grid, data, "unavailable");
     return grid;
 }
 
 TextGrid cells_grid(const ReportData& data) {
-    TextGrid grid{"",
-                  {{"scene"},
-                   {"shape"},
-                   {"source"},
-                   {"V", true},
-                   {"E", true},
-                   {"F", true},
-                   {"algorithm"},
-                   {"table type"},
-                   {"seed", true},
-                   {"queries", true},
-                   {"status"},
-                   {"cell"}},
-                  {}};
+    TextGrid grid{
+        "", columns_of("scene|shape|source|#V|#E|#F|algorithm|table type|#seed|#queries|status|cell"), {}};
     for (const ReportCell& cell : data.cells)
-        grid.rows.push_back({{cell.scene_label},
-                             {cell.shape},
-                             {cell.shape_source},
-                             {std::to_string(cell.vertices)},
-                             {std::to_string(cell.edges)},
-                             {std::to_string(cell.faces)},
-                             {cell.algorithm},
-                             {cell.table},
-                             {std::to_string(cell.seed)},
-                             {std::to_string(cell.queries)},
-                             {cell.status},
-                             {cell.hash.substr(0, 12)}});
+        grid.rows.push_back(grid_row(cell.scene_label, cell.shape, cell.shape_source, cell.vertices,
+                                     cell.edges, cell.faces, cell.algorithm, cell.table, cell.seed,
+                                     cell.queries, cell.status, cell.hash.substr(0, 12)));
     return grid;
 }
 

@@ -5,19 +5,19 @@
 #include <algorithm>
 
 #include "edgewise/reports/tables/cache_tables.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
-#include "edgewise/reports/tables/text.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-struct Column {
+struct CounterColumn {
     const char* title;
     store::FigureName figure;
 };
 
-constexpr Column columns[] = {
+constexpr CounterColumn counter_columns[] = {
     {"minor faults", "counters.minor_faults"},
     {"major faults", "counters.major_faults"},
     {"context switches", "counters.context_switches"},
@@ -43,20 +43,20 @@ TextGrid counters_grid(const ReportData& data) {
         const bool same_scene = cells.empty() || cells.front()->scene_label == cell.scene_label;
         if (cell.verified() && cell.shape == shape && same_scene) cells.push_back(&cell);
     }
-    TextGrid grid{cells.empty() ? "" : cells.front()->scene_label + ", " + shape + ", a query",
-                  {{"algorithm"}, {"table type"}},
+    TextGrid grid{cells.empty() ? "" : cells.front()->scene_label + ", " + shape + ", per query",
+                  columns_of("algorithm|table type"),
                   {}};
-    std::vector<Column> shown;
-    for (const Column& column : columns) {
+    std::vector<CounterColumn> shown;
+    for (const CounterColumn& column : counter_columns) {
         const auto has = [&](const ReportCell* cell) {
             return cell->figure(column.figure).value.has_value();
         };
         if (std::any_of(cells.begin(), cells.end(), has)) shown.push_back(column);
     }
-    for (const Column& column : shown) grid.columns.push_back({column.title, true});
+    for (const CounterColumn& column : shown) grid.columns.push_back({column.title, true});
     for (const ReportCell* cell : cells) {
         std::vector<GridCell> row = {{cell->algorithm}, {cell->table}};
-        for (const Column& column : shown) row.push_back(figure_cell(cell->figure(column.figure)));
+        for (const CounterColumn& column : shown) row.push_back(figure_cell(cell->figure(column.figure)));
         grid.rows.push_back(std::move(row));
     }
     return grid;

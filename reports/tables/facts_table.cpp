@@ -16,60 +16,60 @@ namespace edgewise::reports {
 namespace {
 
 // Ordered: facts are shown in the order in which the machine report gives them.
-using Json = nlohmann::ordered_json;
+using FactsJson = nlohmann::ordered_json;
 
-std::string plain(const Json& value) {
+std::string plain(const FactsJson& value) {
     if (value.is_null()) return "not known";
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// "model x, cores 2": an object's members in order; a list's items apart by semicolons.
-std::string in_words(const Json& value) {
+/// "model x, cores 2": an object's members in order; a list's items separated by semicolons.
+std::string facts_in_words(const FactsJson& value) {
     std::string out;
     if (value.is_object())
         for (const auto& item : value.items())
-            out += (out.empty() ? "" : ", ") + item.key() + " " + in_words(item.value());
+            out += (out.empty() ? "" : ", ") + item.key() + " " + facts_in_words(item.value());
     else if (value.is_array())
-        for (const Json& item : value) out += (out.empty() ? "" : "; ") + in_words(item);
+        for (const FactsJson& item : value) out += (out.empty() ? "" : "; ") + facts_in_words(item);
     else
         out = plain(value);
     return out;
 }
 
 /// "L1 data 32 KiB, line 64" for a cache in the usual words, else its members as they are.
-std::string cache_in_words(Json cache) {
-    if (!cache.is_object() || !cache.contains("level")) return in_words(cache);
+std::string cache_in_words(FactsJson cache) {
+    if (!cache.is_object() || !cache.contains("level")) return facts_in_words(cache);
     std::string out = "L" + plain(cache["level"]);
     cache.erase("level");
     if (cache.contains("type")) out += " " + plain(cache["type"]);
     cache.erase("type");
     for (const char* key : {"bytes", "size", "size_bytes"}) {
         if (!cache.contains(key)) continue;
-        const Json size = cache[key];
+        const FactsJson size = cache[key];
         const bool kibibytes = size.is_number_unsigned() && size.get<std::uint64_t>() % 1024 == 0;
         out += kibibytes ? fmt::format(" {} KiB", size.get<std::uint64_t>() / 1024) : " " + plain(size);
         cache.erase(key);
     }
-    const std::string rest = in_words(cache);
+    const std::string rest = facts_in_words(cache);
     return rest.empty() ? out : out + " (" + rest + ")";
 }
 
-std::string caches_in_words(const Json& caches) {
-    if (!caches.is_array()) return in_words(caches);
+std::string caches_in_words(const FactsJson& caches) {
+    if (!caches.is_array()) return facts_in_words(caches);
     std::string out;
-    for (const Json& cache : caches) out += (out.empty() ? "" : "; ") + cache_in_words(cache);
+    for (const FactsJson& cache : caches) out += (out.empty() ? "" : "; ") + cache_in_words(cache);
     return out;
 }
 
-std::string member(const Json& object, const char* key) {
+std::string member(const FactsJson& object, const char* key) {
     return object.is_object() && object.contains(key) && !object[key].is_null() ? plain(object[key]) : "";
 }
 
 /// "3 counted (cycles, instructions, ...); 2 unavailable: misses (reason; remedy)"
-std::string counters_in_words(const Json& counters) {
+std::string counters_in_words(const FactsJson& counters) {
     std::string counted;
     std::map<std::string, std::string> unavailable;
-    for (const Json& counter : counters) {
+    for (const FactsJson& counter : counters) {
         const std::string event = member(counter, "event");
         if (member(counter, "status") == "counted") {
             counted += (counted.empty() ? "" : ", ") + event;
@@ -90,7 +90,7 @@ void add(TextGrid& grid, const std::string& key, const std::string& value) {
 }
 
 /// The machine's remaining plain facts; where one could not be read, the reason that the machine gave.
-std::string further_facts(const Json& machine) {
+std::string further_facts(const FactsJson& machine) {
     std::string out;
     for (const auto& item : machine.items()) {
         if (item.value().is_structured()) continue;
@@ -104,9 +104,9 @@ std::string further_facts(const Json& machine) {
 }
 
 void add_machine(TextGrid& grid, const std::string& machine_json) {
-    const Json machine = Json::parse(machine_json, nullptr, false);
+    const FactsJson machine = FactsJson::parse(machine_json, nullptr, false);
     const bool object = machine.is_object();
-    add(grid, "CPU", object && machine.contains("cpu") ? in_words(machine["cpu"]) : "");
+    add(grid, "CPU", object && machine.contains("cpu") ? facts_in_words(machine["cpu"]) : "");
     add(grid, "caches", object && machine.contains("caches") ? caches_in_words(machine["caches"]) : "");
     add(grid, "hardware counters",
         object && machine.contains("counters") ? counters_in_words(machine["counters"]) : "");
@@ -131,7 +131,7 @@ std::string seeds(const ReportData& data) {
 }  // namespace
 
 TextGrid facts_grid(const ReportData& data) {
-    TextGrid grid{"", {{"fact"}, {"value"}}, {}};
+    TextGrid grid{"", columns_of("fact|value"), {}};
     add_machine(grid, data.build.machine_json);
     add(grid, "compiler", data.build.compiler);
     add(grid, "flags", data.build.flags);

@@ -16,7 +16,7 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr double mebibyte = 1 << 20;
+constexpr double layout_mebibyte = 1 << 20;
 
 /// The warm scene if there is one: its queries are what layouts are for.
 std::string reference_scene(const ReportData& data) {
@@ -35,15 +35,13 @@ GridCell scaled_cell(const measure::Figure& figure, double unit, int digits) {
 }
 
 std::vector<GridCell> cost_row(const ReportCell& cell) {
-    return {{cell.algorithm},
-            {cell.table},
-            scaled_cell(cell.figure("lines.lines_per_query"), 1, 1),
-            scaled_cell(cell.figure("lines.line_bytes_per_query"), 1, 0),
-            scaled_cell(cell.figure("lines.read_bytes_per_query"), 1, 0),
-            scaled_cell(cell.figure("build.build_ns"), 1000, 1),
-            scaled_cell(cell.figure("build.refit_ns"), 1000, 1),
-            scaled_cell(cell.figure("build.refit_over_build"), 1, 2),
-            scaled_cell(cell.figure("memory.materialised"), 1, 3)};
+    return grid_row(cell.algorithm, cell.table, scaled_cell(cell.figure("lines.lines_per_query"), 1, 1),
+                    scaled_cell(cell.figure("lines.line_bytes_per_query"), 1, 0),
+                    scaled_cell(cell.figure("lines.read_bytes_per_query"), 1, 0),
+                    scaled_cell(cell.figure("build.build_ns"), 1000, 1),
+                    scaled_cell(cell.figure("build.refit_ns"), 1000, 1),
+                    scaled_cell(cell.figure("build.refit_over_build"), 1, 2),
+                    scaled_cell(cell.figure("memory.materialised"), 1, 3));
 }
 
 double lines_of(const ReportCell& cell) {
@@ -54,17 +52,11 @@ double lines_of(const ReportCell& cell) {
 
 TextGrid layout_cost_grid(const ReportData& data) {
     const std::string scene = reference_scene(data), shape = reference_shape(data);
-    TextGrid grid{fmt::format("{}, {}, fewest lines first", scene, shape),
-                  {{"algorithm"},
-                   {"table type"},
-                   {"lines a query", true},
-                   {"their bytes", true},
-                   {"bytes read", true},
-                   {"build, us", true},
-                   {"refit, us", true},
-                   {"refit / build", true},
-                   {"materialised", true}},
-                  {}};
+    TextGrid grid{
+        fmt::format("{}, {}, fewest lines first", scene, shape),
+        columns_of("algorithm|table type|#lines per query|#their bytes|#bytes read|#build, us|#refit, us|"
+                   "#refit / build|#materialised"),
+        {}};
     std::vector<const ReportCell*> cells;
     for (const ReportCell& cell : data.cells)
         if (cell.verified() && cell.scene_label == scene && cell.shape == shape) cells.push_back(&cell);
@@ -76,32 +68,22 @@ TextGrid layout_cost_grid(const ReportData& data) {
 }
 
 TextGrid scene_memory_grid(const ReportData& data) {
-    TextGrid grid{"Cells with more than four tables",
-                  {{"scene"},
-                   {"shape"},
-                   {"algorithm"},
-                   {"table type"},
-                   {"tables", true},
-                   {"asked for, MiB", true},
-                   {"taken, MiB", true},
-                   {"resident, MiB", true},
-                   {"ns a query", true},
-                   {"ratio to baseline", true}},
-                  {}};
+    TextGrid grid{
+        "Cells with more than four tables",
+        columns_of("scene|shape|algorithm|table type|#tables|#asked for, MiB|#taken, MiB|#resident, MiB|"
+                   "#ns per query|#ratio to baseline"),
+        {}};
     for (const ReportCell& cell : data.cells) {
         const measure::Figure tables = cell.figure("memory.tables");
         const bool many = tables.value && *tables.value > 4;
         if (!cell.verified() || !many) continue;
-        grid.rows.push_back({{cell.scene_label},
-                             {cell.shape},
-                             {cell.algorithm},
-                             {cell.table},
-                             scaled_cell(tables, 1, 0),
-                             scaled_cell(cell.figure("memory.requested_bytes"), mebibyte, 2),
-                             scaled_cell(cell.figure("memory.taken_bytes"), mebibyte, 2),
-                             scaled_cell(cell.figure("memory.resident_bytes"), mebibyte, 2),
-                             scaled_cell(cell.figure("time.separated_ns"), 1, 0),
-                             scaled_cell(cell.figure("time.separated_ratio"), 1, 3)});
+        grid.rows.push_back(grid_row(cell.scene_label, cell.shape, cell.algorithm, cell.table,
+                                     scaled_cell(tables, 1, 0),
+                                     scaled_cell(cell.figure("memory.requested_bytes"), layout_mebibyte, 2),
+                                     scaled_cell(cell.figure("memory.taken_bytes"), layout_mebibyte, 2),
+                                     scaled_cell(cell.figure("memory.resident_bytes"), layout_mebibyte, 2),
+                                     scaled_cell(cell.figure("time.separated_ns"), 1, 0),
+                                     scaled_cell(cell.figure("time.separated_ratio"), 1, 3)));
     }
     return grid;
 }

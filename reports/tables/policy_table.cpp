@@ -67,17 +67,11 @@ std::vector<PolicyLevel> policy_levels(const ReportCell& cell) {
 }  // namespace
 
 TextGrid policy_grid(const ReportData& data) {
-    TextGrid grid{"Does the replacement policy change the ranking by misses? (LRU first)",
-                  {{"scene"},
-                   {"shape"},
-                   {"algorithm"},
-                   {"machine and policy"},
-                   {"level"},
-                   {"pairs of tables", true},
-                   {"in another order", true},
-                   {"ranking changes"},
-                   {"first example (misses under LRU, under the policy)"}},
-                  {}};
+    TextGrid grid{
+        "Does the replacement policy change the ranking by misses? (LRU first)",
+        columns_of("scene|shape|algorithm|machine and policy|level|#pairs of tables|#in another order|"
+                   "ranking changes|first example (misses under LRU, under the policy)"),
+        {}};
     using Group = std::tuple<std::string, std::string, std::string, std::string, std::string>;
     std::map<Group, std::vector<Ranked>> groups;
     for (const ReportCell* cell : modelled_cells(data)) {

@@ -18,20 +18,20 @@ namespace edgewise::reports {
 
 namespace {
 
-using Json = nlohmann::json;
+using SceneLabelJson = nlohmann::json;
 
-Json parse_parameters(const std::string& text) {
-    Json parsed = Json::parse(text, nullptr, false);
+SceneLabelJson parse_parameters(const std::string& text) {
+    SceneLabelJson parsed = SceneLabelJson::parse(text, nullptr, false);
     if (parsed.is_object()) return parsed;
-    return text.empty() ? Json::object() : Json{{"parameters", text}};
+    return text.empty() ? SceneLabelJson::object() : SceneLabelJson{{"parameters", text}};
 }
 
 /// The keys whose value is not the same in all of `variants`, each with the value that more than half of
-/// them have: that one goes without saying. Empty: no value is so common.
+/// them have: that one is not written. Empty: no value is so common.
 std::map<std::string, std::string> differing_keys(const std::set<std::string>& variants) {
     std::map<std::string, std::map<std::string, std::size_t>> values;
     for (const std::string& variant : variants) {
-        const Json parameters = parse_parameters(variant);
+        const SceneLabelJson parameters = parse_parameters(variant);
         for (const auto& item : parameters.items()) ++values[item.key()][item.value().dump()];
     }
     std::map<std::string, std::string> differing;
@@ -44,14 +44,14 @@ std::map<std::string, std::string> differing_keys(const std::set<std::string>& v
     return differing;
 }
 
-std::string shown(const Json& value) {
+std::string shown(const SceneLabelJson& value) {
     if (value.is_string()) return value.get<std::string>();
     const double number = value.is_number() ? value.get<double>() : 0.5;
     return std::floor(number) == number ? fmt::format("{:.0f}", number) : value.dump();
 }
 
 std::string label(const ReportCell& cell, const std::map<std::string, std::string>& keys) {
-    const Json parameters = parse_parameters(cell.scene_parameters);
+    const SceneLabelJson parameters = parse_parameters(cell.scene_parameters);
     std::vector<std::string> inside;
     for (const auto& [key, usual] : keys) {
         if (parameters.contains(key) && parameters[key].dump() != usual)

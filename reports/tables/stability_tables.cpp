@@ -11,7 +11,7 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr SummaryColumn columns[] = {
+constexpr SummaryColumn stability_columns[] = {
     {"cases", "stability.cases", true},
     {"refused", "stability.refused", true},
     {"in the band", "stability.in_band", true},
@@ -42,26 +42,27 @@ TextGrid stability_summary_grid(const ReportData& data) {
     std::map<std::pair<std::string, std::string>, std::vector<const ReportCell*>> groups;
     for (const ReportCell& row : data.stability) groups[{row.algorithm, row.table}].push_back(&row);
     TextGrid grid{"Over all families: sums of counts, worst of the rest",
-                  {{"algorithm"}, {"table type"}, {"families", true}, {"failed", true}},
+                  columns_of("algorithm|table type|#families|#failed"),
                   {}};
-    for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
+    for (const SummaryColumn& column : stability_columns) grid.columns.push_back({column.title, true});
     for (const auto& [name, rows] : groups) {
         const auto failed = std::count_if(rows.begin(), rows.end(),
                                           [](const ReportCell* row) { return row->status == "failed"; });
         std::vector<GridCell> cells{
             {name.first}, {name.second}, {std::to_string(rows.size())}, {std::to_string(failed)}};
-        for (const SummaryColumn& column : columns) cells.push_back(summary_cell(rows, column));
+        for (const SummaryColumn& column : stability_columns) cells.push_back(summary_cell(rows, column));
         grid.rows.push_back(std::move(cells));
     }
     return grid;
 }
 
 TextGrid stability_grid(const ReportData& data) {
-    TextGrid grid{"Family by family", {{"family"}, {"algorithm"}, {"table type"}, {"status"}}, {}};
-    for (const SummaryColumn& column : columns) grid.columns.push_back({column.title, true});
+    TextGrid grid{"Family by family", columns_of("family|algorithm|table type|status"), {}};
+    for (const SummaryColumn& column : stability_columns) grid.columns.push_back({column.title, true});
     for (const ReportCell& row : data.stability) {
         std::vector<GridCell> cells{{row.shape}, {row.algorithm}, {row.table}, {row.status}};
-        for (const SummaryColumn& column : columns) cells.push_back(figure_cell(row.figure(column.figure)));
+        for (const SummaryColumn& column : stability_columns)
+            cells.push_back(figure_cell(row.figure(column.figure)));
         grid.rows.push_back(std::move(cells));
     }
     return grid;

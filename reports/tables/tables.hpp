@@ -30,10 +30,10 @@ enum class PairKind { Separated, Overlapping };
 [[nodiscard]] std::string reference_shape(const ReportData& data);
 /// Names of the bytes probe's components, the paper's three first.
 [[nodiscard]] std::vector<std::string> byte_components(const ReportData& data);
-/// Bytes an edge by component; an empty `shape` means all of them.
+/// Bytes per edge by component; an empty `shape` means all of them.
 [[nodiscard]] TextGrid bytes_grid(const ReportData& data, const std::string& shape);
 
-/// Cache lines a query, time to build and refit, part ever materialised: one scene, the reference shape.
+/// Cache lines per query, time to build and refit, part ever materialised: one scene, the reference shape.
 [[nodiscard]] TextGrid layout_cost_grid(const ReportData& data);
 /// What the tables of scenes with more than a few of them take, beside the time of their queries.
 [[nodiscard]] TextGrid scene_memory_grid(const ReportData& data);
@@ -53,9 +53,9 @@ struct Drawing {
 /// The error figures of every cell.
 [[nodiscard]] TextGrid error_grid(const ReportData& data);
 
-/// The stability run, all families together: one row an algorithm x table type.
+/// The stability run, all families together: one row per algorithm and table type.
 [[nodiscard]] TextGrid stability_summary_grid(const ReportData& data);
-/// One row a family x algorithm x table type.
+/// One row per family x algorithm and table type.
 [[nodiscard]] TextGrid stability_grid(const ReportData& data);
 
 /// Scene labels in order.

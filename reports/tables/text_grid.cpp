@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// See grid.hpp. Reasons are numbered under each table, so that they are read without a mouse and on paper.
+// See text_grid.hpp. Reasons are numbered under each table, so that they are read without a mouse and on
+// paper.
 #include "edgewise/reports/tables/text_grid.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <sstream>
 
-#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
@@ -56,6 +58,16 @@ GridCell missing_cell(const std::string& why) {
 GridCell figure_cell(const measure::Figure& figure) {
     if (figure.value) return {number_text(*figure.value, figure.unit)};
     return missing_cell(figure.remedy.empty() ? figure.reason : figure.reason + " – " + figure.remedy);
+}
+
+std::vector<GridColumn> columns_of(std::string_view titles) {
+    std::vector<GridColumn> columns;
+    std::istringstream rest{std::string(titles)};
+    for (std::string title; std::getline(rest, title, '|');) {
+        const bool number = title.starts_with('#');
+        columns.push_back({number ? title.substr(1) : title, number});
+    }
+    return columns;
 }
 
 std::string grid_html(const TextGrid& grid) {

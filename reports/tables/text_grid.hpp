@@ -3,7 +3,9 @@
 // A table as text, before it is HTML or Markdown: both pages show the same grids, so they cannot disagree.
 #pragma once
 
+#include <concepts>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/reports/reader.hpp"
@@ -29,6 +31,23 @@ struct TextGrid {
 /// The figure's number, or "not measured" with its reason and remedy.
 [[nodiscard]] GridCell figure_cell(const measure::Figure& figure);
 [[nodiscard]] GridCell missing_cell(const std::string& why);
+
+/// From titles with bars between them, "scene|#tables|#ns": '#' stands before those that are set flush right.
+[[nodiscard]] std::vector<GridColumn> columns_of(std::string_view titles);
+
+[[nodiscard]] inline GridCell grid_cell(const GridCell& cell) { return cell; }
+[[nodiscard]] inline GridCell grid_cell(const measure::Figure& figure) { return figure_cell(figure); }
+[[nodiscard]] inline GridCell grid_cell(const std::string& text) { return {text}; }
+[[nodiscard]] inline GridCell grid_cell(const char* text) { return {text}; }
+template <std::integral Number>
+[[nodiscard]] GridCell grid_cell(Number number) {
+    return {std::to_string(number)};
+}
+/// A cell of each: text, a whole number, a figure, or a cell as it is.
+template <class... Cells>
+[[nodiscard]] std::vector<GridCell> grid_row(const Cells&... cells) {
+    return {grid_cell(cells)...};
+}
 
 [[nodiscard]] std::string grid_html(const TextGrid& grid);
 [[nodiscard]] std::string grid_markdown(const TextGrid& grid);

@@ -7,9 +7,9 @@
 #include <limits>
 #include <tuple>
 
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/ratio_interval.hpp"
 #include "edgewise/reports/tables/tables.hpp"
-#include "edgewise/reports/tables/text.hpp"
 
 namespace edgewise::reports {
 
@@ -36,15 +36,11 @@ GridCell ratio_interval_cell(const ReportCell& cell, PairKind kind) {
 std::vector<GridCell> time_row(const ReportCell& cell, PairKind kind) {
     const store::QueryTime& times = times_of(kind);
     const measure::Figure ratio = cell.figure(times.ratio);
-    return {{cell.shape},
-            {std::to_string(cell.vertices)},
-            {cell.algorithm},
-            {cell.table},
-            figure_cell(cell.figure(times.ns)),
-            interval_cell(cell.figure(times.low), cell.figure(times.high)),
-            ratio.value ? GridCell{fmt::format("{:.3f}", *ratio.value)} : figure_cell(ratio),
-            ratio.value ? ratio_interval_cell(cell, kind) : figure_cell(ratio),
-            figure_cell(cell.figure("time.rounds"))};
+    return grid_row(cell.shape, cell.vertices, cell.algorithm, cell.table, cell.figure(times.ns),
+                    interval_cell(cell.figure(times.low), cell.figure(times.high)),
+                    ratio.value ? GridCell{fmt::format("{:.3f}", *ratio.value)} : figure_cell(ratio),
+                    ratio.value ? ratio_interval_cell(cell, kind) : figure_cell(ratio),
+                    cell.figure("time.rounds"));
 }
 
 /// Unmeasured cells go last.
@@ -56,18 +52,12 @@ double rank(const ReportCell& cell, PairKind kind) {
 
 TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
                    const std::string& shape) {
-    TextGrid grid{fmt::format("{}, {} pairs{}, fastest first", scene_label, pair_name(kind),
-                              shape.empty() ? ": by shape" : ", " + shape),
-                  {{"shape"},
-                   {"vertices", true},
-                   {"algorithm"},
-                   {"table type"},
-                   {"ns a query", true},
-                   {"95 % interval", true},
-                   {"ratio to baseline", true},
-                   {"95 % interval", true},
-                   {"rounds", true}},
-                  {}};
+    TextGrid grid{
+        fmt::format("{}, {} pairs{}, fastest first", scene_label, pair_name(kind),
+                    shape.empty() ? ": by shape" : ", " + shape),
+        columns_of("shape|#vertices|algorithm|table type|#ns per query|#95 % interval|#ratio to baseline|"
+                   "#95 % interval|#rounds"),
+        {}};
     std::vector<std::pair<double, const ReportCell*>> cells;
     for (const ReportCell& cell : data.cells)
         if (cell.verified() && cell.scene_label == scene_label && (shape.empty() || cell.shape == shape))

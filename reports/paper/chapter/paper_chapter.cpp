@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "edgewise/reports/page/page_parts.hpp"
-#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
@@ -27,10 +27,10 @@ bool is_empty(const ChapterPart& part, const std::vector<Chart>& charts) {
            std::none_of(part.long_grids.begin(), part.long_grids.end(), has_rows);
 }
 
-std::string part_html(const ChapterPart& part, const std::vector<Chart>& charts, const StaticFigures& figures,
-                      bool alive) {
-    std::string out = fmt::format("<h3>{}</h3>\n", html_text(part.title)) + html_paragraph(part.words);
-    for (const Chart* chart : charts_of(part, charts)) out += html_chart(*chart, figures, alive, "h4");
+std::string part_html(const ChapterPart& part, const std::vector<Chart>& charts,
+                      const StaticPictures& pictures, bool alive) {
+    std::string out = fmt::format("<h3>{}</h3>\n", html_text(part.title)) + html_paragraph(part.paragraph);
+    for (const Chart* chart : charts_of(part, charts)) out += html_chart(*chart, pictures, alive, "h4");
     for (const TextGrid& grid : part.grids)
         if (!grid.rows.empty()) out += grid_html(grid);
     for (const TextGrid& grid : part.long_grids)
@@ -41,9 +41,9 @@ std::string part_html(const ChapterPart& part, const std::vector<Chart>& charts,
 }
 
 std::string part_markdown(const ChapterPart& part, const std::vector<Chart>& charts,
-                          const StaticFigures& figures) {
-    std::string out = fmt::format("### {}\n\n{}\n\n", part.title, part.words);
-    for (const Chart* chart : charts_of(part, charts)) out += markdown_chart(*chart, figures, "####");
+                          const StaticPictures& pictures) {
+    std::string out = fmt::format("### {}\n\n{}\n\n", part.title, part.paragraph);
+    for (const Chart* chart : charts_of(part, charts)) out += markdown_chart(*chart, pictures, "####");
     for (const auto* grids : {&part.grids, &part.long_grids})
         for (const TextGrid& grid : *grids)
             if (!grid.rows.empty()) out += grid_markdown(grid);
@@ -53,22 +53,22 @@ std::string part_markdown(const ChapterPart& part, const std::vector<Chart>& cha
 }  // namespace
 
 std::string paper_chapter_html(const ReportData& data, const std::vector<Chart>& charts,
-                               const StaticFigures& figures, bool alive) {
+                               const StaticPictures& pictures, bool alive) {
     if (!has_paper_chapter(data)) return {};
     std::string out = html_heading("paper", paper_chapter_title(data));
     for (const TextGrid& grid : opening_grids(data)) out += grid_html(grid);
     for (const ChapterPart& part : chapter_parts(data))
-        if (!is_empty(part, charts)) out += part_html(part, charts, figures, alive);
+        if (!is_empty(part, charts)) out += part_html(part, charts, pictures, alive);
     return out;
 }
 
 std::string paper_chapter_markdown(const ReportData& data, const std::vector<Chart>& charts,
-                                   const StaticFigures& figures) {
+                                   const StaticPictures& pictures) {
     if (!has_paper_chapter(data)) return {};
     std::string out = fmt::format("## {}\n\n", paper_chapter_title(data));
     for (const TextGrid& grid : opening_grids(data)) out += grid_markdown(grid);
     for (const ChapterPart& part : chapter_parts(data))
-        if (!is_empty(part, charts)) out += part_markdown(part, charts, figures);
+        if (!is_empty(part, charts)) out += part_markdown(part, charts, pictures);
     return out;
 }
 

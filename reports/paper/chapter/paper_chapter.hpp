@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "edgewise/reports/charts/charts.hpp"
-#include "edgewise/reports/page/figures.hpp"
+#include "edgewise/reports/page/pictures.hpp"
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
 namespace edgewise::reports {
 
-/// One part: words, then its charts, then its grids; one without charts and rows is left out.
+/// One part: a paragraph, then its charts, then its grids; one without charts and rows is left out.
 struct ChapterPart {
-    std::string title, words;
+    std::string title, paragraph;
     std::string section;                      ///< of its charts (paper_charts.hpp); empty: it has none
     std::vector<TextGrid> grids, long_grids;  ///< in full view; folded
 };
@@ -29,8 +29,8 @@ struct ChapterPart {
 
 /// Empty without scenes from files.
 [[nodiscard]] std::string paper_chapter_html(const ReportData& data, const std::vector<Chart>& charts,
-                                             const StaticFigures& figures, bool alive);
+                                             const StaticPictures& pictures, bool alive);
 [[nodiscard]] std::string paper_chapter_markdown(const ReportData& data, const std::vector<Chart>& charts,
-                                                 const StaticFigures& figures);
+                                                 const StaticPictures& pictures);
 
 }  // namespace edgewise::reports

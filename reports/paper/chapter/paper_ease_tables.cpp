@@ -8,7 +8,7 @@
 
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
 #include "edgewise/reports/paper/chapter/source_facts.hpp"
-#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
@@ -32,12 +32,8 @@ std::string bodies_accepted(const std::string& algorithm) {
 
 TextGrid source_grid() {
     TextGrid grid{"Source of each algorithm in this program (no blank and no comment lines)",
-                  {{"algorithm"},
-                   {"files", true},
-                   {"lines of code", true},
-                   {"tolerances", true},
-                   {"which"},
-                   {"bodies accepted (concave ones by none)"}},
+                  columns_of("algorithm|#files|#lines of code|#tolerances|which|"
+                             "bodies accepted (concave ones by none)"),
                   {}};
     for (const SourceFacts& facts : source_facts())
         grid.rows.push_back(
@@ -51,26 +47,17 @@ TextGrid source_grid() {
 }
 
 TextGrid build_grid(const ReportData& data) {
-    TextGrid grid{"Preprocessing: building a table, and refitting it to a deformed body of the same topology",
-                  {{"shape"},
-                   {"vertices", true},
-                   {"algorithm"},
-                   {"table type"},
-                   {"build, ns", true},
-                   {"refit, ns", true},
-                   {"bytes an edge (slope)", true},
-                   {"table, bytes", true}},
-                  {}};
+    TextGrid grid{
+        "Preprocessing: building a table, and refitting it to a deformed body of the same topology",
+        columns_of("shape|#vertices|algorithm|table type|#build, ns|#refit, ns|#bytes per edge (slope)|"
+                   "#table, bytes"),
+        {}};
     for (const ReportCell* cell : scene_file(data, "paper_complexity").cells) {
         if (!cell->axes.empty()) continue;
-        grid.rows.push_back({{cell->shape},
-                             {std::to_string(cell->vertices)},
-                             {cell->algorithm},
-                             {cell->table},
-                             figure_cell(cell->figure("build.build_ns")),
-                             figure_cell(cell->figure("build.refit_ns")),
-                             figure_cell(cell->figure("bytes.paper_bytes_per_edge")),
-                             figure_cell(cell->figure("bytes.table_bytes"))});
+        grid.rows.push_back(grid_row(cell->shape, cell->vertices, cell->algorithm, cell->table,
+                                     cell->figure("build.build_ns"), cell->figure("build.refit_ns"),
+                                     cell->figure("bytes.paper_bytes_per_edge"),
+                                     cell->figure("bytes.table_bytes")));
     }
     return grid;
 }

@@ -27,7 +27,7 @@ Groups groups_of(const StoredScene& scene) {
     return groups;
 }
 
-GridCell ratio_of(const ByAxes& cells, const std::string& need, const store::FigureName& time) {
+GridCell needs_ratio_of(const ByAxes& cells, const std::string& need, const store::FigureName& time) {
     const auto cell = cells.find("needs=" + need), plain = cells.find("");
     if (cell == cells.end()) return missing_cell("the store has no cell with needs=" + need);
     const measure::Figure ns = cell->second->figure(time);
@@ -42,7 +42,7 @@ GridCell ratio_of(const ByAxes& cells, const std::string& need, const store::Fig
 
 TextGrid needs_grid(const ReportData& data) {
     TextGrid grid{"What each need costs: time over that of witness points, the plain cell",
-                  {{"shape"}, {"algorithm"}, {"table type"}, {"pairs"}, {"witnesses, ns", true}},
+                  columns_of("shape|algorithm|table type|pairs|#witnesses, ns"),
                   {}};
     for (const char* need : needs) grid.columns.push_back({need, true});
     for (const auto& [key, cells] : groups_of(scene_file(data, "paper_needs"))) {
@@ -50,10 +50,10 @@ TextGrid needs_grid(const ReportData& data) {
         const auto plain = cells.find("");
         for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
             const store::FigureName& time = times_of(kind).ns;
-            std::vector<GridCell> row{{shape}, {algorithm}, {table}, {pair_name(kind)}};
+            std::vector<GridCell> row = grid_row(shape, algorithm, table, pair_name(kind));
             row.push_back(plain == cells.end() ? missing_cell("the store has no plain cell")
                                                : figure_cell(plain->second->figure(time)));
-            for (const char* need : needs) row.push_back(ratio_of(cells, need, time));
+            for (const char* need : needs) row.push_back(needs_ratio_of(cells, need, time));
             grid.rows.push_back(std::move(row));
         }
     }

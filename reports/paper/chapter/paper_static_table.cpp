@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
-#include "edgewise/reports/paper/charts/turn.hpp"
-#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/paper/charts/rotation_angle.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
@@ -36,7 +36,7 @@ GridCell cell_of(const ReportCell* cell, const store::FigureName& name) {
 }
 
 /// Both relative to the baseline timed in the same rounds: what moved the clock is in neither.
-GridCell ratio_of(const Sides& sides) {
+GridCell static_ratio_of(const Sides& sides) {
     if (!sides.vclip || !sides.gjk) return {"–"};
     const measure::Figure vclip = sides.vclip->figure("time.all_ratio"),
                           gjk = sides.gjk->figure("time.all_ratio");
@@ -45,8 +45,8 @@ GridCell ratio_of(const Sides& sides) {
     return {fmt::format("{:.3f}", *gjk.value / *vclip.value)};
 }
 
-GridCell place_of(const StoredScene& scene, const ReportCell& cell) {
-    if (scene.varied == "rotation_step" && is_random_turn(cell)) return {"random"};
+GridCell static_place_of(const StoredScene& scene, const ReportCell& cell) {
+    if (scene.varied == "rotation_step" && has_random_orientation(cell)) return {"random"};
     const auto place = scene.place(cell);
     return place ? GridCell{number_text(*place)} : missing_cell("its scene parameters do not hold it");
 }
@@ -54,7 +54,7 @@ GridCell place_of(const StoredScene& scene, const ReportCell& cell) {
 }  // namespace
 
 TextGrid static_grid(const ReportData& data) {
-    TextGrid grid{"Static test: ns a query, all pairs as they come; building a table apart",
+    TextGrid grid{"Static test: ns per query, all pairs as they come; building a table separately",
                   {{"shape"},
                    {"vertices", true},
                    {"table type"},
@@ -66,35 +66,24 @@ TextGrid static_grid(const ReportData& data) {
                   {}};
     for (const auto& [key, sides] : sides_of(scene_file(data, "paper_static"))) {
         const auto& [vertices, shape, table] = key;
-        grid.rows.push_back({{shape},
-                             {std::to_string(vertices)},
-                             {table},
-                             cell_of(sides.vclip, "time.all_ns"),
-                             cell_of(sides.gjk, "time.all_ns"),
-                             ratio_of(sides),
-                             cell_of(sides.vclip, "build.build_ns"),
-                             cell_of(sides.gjk, "build.build_ns")});
+        grid.rows.push_back(grid_row(shape, vertices, table, cell_of(sides.vclip, "time.all_ns"),
+                                     cell_of(sides.gjk, "time.all_ns"), static_ratio_of(sides),
+                                     cell_of(sides.vclip, "build.build_ns"),
+                                     cell_of(sides.gjk, "build.build_ns")));
     }
     return grid;
 }
 
 TextGrid file_scene_grid(const StoredScene& scene) {
     TextGrid grid{scene.name + (scene.note.empty() ? "" : ": " + scene.note),
-                  {{"shape"},
-                   {"algorithm"},
-                   {"table type"},
-                   {"ns a query, all", true},
-                   {"from", true},
-                   {"to", true},
-                   {"ratio to baseline", true},
-                   {"separated, ns", true},
-                   {"overlapping, ns", true}},
+                  columns_of("shape|algorithm|table type|#ns per query, all|#from|#to|#ratio to baseline|"
+                             "#separated, ns|#overlapping, ns"),
                   {}};
     const bool varies = !scene.varied.empty();
     if (varies) grid.columns.insert(grid.columns.begin() + 1, {scene.axis_title(), true});
     for (const ReportCell* cell : scene.cells) {
         std::vector<GridCell> row{{cell->shape}};
-        if (varies) row.push_back(place_of(scene, *cell));
+        if (varies) row.push_back(static_place_of(scene, *cell));
         row.push_back({cell->algorithm});
         row.push_back({cell->table});
         for (const store::FigureName& name :

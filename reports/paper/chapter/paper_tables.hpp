@@ -12,7 +12,8 @@
 
 namespace edgewise::reports {
 
-/// V-Clip and GJK side by side in the scene without coherence, by shape and table type; preprocessing apart.
+/// V-Clip and GJK side by side in the scene without coherence, by shape and table type; preprocessing
+/// separately.
 [[nodiscard]] TextGrid static_grid(const ReportData& data);
 /// Every cell of a scene from a file: where it stands, its times, its ratio to the baseline.
 [[nodiscard]] TextGrid file_scene_grid(const StoredScene& scene);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See paper_thrash.hpp. One function a sentence.
+// See paper_thrash.hpp. One function per sentence.
 #include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 
 #include <fmt/format.h>
@@ -15,16 +15,18 @@
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
-#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-constexpr double mebibyte = 1048576;
+constexpr double thrash_mebibyte = 1048576;
 
 std::string bytes_text(double bytes) {
-    return bytes < mebibyte ? number_text(bytes / 1024) + " KiB" : number_text(bytes / mebibyte) + " MiB";
+    return bytes < thrash_mebibyte ? number_text(bytes / 1024) + " KiB"
+                                   : number_text(bytes / thrash_mebibyte) + " MiB";
 }
 
 std::string missing_text(const std::string& why) { return "missing (" + why + ")"; }
@@ -64,7 +66,7 @@ std::string factor_at(const ReportData& data, const char* machine, bool fastest)
                                     step = thrash_step(data, 386, fastest),
                                     time = thrash_figure(data, 386, fastest, store::memory_time.of(machine));
     const std::string speed =
-        step.value ? number_text(*step.value) + " rad a step" : (fastest ? "the fastest" : "the slowest");
+        step.value ? number_text(*step.value) + " rad per step" : (fastest ? "the fastest" : "the slowest");
     if (!factor.value) return fmt::format("at {} {}", speed, missing_text(factor.reason));
     const std::string times =
         std::isfinite(*factor.value) ? "by a factor of " + number_text(*factor.value) : "from none";
@@ -83,10 +85,8 @@ std::string cache_sentence(const ReportData& data) {
     for (const char* machine : old_machines)
         machines.push_back(fmt::format("{} {} and {}", machine, factor_at(data, machine, false),
                                        factor_at(data, machine, true)));
-    return fmt::format(
-        "From 38 to 386 vertices the modelled memory time of a query of V-Clip on aos_f64 grows ({}); the "
-        "paper's axis grows by a factor of {}, to {} us more.",
-        fmt::join(machines, "; "), papers_factor, number_text(papers_growth_ns / 1000));
+    return prose("thrash_cache.md", fmt::arg("machines", fmt::join(machines, "; ")),
+                 fmt::arg("factor", papers_factor), fmt::arg("us", number_text(papers_growth_ns / 1000)));
 }
 
 /// From which size on, and at 386 vertices from which speed on, a knee passes what was there in 2001.
@@ -106,7 +106,7 @@ std::string where_it_passes(const ReportData& data, const store::FigureName& kne
     if (!any) return "nowhere that is known";
     if (!size) return "at none of these sizes and speeds";
     return fmt::format("from {} vertices on, with 386 {}", *size,
-                       speed ? fmt::format("from {} rad a step on", number_text(*speed)) : "at no speed");
+                       speed ? fmt::format("from {} rad per step on", number_text(*speed)) : "at no speed");
 }
 
 std::string knees_text(const ReportData& data, const store::FigureName& knee) {
@@ -119,13 +119,11 @@ std::string knees_text(const ReportData& data, const store::FigureName& knee) {
 
 std::string line_sentence(const ReportData& data) {
     constexpr store::FigureName knee("reuse.line_knee_bytes");
-    return fmt::format(
-        "With {} bodies the cache that a query needs (knee of the lines) is {}: it passes the {} of a "
-        "second-level cache {}. In proportion, {} bodies of 386 vertices are enough for that, of 38 it takes "
-        "{}.",
-        count_text(thrash_bodies(data, 386)), knees_text(data, knee), bytes_text(old_cache),
-        where_it_passes(data, knee, old_cache), count_text(bodies_to_fill(data, 386, knee, old_cache)),
-        count_text(bodies_to_fill(data, 38, knee, old_cache)));
+    return prose("thrash_lines.md", fmt::arg("bodies", count_text(thrash_bodies(data, 386))),
+                 fmt::arg("knees", knees_text(data, knee)), fmt::arg("cache", bytes_text(old_cache)),
+                 fmt::arg("where", where_it_passes(data, knee, old_cache)),
+                 fmt::arg("large", count_text(bodies_to_fill(data, 386, knee, old_cache))),
+                 fmt::arg("small", count_text(bodies_to_fill(data, 38, knee, old_cache))));
 }
 
 /// Of all bodies' tables, used or not.
@@ -142,16 +140,13 @@ std::string page_sentence(const ReportData& data) {
     constexpr store::FigureName knee("reuse.page_knee_bytes");
     std::string tables = tables_text(data);
     tables[0] = static_cast<char>(std::toupper(tables[0]));
-    return tables + "; " +
-           fmt::format(
-               "the memory that a query needs (knee of the pages) is {}: it passes {} {}. In proportion, "
-               "{} is too "
-               "little from {} bodies of 386 vertices on (of 38: {}), and {} from {}.",
-               knees_text(data, knee), bytes_text(least_old_memory),
-               where_it_passes(data, knee, least_old_memory), bytes_text(least_old_memory),
-               count_text(bodies_to_fill(data, 386, knee, least_old_memory)),
-               count_text(bodies_to_fill(data, 38, knee, least_old_memory)), bytes_text(most_old_memory),
-               count_text(bodies_to_fill(data, 386, knee, most_old_memory)));
+    return prose("thrash_pages.md", fmt::arg("tables", tables), fmt::arg("knees", knees_text(data, knee)),
+                 fmt::arg("least", bytes_text(least_old_memory)),
+                 fmt::arg("where", where_it_passes(data, knee, least_old_memory)),
+                 fmt::arg("large", count_text(bodies_to_fill(data, 386, knee, least_old_memory))),
+                 fmt::arg("small", count_text(bodies_to_fill(data, 38, knee, least_old_memory))),
+                 fmt::arg("most", bytes_text(most_old_memory)),
+                 fmt::arg("most_large", count_text(bodies_to_fill(data, 386, knee, most_old_memory))));
 }
 
 /// Of one row of the paging run: the largest memory that faulted.
@@ -173,7 +168,7 @@ std::string measured_text(const ReportCell& row) {
                                         bodies ? fmt::format(", {:.0f} bodies", *bodies) : "");
     if (!any) return fmt::format("{}: {}", who, missing_text(why));
     if (!memory) return fmt::format("{}: no faults under any limit", who);
-    return fmt::format("{}: {} faults a query with {} for its tables", who, number_text(*faults),
+    return fmt::format("{}: {} faults per query with {} for its tables", who, number_text(*faults),
                        bytes_text(*memory));
 }
 
@@ -184,7 +179,7 @@ std::string measured_sentence(const ReportData& data) {
     return fmt::format("Measured under memory limits, the largest that faulted: {}.", fmt::join(rows, "; "));
 }
 
-/// A figure over the baseline's, both at 386 vertices and the slowest turn.
+/// A figure over the baseline's, both at 386 vertices and the slowest rotation.
 std::string share_text(const measure::Figure& figure, const measure::Figure& base) {
     if (!figure.value) return missing_text(figure.reason);
     if (!base.value || *base.value <= 0) return "no ratio";
@@ -214,7 +209,7 @@ std::string layouts_sentence(const ReportData& data) {
     if (texts.empty())
         return "What other layouts do to it is missing: the store has no other table type there.";
     return fmt::format(
-        "Relative to V-Clip on aos_f64, at the slowest turn, in cache, in memory and in memory time on a {}: "
+        "Relative to V-Clip on aos_f64, at the slowest rotation, in cache, in memory and in memory time on a {}: "
         "{}.",
         old_machines[0], fmt::join(texts, "; "));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The part of the chapter on the thrash at 386 vertices: what the paper saw in its figure 8 and explained in
-// two ways. The answer is worked out from the store, by rules (thrash_evidence.hpp).
+// two ways. The answer is computed from the store, by rules (thrash_evidence.hpp).
 #pragma once
 
 #include <string>

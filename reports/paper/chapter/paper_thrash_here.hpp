@@ -9,8 +9,8 @@
 
 namespace edgewise::reports {
 
-/// V-Clip's time at 386 vertices over that at 38, at the fastest turn, with a table for every body and with
-/// one for all; GJK's beside it. What is not stored is said to be missing.
+/// V-Clip's time at 386 vertices over that at 38, at the fastest rotation, with a table for every body and
+/// with one for all; GJK's beside it. What is not stored is said to be missing.
 [[nodiscard]] std::string thrash_here(const ReportData& data);
 
 }  // namespace edgewise::reports

@@ -1,34 +1,31 @@
 // SPDX-License-Identifier: MIT
 //
-// What layouts, orders and sharing do to the thrash, at every number of vertices and angle a step.
+// What layouts, orders and sharing do to the thrash, at every number of vertices and angle per step.
 #include <fmt/core.h>
 
 #include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
-#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-GridCell scaled(const measure::Figure& figure, double unit) {
+GridCell thrash_scaled(const measure::Figure& figure, double unit) {
     return figure.value ? GridCell{number_text(*figure.value / unit)} : figure_cell(figure);
 }
 
-std::vector<GridCell> row_of(int vertices, double step, const ReportCell& cell) {
-    std::vector<GridCell> row{{std::to_string(vertices)},
-                              {number_text(step)},
-                              {cell.algorithm},
-                              {cell.table},
-                              scaled(cell.figure("reuse.line_knee_bytes"), 1024),
-                              scaled(cell.figure("reuse.page_knee_bytes"), 1048576),
-                              figure_cell(cell.figure("reuse.lines_per_query")),
-                              figure_cell(cell.figure("reuse.pages_per_query"))};
+std::vector<GridCell> thrash_row_of(int vertices, double step, const ReportCell& cell) {
+    std::vector<GridCell> row =
+        grid_row(vertices, number_text(step), cell.algorithm, cell.table,
+                 thrash_scaled(cell.figure("reuse.line_knee_bytes"), 1024),
+                 thrash_scaled(cell.figure("reuse.page_knee_bytes"), 1048576),
+                 cell.figure("reuse.lines_per_query"), cell.figure("reuse.pages_per_query"));
     for (const OldLevel& level : old_levels)
         row.push_back(figure_cell(cell.figure(store::level_misses.of(level.machine, level.level))));
     for (const char* machine : old_machines)
-        row.push_back(scaled(cell.figure(store::memory_time.of(machine)), 1000));
+        row.push_back(thrash_scaled(cell.figure(store::memory_time.of(machine)), 1000));
     return row;
 }
 
@@ -36,15 +33,9 @@ std::vector<GridCell> row_of(int vertices, double step, const ReportCell& cell) 
 
 TextGrid thrash_grid(const ReportData& data) {
     TextGrid grid{
-        "The thrash by table: knees, lines and pages a query touches, modelled misses and memory time",
-        {{"vertices", true},
-         {"rad a step", true},
-         {"algorithm"},
-         {"table type"},
-         {"line knee, KiB", true},
-         {"page knee, MiB", true},
-         {"lines a query", true},
-         {"pages a query", true}},
+        "The thrash by table: knees, lines and pages per query touches, modelled misses and memory time",
+        columns_of("#vertices|#rad per step|algorithm|table type|#line knee, KiB|#page knee, MiB|"
+                   "#lines per query|#pages per query"),
         {}};
     for (const OldLevel& level : old_levels)
         grid.columns.push_back({std::string(level.label) + ": misses", true});
@@ -53,7 +44,7 @@ TextGrid thrash_grid(const ReportData& data) {
     for (const int vertices : thrash_vertices) {
         for (const ReportCell* cell : scene_file(data, fmt::format("paper_thrash_{}", vertices)).cells) {
             const auto step = scene_number(*cell, "rotation_step");
-            if (cell->verified() && step) grid.rows.push_back(row_of(vertices, *step, *cell));
+            if (cell->verified() && step) grid.rows.push_back(thrash_row_of(vertices, *step, *cell));
         }
     }
     return grid;

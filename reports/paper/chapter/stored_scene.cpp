@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See scene_file.hpp.
+// See stored_scene.hpp.
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 
 #include <algorithm>
@@ -11,16 +11,16 @@ namespace edgewise::reports {
 
 namespace {
 
-using Json = nlohmann::json;
+using StoredSceneJson = nlohmann::json;
 
-std::string text_of(const Json& object, const char* name) {
+std::string text_of(const StoredSceneJson& object, const char* name) {
     return object.is_object() && object.contains(name) && object[name].is_string()
                ? object[name].get<std::string>()
                : "";
 }
 
 StoredScene parse(const std::string& name, const std::string& text) {
-    const Json file = Json::parse(text, nullptr, false);
+    const StoredSceneJson file = StoredSceneJson::parse(text, nullptr, false);
     StoredScene scene{name, text_of(file, "scene"), {}, text_of(file, "note"), {}};
     if (!file.is_object() || !file.contains("vary") || !file["vary"].is_object()) return scene;
     for (const auto& item : file["vary"].items()) scene.varied = item.key();
@@ -36,9 +36,9 @@ std::optional<double> StoredScene::place(const ReportCell& cell) const {
 
 std::string StoredScene::axis_title() const {
     if (varied.empty()) return "vertices of a body";
-    std::string words = varied;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return words;
+    std::string title = varied;
+    std::replace(title.begin(), title.end(), '_', ' ');
+    return title;
 }
 
 std::vector<StoredScene> scene_files(const ReportData& data) {
@@ -60,7 +60,7 @@ StoredScene scene_file(const ReportData& data, const std::string& name) {
 bool is_of_paper(const std::string& scene) { return scene.starts_with("paper_"); }
 
 std::optional<double> scene_number(const ReportCell& cell, const std::string& name) {
-    const Json parameters = Json::parse(cell.scene_parameters, nullptr, false);
+    const StoredSceneJson parameters = StoredSceneJson::parse(cell.scene_parameters, nullptr, false);
     if (!parameters.is_object() || !parameters.contains(name) || !parameters[name].is_number())
         return std::nullopt;
     return parameters[name].get<double>();

@@ -25,7 +25,7 @@ const ReportCell* end_cell(const ReportData& data, int vertices, bool fastest) {
     return fastest ? cells.back().second : cells.front().second;
 }
 
-std::string no_cell(int vertices) {
+std::string thrash_evidence_no_cell(int vertices) {
     return fmt::format("the store has no verified cell of paper_thrash_{} with V-Clip on {}", vertices,
                        table);
 }
@@ -53,7 +53,7 @@ std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData&
 measure::Expected<double> thrash_figure(const ReportData& data, int vertices, bool fastest,
                                         const store::FigureName& name) {
     const ReportCell* cell = end_cell(data, vertices, fastest);
-    if (!cell) return {std::nullopt, no_cell(vertices)};
+    if (!cell) return {std::nullopt, thrash_evidence_no_cell(vertices)};
     const measure::Figure figure = cell->figure(name);
     if (figure.value) return {figure.value, {}};
     return {std::nullopt, fmt::format("{} at {} vertices: {}", name.name(), vertices, figure.reason)};
@@ -62,14 +62,14 @@ measure::Expected<double> thrash_figure(const ReportData& data, int vertices, bo
 measure::Expected<double> thrash_step(const ReportData& data, int vertices, bool fastest) {
     const ReportCell* cell = end_cell(data, vertices, fastest);
     return cell ? measure::Expected<double>{scene_number(*cell, "rotation_step"), "no rotation_step"}
-                : measure::Expected<double>{std::nullopt, no_cell(vertices)};
+                : measure::Expected<double>{std::nullopt, thrash_evidence_no_cell(vertices)};
 }
 
 measure::Expected<double> thrash_bodies(const ReportData& data, int vertices) {
     const ReportCell* cell = end_cell(data, vertices, false);
     return cell ? measure::Expected<double>{scene_number(*cell, "bodies"),
                                             "the scene's parameters do not name its bodies"}
-                : measure::Expected<double>{std::nullopt, no_cell(vertices)};
+                : measure::Expected<double>{std::nullopt, thrash_evidence_no_cell(vertices)};
 }
 
 measure::Expected<double> worst_figure(const ReportData& data, int vertices, const store::FigureName& name) {

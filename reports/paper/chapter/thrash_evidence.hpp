@@ -14,18 +14,18 @@
 
 namespace edgewise::reports {
 
-/// Cells of paper_thrash_N by angle a step, rising: one algorithm on one table type.
+/// Cells of paper_thrash_N by angle per step, rising: one algorithm on one table type.
 [[nodiscard]] std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData& data,
                                                                              int vertices,
                                                                              const std::string& algorithm,
                                                                              const std::string& table);
-/// V-Clip on aos_f64: a figure at the slowest or the fastest turn.
+/// V-Clip on aos_f64: a figure at the slowest or the fastest rotation.
 [[nodiscard]] measure::Expected<double> thrash_figure(const ReportData& data, int vertices, bool fastest,
                                                       const store::FigureName& name);
-/// The angle a step, and the bodies, of those cells.
+/// The angle per step, and the bodies, of those cells.
 [[nodiscard]] measure::Expected<double> thrash_step(const ReportData& data, int vertices, bool fastest);
 [[nodiscard]] measure::Expected<double> thrash_bodies(const ReportData& data, int vertices);
-/// The larger of a figure at the slowest and at the fastest turn.
+/// The larger of a figure at the slowest and at the fastest rotation.
 [[nodiscard]] measure::Expected<double> worst_figure(const ReportData& data, int vertices,
                                                      const store::FigureName& name);
 /// How many bodies it takes, in proportion, until the worst knee passes `bytes`.
@@ -42,7 +42,7 @@ namespace edgewise::reports {
 /// paper's factor from 38 to 386 vertices, and is no less than a tenth of what the paper's axis grows by.
 /// Null when nothing was modelled.
 [[nodiscard]] std::optional<bool> cache_is_a_cause(const ReportData& data);
-/// Whether paging does: hundreds of bodies of 386 vertices turn over more pages than the smallest memory of
+/// Whether paging does: hundreds of bodies of 386 vertices use more pages than the smallest memory of
 /// the time holds, and those of 38 do not; or with that memory and more they were measured to fault often
 /// enough. Null when neither reuse distances of pages nor such a measurement are stored.
 [[nodiscard]] std::optional<bool> paging_is_a_cause(const ReportData& data);

@@ -8,9 +8,9 @@
 namespace edgewise::reports {
 
 inline constexpr std::array<int, 3> thrash_vertices = {8, 38, 386};
-/// The angle a step at which curves against the size of a cache are shown: the paper's fastest, 7 rad/s, at
-/// 60 steps a second.
-inline constexpr double thrash_turn = 7.0 / 60;
+/// The angle per step at which curves against the size of a cache are shown: the paper's fastest, 7 rad/s, at
+/// 60 steps per second.
+inline constexpr double thrash_step_angle = 7.0 / 60;
 
 struct OldLevel {
     const char *machine, *level;
@@ -35,7 +35,7 @@ inline constexpr double papers_factor = 12;
 inline constexpr double papers_growth_ns = 1.1e6;
 /// A cause must give at least this share of that: the modelled processors may be ten times as fast as theirs.
 inline constexpr double least_share = 0.1;
-/// A page from a disk of the time, nanoseconds: a seek and half a turn, about 10 ms. So many faults a query
+/// A page from a disk of the time, nanoseconds: a seek and half a turn, about 10 ms. So many faults per query
 /// are that share of the growth.
 inline constexpr double old_disk_ns = 1e7;
 inline constexpr double least_faults = least_share * papers_growth_ns / old_disk_ns;

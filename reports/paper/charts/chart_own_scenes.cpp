@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // A user's own scenes from files: time against the number that a scene varies, or against vertices.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
 #include "edgewise/reports/charts/curves.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
-#include "edgewise/reports/paper/charts/turn.hpp"
+#include "edgewise/reports/paper/charts/rotation_angle.hpp"
 
 namespace edgewise::reports {
 
@@ -17,7 +19,7 @@ bool all_positive(const ChartJson& values) {
                        [](const ChartJson& row) { return row["place"].get<double>() > 0; });
 }
 
-ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
+ChartJson own_scenes_values_of(const StoredScene& scene, Omissions& omitted) {
     ChartJson values = ChartJson::array();
     for (const ReportCell* cell : scene.cells) {
         const auto place = scene.place(*cell);
@@ -28,9 +30,9 @@ ChartJson values_of(const StoredScene& scene, Omissions& omitted) {
         ChartJson row = timed_row(*cell, store::all_time, omitted);
         if (row.is_null()) continue;
         row["place"] = *place;
-        if (scene.varied == "rotation_step" && is_random_turn(*cell)) {
-            row["place"] = random_turn;
-            row["apart"] = row["unjoined"] = true;
+        if (scene.varied == "rotation_step" && has_random_orientation(*cell)) {
+            row["place"] = random_angle;
+            row["larger"] = row["unjoined"] = true;
             row["point"] = cell->algorithm + ", random orientations";
         }
         // Bodies of one shape are joined over what varies; else the shapes are.
@@ -48,26 +50,18 @@ std::string safe(std::string name) {
 }
 
 Chart chart_of(const ReportData& data, const StoredScene& scene) {
-    Chart chart{"scene_" + safe(scene.name),
-                scene.name + ": time against " + scene.axis_title(),
-                "Each line is an algorithm on a table type: median time of all queries, separated and "
-                "overlapping as they come, with its 95 % interval. " +
-                    scene.note,
-                nullptr,
-                {},
-                {},
-                own_section};
+    Chart chart = chart_of_file("own_scene");
+    const std::string axis = scene.axis_title();
+    chart.name = "scene_" + safe(scene.name);
+    chart.title =
+        fmt::format(fmt::runtime(chart.title), fmt::arg("name", scene.name), fmt::arg("axis", axis));
+    chart.how_to_read = fmt::format(fmt::runtime(chart.how_to_read), fmt::arg("note", scene.note));
     Omissions omitted;
-    ChartJson values = values_of(scene, omitted);
-    omitted.write("cell", chart.notes);
-    if (values.empty()) return chart;
-    thin(values, mark_limit / 3, chart.notes);
-    Curves curves;
-    curves.x = {"place", scene.axis_title(), {{"nice", true}, {"zero", false}}};
-    if (all_positive(values)) curves.x.scale = log_scale();
-    curves.y = {"ns", "ns a query, median", scale_from_zero()};
-    chart.spec = curve_spec(data, values, curves);
-    chart.fallback = data_grid(values, {"place", "shape", "algorithm", "table", "ns", "low", "high"});
+    ChartJson values = own_scenes_values_of(scene, omitted);
+    if (!take_rows(chart, values, omitted)) return chart;
+    draw(chart, data, values,
+         {{"axis_title", axis},
+          {"scale_of_places", chart.file["scales"][all_positive(values) ? "log" : "linear"]}});
     return chart;
 }
 

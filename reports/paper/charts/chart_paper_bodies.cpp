@@ -19,7 +19,7 @@ constexpr Series measured[] = {{"paper_bodies", "the environment grows"},
                                {"paper_bodies_shrinking", "the bodies shrink"}};
 constexpr const char *all_pairs = "all pairs, n(n-1)/2", *papers_end = "the paper's end: 600, 300";
 
-/// Bodies -> tests a step, as any of the cells has counted them.
+/// Bodies -> tests per step, as any of the cells has counted them.
 std::map<double, double> tests_of(const StoredScene& scene, Omissions& omitted) {
     std::map<double, double> tests;
     for (const ReportCell* cell : scene.cells) {
@@ -34,79 +34,35 @@ std::map<double, double> tests_of(const StoredScene& scene, Omissions& omitted) 
     return tests;
 }
 
-ChartJson row(const std::string& series, double bodies, double tests) {
+ChartJson bodies_row(const std::string& series, double bodies, double tests) {
     return {{"series", series}, {"bodies", bodies}, {"tests", tests}, {"alone", series == papers_end}};
 }
 
-ChartJson values_of(const ReportData& data, Omissions& omitted) {
+ChartJson bodies_values_of(const ReportData& data, Omissions& omitted) {
     ChartJson values = ChartJson::array();
     std::map<double, double> pairs;
     for (const Series& series : measured) {
         for (const auto& [bodies, tests] : tests_of(scene_file(data, series.scene), omitted)) {
-            values.push_back(row(series.label, bodies, tests));
+            values.push_back(bodies_row(series.label, bodies, tests));
             pairs[bodies] = bodies * (bodies - 1) / 2;
         }
     }
     if (values.empty()) return values;
-    for (const auto& [bodies, count] : pairs) values.push_back(row(all_pairs, bodies, count));
-    values.push_back(row(papers_end, 600, 300));
+    for (const auto& [bodies, count] : pairs) values.push_back(bodies_row(all_pairs, bodies, count));
+    values.push_back(bodies_row(papers_end, 600, 300));
     return values;
-}
-
-ChartJson spec_of(const ChartJson& values) {
-    const ChartJson x{{"field", "bodies"},
-                      {"type", "quantitative"},
-                      {"title", "bodies"},
-                      {"scale", log_scale()},
-                      {"axis", {{"format", "~s"}, {"tickCount", 6}}}};
-    const ChartJson y{{"field", "tests"},
-                      {"type", "quantitative"},
-                      {"title", "tests a step"},
-                      {"scale", log_scale()},
-                      {"axis", {{"format", "~s"}, {"tickCount", 8}}}};
-    const ChartJson colour{{"field", "series"},
-                           {"type", "nominal"},
-                           {"title", nullptr},
-                           {"scale",
-                            {{"domain", {measured[0].label, measured[1].label, all_pairs, papers_end}},
-                             {"range", {"#1f77b4", "#ff7f0e", "#7f7f7f", "#d62728"}}}}};
-    const ChartJson tooltip =
-        ChartJson::array({{{"field", "series"}, {"type", "nominal"}},
-                          {{"field", "bodies"}, {"type", "quantitative"}},
-                          {{"field", "tests"}, {"type", "quantitative"}, {"format", ".4~g"}}});
-    const ChartJson line{{"transform", ChartJson::array({{{"filter", "!datum.alone"}}})},
-                         {"mark", {{"type", "line"}, {"strokeWidth", 1.6}}}};
-    const ChartJson point{{"mark", {{"type", "point"}, {"filled", true}, {"size", 50}}},
-                          {"encoding", {{"tooltip", tooltip}}}};
-    return {{"config", chart_config()},
-            {"data", {{"values", values}}},
-            {"width", 640},
-            {"height", 360},
-            {"encoding", {{"x", x}, {"y", y}, {"color", colour}}},
-            {"layer", ChartJson::array({line, point})}};
 }
 
 }  // namespace
 
 Chart paper_bodies_chart(const ReportData& data) {
-    Chart chart{
-        "paper_figure_5",
-        "Figure 5: tests against bodies",
-        "How many pairs the broad phase (sweep and prune on boxes) leaves to be tested in a step, at "
-        "constant occupancy: with an environment that grows with the number of bodies, and with one that "
-        "stays while the bodies shrink. Both axes are logarithmic: a line as steep as the one of all "
-        "pairs is quadratic, half as steep is linear. The paper's figure is linear and ends at 600 bodies "
-        "and 300 tests.",
-        nullptr,
-        {},
-        {},
-        scalability_section};
+    Chart chart = chart_of_file("paper_bodies");
+    chart.name = "paper_figure_5";
     Omissions omitted;
-    const ChartJson values = values_of(data, omitted);
-    if (values.empty()) return chart;
-    omitted.write("cell", chart.notes);
-    chart.spec = spec_of(values);
-    chart.fallback = data_grid(values, {"series", "bodies", "tests"});
+    ChartJson values = bodies_values_of(data, omitted);
+    if (take_rows(chart, values, omitted))
+        draw(chart, data, values,
+             {{"series", {measured[0].label, measured[1].label, all_pairs, papers_end}}});
     return chart;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The paper's scalability in complexity: time and memory against the vertices of a body. Panels: coherent
-// queries, cold ones (hill climbing from anywhere), bytes of a table.
+// queries, cold ones (hill climbing from any vertex), bytes of a table.
 #include "edgewise/reports/charts/curves.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
@@ -10,7 +10,7 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr const char *warm = "ns a query", *cold = "ns a cold query", *bytes = "bytes of a table";
+constexpr const char *warm = "ns per query", *cold = "ns per cold query", *bytes = "bytes of a table";
 
 void add_times(const StoredScene& scene, const char* measure, Omissions& omitted, ChartJson& values) {
     for (const ReportCell* cell : scene.cells) {
@@ -37,47 +37,17 @@ void add_bytes(const StoredScene& scene, Omissions& omitted, ChartJson& values) 
     }
 }
 
-ChartJson spec_of(const ReportData& data, const ChartJson& values) {
-    Curves curves;
-    curves.x = {"vertices", "vertices of a body", log_scale(), {{"format", "~s"}, {"tickCount", 6}}};
-    curves.y = {"value", "", log_scale(), {{"format", "~s"}, {"tickCount", 6}}};
-    curves.width = 320;
-    curves.height = 280;
-    const ChartJson facet{
-        {"field", "measure"}, {"type", "nominal"}, {"title", nullptr}, {"sort", {warm, cold, bytes}}};
-    return {{"config", chart_config()},
-            {"data", {{"values", values}}},
-            {"facet", facet},
-            {"columns", 3},
-            {"resolve", {{"scale", {{"y", "independent"}}}}},
-            {"spec", curve_layers(data, values, curves)}};
-}
-
 }  // namespace
 
 Chart paper_complexity_chart(const ReportData& data) {
-    Chart chart{
-        "paper_complexity",
-        "Time and memory against complexity",
-        "Median time of a query, with its 95 % interval, and bytes of one body's table, against the "
-        "vertices of a body; all axes are logarithmic. Cold queries start anywhere: there hill climbing "
-        "shows what it costs, where coherence otherwise hides it. The paper says that both algorithms "
-        "scale as expected, hill climbing as O(log n), and that V-Clip's Voronoi regions take 168 bytes "
-        "an edge in double precision.",
-        nullptr,
-        {},
-        {},
-        scalability_section};
+    Chart chart = chart_of_file("paper_complexity");
     Omissions omitted;
     ChartJson values = ChartJson::array();
     const StoredScene scene = scene_file(data, "paper_complexity");
     add_times(scene, warm, omitted, values);
     add_times(scene_file(data, "paper_cold"), cold, omitted, values);
     add_bytes(scene, omitted, values);
-    if (values.empty()) return chart;
-    omitted.write("cell", chart.notes);
-    chart.spec = spec_of(data, values);
-    chart.fallback = data_grid(values, {"measure", "shape", "vertices", "algorithm", "table", "value"});
+    if (take_rows(chart, values, omitted)) draw(chart, data, values, {{"measures", {warm, cold, bytes}}});
     return chart;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Misses a query in the modelled caches of 2001 against the angle a step: a row of panels a cache level, a
-// column a number of vertices.
+// Misses per query in the modelled caches of 2001 against the angle per step: a row of panels per cache
+// level, a column a number of vertices.
 #include <fmt/core.h>
 
 #include "edgewise/reports/charts/curves.hpp"
@@ -36,47 +36,16 @@ ChartJson levels_in_order() {
     return labels;
 }
 
-ChartJson spec_of(const ReportData& data, const ChartJson& values) {
-    Curves curves;
-    curves.x = {"angle", "angle a step, rad", log_scale(), ticks_at({0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 3})};
-    curves.y = {"misses", "misses a query", scale_with_zero(1)};
-    curves.has_interval = false;
-    curves.width = 300;
-    curves.height = 200;
-    const ChartJson row{
-        {"field", "level"}, {"type", "nominal"}, {"title", nullptr}, {"sort", levels_in_order()}};
-    const ChartJson column{{"field", "vertices"}, {"type", "ordinal"}, {"title", "vertices of a body"}};
-    return {{"config", chart_config()},
-            {"data", {{"values", values}}},
-            {"facet", {{"row", row}, {"column", column}}},
-            {"spec", curve_layers(data, values, curves)}};
-}
-
 }  // namespace
 
 Chart paper_misses_chart(const ReportData& data) {
-    Chart chart{
-        "paper_thrash_misses",
-        "Misses in the caches of 2001 against angular speed",
-        "Modelled misses a query in the steady pass, 300 bodies with tables of their own: a row a cache "
-        "level, a column a number of vertices, a line an algorithm on a table type; the dash tells "
-        "precision and axes, such as one table for all bodies (sharing=shared) or another order of the "
-        "vertices. A cache that thrashes misses nearly every line that a query touches; then its curve "
-        "no longer rises with the angle.",
-        nullptr,
-        {},
-        {},
-        thrash_section};
+    Chart chart = chart_of_file("paper_thrash_misses");
     Omissions omitted;
     ChartJson values = ChartJson::array();
     for (const int vertices : thrash_vertices)
         for (const ReportCell* cell : scene_file(data, fmt::format("paper_thrash_{}", vertices)).cells)
             add_cell(*cell, omitted, values);
-    if (values.empty()) return chart;
-    omitted.write("cell", chart.notes);
-    thin(values, mark_limit / 2, chart.notes);
-    chart.spec = spec_of(data, values);
-    chart.fallback = data_grid(values, {"level", "vertices", "angle", "algorithm", "table", "misses"});
+    if (take_rows(chart, values, omitted)) draw(chart, data, values, {{"levels", levels_in_order()}});
     return chart;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Misses a query against the size of a fully associative cache, of lines and of pages, at one angle a step:
-// a row of panels a number of vertices. The cache and the memories of 2001 stand as rules in every panel.
+// Misses per query against the size of a fully associative cache, of lines and of pages, at one angle per
+// step: a row of panels per number of vertices. The cache and the memories of 2001 stand as rules in every
+// panel.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -28,12 +29,12 @@ void add_curve(const ReportCell& cell, const store::ReuseNames& family, ChartJso
     }
 }
 
-/// The scene's cells whose angle a step is nearest to the one that is shown.
+/// The scene's cells whose angle per step is nearest to the one that is shown.
 void add_scene(const StoredScene& scene, ChartJson& values) {
     std::set<std::pair<std::string, std::string>> done;
     for (const ReportCell* cell : scene.cells) {
         if (!done.emplace(cell->algorithm, cell->table).second) continue;
-        const ReportCell* shown = nearest_cell(scene, cell->algorithm, cell->table, thrash_turn);
+        const ReportCell* shown = nearest_cell(scene, cell->algorithm, cell->table, thrash_step_angle);
         if (!shown) continue;
         for (const store::ReuseNames& family : store::reuse_names) add_curve(*shown, family, values);
     }
@@ -58,61 +59,16 @@ void add_rules(ChartJson& values) {
                     {{"unit", unit}, {"vertices", vertices}, {"rule", rule.bytes}, {"label", rule.label}});
 }
 
-ChartJson rule_layers(const CurveAxis& bytes) {
-    CurveAxis axis = bytes;
-    axis.field = "rule";
-    const ChartJson only = ChartJson::array({{{"filter", "isValid(datum.rule)"}}});
-    const ChartJson x = curve_axis(axis);
-    return ChartJson::array(
-        {{{"transform", only},
-          {"mark", {{"type", "rule"}, {"color", "#8a929c"}, {"strokeDash", {3, 3}}}},
-          {"encoding", {{"x", x}}}},
-         {{"transform", only},
-          {"mark", {{"type", "text"}, {"align", "left"}, {"dx", 3}, {"fontSize", 9.5}, {"color", "#5a626c"}}},
-          {"encoding",
-           {{"x", x}, {"y", {{"value", 8}}}, {"text", {{"field", "label"}, {"type", "nominal"}}}}}}});
-}
-
-ChartJson spec_of(const ReportData& data, const ChartJson& values) {
-    Curves curves;
-    curves.x = bytes_axis("bytes", "size of the cache");
-    curves.y = {"misses", "misses a query", scale_with_zero(1)};
-    curves.has_interval = false;
-    curves.behind = rule_layers(curves.x);
-    curves.width = 420;
-    curves.height = 220;
-    const ChartJson row{{"field", "vertices"}, {"type", "ordinal"}, {"title", "vertices of a body"}};
-    const ChartJson column{{"field", "unit"}, {"type", "nominal"}, {"title", nullptr}};
-    return {{"config", chart_config()},
-            {"data", {{"values", values}}},
-            {"facet", {{"row", row}, {"column", column}}},
-            {"resolve", {{"scale", {{"x", "independent"}, {"y", "independent"}}}}},
-            {"spec", curve_layers(data, values, curves)}};
-}
-
 }  // namespace
 
 Chart paper_reuse_chart(const ReportData& data) {
-    Chart chart{
-        "paper_thrash_reuse",
-        "Misses against the size of a cache or a memory",
-        "Exact misses a query of a fully associative LRU cache of any size, 300 bodies with tables of "
-        "their own that turn by 7/60 rad a step: lines of 64 bytes left, pages of 4 KiB right. Where a "
-        "curve falls to nothing all that the queries come back to fits. The rules are the second-level "
-        "cache and the memories of 2001: a curve that is still high at its rule is a thrash, of the "
-        "cache left, of the memory right.",
-        nullptr,
-        {},
-        {},
-        thrash_section};
+    Chart chart = chart_of_file("paper_thrash_reuse");
     ChartJson values = ChartJson::array();
     for (const int vertices : thrash_vertices)
         add_scene(scene_file(data, fmt::format("paper_thrash_{}", vertices)), values);
-    if (values.empty()) return chart;
-    thin(values, mark_limit / 2, chart.notes);
-    chart.fallback = data_grid(values, {"unit", "vertices", "algorithm", "table", "bytes", "misses"});
+    if (!take_rows(chart, values)) return chart;
     add_rules(values);
-    chart.spec = spec_of(data, values);
+    draw(chart, data, values);
     return chart;
 }
 

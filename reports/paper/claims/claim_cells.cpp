@@ -31,7 +31,7 @@ bool fits(const ReportCell& cell, const CellKey& key) {
 }
 
 /// Null when the cell has no such number.
-std::optional<double> place_of(const ReportCell& cell, const std::string& parameter) {
+std::optional<double> cells_place_of(const ReportCell& cell, const std::string& parameter) {
     if (parameter == "vertices") return static_cast<double>(cell.vertices);
     const auto parameters = nlohmann::json::parse(cell.scene_parameters, nullptr, false);
     if (!parameters.is_object() || !parameters.contains(parameter)) return std::nullopt;
@@ -42,7 +42,7 @@ std::optional<double> place_of(const ReportCell& cell, const std::string& parame
     return number.get<double>();
 }
 
-std::string no_cell(const CellKey& key) {
+std::string cells_no_cell(const CellKey& key) {
     return fmt::format("no cell of {}{}, {} on {} is stored",
                        key.scene.empty() ? "any scene" : "scene " + key.scene,
                        key.shape.empty() ? "" : ", " + key.shape, key.algorithm, key.table);
@@ -76,7 +76,7 @@ std::vector<CurveCell> cells_along(const ReportData& data, const CellKey& key, c
     for (const auto* cells : {&data.from_files, &data.cells}) {
         for (const ReportCell& cell : *cells) {
             if (!fits(cell, key)) continue;
-            if (const auto x = place_of(cell, parameter)) found.push_back({*x, &cell});
+            if (const auto x = cells_place_of(cell, parameter)) found.push_back({*x, &cell});
         }
     }
     std::stable_sort(found.begin(), found.end(),
@@ -101,7 +101,7 @@ Evidence figure_of(const ReportCell& cell, const store::FigureName& name) {
 
 Evidence figure_of(const ReportData& data, const CellKey& key, const store::FigureName& name) {
     const ReportCell* cell = find_cell(data, key);
-    return cell ? figure_of(*cell, name) : no_evidence(no_cell(key));
+    return cell ? figure_of(*cell, name) : no_evidence(cells_no_cell(key));
 }
 
 Evidence time_of(const ReportCell& cell) {
@@ -114,7 +114,7 @@ Evidence time_of(const ReportCell& cell) {
 
 Evidence time_of(const ReportData& data, const CellKey& key) {
     const ReportCell* cell = find_cell(data, key);
-    return cell ? time_of(*cell) : no_evidence(no_cell(key));
+    return cell ? time_of(*cell) : no_evidence(cells_no_cell(key));
 }
 
 Evidence time_ratio(const ReportCell& cell, const ReportCell& baseline) {
@@ -125,8 +125,8 @@ Evidence time_ratio(const ReportCell& cell, const ReportCell& baseline) {
 
 Evidence time_ratio(const ReportData& data, const CellKey& key, const CellKey& baseline) {
     const ReportCell *above = find_cell(data, key), *below = find_cell(data, baseline);
-    if (!above) return no_evidence(no_cell(key));
-    if (!below) return no_evidence(no_cell(baseline));
+    if (!above) return no_evidence(cells_no_cell(key));
+    if (!below) return no_evidence(cells_no_cell(baseline));
     return time_ratio(*above, *below);
 }
 

@@ -45,7 +45,7 @@ struct CurveRange {
 
 [[nodiscard]] Evidence figure_of(const ReportCell& cell, const store::FigureName& name);
 [[nodiscard]] Evidence figure_of(const ReportData& data, const CellKey& key, const store::FigureName& name);
-/// Nanoseconds a query, all pairs as they come: median and interval.
+/// Nanoseconds per query, all pairs as they come: median and interval.
 [[nodiscard]] Evidence time_of(const ReportCell& cell);
 [[nodiscard]] Evidence time_of(const ReportData& data, const CellKey& key);
 /// A cell's time over that of the baseline, V-Clip on aos_f64: the median of the ratios of the rounds, which

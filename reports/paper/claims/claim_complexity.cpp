@@ -19,57 +19,14 @@ constexpr double least_rise = 6;
 /// A curve of time over speed should rise; a fall by a fifth from one speed to a higher one is erratic.
 constexpr double erratic = 1.2;
 
-constexpr ClaimText scaled{
-    "both_scale_8_to_38",
-    "4 Scalability",
-    "From 8 to 38 vertices both algorithms scale as expected: a little dearer.",
-    "1e-4 s / 7e-5 s = 1.4 (tops of the axes of figures 7 and 6)",
-    "1",
-    "Time at 38 vertices over that at 8, geometric mean over 1 to 7 rad/s in paper_angular_*.",
-    false};
-constexpr ClaimText flat{
-    "gjk_flat_to_386",
-    "4 Scalability",
-    "With 386 vertices GJK performs as it did with 8 and 38.",
-    "figure 8: GJK flat at the bottom",
-    "1",
-    "GJK's time at 386 vertices over that at 8 and at 38, geometric means over 1 to 7 rad/s; "
-    "within a factor of 2, which the figures' three axes cannot tell apart.",
-    false};
-constexpr ClaimText slower{"vclip_slower_at_386",
-                           "4 Scalability",
-                           "With 386 vertices V-Clip is slower than GJK.",
-                           "figure 8: V-Clip above GJK",
-                           "1",
-                           "V-Clip's time over GJK's in paper_angular_386, geometric mean over 1 to 7 rad/s.",
-                           false};
-constexpr ClaimText rise{
-    "vclip_rises_at_386",
-    "4 Scalability",
-    "V-Clip's time rises out of proportion from 38 to 386 vertices.",
-    "1.2e-3 s / 1e-4 s = 12 (tops of the axes of figures 8 and 7)",
-    "1",
-    "V-Clip's longest time at 386 vertices over its longest at 38, 1 to 7 rad/s; at least "
-    "half the paper's 12.",
-    false};
-constexpr ClaimText uneven{
-    "vclip_erratic_at_386",
-    "4 Scalability",
-    "With 386 vertices V-Clip's time goes up and down with speed, GJK's does not.",
-    "figure 8: \"erratically\"",
-    "1",
-    "The largest factor by which time falls from one speed to the next higher one, 1 to 7 rad/s in "
-    "paper_angular_386: a fifth or more with V-Clip, less with GJK.",
-    false};
-
 std::vector<CurvePoint> times(const ReportData& data, int vertices, const std::string& algorithm,
                               const TimeStepReading& reading) {
     return time_curve(angular_cells(data, vertices, algorithm, in_steps(figures_7_and_8_speeds, reading)));
 }
 
 /// Of one algorithm's times at two sizes.
-Evidence growth(const ReportData& data, const std::string& algorithm, int more, int fewer,
-                const TimeStepReading& reading) {
+Evidence complexity_growth(const ReportData& data, const std::string& algorithm, int more, int fewer,
+                           const TimeStepReading& reading) {
     const auto growths =
         quotient_curve(times(data, more, algorithm, reading), times(data, fewer, algorithm, reading));
     return geometric_mean(values_of(growths), no_angular_cells(more) + ", or none of " + paper_shape(fewer));
@@ -82,30 +39,24 @@ Evidence largest_fall(const std::vector<CurvePoint>& curve) {
     return largest(falls);
 }
 
-template <class Parts>
-Claim both_readings(const ClaimText& text, const Parts& parts) {
-    return judge_readings(text, parts(reading_60th), parts(reading_half));
-}
-
-using PartList = std::vector<ClaimPart>;
-
 Claim judge_scaled(const ReportData& data) {
-    return both_readings(scaled, [&](const TimeStepReading& reading) {
+    return both_readings("both_scale_8_to_38", [&](const TimeStepReading& reading) {
         const WantedBand band = between(scaled_low, scaled_high);
-        return PartList{{"V-Clip", growth(data, "vclip", 38, 8, reading), band},
-                        {"GJK", growth(data, "gjk", 38, 8, reading), band}};
+        return PartList{{"V-Clip", complexity_growth(data, "vclip", 38, 8, reading), band},
+                        {"GJK", complexity_growth(data, "gjk", 38, 8, reading), band}};
     });
 }
 
 Claim judge_flat(const ReportData& data) {
-    return both_readings(flat, [&](const TimeStepReading& reading) {
-        return PartList{{"386 over 8", growth(data, "gjk", 386, 8, reading), at_most(as_before)},
-                        {"386 over 38", growth(data, "gjk", 386, 38, reading), at_most(as_before)}};
+    return both_readings("gjk_flat_to_386", [&](const TimeStepReading& reading) {
+        return PartList{
+            {"386 over 8", complexity_growth(data, "gjk", 386, 8, reading), at_most(as_before)},
+            {"386 over 38", complexity_growth(data, "gjk", 386, 38, reading), at_most(as_before)}};
     });
 }
 
 Claim judge_slower(const ReportData& data) {
-    return both_readings(slower, [&](const TimeStepReading& reading) {
+    return both_readings("vclip_slower_at_386", [&](const TimeStepReading& reading) {
         const CurveRange steps = in_steps(figures_7_and_8_speeds, reading);
         const auto gjk =
             ratio_curve(angular_cells(data, 386, "gjk", steps), angular_cells(data, 386, "vclip", steps));
@@ -115,7 +66,7 @@ Claim judge_slower(const ReportData& data) {
 }
 
 Claim judge_rise(const ReportData& data) {
-    return both_readings(rise, [&](const TimeStepReading& reading) {
+    return both_readings("vclip_rises_at_386", [&](const TimeStepReading& reading) {
         const auto longest = [&](int vertices) {
             return largest(values_of(times(data, vertices, "vclip", reading)), no_angular_cells(vertices));
         };
@@ -124,7 +75,7 @@ Claim judge_rise(const ReportData& data) {
 }
 
 Claim judge_uneven(const ReportData& data) {
-    return both_readings(uneven, [&](const TimeStepReading& reading) {
+    return both_readings("vclip_erratic_at_386", [&](const TimeStepReading& reading) {
         return PartList{
             {"V-Clip's largest fall", largest_fall(times(data, 386, "vclip", reading)), at_least(erratic)},
             {"GJK's", largest_fall(times(data, 386, "gjk", reading)), less_than(erratic)}};

@@ -13,59 +13,11 @@ namespace {
 constexpr double harmless = 0.01;
 /// "Numerical problems do arise": one verdict in a thousand more.
 constexpr double trouble = 0.001;
-/// A body has one test a step in figure 5 (300 pairs, 600 bodies): a hundred tests are more than a second of
-/// its life at 60 steps a second.
+/// A body has one test per step in figure 5 (300 pairs, 600 bodies): a hundred tests are more than a second
+/// of its life at 60 steps per second.
 constexpr double substantial = 100;
 /// "None of these drawbacks": less than one query's time.
 constexpr double none_of_it = 1;
-
-constexpr ClaimText tolerance{"tolerance_1e5_harmless",
-                              "4 Ease of implementation",
-                              "A contact tolerance of some 1e-5 causes no difficulties.",
-                              "1e-5",
-                              "1",
-                              "Stability run on aos_f64, families of random pairs as the paper's scenes have "
-                              "them: share of verdicts that "
-                              "contradict exact arithmetic at tolerance 1e-5, less that at the best "
-                              "tolerance; at most one in a hundred. Hard "
-                              "families hold gaps below 1e-5 on purpose, which such a tolerance must call "
-                              "contacts: theirs is only shown.",
-                              true};
-constexpr ClaimText limits{"tolerance_at_precision_fails",
-                           "4 Ease of implementation",
-                           "A tolerance near the limit of precision causes numerical problems.",
-                           "\"numerical problems do arise\"",
-                           "1",
-                           "The same excess over all families, at 1e-16 on aos_f64 and at 1e-8 on aos_f32, "
-                           "next to the unit roundoff "
-                           "of double and single; one in "
-                           "a thousand or more.",
-                           true};
-constexpr ClaimText preprocessing{
-    "preprocessing_substantial",
-    "4 Ease of implementation",
-    "V-Clip needs substantial preprocessing.",
-    "\"substantial\"",
-    "queries",
-    "Time to build V-Clip's table at 386 vertices over that of one query in paper_angular_386 at its slowest "
-    "speed; a body has about one test a step, so 100 are more than a second of its life.",
-    false};
-constexpr ClaimText gjk_none{
-    "gjk_needs_no_preprocessing",
-    "4 Ease of implementation",
-    "GJK has none of the drawbacks of preprocessing.",
-    "none",
-    "queries",
-    "The same of GJK's table (vertices and neighbours, which hill climbing needs); at most one query.",
-    false};
-constexpr ClaimText deforming{
-    "deformation_favours_gjk",
-    "4 Ease of implementation",
-    "For bodies that deform GJK is the better choice.",
-    "\"a better choice\"",
-    "1",
-    "Refitting the table at 386 vertices and one query, V-Clip's time for both over GJK's.",
-    false};
 
 using Families = std::vector<std::string>;
 const Families random_pairs = {"random_fuzz", "cubes_random"}, all_families;
@@ -109,14 +61,14 @@ Evidence excess(const ReportData& data, const std::string& table, const Families
 
 Claim judge_tolerance(const ReportData& data) {
     return judge_claim(
-        tolerance,
+        "tolerance_1e5_harmless",
         {{"excess, random pairs", excess(data, "aos_f64", random_pairs, "1e-05"), at_most(harmless)},
          {"excess, all families", excess(data, "aos_f64", all_families, "1e-05"), only_shown()}});
 }
 
 Claim judge_limits(const ReportData& data) {
     return judge_claim(
-        limits,
+        "tolerance_at_precision_fails",
         {{"excess at 1e-16, double", excess(data, "aos_f64", all_families, "1e-16"), at_least(trouble)},
          {"excess at 1e-8, single", excess(data, "aos_f32", all_families, "1e-08"), at_least(trouble)}});
 }
@@ -133,7 +85,7 @@ Claim judge_deforming(const ReportData& data) {
     const auto both = [&](const std::string& algorithm) {
         return sum(table_time(data, algorithm, "build.refit_ns"), slowest_time(data, 386, algorithm));
     };
-    return judge_claim(deforming,
+    return judge_claim("deformation_favours_gjk",
                        {{"V-Clip over GJK", quotient(both("vclip"), both("gjk")), more_than(1)},
                         {"V-Clip's refit", table_time(data, "vclip", "build.refit_ns"), only_shown(), "ns"},
                         {"GJK's refit", table_time(data, "gjk", "build.refit_ns"), only_shown(), "ns"}});
@@ -143,8 +95,10 @@ Claim judge_deforming(const ReportData& data) {
 
 std::vector<Claim> ease_claims(const ReportData& data) {
     return {judge_tolerance(data), judge_limits(data),
-            judge_claim(preprocessing, {{"V-Clip", queries_to_build(data, "vclip"), at_least(substantial)}}),
-            judge_claim(gjk_none, {{"GJK", queries_to_build(data, "gjk"), at_most(none_of_it)}}),
+            judge_claim("preprocessing_substantial",
+                        {{"V-Clip", queries_to_build(data, "vclip"), at_least(substantial)}}),
+            judge_claim("gjk_needs_no_preprocessing",
+                        {{"GJK", queries_to_build(data, "gjk"), at_most(none_of_it)}}),
             judge_deforming(data)};
 }
 

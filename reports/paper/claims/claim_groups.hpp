@@ -36,7 +36,7 @@ namespace edgewise::reports {
 /// Axes of angular velocity, rad/s.
 inline constexpr CurveRange figure_6_speeds{0, 12.57}, figures_7_and_8_speeds{1, 7};
 
-/// A figure's range in radians a step.
+/// A figure's range in radians per step.
 [[nodiscard]] inline CurveRange in_steps(const CurveRange& speeds, const TimeStepReading& reading) {
     return {speeds.low * reading.seconds, speeds.high * reading.seconds};
 }

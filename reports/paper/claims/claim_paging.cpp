@@ -19,34 +19,7 @@ constexpr double spared_share = 0.1;
 /// The axis of figure 8 is 12 times that of figure 7.
 constexpr double slowed = 12;
 
-constexpr ClaimText faults{"memory_too_small_swaps",
-                           "4 Scalability",
-                           "Where V-Clip's tables do not fit in memory, large amounts of memory are swapped.",
-                           "\"large amounts\"",
-                           "faults/query",
-                           "Major page faults a query at the largest limit that leaves less than half of "
-                           "what V-Clip's tables touch; one "
-                           "every twenty queries or more.",
-                           false};
-constexpr ClaimText gjk_fits{
-    "swapping_spares_gjk",
-    "4 Scalability",
-    "In the same memory GJK does not swap.",
-    "figure 8: GJK as with 8 and 38 vertices",
-    "1",
-    "GJK's major page faults a query over V-Clip's, at that limit or the largest of its own below "
-    "it; a tenth at most.",
-    false};
-constexpr ClaimText slow{
-    "swapping_explains_figure_8",
-    "4 Scalability",
-    "Swapping explains how far V-Clip's time rises.",
-    "1.2e-3 s / 1e-4 s = 12 (tops of the axes of figures 8 and 7)",
-    "1",
-    "V-Clip's time a query at that limit over that at the largest limit (0 is none); 12 or more.",
-    false};
-
-const ReportCell* row_of(const ReportData& data, const std::string& algorithm) {
+const ReportCell* paging_row_of(const ReportData& data, const std::string& algorithm) {
     for (const ReportCell& row : data.paging)
         if (row.algorithm == algorithm && row.table == "aos_f64" && row.shape == "sphere386") return &row;
     return nullptr;
@@ -71,7 +44,7 @@ int largest_limit(const ReportCell& row, double bound) {
 
 /// Of V-Clip's row: the limit that is too small.
 Evidence tight_limit(const ReportData& data) {
-    const ReportCell* row = row_of(data, "vclip");
+    const ReportCell* row = paging_row_of(data, "vclip");
     if (!row) return no_evidence("no paging run of vclip on aos_f64, sphere386, is stored");
     const Evidence touched = figure_of(*row, "paging.touched_bytes");
     if (!touched.value) return touched;
@@ -84,7 +57,7 @@ Evidence tight_limit(const ReportData& data) {
 Evidence when_tight(const ReportData& data, const std::string& algorithm, const store::FigureName& name) {
     const Evidence limit = tight_limit(data);
     if (!limit.value) return limit;
-    const ReportCell* row = row_of(data, algorithm);
+    const ReportCell* row = paging_row_of(data, algorithm);
     if (!row)
         return no_evidence(fmt::format("no paging run of {} on aos_f64, sphere386, is stored", algorithm));
     // Its own limits may all be smaller; with more memory it faults no more often.
@@ -94,7 +67,7 @@ Evidence when_tight(const ReportData& data, const std::string& algorithm, const 
 }
 
 Evidence time_at_ease(const ReportData& data) {
-    const ReportCell* row = row_of(data, "vclip");
+    const ReportCell* row = paging_row_of(data, "vclip");
     if (!row) return no_evidence("no paging run of vclip on aos_f64, sphere386, is stored");
     const int i = largest_limit(*row, 1e301);
     return i < 0 ? no_evidence("the paging run has no limit") : at(*row, "paging.us_per_query.{limit}", i);
@@ -107,10 +80,11 @@ std::vector<Claim> paging_claims(const ReportData& data) {
     const Evidence ratio = quotient(when_tight(data, "gjk", "paging.faults_per_query.{limit}"), vclip);
     const Evidence slower =
         quotient(when_tight(data, "vclip", "paging.us_per_query.{limit}"), time_at_ease(data));
-    return {judge_claim(faults, {{"V-Clip", vclip, at_least(large_amounts)},
-                                 {"limit", tight_limit(data), only_shown(), "B"}}),
-            judge_claim(gjk_fits, {{"GJK over V-Clip", ratio, at_most(spared_share)}}),
-            judge_claim(slow, {{"with too little memory over with enough", slower, at_least(slowed)}})};
+    return {judge_claim("memory_too_small_swaps", {{"V-Clip", vclip, at_least(large_amounts)},
+                                                   {"limit", tight_limit(data), only_shown(), "B"}}),
+            judge_claim("swapping_spares_gjk", {{"GJK over V-Clip", ratio, at_most(spared_share)}}),
+            judge_claim("swapping_explains_figure_8",
+                        {{"with too little memory over with enough", slower, at_least(slowed)}})};
 }
 
 }  // namespace edgewise::reports

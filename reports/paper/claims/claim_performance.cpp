@@ -15,59 +15,6 @@ constexpr double static_low = 1.16 / 1.1, static_high = 1.16 * 1.1;
 /// "Comparable", "very similar": within a factor of two.
 constexpr double comparable = 2;
 
-constexpr ClaimText static_faster{"static_gjk_faster",
-                                  "4 Performance",
-                                  "In static tests, each pair without a past, GJK is faster than V-Clip.",
-                                  "3.43e-5 s against 3.98e-5 s",
-                                  "1",
-                                  "GJK's time over V-Clip's in paper_static, all pairs; the geometric mean "
-                                  "over the bodies is judged, since "
-                                  "the paper gives one average.",
-                                  false};
-constexpr ClaimText static_ratio{"static_ratio",
-                                 "4 Performance",
-                                 "In static tests V-Clip takes 1.16 times as long as GJK.",
-                                 "3.98e-5 s / 3.43e-5 s = 1.16",
-                                 "1",
-                                 "V-Clip's time over GJK's, geometric mean over the bodies; to 10 %.",
-                                 false};
-constexpr ClaimText simplest{
-    "simplest_bodies_fastest",
-    "2 Performance",
-    "The simpler the body, the cheaper the test: tetrahedron or cuboid show the peak performance.",
-    "\"peak performance\"",
-    "1",
-    "In paper_static, the faster of 38 and 386 vertices over the faster of 4 and 8, of each algorithm.",
-    false};
-constexpr ClaimText linear{"linear_vclip_faster",
-                           "4 Performance",
-                           "When bodies move along, V-Clip is clearly faster at every speed.",
-                           "figure 4: V-Clip below GJK throughout",
-                           "1",
-                           "GJK's time over V-Clip's in paper_linear_8, at the speed where it is least.",
-                           false};
-constexpr ClaimText comparable_times{
-    "times_comparable",
-    "4 Performance; 5",
-    "The two algorithms' times are comparable and very similar in most areas.",
-    "\"slightly faster\"",
-    "1",
-    "GJK's time over V-Clip's, geometric means over the speeds of figure 4 and over all speeds at 8 and 38 "
-    "vertices; within a factor of 2.",
-    false};
-constexpr ClaimText angular_texts[] = {
-    {"angular_vclip_faster_8", "4 Performance", "When bodies of 8 vertices turn, V-Clip is slightly faster.",
-     "figure 6: V-Clip below GJK", "1",
-     "GJK's time over V-Clip's in paper_angular_8, geometric mean over 0 to 12.57 rad/s.", false},
-    {"angular_vclip_faster_38", "4 Scalability", "At 38 vertices V-Clip outperforms GJK.",
-     "figure 7: V-Clip below GJK", "1",
-     "GJK's time over V-Clip's in paper_angular_38, geometric mean over 1 to 7 rad/s.", false},
-    {"angular_vclip_faster_386", "4 Scalability",
-     "V-Clip outperforms GJK consistently, so at 386 vertices too (the paper's own figure 8 says "
-     "otherwise: see vclip_slower_at_386).",
-     "\"consistently\", figures 6 to 8", "1",
-     "GJK's time over V-Clip's in paper_angular_386, geometric mean over 1 to 7 rad/s.", false}};
-
 std::vector<CurvePoint> linear_ratios(const ReportData& data) {
     return ratio_curve(cells_along(data, gjk_key("paper_linear_8"), "step_in_dimensions"),
                        cells_along(data, vclip_key("paper_linear_8"), "step_in_dimensions"));
@@ -99,14 +46,14 @@ Claim judge_static(const ReportData& data) {
     std::vector<Evidence> all;
     for (const ClaimPart& part : parts) all.push_back(part.ours);
     parts.insert(parts.begin(), {"GJK over V-Clip", geometric_mean(all), less_than(1)});
-    return judge_claim(static_faster, parts);
+    return judge_claim("static_gjk_faster", parts);
 }
 
 Claim judge_static_ratio(const ReportData& data) {
     std::vector<Evidence> all;
     for (const ClaimPart& part : static_parts(data)) all.push_back(part.ours);
-    return judge_claim(static_ratio, {{"V-Clip over GJK", quotient(exact_evidence(1), geometric_mean(all)),
-                                       between(static_low, static_high)}});
+    return judge_claim("static_ratio", {{"V-Clip over GJK", quotient(exact_evidence(1), geometric_mean(all)),
+                                         between(static_low, static_high)}});
 }
 
 Claim judge_simplest(const ReportData& data) {
@@ -118,24 +65,24 @@ Claim judge_simplest(const ReportData& data) {
         const Evidence complex = smallest({time(38), time(386)}), simple = smallest({time(4), time(8)});
         parts.push_back({algorithm == "gjk" ? "GJK" : "V-Clip", quotient(complex, simple), more_than(1)});
     }
-    return judge_claim(simplest, parts);
+    return judge_claim("simplest_bodies_fastest", parts);
 }
 
 Claim judge_comparable(const ReportData& data) {
     const WantedBand band = between(1 / comparable, comparable);
     constexpr CurveRange all_speeds{0, 1e9};
-    return judge_claim(comparable_times,
+    return judge_claim("times_comparable",
                        {{"linear, 8", geometric_mean(values_of(linear_ratios(data)), no_linear_cells), band},
                         {"angular, 8", angular_ratio(data, 8, all_speeds), band},
                         {"angular, 38", angular_ratio(data, 38, all_speeds), band}});
 }
 
-Claim judge_angular(const ReportData& data, const ClaimText& text, int vertices, const CurveRange& speeds) {
+Claim judge_angular(const ReportData& data, const std::string& id, int vertices, const CurveRange& speeds) {
     const auto parts = [&](const TimeStepReading& reading) {
         return std::vector<ClaimPart>{
             {"GJK over V-Clip", angular_ratio(data, vertices, in_steps(speeds, reading)), more_than(1)}};
     };
-    return judge_readings(text, parts(reading_60th), parts(reading_half));
+    return judge_readings(id, parts(reading_60th), parts(reading_half));
 }
 
 }  // namespace
@@ -144,11 +91,12 @@ std::vector<Claim> performance_claims(const ReportData& data) {
     return {judge_simplest(data),
             judge_static(data),
             judge_static_ratio(data),
-            judge_claim(linear, {{"GJK over V-Clip",
-                                  smallest(values_of(linear_ratios(data)), no_linear_cells), more_than(1)}}),
-            judge_angular(data, angular_texts[0], 8, figure_6_speeds),
-            judge_angular(data, angular_texts[1], 38, figures_7_and_8_speeds),
-            judge_angular(data, angular_texts[2], 386, figures_7_and_8_speeds),
+            judge_claim("linear_vclip_faster",
+                        {{"GJK over V-Clip", smallest(values_of(linear_ratios(data)), no_linear_cells),
+                          more_than(1)}}),
+            judge_angular(data, "angular_vclip_faster_8", 8, figure_6_speeds),
+            judge_angular(data, "angular_vclip_faster_38", 38, figures_7_and_8_speeds),
+            judge_angular(data, "angular_vclip_faster_386", 386, figures_7_and_8_speeds),
             judge_comparable(data)};
 }
 

@@ -16,55 +16,6 @@ constexpr double least_shown = 1e-4;
 /// A metric tells two algorithms apart when one fails a tenth more often.
 constexpr double apart = 1.1;
 
-constexpr ClaimText by_control{
-    "zero_failures_control",
-    "4 Robustness",
-    "In all tests not one verdict differed from Moore-Wilhelms'.",
-    "0 failures",
-    "1",
-    "Disagreements outside the band where rounding decides, of all V-Clip and GJK cells; none, and 95 % "
-    "bound "
-    "3/n of their share no more than the 30 000 iterations of one of the paper's sample points would give.",
-    true};
-constexpr ClaimText by_exact{
-    "zero_failures_exact",
-    "4 Robustness",
-    "In all tests not one algorithm failed.",
-    "0 failures",
-    "1",
-    "Verdicts that contradict exact arithmetic outside the band where rounding decides, "
-    "and cells that failed their checks; bound as in zero_failures_control.",
-    true};
-constexpr ClaimText in_families{
-    "zero_failures_hard_families",
-    "4 Robustness",
-    "The algorithms stay stable in the face of degenerate situations.",
-    "0 failures",
-    "1",
-    "The same over the stability run: families of pairs that broke collision libraries, on every table type.",
-    true};
-constexpr ClaimText wrong_points{"wrong_points_before_wrong_verdicts",
-                                 "2 Robustness",
-                                 "Failures are more often wrong contact points than missed contacts.",
-                                 "\"frequently\"",
-                                 "cases",
-                                 "Over the stability run: distances or witness points beyond their bound, "
-                                 "against wrong verdicts; more of the "
-                                 "former.",
-                                 true};
-constexpr ClaimText superfluous{
-    "robustness_metric_tells_apart",
-    "4 Robustness",
-    "A robustness metric is vital for degenerate situations though no test failed.",
-    "\"vital\"",
-    "1",
-    "Over the stability run on aos_f64, without tolerance: verdicts that contradict exact arithmetic, those "
-    "that "
-    "rounding decides included; the worse algorithm's share over the other's, a tenth more or above (a share "
-    "of "
-    "none counts as one case).",
-    true};
-
 bool is_subject(const ReportCell& cell) { return cell.algorithm == "vclip" || cell.algorithm == "gjk"; }
 
 using Rows = std::vector<const ReportCell*>;
@@ -113,7 +64,7 @@ Claim judge_exact(const ReportData& data) {
     double failed = 0;
     for (const ReportCell* row : rows) failed += row->status == "failed";
     parts.push_back({"failed cells", exact_evidence(failed), at_most(0), "cells"});
-    return judge_claim(by_exact, parts);
+    return judge_claim("zero_failures_exact", parts);
 }
 
 Claim judge_superfluous(const ReportData& data) {
@@ -127,7 +78,7 @@ Claim judge_superfluous(const ReportData& data) {
     };
     const Evidence vclip = share("vclip"), gjk = share("gjk");
     return judge_claim(
-        superfluous,
+        "robustness_metric_tells_apart",
         {{"worse over better", quotient(largest({vclip, gjk}), smallest({vclip, gjk})), at_least(apart)},
          {"V-Clip's share", vclip, only_shown()},
          {"GJK's share", gjk, only_shown()}});
@@ -138,7 +89,7 @@ Claim judge_wrong_points(const Rows& rows) {
                    verdicts = total(rows, "stability.wrong_outside_band");
     // Of none and none nothing is the more frequent.
     const WantedBand more = more_than(verdicts.value.value_or(0));
-    return judge_claim(wrong_points,
+    return judge_claim("wrong_points_before_wrong_verdicts",
                        {{"wrong points", points, {more.low, more.high, "more than wrong verdicts"}},
                         {"wrong verdicts", verdicts, only_shown()}});
 }
@@ -147,12 +98,14 @@ Claim judge_wrong_points(const Rows& rows) {
 
 std::vector<Claim> robustness_claims(const ReportData& data) {
     const Rows rows = subjects(data), hard = families(data, [](const ReportCell&) { return true; });
-    return {judge_claim(by_control, no_failures(total(rows, "error.control_disagreements_outside_band"),
-                                                total(rows, "error.control_checked"))),
-            judge_exact(data),
-            judge_claim(in_families, no_failures(total(hard, "stability.wrong_outside_band"),
-                                                 total(hard, "stability.cases"))),
-            judge_wrong_points(hard), judge_superfluous(data)};
+    return {
+        judge_claim("zero_failures_control",
+                    no_failures(total(rows, "error.control_disagreements_outside_band"),
+                                total(rows, "error.control_checked"))),
+        judge_exact(data),
+        judge_claim("zero_failures_hard_families",
+                    no_failures(total(hard, "stability.wrong_outside_band"), total(hard, "stability.cases"))),
+        judge_wrong_points(hard), judge_superfluous(data)};
 }
 
 }  // namespace edgewise::reports

@@ -4,10 +4,15 @@
 #include "edgewise/reports/paper/claims/claim_rules.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <utility>
+
+#include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
 
@@ -22,7 +27,7 @@ std::string bound_text(double bound) {
 
 std::string joined(const std::string& a, const std::string& b) { return a.empty() ? b : a + "; " + b; }
 
-std::string value_text(const ClaimText& text, const ClaimPart& part) {
+std::string value_text(const Claim& text, const ClaimPart& part) {
     return fmt::format("{} {}", part.label,
                        evidence_text(part.ours, part.unit.empty() ? text.unit : part.unit));
 }
@@ -33,16 +38,17 @@ struct Findings {
     bool any_value = false;
     std::vector<std::pair<std::string, std::string>> missing;  ///< reasons, and the parts that share them
 
-    void add(const ClaimText& text, const ClaimPart& part) {
+    void add(const Claim& text, const ClaimPart& part) {
         const Evidence& ours = part.ours;
         any_value = any_value || ours.value;
         if (!ours.value) {
             add_missing(part.label, ours.missing);
         } else if (ours.high < part.wanted.low || ours.low > part.wanted.high) {
-            missed = joined(missed, value_text(text, part) + ", where the rule wants " + part.wanted.words);
+            missed =
+                joined(missed, value_text(text, part) + ", where the rule wants " + part.wanted.description);
         } else if (ours.low < part.wanted.low || ours.high > part.wanted.high) {
             straddling = joined(straddling, fmt::format("the interval of {} straddles the rule, {}",
-                                                        value_text(text, part), part.wanted.words));
+                                                        value_text(text, part), part.wanted.description));
         }
     }
     void add_missing(const std::string& label, const std::string& reason) {
@@ -63,13 +69,29 @@ struct Findings {
 std::string wanted_text(const std::vector<ClaimPart>& parts) {
     std::string out;
     for (const ClaimPart& part : parts)
-        if (!part.wanted.words.empty()) out = joined(out, part.label + " " + part.wanted.words);
+        if (!part.wanted.description.empty()) out = joined(out, part.label + " " + part.wanted.description);
     return out;
 }
 
-Claim without_verdict(const ClaimText& text) {
-    return {text.id,   text.section, text.claim, text.paper, "",
-            text.unit, "",           "",         text.rule,  text.deterministic};
+/// A text in one line or in several.
+std::string joined_lines(const nlohmann::json& text) {
+    if (text.is_string()) return text;
+    return fmt::format("{}", fmt::join(text.get<std::vector<std::string>>(), " "));
+}
+
+std::map<std::string, Claim> read_claims() {
+    std::map<std::string, Claim> claims;
+    for (const auto& entry : nlohmann::json::parse(report_text("claims.json"))) {
+        Claim& claim = claims[entry["id"]];
+        claim.id = entry["id"];
+        claim.section = entry["section"];
+        claim.claim = joined_lines(entry["claim"]);
+        claim.paper = entry["paper"];
+        claim.unit = entry["unit"];
+        claim.rule = joined_lines(entry["rule"]);
+        claim.deterministic = entry["deterministic"];
+    }
+    return claims;
 }
 
 void take_verdict(const Findings& findings, Claim& claim) {
@@ -88,7 +110,7 @@ void take_verdict(const Findings& findings, Claim& claim) {
 }
 
 std::string of_reading(const TimeStepReading& reading, const Claim& claim) {
-    return fmt::format("{} {}{}", reading.words, claim.verdict,
+    return fmt::format("{} {}{}", reading.name, claim.verdict,
                        claim.reason.empty() ? "" : " (" + claim.reason + ")");
 }
 
@@ -107,27 +129,32 @@ WantedBand between(double low, double high) {
 }
 WantedBand only_shown() { return {-infinity, infinity, ""}; }
 
-Claim judge_claim(const ClaimText& text, const std::vector<ClaimPart>& parts) {
-    Claim claim = without_verdict(text);
+Claim claim_text(const std::string& id) {
+    static const std::map<std::string, Claim> claims = read_claims();
+    return claims.at(id);
+}
+
+Claim judge_claim(const std::string& id, const std::vector<ClaimPart>& parts) {
+    Claim claim = claim_text(id);
     Findings findings;
     for (const ClaimPart& part : parts) {
-        findings.add(text, part);
-        if (part.ours.value) claim.ours = joined(claim.ours, value_text(text, part));
+        findings.add(claim, part);
+        if (part.ours.value) claim.ours = joined(claim.ours, value_text(claim, part));
     }
-    claim.rule = fmt::format("{} Wanted: {}.", text.rule, wanted_text(parts));
+    claim.rule = fmt::format("{} Wanted: {}.", claim.rule, wanted_text(parts));
     take_verdict(findings, claim);
     return claim;
 }
 
-Claim judge_readings(const ClaimText& text, const std::vector<ClaimPart>& at_60th,
+Claim judge_readings(const std::string& id, const std::vector<ClaimPart>& at_60th,
                      const std::vector<ClaimPart>& at_half) {
-    const Claim fast = judge_claim(text, at_60th), slow = judge_claim(text, at_half);
+    const Claim fast = judge_claim(id, at_60th), slow = judge_claim(id, at_half);
     Claim claim = fast;
     claim.rule += " Both readings of the time step, 1/60 s and 1/2 s, must agree.";
     claim.ours.clear();
-    if (!fast.ours.empty()) claim.ours = fmt::format("{}: {}", reading_60th.words, fast.ours);
+    if (!fast.ours.empty()) claim.ours = fmt::format("{}: {}", reading_60th.name, fast.ours);
     if (!slow.ours.empty())
-        claim.ours = joined(claim.ours, fmt::format("{}: {}", reading_half.words, slow.ours));
+        claim.ours = joined(claim.ours, fmt::format("{}: {}", reading_half.name, slow.ours));
     if (fast.verdict == "reproduced" && slow.verdict == "reproduced") return claim;
     if (fast.reason == slow.reason) return claim;
     claim.reason = of_reading(reading_60th, fast) + "; " + of_reading(reading_half, slow);

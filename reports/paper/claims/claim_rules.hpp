@@ -15,7 +15,7 @@ namespace edgewise::reports {
 /// What a number must be, in numbers and in words.
 struct WantedBand {
     double low = 0, high = 0;
-    std::string words;  ///< empty: nothing is wanted, the number is only shown
+    std::string description;  ///< empty: nothing is wanted, the number is only shown
 };
 
 [[nodiscard]] WantedBand at_least(double bound);
@@ -32,24 +32,17 @@ struct ClaimPart {
     std::string unit = {};  ///< the claim's where empty
 };
 
-/// What stands in the claim whatever the store says.
-struct ClaimText {
-    const char* id;
-    const char* section;
-    const char* claim;
-    const char* paper;
-    const char* unit;
-    const char* rule;  ///< how the numbers come about and why the bounds are what they are
-    bool deterministic;
-};
+/// What stands in the claim whatever the store says: its entry in claims.json, without verdict. Throws
+/// std::out_of_range when there is none.
+[[nodiscard]] Claim claim_text(const std::string& id);
 
-[[nodiscard]] Claim judge_claim(const ClaimText& text, const std::vector<ClaimPart>& parts);
+[[nodiscard]] Claim judge_claim(const std::string& id, const std::vector<ClaimPart>& parts);
 
-/// The paper gives speeds in radians a second and no time step. One turn a step is its fastest test ("up to 2
-/// pi rad in a discrete time step"), figure 6 ends at 12.57 = 4 pi rad/s: then a step is 1/2 s. A simulation
-/// for the screen has steps of 1/60 s. Both readings are judged.
+/// The paper gives speeds in radians per second and no time step. One turn per step is its fastest test ("up
+/// to 2 pi rad in a discrete time step"), figure 6 ends at 12.57 = 4 pi rad/s: then a step is 1/2 s. A
+/// simulation for the screen has steps of 1/60 s. Both readings are judged.
 struct TimeStepReading {
-    const char* words;
+    const char* name;
     double seconds;
 };
 inline constexpr TimeStepReading reading_60th{"at steps of 1/60 s", 1.0 / 60};
@@ -57,7 +50,13 @@ inline constexpr TimeStepReading reading_half{"at steps of 1/2 s", 0.5};
 
 /// One verdict of both readings' parts: the common one, else inconclusive, since it depends on the time step.
 /// Not measured where a reading is.
-[[nodiscard]] Claim judge_readings(const ClaimText& text, const std::vector<ClaimPart>& at_60th,
+[[nodiscard]] Claim judge_readings(const std::string& id, const std::vector<ClaimPart>& at_60th,
                                    const std::vector<ClaimPart>& at_half);
+using PartList = std::vector<ClaimPart>;
+/// `parts` gives those of a reading.
+template <class Parts>
+[[nodiscard]] Claim both_readings(const std::string& id, const Parts& parts) {
+    return judge_readings(id, parts(reading_60th), parts(reading_half));
+}
 
 }  // namespace edgewise::reports

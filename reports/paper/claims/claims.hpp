@@ -32,10 +32,10 @@ struct Claim {
 /// All claims, in the order of the paper's criteria; the same ones for every store.
 [[nodiscard]] std::vector<Claim> judge_claims(const ReportData& data);
 
-/// "41 claims: 20 reproduced, 9 not reproduced, 5 inconclusive, 7 not measured"
+/// "N claims: 20 reproduced, 9 not reproduced, 5 inconclusive, 7 not measured", whatever N is.
 [[nodiscard]] std::string claims_summary(const std::vector<Claim>& claims);
 
-/// One row a claim.
+/// One row per claim.
 [[nodiscard]] TextGrid claims_grid(const ReportData& data);
 
 }  // namespace edgewise::reports

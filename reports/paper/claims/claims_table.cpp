@@ -16,26 +16,15 @@ GridCell verdict_cell(const Claim& claim) {
 
 TextGrid claims_grid(const ReportData& data) {
     const std::vector<Claim> claims = judge_claims(data);
-    TextGrid grid{claims_summary(claims),
-                  {{"section"},
-                   {"claim"},
-                   {"paper"},
-                   {"here, with 95 % intervals"},
-                   {"verdict"},
-                   {"why"},
-                   {"rule"},
-                   {"depends on times"}},
-                  {}};
+    TextGrid grid{
+        claims_summary(claims),
+        columns_of("section|claim|paper|here, with 95 % intervals|verdict|why|rule|depends on times"),
+        {}};
     for (const Claim& claim : claims) {
         const bool measured = claim.verdict != "not measured";
-        grid.rows.push_back({{claim.section},
-                             {claim.claim},
-                             {claim.paper},
-                             {claim.ours},
-                             verdict_cell(claim),
-                             {measured ? claim.reason : ""},
-                             {claim.rule},
-                             {claim.deterministic ? "no" : "yes"}});
+        grid.rows.push_back(grid_row(claim.section, claim.claim, claim.paper, claim.ours, verdict_cell(claim),
+                                     measured ? claim.reason : "", claim.rule,
+                                     claim.deterministic ? "no" : "yes"));
     }
     return grid;
 }

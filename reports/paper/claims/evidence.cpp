@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgewise/reports/tables/text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 

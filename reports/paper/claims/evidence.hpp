@@ -37,7 +37,7 @@ struct Evidence {
 [[nodiscard]] Evidence largest(const std::vector<Evidence>& all,
                                const std::string& when_none = "no such cell is stored");
 
-/// "0.93 [0.91, 0.95] ns"; the unit 1 goes without saying.
+/// "0.93 [0.91, 0.95] ns"; the unit 1 is not written.
 [[nodiscard]] std::string evidence_text(const Evidence& evidence, const std::string& unit);
 
 }  // namespace edgewise::reports

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "edgewise/bench/memory/arena.hpp"
 #include "edgewise/layout_parts/block.hpp"
+#include "edgewise/store/palette.hpp"
 #include "edgewise/table/table_memory.hpp"
 
 namespace edgewise::bench {
@@ -20,9 +20,9 @@ constexpr int byte_width = 4, line_height = 9;
 constexpr int column_width = 64 * byte_width + 24;
 constexpr int left_margin = 8, top_margin = 44;
 
-/// By Component; told apart by people of every colour vision (Okabe and Ito, 2008), padding in grey.
-constexpr std::array<std::string_view, 6> colours = {"#0072b2", "#56b4e9", "#e69f00",
-                                                     "#cc79a7", "#009e73", "#d9d9d9"};
+std::string_view colour_of(Component component) {
+    return store::component_colour(component_names[static_cast<std::size_t>(component)]);
+}
 
 /// Bytes of one component, side by side.
 struct Run {
@@ -90,7 +90,7 @@ class Picture {
     void add_rectangle(std::size_t offset, std::size_t bytes, Component component) {
         body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
                              x_of(offset), y_of(offset), static_cast<int>(bytes) * byte_width,
-                             line_height - 1, colours[static_cast<std::size_t>(component)]);
+                             line_height - 1, colour_of(component));
     }
     void add_mark(std::size_t offset) {
         body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"1\" height=\"{}\" fill=\"#000\"/>\n",
@@ -110,7 +110,7 @@ std::string legend(const Ledger& ledger, int y) {
         result += fmt::format(
             "<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" fill=\"{}\"/>"
             "<text x=\"{}\" y=\"{}\">{}</text>\n",
-            x, y, colours[i], x + 14, y + 9, text);
+            x, y, store::component_colour(component_names[i]), x + 14, y + 9, text);
         x += 30 + static_cast<int>(text.size()) * 6;
     }
     return result;

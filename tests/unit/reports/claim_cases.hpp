@@ -42,10 +42,10 @@ inline void add_cell(ReportData& data, const MadeCell& made, const MadeFigures& 
     data.from_files.push_back(make_cell(made, figures));
 }
 
-/// Nanoseconds a query, with an interval of two per cent each way.
+/// Nanoseconds per query, with an interval of two per cent each way.
 [[nodiscard]] MadeFigures made_time(double ns);
 
-/// Radians a step: some in the range of every figure, at both readings of the time step.
+/// Radians per step: some in the range of every figure, at both readings of the time step.
 inline constexpr double made_steps[] = {0, 1.0 / 60, 3.0 / 60, 7.0 / 60, 0.5, 1, 2, 3.1415927, 6.2831853};
 /// One of the paper's scenes of turning bodies: figures by number of the step, from 0.
 void add_angular(ReportData& data, int vertices, const std::string& algorithm,

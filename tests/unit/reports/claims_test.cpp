@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every claim comes out in every way that it can, over made-up report data; what is missing is never a
+// Every claim comes out in every way that it can, over synthetic report data; what is missing is never a
 // number, and none is judged without a rule.
 #include "edgewise/reports/paper/claims/claims.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The report's chapter on caches, from made-up figures whose tables are known.
+// The report's chapter on caches, from synthetic figures whose tables are known.
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/charts/charts.hpp"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/ratio_interval.hpp"
-#include "edgewise/reports/tables/text.hpp"
 #include "report_store.hpp"
 
 namespace edgewise::reports {
@@ -68,10 +68,10 @@ TEST(Charts, LayoutsKeepTheirColourWhateverElseIsThere) {
         cell.layout = layout;
         data.cells.push_back(cell);
     }
-    const ChartJson scale = layout_colour(data)["scale"];
-    EXPECT_EQ(scale["domain"], (ChartJson{"aos", "soa", "lean"}));
+    const ChartJson slots = order_slots(data, ChartJson::array());
+    EXPECT_EQ(slots["layouts"], (ChartJson{"aos", "soa", "lean"}));
     data.cells.erase(data.cells.begin() + 1);
-    EXPECT_EQ(layout_colour(data)["scale"]["range"][1], scale["range"][1]);
+    EXPECT_EQ(order_slots(data, ChartJson::array())["layout_colours"][1], slots["layout_colours"][1]);
 }
 
 /// A panel without any row would let the next one move into its place, under a wrong name.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The charts of the chapter on the paper's figures, from made-up data: both algorithms are there, angles are
-// folded, what is not in the store is not drawn.
+// The charts of the chapter on the paper's figures, from synthetic data: both algorithms are there, angles
+// are folded, what is not in the store is not drawn.
 #include <gmock/gmock.h>
 
 #include <numbers>
 
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
-#include "edgewise/reports/paper/charts/turn.hpp"
+#include "edgewise/reports/paper/charts/rotation_angle.hpp"
 #include "paper_data.hpp"
 #include "report_store.hpp"
 
@@ -48,7 +48,7 @@ TEST(PaperCharts, FoldTurnsToWhatTheyAmountTo) {
     EXPECT_EQ(folded_angle(0.5), 0.5);
     EXPECT_NEAR(folded_angle(4 * pi + 0.1), 0.1, 1e-12);
     EXPECT_NEAR(folded_angle(pi), pi, 1e-12);
-    EXPECT_NEAR(random_turn, 2.207, 1e-3);
+    EXPECT_NEAR(random_angle, 2.207, 1e-3);
 }
 
 ReportData angular_data() {
@@ -72,9 +72,9 @@ TEST(PaperCharts, AngularSpeedIsFoldedAndRandomStandsApart) {
     ASSERT_EQ(raw.size(), 2U);
     EXPECT_NEAR(raw[0]["angle"].get<double>(), 2.353, 1e-3);
     EXPECT_EQ(raw[0]["unjoined"], true) << "it would lie on the line of the smaller turns";
-    const auto random = rows_where(values, "apart", true);
+    const auto random = rows_where(values, "larger", true);
     ASSERT_EQ(random.size(), 2U);
-    EXPECT_EQ(random[0]["angle"], random_turn);
+    EXPECT_EQ(random[0]["angle"], random_angle);
     EXPECT_EQ(random[0]["raw_angle"], nullptr);
     EXPECT_EQ(random[0]["point"], "vclip, random orientations");
     EXPECT_THAT(chart.spec.dump(), HasSubstr("raw_angle")) << "the tooltip has it";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The tables of the chapter on the paper's figures from made-up data.
+// The tables of the chapter on the paper's figures from synthetic data.
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"

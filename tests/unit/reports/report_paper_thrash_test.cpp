@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The answer to the thrash at 386 vertices, from made-up stores in which it is the cache, paging, both,
+// The answer to the thrash at 386 vertices, from synthetic stores in which it is the cache, paging, both,
 // neither, or not known.
 #include <gmock/gmock.h>
 
@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-/// V-Clip on aos_f64 at the slowest and the fastest turn: memory time and the knee of the pages.
+/// V-Clip on aos_f64 at the slowest and the fastest rotation: memory time and the knee of the pages.
 void add_thrash(ReportData& data, int vertices, double memory_ns, double page_knee) {
     const std::string scene = "paper_thrash_" + std::to_string(vertices);
     add_scene(data, scene, "rotation_step");
@@ -49,9 +49,10 @@ TEST(PaperThrash, IsPaging) {
     const std::string text = thrash_paragraph(made_up(calm, large));
     EXPECT_THAT(text, StartsWith("It is paging, not the cache"));
     EXPECT_THAT(text, AllOf(HasSubstr("swapping) holds"), HasSubstr("the tables do not fit the cache")));
-    // 300 bodies turn over 1e8 bytes: 64 MiB are too little from 300 x 67108864 / 1e8 = 201.3 on.
+    // 300 bodies use 1e8 bytes: 64 MiB are too little from 300 x 67108864 / 1e8 = 201.3 on.
     EXPECT_THAT(text, HasSubstr("from 202 bodies of 386 vertices on"));
-    EXPECT_THAT(text, HasSubstr("it passes 64 MiB from 386 vertices on, with 386 from 0.017 rad a step on"));
+    EXPECT_THAT(text,
+                HasSubstr("it passes 64 MiB from 386 vertices on, with 386 from 0.017 rad per step on"));
 }
 
 TEST(PaperThrash, IsBothOrNeither) {
@@ -83,7 +84,7 @@ TEST(PaperThrash, HeedsMeasuredFaults) {
     row.vertices = 386;
     data.paging.push_back(row);
     EXPECT_EQ(paging_is_a_cause(data), true);
-    EXPECT_THAT(thrash_paragraph(data), HasSubstr("600 bodies: 0.500 faults a query with 95.37 MiB"));
+    EXPECT_THAT(thrash_paragraph(data), HasSubstr("600 bodies: 0.500 faults per query with 95.37 MiB"));
     data.paging[0].figures = figures_of(
         {{"paging.limit_bytes.0", 2e8}, {"paging.held_bytes.0", 1e8}, {"paging.faults_per_query.0", 0}});
     EXPECT_EQ(paging_is_a_cause(data), false);

@@ -13,14 +13,15 @@
 
 namespace edgewise::reports {
 
-struct StaticFigures {
+struct StaticPictures {
     std::map<std::string, std::string> svg;  ///< by chart name
     std::string note;                        ///< why some or all are missing; empty when none is
 };
 
 /// Writes figures/NAME.vl.json for every chart and, where node can, figures/NAME.svg; old pictures are
 /// removed.
-[[nodiscard]] StaticFigures write_figures(const std::vector<Chart>& charts, const std::filesystem::path& out,
-                                          const std::filesystem::path& bundles);
+[[nodiscard]] StaticPictures write_pictures(const std::vector<Chart>& charts,
+                                            const std::filesystem::path& out,
+                                            const std::filesystem::path& bundles);
 
 }  // namespace edgewise::reports

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// See figures.hpp. Node is spawned with an argument list, never through a shell, so a path is only ever a
+// See pictures.hpp. Node is spawned with an argument list, never through a shell, so a path is only ever a
 // path.
-#include "edgewise/reports/page/figures.hpp"
+#include "edgewise/reports/page/pictures.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -57,8 +57,8 @@ std::string render(const std::vector<std::string>& names, const std::filesystem:
 
 }  // namespace
 
-StaticFigures write_figures(const std::vector<Chart>& charts, const std::filesystem::path& out,
-                            const std::filesystem::path& bundles) {
+StaticPictures write_pictures(const std::vector<Chart>& charts, const std::filesystem::path& out,
+                              const std::filesystem::path& bundles) {
     const std::filesystem::path figures = out / "figures";
     std::error_code ignored;
     std::filesystem::create_directories(figures, ignored);
@@ -71,7 +71,7 @@ StaticFigures write_figures(const std::vector<Chart>& charts, const std::filesys
                    chart.spec.dump(-1, ' ', false, ChartJson::error_handler_t::replace) + "\n");
         names.push_back(chart.name);
     }
-    StaticFigures result;
+    StaticPictures result;
     if (names.empty()) return result;
     result.note = render(names, figures, bundles);
     if (!result.note.empty())

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a turn between two steps amounts to. A turn of w is the same orientation as one of w less whole turns,
-// and one beyond half a turn is a smaller one the other way round: coherence knows the folded angle only.
+// What a rotation between two steps amounts to. A rotation by w is the same orientation as one of w less
+// whole turns, and one beyond half a turn is a smaller one in the opposite direction: coherence knows the
+// folded angle only.
 #pragma once
 
 #include <algorithm>
@@ -21,10 +22,10 @@ namespace edgewise::reports {
 
 /// The mean angle between two random orientations: pi/2 + 2/pi, since the density of the angle t is
 /// (1 - cos t) / pi.
-inline constexpr double random_turn = std::numbers::pi / 2 + 2 / std::numbers::pi;
+inline constexpr double random_angle = std::numbers::pi / 2 + 2 / std::numbers::pi;
 
 /// A new random orientation each step: coherence's other end.
-[[nodiscard]] inline bool is_random_turn(const ReportCell& cell) {
+[[nodiscard]] inline bool has_random_orientation(const ReportCell& cell) {
     return scene_number(cell, "random_orientation").value_or(0) != 0;
 }
 

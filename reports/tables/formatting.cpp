@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// See text.hpp.
-#include "edgewise/reports/tables/text.hpp"
+// See formatting.hpp.
+#include "edgewise/reports/tables/formatting.hpp"
 
 #include <fmt/core.h>
 

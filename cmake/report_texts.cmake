@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+# The report's prose (*.md), chart specifications (*.vl.json) and claims become text in the program: it finds them
+# wherever it is installed. Each is known by its name without folders, so two files of one name are an error.
+
+# edgewise_write_report_texts(OUTPUT): writes the source file OUTPUT.
+function(edgewise_write_report_texts OUTPUT)
+    set(reports ${PROJECT_SOURCE_DIR}/reports)
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS ${reports}/*.vl.json ${reports}/text/*.md ${reports}/paper/*.md
+        ${reports}/paper/claims/*.json)
+    list(SORT files)
+    set(TEXTS)
+    set(names)
+    foreach(file IN LISTS files)
+        get_filename_component(name ${file} NAME)
+        if(name IN_LIST names)
+            message(FATAL_ERROR "edgewise: ${file}: another report text is called ${name}: rename one of them")
+        endif()
+        list(APPEND names ${name})
+        set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+        file(READ ${file} text)
+        string(APPEND TEXTS "    {\"${name}\", R\"text(${text})text\"},\n")
+    endforeach()
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/report_texts.cpp.in ${OUTPUT} @ONLY)
+endfunction()

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+//
+// See chapters.hpp. One function a chapter; what is long is folded.
+#include "edgewise/reports/page/chapters.hpp"
+
+#include <fmt/core.h>
+
+#include "edgewise/reports/page/page_parts.hpp"
+#include "edgewise/reports/tables/cache_tables.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/tables.hpp"
+#include "edgewise/reports/text/report_text.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+std::string subheading(const std::string& title) { return "<h3>" + html_text(title) + "</h3>\n"; }
+
+/// The first reason for a count that is missing.
+std::string why_not_counted(const ReportData& data) {
+    for (const ReportCell& cell : data.cells) {
+        const measure::Figure figure = cell.figure("counters.instructions");
+        if (cell.verified() && !figure.value) return " Not counted here: " + figure.reason + ".";
+    }
+    return {};
+}
+
+Chapter bytes_chapter(const ReportData& data) {
+    const std::string shape = reference_shape(data);
+    return {"bytes",
+            "Bytes per edge",
+            prose("bytes.md"),
+            {{.grids = {bytes_grid(data, shape)}, .opening = subheading(shape), .page_only = true},
+             {.grids = {bytes_grid(data, "")}, .fold = "All shapes"}}};
+}
+
+Chapter layouts_chapter(const ReportData& data) {
+    std::string pictures;
+    for (const Drawing& drawing : drawings(data))
+        pictures += "<div class=\"chart\">" + drawing.svg + "</div>\n";
+    std::vector<TextGrid> grids{layout_cost_grid(data)};
+    if (TextGrid memory = scene_memory_grid(data); !memory.rows.empty()) grids.push_back(std::move(memory));
+    Chapter chapter{"layouts", "What layouts cost", prose("layouts.md"), {{.grids = grids}}, "Layouts"};
+    if (!pictures.empty())
+        chapter.blocks.push_back({.fold = "The layouts draw themselves: the table of a cube",
+                                  .opening = pictures,
+                                  .page_only = true});
+    return chapter;
+}
+
+Chapter caches_chapter(const ReportData& data) {
+    const bool modelled = !modelled_cells(data).empty();
+    Chapter chapter{"caches", "Caches", prose(modelled ? "caches.md" : "no_caches.md"), {}};
+    if (!modelled) return chapter;
+    chapter.blocks = {{.grids = {misses_grid(data), working_sets_grid(data), policy_grid(data)}}};
+    for (const std::string& machine : modelled_machines(data)) {
+        ChapterBlock block{.grids = {causes_grid(data, machine)}, .fold = machine + ": why, what and where"};
+        for (const std::string& level : broken_down_levels(data, machine))
+            for (const store::FigureName& by : {misses_by_field, misses_by_step})
+                block.grids.push_back(breakdown_grid(data, machine, level, by));
+        chapter.blocks.push_back(std::move(block));
+    }
+    return chapter;
+}
+
+/// The reference shape in full view, all shapes folded.
+Chapter times_chapter(const ReportData& data) {
+    Chapter chapter{"times", "Times", prose("times.md"), {}};
+    for (const std::string& scene : scene_labels(data)) {
+        ChapterBlock shown{.opening = subheading(scene), .page_only = true};
+        std::vector<ChapterBlock> all;
+        for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
+            const TextGrid grid = time_grid(data, scene, kind, "");
+            if (grid.rows.empty()) continue;
+            if (TextGrid reference = time_grid(data, scene, kind, reference_shape(data));
+                !reference.rows.empty())
+                shown.grids.push_back(std::move(reference));
+            all.push_back({.grids = {grid},
+                           .fold = fmt::format("{}, {} pairs, all shapes ({})", scene, pair_name(kind),
+                                               plural(grid.rows.size(), "cell"))});
+        }
+        chapter.blocks.push_back(std::move(shown));
+        chapter.blocks.insert(chapter.blocks.end(), all.begin(), all.end());
+    }
+    return chapter;
+}
+
+Chapter errors_chapter(const ReportData& data) {
+    return {"errors",
+            "Errors",
+            prose("errors.md"),
+            {{.grids = {error_summary_grid(data)}},
+             {.grids = {error_grid(data)}, .fold = fmt::format("Every cell ({})", data.cells.size())}}};
+}
+
+Chapter stability_chapter(const ReportData& data) {
+    if (data.stability.empty()) return {"stability", "Stability", prose("no_stability.md"), {}};
+    Chapter chapter{"stability", "Stability", prose("stability.md"), {}};
+    chapter.blocks = {{.grids = {stability_summary_grid(data)}},
+                      {.grids = {stability_grid(data)},
+                       .fold = fmt::format("Every family ({})", plural(data.stability.size(), "row"))}};
+    return chapter;
+}
+
+}  // namespace
+
+std::vector<Chapter> report_chapters(const ReportData& data) {
+    return {
+        bytes_chapter(data),
+        layouts_chapter(data),
+        caches_chapter(data),
+        {"counters",
+         "Counters and heap",
+         prose("counters.md") + why_not_counted(data),
+         {{.grids = {counters_grid(data)}}},
+         "Counters"},
+        times_chapter(data),
+        errors_chapter(data),
+        stability_chapter(data),
+        {"cells",
+         "All cells",
+         {},
+         {{.opening = html_paragraph(prose("cells.md")), .page_only = true},
+          {.grids = {cells_grid(data)}, .fold = fmt::format("All {}", plural(data.cells.size(), "cell"))}}}};
+}
+
+}  // namespace edgewise::reports

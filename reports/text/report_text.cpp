@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// See report_text.hpp. The texts themselves are generated.
+#include "edgewise/reports/text/report_text.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "edgewise/reports/text/embedded_texts.hpp"
+
+namespace edgewise::reports {
+
+std::string_view report_text(std::string_view name) {
+    const auto texts = embedded_texts();
+    const auto found =
+        std::find_if(texts.begin(), texts.end(), [&](const EmbeddedText& text) { return text.name == name; });
+    assert(found != texts.end());
+    return found == texts.end() ? std::string_view() : found->text;
+}
+
+std::string prose(std::string_view name) {
+    std::string paragraph(report_text(name));
+    while (!paragraph.empty() && paragraph.back() == '\n') paragraph.pop_back();
+    std::replace(paragraph.begin(), paragraph.end(), '\n', ' ');
+    return paragraph;
+}
+
+}  // namespace edgewise::reports
