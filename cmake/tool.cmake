@@ -44,7 +44,11 @@ if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
-edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp)
+# What mutants (tests/mutation) replace is linked by itself.
+edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/measure/cache/cache_level.cpp
+    src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/truth/accuracy_band.cpp
+    src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp src/edgewise/truth/moore_wilhelms.cpp
+    src/edgewise/truth/optimality.cpp src/edgewise/truth/support_filter.cpp)
 edgewise_precompile(edgewise_core <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map> <memory>
     <optional> <span> <string> <vector>)
 

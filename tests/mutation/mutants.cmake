@@ -105,3 +105,21 @@ edgewise_mutant(band_without_rotations truth/accuracy_band.cpp [[verdict_band_or
     AccuracyBand.* ${unit}/truth/accuracy_band_test.cpp)
 edgewise_mutant(judge_lets_nan_pass truth/accuracy_band.cpp [[if (answer.separated && std::isnan(answer.distance)) result.verdict_wrong = true;]] [[]]
     Judge.* ${unit}/truth/accuracy_band_test.cpp)
+
+# Cache model
+edgewise_mutant(sets_by_the_wrong_bits measure/cache/cache_level.hpp [[return mask_ != 0 ? line & (mask_ - 1)]] [[return mask_ != 0 ? line >> 1 & (mask_ - 1)]]
+    CacheModel.* ${unit}/measure/cache_model_test.cpp)
+edgewise_mutant(the_newest_line_leaves measure/cache/cache_level.cpp [[std::min_element(times, times + ways_) - times]] [[std::max_element(times, times + ways_) - times]]
+    CacheModel.* ${unit}/measure/cache_model_test.cpp)
+
+# The rules of claims
+edgewise_mutant(too_much_is_no_miss reports/paper/claims/claim_rules.cpp [[ours.high < part.wanted.low || ours.low > part.wanted.high]] [[ours.high < part.wanted.low]]
+    *EveryClaim*:Claims.* ${claims})
+edgewise_mutant(straddling_is_met reports/paper/claims/claim_rules.cpp [[ours.low < part.wanted.low || ours.high > part.wanted.high]] [[ours.low < part.wanted.low && ours.high > part.wanted.high]]
+    Claims.* ${claims})
+
+# Store
+edgewise_mutant(old_figures_stay store/store.cpp [[delete from figure where build = ? and hash = ?]] [[delete from figure where build = ? and hash = ? and 0]]
+    StoreTest.* ${unit}/store/store_test.cpp)
+edgewise_mutant(failed_writes_stay store/sqlite.cpp [["rollback", nullptr]] [["commit", nullptr]]
+    StoreTest.* ${unit}/store/store_test.cpp)
