@@ -12,7 +12,7 @@ namespace edgewise::reports {
 
 namespace {
 
-std::string bytes_in_words(std::string name) {
+std::string component_title(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
     return name;
 }
@@ -28,11 +28,11 @@ ChartJson component_rows(const ReportData& data, const std::vector<std::string>&
         for (std::size_t i = 0; i < components.size(); ++i) {
             const measure::Figure figure = cell.figure("bytes", components[i]);
             if (!figure.value) {
-                omitted.add(bytes_in_words(components[i]) + ": " + figure.reason);
+                omitted.add(component_title(components[i]) + ": " + figure.reason);
                 continue;
             }
             ChartJson row = cell_json(cell);
-            row["component"] = bytes_in_words(components[i]);
+            row["component"] = component_title(components[i]);
             row["order"] = i;
             row["bytes"] = *figure.value;
             values.push_back(std::move(row));
@@ -55,7 +55,7 @@ ChartJson bytes_slots_of(const ReportData& data, const std::vector<std::string>&
                          const ChartJson& pick) {
     ChartJson names = ChartJson::array(), colours = ChartJson::array();
     for (std::size_t i = 0; i < components.size(); ++i) {
-        names.push_back(bytes_in_words(components[i]));
+        names.push_back(component_title(components[i]));
         colours.push_back(store::component_colour(components[i], i));
     }
     return {{"components", names},

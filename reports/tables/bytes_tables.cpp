@@ -19,7 +19,7 @@ bool is_component(const store::FigureRow& figure) {
     return figure.probe == "bytes" && figure.unit == "B/edge" && !total;
 }
 
-std::string bytes_in_words(std::string name) {
+std::string column_title(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
     return name;
 }
@@ -76,7 +76,7 @@ TextGrid bytes_grid(const ReportData& data, const std::string& shape) {
     if (shape.empty()) grid.columns = columns_of("shape|#edges");
     grid.columns.push_back({"algorithm"});
     grid.columns.push_back({"table type"});
-    for (const std::string& name : components) grid.columns.push_back({bytes_in_words(name), true});
+    for (const std::string& name : components) grid.columns.push_back({column_title(name), true});
     for (const char* title : {"total", "paper's subtotal (slope)", "total (slope)", "table, bytes"})
         grid.columns.push_back({title, true});
     std::vector<const ReportCell*> cells;

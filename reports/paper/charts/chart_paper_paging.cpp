@@ -10,7 +10,7 @@ namespace edgewise::reports {
 
 namespace {
 
-ChartJson paging_row_of(const ReportCell& cell, double memory, const char* kind, double faults) {
+ChartJson fault_row(const ReportCell& cell, double memory, const char* kind, double faults) {
     ChartJson row = curve_json(cell);
     row["memory"] = memory;
     row["kind"] = kind;
@@ -22,11 +22,11 @@ ChartJson paging_row_of(const ReportCell& cell, double memory, const char* kind,
 void add_limit(const ReportCell& cell, const PagingLimit& limit, Omissions& omitted, ChartJson& values) {
     const double held = limit.held.value.value_or(0), given = limit.limit.value.value_or(0);
     if (held > 0 && limit.predicted_at_held.value)
-        values.push_back(paging_row_of(cell, held, "predicted", *limit.predicted_at_held.value));
+        values.push_back(fault_row(cell, held, "predicted", *limit.predicted_at_held.value));
     if (given > 0 && limit.predicted_at_limit.value)
-        values.push_back(paging_row_of(cell, given, "predicted", *limit.predicted_at_limit.value));
+        values.push_back(fault_row(cell, given, "predicted", *limit.predicted_at_limit.value));
     if (held > 0 && limit.faults.value)
-        values.push_back(paging_row_of(cell, held, "measured", *limit.faults.value));
+        values.push_back(fault_row(cell, held, "measured", *limit.faults.value));
     else
         omitted.add(limit.faults.value ? limit.held.reason : limit.faults.reason);
 }

@@ -19,7 +19,7 @@ constexpr double spared_share = 0.1;
 /// The axis of figure 8 is 12 times that of figure 7.
 constexpr double slowed = 12;
 
-const ReportCell* paging_row_of(const ReportData& data, const std::string& algorithm) {
+const ReportCell* row_of_run(const ReportData& data, const std::string& algorithm) {
     for (const ReportCell& row : data.paging)
         if (row.algorithm == algorithm && row.table == "aos_f64" && row.shape == "sphere386") return &row;
     return nullptr;
@@ -44,7 +44,7 @@ int largest_limit(const ReportCell& row, double bound) {
 
 /// Of V-Clip's row: the limit that is too small.
 Evidence tight_limit(const ReportData& data) {
-    const ReportCell* row = paging_row_of(data, "vclip");
+    const ReportCell* row = row_of_run(data, "vclip");
     if (!row) return no_evidence("no paging run of vclip on aos_f64, sphere386, is stored");
     const Evidence touched = figure_of(*row, "paging.touched_bytes");
     if (!touched.value) return touched;
@@ -57,7 +57,7 @@ Evidence tight_limit(const ReportData& data) {
 Evidence when_tight(const ReportData& data, const std::string& algorithm, const store::FigureName& name) {
     const Evidence limit = tight_limit(data);
     if (!limit.value) return limit;
-    const ReportCell* row = paging_row_of(data, algorithm);
+    const ReportCell* row = row_of_run(data, algorithm);
     if (!row)
         return no_evidence(fmt::format("no paging run of {} on aos_f64, sphere386, is stored", algorithm));
     // Its own limits may all be smaller; with more memory it faults no more often.
@@ -67,7 +67,7 @@ Evidence when_tight(const ReportData& data, const std::string& algorithm, const 
 }
 
 Evidence time_at_ease(const ReportData& data) {
-    const ReportCell* row = paging_row_of(data, "vclip");
+    const ReportCell* row = row_of_run(data, "vclip");
     if (!row) return no_evidence("no paging run of vclip on aos_f64, sphere386, is stored");
     const int i = largest_limit(*row, 1e301);
     return i < 0 ? no_evidence("the paging run has no limit") : at(*row, "paging.us_per_query.{limit}", i);

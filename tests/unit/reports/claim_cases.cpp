@@ -20,7 +20,7 @@ ReportCell make_cell(const MadeCell& made, const MadeFigures& figures) {
         made.parameter.empty() ? "{}" : fmt::format(R"({{"{}":{}}})", made.parameter, made.x);
     for (const auto& [name, value] : figures) {
         const auto dot = name.find('.');
-        cell.figures.push_back({name.substr(0, dot), name.substr(dot + 1), value, "", "", ""});
+        cell.figures.push_back({{name.substr(dot + 1), value, ""}, name.substr(0, dot)});
     }
     return cell;
 }

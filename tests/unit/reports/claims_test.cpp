@@ -197,7 +197,7 @@ TEST(Claims, CompareTimesWithinRoundsWhereTheyAreStored) {
     ASSERT_EQ(all_cases()[3].id, "static_gjk_faster");
     for (ReportCell& cell : data.from_files)
         if (cell.algorithm == "gjk")
-            for (int i = 0; i < 9; ++i) cell.rounds.push_back({std::nullopt, std::nullopt, 0.8 + 0.001 * i});
+            for (int i = 0; i < 9; ++i) cell.rounds.push_back({i, {1, 0, 0.8 + 0.001 * i, 0}, {1, 0, 1, 0}});
     const Claim claim = claim_of(data, "static_gjk_faster");
     EXPECT_EQ(claim.verdict, "reproduced") << claim.reason;
     EXPECT_THAT(claim.ours, HasSubstr("GJK over V-Clip 0.804 [0.801, 0.807]"));

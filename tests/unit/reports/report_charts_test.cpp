@@ -45,8 +45,8 @@ TEST(SpeedError, ExactZerosStandOnALabelledFloor) {
     for (const double error : {0.0, 3e-16, 2e-7}) {
         ReportCell cell;
         cell.hash = std::to_string(error), cell.scene_label = "cold", cell.status = "verified";
-        cell.figures = {{"error", "worst_error_given", error, "scale", "", ""},
-                        {"time", "separated_ns", 10.0, "ns", "", ""}};
+        cell.figures = {{{"worst_error_given", error, "scale"}, "error"},
+                        {{"separated_ns", 10.0, "ns"}, "time"}};
         data.cells.push_back(cell);
     }
     const Chart chart = speed_error_chart(data);
