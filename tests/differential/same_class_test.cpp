@@ -75,8 +75,8 @@ std::string answers(const bench::TableType& type, const std::string& algorithm) 
     for (const bool warm : {false, true}) {
         const scene::Workload asked = workload(warm);
         const auto runner = type.make_runner(algorithm);
-        EXPECT_EQ(runner->load(asked.bodies), "") << type.name;
-        for (const Distance& answer : runner->answer(asked)) add(print, answer);
+        EXPECT_EQ(runner->load(asked), "") << type.name;
+        for (const Distance& answer : runner->answer()) add(print, answer);
     }
     return print.hex();
 }

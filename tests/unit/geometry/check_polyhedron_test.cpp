@@ -159,7 +159,7 @@ TEST(CheckPolyhedron, RefusesTheEmptyBody) { EXPECT_NE(all_violations(Polyhedron
 
 TEST(CheckPolyhedron, RandomDamageToTheIndicesIsAlwaysSeen) {
     Dice dice(31);
-    const Polyhedron sound = *convex_hull(scene::sphere_points(dice, 40, Vec3d(1, 1, 1)));
+    const Polyhedron sound = *convex_hull(sphere_points(dice, 40, Vec3d(1, 1, 1)));
     ASSERT_EQ(all_violations(sound), "");
     int inflicted = 0;
     for (int trial = 0; trial < 3000; ++trial) {

@@ -136,7 +136,7 @@ TEST(Hull, DoesNotDependOnTheOrderOfTheInput) {
     int merged = 0;
     for (int trial = 0; trial < 50; ++trial) {
         const Points base =
-            trial % 2 == 0 ? grid_points(3, Vec3d(1, 1, 1)) : scene::sphere_points(dice, 60, Vec3d(1, 1, 1));
+            trial % 2 == 0 ? grid_points(3, Vec3d(1, 1, 1)) : sphere_points(dice, 60, Vec3d(1, 1, 1));
         const Points points = placed(base, random_rotation(dice), dice.vector(), 1);
         std::vector<Index> order(points.size());
         for (Index i = 0; i < order.size(); ++i) order[i] = i;
@@ -159,9 +159,9 @@ TEST(Hull, DoesNotDependOnTheOrderOfTheInput) {
 Points awkward_body(Dice& dice, int family, const Vec3d& half) {
     if (family == 0) return box_points(half);
     if (family == 1) return grid_points(4, half);
-    if (family == 2) return scene::sphere_points(dice, 80, half);
+    if (family == 2) return sphere_points(dice, 80, half);
     if (family == 3) {  // near duplicates
-        Points points = scene::sphere_points(dice, 50, half);
+        Points points = sphere_points(dice, 50, half);
         for (int k = 0; k < 50; ++k) {
             const double step = std::pow(10, dice.between(-17, -9));
             points.push_back(points[k] + dice.vector() * step);

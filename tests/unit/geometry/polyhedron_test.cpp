@@ -121,7 +121,7 @@ TEST(Polyhedron, PlanesFitSliversAndFarFaces) {
     Dice dice(24);
     double worst = 0;
     for (int trial = 0; trial < 50; ++trial) {
-        Points points = scene::sphere_points(dice, 20, Vec3d(1, 1, 1e-6));
+        Points points = sphere_points(dice, 20, Vec3d(1, 1, 1e-6));
         points.push_back(points[0] + dice.vector() * 1e-9);
         const Vec3d shift = dice.vector() * (trial % 2 == 0 ? 0 : 1e3);
         const Result<Polyhedron> body = convex_hull(placed(points, random_rotation(dice), shift, 1));

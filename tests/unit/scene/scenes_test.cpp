@@ -117,12 +117,12 @@ TEST(Cold, DistancesAreUniformInOneBodySizeAndATenthOverlaps) {
         const Result<Workload> w = make_scene("cold", body, {}, 2, 1000, counting);
         ASSERT_TRUE(w) << w.error;
         expect_well_formed(*w, 1000);
-        double overlapping = 0, reports::sum = 0, largest = 0;
+        double overlapping = 0, sum = 0, largest = 0;
         for (const Query& q : w->queries) {
             const double d = distance_of(*w, q) / extent(body.vertices);
-            overlapping += d == 0, reports::sum += d, largest = std::max(largest, d);
+            overlapping += d == 0, sum += d, largest = std::max(largest, d);
         }
-        const double separated = 1000 - overlapping, mean = reports::sum / separated;
+        const double separated = 1000 - overlapping, mean = sum / separated;
         std::printf(
             "cold %-8s: %.1f %% overlap; distance mean %.3f, largest %.4f body sizes; %zu evaluations\n",
             name, overlapping / 10, mean, largest, evaluations);
