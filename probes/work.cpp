@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "edgewise/algorithms/gjk.hpp"
-#include "edgewise/probes/work/watched_body.hpp"
+#include "edgewise/probes/watched/watched_body.hpp"
 
 namespace edgewise::probes {
 

@@ -122,17 +122,17 @@ void expect_scaled(const scene::Case& given, int power, bench::Runner& runner, i
         if (!a || !b || !runner.load(std::vector<Polyhedron>{*a, *b}).empty()) return std::nullopt;
         return runner.answer(scene::Query{0, 1, 0, of.pose_a, of.pose_b});
     };
-    const auto plain = answer_to(given), scene::scaled = answer_to(scaled_by_power(given, power));
-    ASSERT_EQ(plain.has_value(), scene::scaled.has_value());
+    const auto plain = answer_to(given), scaled = answer_to(scaled_by_power(given, power));
+    ASSERT_EQ(plain.has_value(), scaled.has_value());
     if (!plain) return;
     const double factor = std::ldexp(1.0, power);
-    EXPECT_EQ(plain->distance.status, scene::scaled->distance.status);
-    EXPECT_EQ(plain->distance.distance * factor, scene::scaled->distance.distance);
-    EXPECT_EQ(Vec3d(plain->distance.point_a * factor), scene::scaled->distance.point_a);
-    EXPECT_EQ(Vec3d(plain->distance.point_b * factor), scene::scaled->distance.point_b);
-    EXPECT_EQ(plain->distance.steps, scene::scaled->distance.steps);
-    EXPECT_EQ(plain->feature_a.vertices, scene::scaled->feature_a.vertices);
-    EXPECT_EQ(plain->depth * factor, scene::scaled->depth);
+    EXPECT_EQ(plain->distance.status, scaled->distance.status);
+    EXPECT_EQ(plain->distance.distance * factor, scaled->distance.distance);
+    EXPECT_EQ(Vec3d(plain->distance.point_a * factor), scaled->distance.point_a);
+    EXPECT_EQ(Vec3d(plain->distance.point_b * factor), scaled->distance.point_b);
+    EXPECT_EQ(plain->distance.steps, scaled->distance.steps);
+    EXPECT_EQ(plain->feature_a.vertices, scaled->feature_a.vertices);
+    EXPECT_EQ(plain->depth * factor, scaled->depth);
     ++compared;
 }
 

@@ -15,7 +15,7 @@ int main(int count, char** arguments) {
     int written = 0;
     for (int i = 2; i < count; ++i) {
         std::ifstream stream(arguments[i]);
-        edgewise::CaseReader reader(stream, arguments[i]);
+        edgewise::scene::CaseReader reader(stream, arguments[i]);
         while (const auto line = reader.next()) {
             const auto bytes = *line ? edgewise::bytes_from_pair(**line) : std::nullopt;
             if (!bytes) continue;

@@ -7,6 +7,7 @@
 
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/tolerance.hpp"

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/strictly_convex.hpp"

@@ -105,8 +105,12 @@ Names built(Names layouts) {
     return layouts;
 }
 
-/// What stores of the paper's sweep were made by, as its file must say it.
-TEST(Plan, PaperIsWhatItsStoresHold) {
+struct PaperScene {
+    const char* name;
+    Names layouts, axes;
+};
+
+std::vector<PaperScene> paper_scenes() {
     const Names both = {"aos_f64", "lean_f64"};
     const Names timed = {"aos_f64", "aos_f32", "lean_f64", "points_neighbours_f64"};
     const Names in_static = {"aos_f64", "aos_f32", "linked_f64", "lean_f64", "points_neighbours_f64"};
@@ -114,41 +118,46 @@ TEST(Plan, PaperIsWhatItsStoresHold) {
     const Names shared = {"sharing=shared"}, placed = {"sharing=shared", "order=bfs", "order=spatial"};
     const Names asked = {"needs=verdict", "needs=distance", "needs=features", "needs=depth",
                          "needs=certificate"};
-    const struct {
-        const char* name;
-        Names layouts, axes;
-    } expected[] = {{"paper_static", in_static, {}},
-                    {"paper_linear_8", both, {}},
-                    {"paper_bodies", both, {}},
-                    {"paper_bodies_shrinking", both, {}},
-                    {"paper_angular_8", timed, shared},
-                    {"paper_angular_38", timed, shared},
-                    {"paper_angular_386", timed, shared},
-                    {"paper_proximity", timed, {}},
-                    {"paper_complexity", both, {}},
-                    {"paper_cold", both, {}},
-                    {"paper_needs", both, asked},
-                    {"paper_caches_here", both, {}},
-                    {"paper_thrash_8", thrashed, placed},
-                    {"paper_thrash_38", thrashed, placed},
-                    {"paper_thrash_386", thrashed, placed},
-                    {"tumble", {}, {}},
-                    {"cold", {}, {}}};
+    return {{"paper_static", in_static, {}},
+            {"paper_linear_8", both, {}},
+            {"paper_bodies", both, {}},
+            {"paper_bodies_shrinking", both, {}},
+            {"paper_angular_8", timed, shared},
+            {"paper_angular_38", timed, shared},
+            {"paper_angular_386", timed, shared},
+            {"paper_proximity", timed, {}},
+            {"paper_complexity", both, {}},
+            {"paper_cold", both, {}},
+            {"paper_needs", both, asked},
+            {"paper_caches_here", both, {}},
+            {"paper_thrash_8", thrashed, placed},
+            {"paper_thrash_38", thrashed, placed},
+            {"paper_thrash_386", thrashed, placed},
+            {"tumble", {}, {}},
+            {"cold", {}, {}}};
+}
+
+void expect_scene(const SceneChoice& scene, const PaperScene& wanted) {
+    const auto& [name, layouts, axes] = wanted;
+    const bool own = std::string(name).starts_with("paper_"), traced = axes.size() == 3;
+    EXPECT_EQ(scene.name, name);
+    EXPECT_TRUE(scene.parameters.empty() && scene.algorithms.empty()) << name;
+    EXPECT_EQ(scene.layouts, built(layouts)) << name;
+    EXPECT_EQ(scene.axes, axes) << name;
+    EXPECT_EQ(scene.plain, own && axes.empty()) << name;
+    EXPECT_EQ(scene.caches, traced ? Names{"all"} : Names{}) << name;
+    EXPECT_EQ(scene.queries, own ? 0U : 3000U) << name;
+    EXPECT_EQ(scene.shapes, own ? Names{} : (Names{"sphere38", "sphere386"})) << name;
+}
+
+/// What stores of the paper's sweep were made by, as its file must say it.
+TEST(Plan, PaperIsWhatItsStoresHold) {
     const Plan paper = make_plan("paper"), quick = make_plan("quick");
     std::size_t next = 0;
-    for (const auto& [name, layouts, axes] : expected) {
-        if (!layouts.empty() && built(layouts).empty()) continue;
+    for (const PaperScene& wanted : paper_scenes()) {
+        if (!wanted.layouts.empty() && built(wanted.layouts).empty()) continue;
         ASSERT_LT(next, paper.scenes.size());
-        const SceneChoice& scene = paper.scenes[next++];
-        const bool own = std::string(name).starts_with("paper_"), traced = axes == placed;
-        EXPECT_EQ(scene.name, name);
-        EXPECT_TRUE(scene.parameters.empty() && scene.algorithms.empty()) << name;
-        EXPECT_EQ(scene.layouts, built(layouts)) << name;
-        EXPECT_EQ(scene.axes, axes) << name;
-        EXPECT_EQ(scene.plain, own && axes.empty()) << name;
-        EXPECT_EQ(scene.caches, traced ? Names{"all"} : Names{}) << name;
-        EXPECT_EQ(scene.queries, own ? 0U : 3000U) << name;
-        EXPECT_EQ(scene.shapes, own ? Names{} : (Names{"sphere38", "sphere386"})) << name;
+        expect_scene(paper.scenes[next++], wanted);
     }
     EXPECT_EQ(next, paper.scenes.size());
     EXPECT_EQ(paper.shapes, quick.shapes);
