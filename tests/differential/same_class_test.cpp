@@ -72,8 +72,8 @@ void add(bench::Fingerprint& print, const Distance& answer) {
 
 std::string answers(const bench::TableType& type, const std::string& algorithm) {
     bench::Fingerprint print;
-    for (const bool warm : {false, true}) {
-        const scene::Workload asked = workload(warm);
+    static const scene::Workload workloads[] = {workload(false), workload(true)};
+    for (const scene::Workload& asked : workloads) {
         const auto runner = type.make_runner(algorithm);
         EXPECT_EQ(runner->load(asked), "") << type.name;
         for (const Distance& answer : runner->answer()) add(print, answer);
