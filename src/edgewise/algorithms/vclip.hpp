@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <type_traits>
@@ -106,7 +107,9 @@ template <class TableA, class TableB, class Observer>
         const bool cycle = moved && guard.returns_to(a.feature, b.feature);
         if (moved && !cycle) continue;
         Distance result = answer(a, b, last);
-        const Trust verdict = cycle ? Trust::doubted : trust(result, a, b);
+        // Coordinates whose products overflow give no distance: GJK has the range, and starts cold.
+        const bool is_number = std::isfinite(result.distance);
+        const Trust verdict = cycle || !is_number ? Trust::doubted : trust(result, a, b);
         if (verdict != Trust::sound) {
             observer.ask_gjk();
             result = answer_by_gjk(a, b);
