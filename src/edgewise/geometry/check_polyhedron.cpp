@@ -11,6 +11,7 @@
 
 #include "edgewise/geometry/check_topology.hpp"
 #include "edgewise/geometry/hull/face_shape.hpp"
+#include "edgewise/geometry/hull/vertex_boxes.hpp"
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
@@ -27,7 +28,8 @@ bool all_finite(const Polyhedron& body) {
 }
 
 /// Unit length; the ring's vertices on the plane; no vertex above it.
-void check_plane(const Polyhedron& body, Index f, double tolerance, Violations& found) {
+void check_plane(const Polyhedron& body, const VertexBoxes& boxes, Index f, double tolerance,
+                 Violations& found) {
     const Plane<double>& plane = body.face_planes[f];
     const double length = norm(plane.normal);
     if (!(std::abs(length - 1) <= unit_length)) {
@@ -41,12 +43,9 @@ void check_plane(const Polyhedron& body, Index f, double tolerance, Violations& 
                                 " is ", rounded(off), " off"));
         break;
     }
-    for (Index v = 0; v < body.vertex_count(); ++v) {
-        const double above = plane.distance(body.vertices[v]);
-        if (above <= tolerance) continue;  // NaN counts as above
-        found.push_back(message("not convex: vertex ", body.input_index[v], " is ", rounded(above), " above ",
-                                face_name(body, f)));
-        return;
+    if (const std::optional<Index> v = boxes.first_above(plane, tolerance)) {
+        found.push_back(message("not convex: vertex ", body.input_index[*v], " is ",
+                                rounded(plane.distance(body.vertices[*v])), " above ", face_name(body, f)));
     }
 }
 
@@ -65,8 +64,9 @@ Violations check_polyhedron(const Polyhedron& body, double planarity) {
     if (!found.empty()) return found;
     if (!all_finite(body)) return {"a vertex is not finite"};
     const double tolerance = shape_tolerance(body, planarity);
+    const VertexBoxes boxes(body.vertices);
     for (Index f = 0; f < body.face_count(); ++f) {
-        check_plane(body, f, tolerance, found);
+        check_plane(body, boxes, f, tolerance, found);
         check_winding(body, f, tolerance, found);
     }
     return found;

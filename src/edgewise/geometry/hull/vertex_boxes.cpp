@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/geometry/hull/vertex_boxes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+
+#include "edgewise/geometry/tolerance.hpp"
+
+namespace edgewise {
+namespace {
+
+/// Of this many, about, a cell is to hold: with V of them on a surface, V / 16 cells are as many as boxes
+/// cost no more than the vertices in the ones looked into.
+constexpr double vertices_per_cell = 16;
+
+Aabb box_around(const std::vector<Vec3d>& points) {
+    Aabb box{points.front(), points.front()};
+    for (const Vec3d& point : points) {
+        box.low = box.low.cwiseMin(point);
+        box.high = box.high.cwiseMax(point);
+    }
+    return box;
+}
+
+/// Distance from the plane of the box's farthest corner on its positive side.
+double reach(const Plane<double>& plane, const Aabb& box) {
+    const Vec3d half = (box.high - box.low) / 2;
+    return plane.distance(box.low + half) + plane.normal.cwiseAbs().dot(half);
+}
+
+}  // namespace
+
+VertexBoxes::VertexBoxes(const std::vector<Vec3d>& vertices) : vertices_(vertices), rounding_(0) {
+    if (vertices.empty()) return;
+    const Aabb all = box_around(vertices);
+    rounding_ = box_rounding * std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
+    // A surface of n x n x n cells has about 6 n^2 with vertices in them.
+    const double per_axis =
+        std::ceil(std::sqrt(static_cast<double>(vertices.size()) / (6 * vertices_per_cell)));
+    const Vec3d extent = (all.high - all.low).cwiseMax(smallest_extent);
+    std::map<std::array<int, 3>, std::vector<Index>> grid;
+    for (Index v = 0; v < vertices.size(); ++v) {
+        const Vec3d place = ((vertices[v] - all.low).cwiseQuotient(extent) * (per_axis - 1)).array().round();
+        grid[{static_cast<int>(place.x()), static_cast<int>(place.y()), static_cast<int>(place.z())}]
+            .push_back(v);
+    }
+    for (auto& [place, members] : grid) {
+        std::vector<Vec3d> points;
+        for (const Index v : members) points.push_back(vertices[v]);
+        cells_.push_back({box_around(points), std::move(members)});
+    }
+}
+
+std::optional<Index> VertexBoxes::first_above(const Plane<double>& plane, double height) const {
+    std::optional<Index> first;
+    for (const Cell& cell : cells_) {
+        if (reach(plane, cell.box) + rounding_ <= height) continue;  // NaN counts as above
+        for (const Index v : cell.vertices) {
+            if (first && v >= *first) break;
+            if (plane.distance(vertices_[v]) <= height) continue;
+            first = v;
+        }
+    }
+    return first;
+}
+
+}  // namespace edgewise
