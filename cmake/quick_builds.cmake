@@ -18,5 +18,7 @@ endfunction()
 # Off where each file is wanted by itself: with EDGEWISE_UNITY=OFF compile_commands.json has every file.
 function(edgewise_unite TARGET)
     set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${EDGEWISE_UNITY} UNITY_BUILD_BATCH_SIZE 10)
-    set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    if(ARGN)
+        set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
 endfunction()

@@ -14,14 +14,14 @@ namespace edgewise::cli_test {
 
 using Figures = std::vector<std::string>;
 
-/// Of layouts that every preset has. `environment`: further variables, NAME=VALUE.
+/// Of table types that every preset has: one of each precision, and of each way to find a neighbour. `environment`: further variables, NAME=VALUE.
 [[nodiscard]] inline Figures deterministic_figures(const std::string& sweep_program,
                                                    const Arguments& environment, const Folder& folder) {
     Arguments arguments = environment;
     arguments.insert(arguments.end(), {sweep_program, "sweep",
                                        "--scenes",    "tumble,static,cold",
                                        "--shapes",    "sphere38",
-                                       "--layouts",   "aos,lean,points_soa",
+                                       "--layouts",   "aos_mixed,lean_f32,points_soa_f64",
                                        "--queries",   "200",
                                        "--checked",   "20",
                                        "--rounds",    "1",

@@ -39,4 +39,4 @@ endforeach()
 add_custom_target(house_headers DEPENDS ${checked})
 add_test(NAME house.headers_compile_alone
     COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target house_headers --parallel 2)
-set_tests_properties(house.headers_compile_alone PROPERTIES TIMEOUT 900 PROCESSORS 2)
+set_tests_properties(house.headers_compile_alone PROPERTIES TIMEOUT 900 PROCESSORS 2 RESOURCE_LOCK build_folder)

@@ -33,6 +33,12 @@ if(HOUSE_CLANG_TIDY)
     set_tests_properties(house.tidy PROPERTIES TIMEOUT 600)
 endif()
 
+# The opposite is among the options of all targets.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    add_test(NAME house.query_loop_flags COMMAND ${CMAKE_COMMAND} -D COMMANDS=${PROJECT_BINARY_DIR}/compile_commands.json
+        -D OPTION=-ftree-slp-vectorize -D OPPOSITE=-fno-tree-slp-vectorize -P ${CMAKE_CURRENT_SOURCE_DIR}/check_query_loop_flags.cmake)
+endif()
+
 # GCC may fuse what -ffp-contract=off keeps separate (cmake/options.cmake); std::fma itself compiles to scalar ones.
 find_program(HOUSE_OBJDUMP objdump)
 if(HOUSE_OBJDUMP AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

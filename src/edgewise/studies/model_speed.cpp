@@ -39,7 +39,7 @@ Trace trace_of(const SingleCell& cell) {
 /// Reads of 8 bytes, aligned, anywhere below so many bytes.
 Trace scattered(std::uint64_t bytes) {
     scene::Rng rng(1);
-    Trace trace(2'000'000, {0, 8, measure::AccessKind::read, 0, 0, measure::TraceSide::table_a});
+    Trace trace(500'000, {0, 8, measure::AccessKind::read, 0, 0, measure::TraceSide::table_a});
     for (measure::TracedAccess& access : trace) access.address = rng.below(bytes / 8) * 8;
     return trace;
 }

@@ -22,7 +22,8 @@ struct LinesTouched {
     std::uint64_t queries = 0, reads = 0, bytes = 0, lines = 0;
 };
 
-/// Counts the reads of tables; the scene's own memory is left out.
+/// Counts the reads of tables; the scene's own memory is left out. Addresses should be small: memory is used up to the
+/// largest.
 class LineCounter final : public TraceListener {
   public:
     void on_access(const TracedAccess& access) override;
@@ -32,7 +33,8 @@ class LineCounter final : public TraceListener {
 
   private:
     LinesTouched sums_, query_;
-    std::vector<std::uint64_t> lines_;  ///< of this query: twice the line, and the side
+    std::uint32_t query_number_ = 1;
+    std::vector<std::uint32_t> last_query_;  ///< that read twice the line, and the side; 0: none did
 };
 
 }  // namespace edgewise::measure
