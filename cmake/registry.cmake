@@ -51,6 +51,11 @@ function(edgewise_probe PROBE)
     endif()
 endfunction()
 
+# edgewise_addition(NAME): the folder reports/NAME adds to the report and to the program what NAME_addition() says.
+function(edgewise_addition NAME)
+    set_property(GLOBAL APPEND PROPERTY EDGEWISE_ADDITIONS ${NAME})
+endfunction()
+
 # To be called when both manifests are read: no layout that was asked for is unknown; the list of all probes.
 function(edgewise_write_registry)
     get_property(all GLOBAL PROPERTY EDGEWISE_ALL_LAYOUTS)

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
-# The report's prose (*.md), chart specifications (*.vl.json) and claims become text in the program: it finds them
-# wherever it is installed. Each is known by its name without folders, so two files of one name are an error.
+# The report's prose (*.md), the frame of its page, chart specifications (*.vl.json) and claims become text in the
+# program: it finds them wherever it is installed. Each is known by its name without folders, so two files of one name
+# are an error.
 
 # edgewise_write_report_texts(OUTPUT): writes the source file OUTPUT.
 function(edgewise_write_report_texts OUTPUT)
     set(reports ${PROJECT_SOURCE_DIR}/reports)
-    file(GLOB_RECURSE files CONFIGURE_DEPENDS ${reports}/*.vl.json ${reports}/text/*.md ${reports}/paper/*.md
-        ${reports}/paper/claims/*.json)
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS ${reports}/*.vl.json ${reports}/*.md ${reports}/text/page.*
+        ${reports}/paper/text/*.json ${reports}/paper/claims/*.json)
     list(SORT files)
     set(TEXTS)
     set(names)

@@ -6,7 +6,6 @@
 #include <set>
 #include <tuple>
 
-#include "edgewise/reports/tables/scene_label.hpp"
 #include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {

@@ -34,6 +34,11 @@ struct ReportData {
     [[nodiscard]] bool any_failed() const;                             ///< cell or stability row
 };
 
+/// Names scenes for people: the scene alone where it occurs with one set of parameters, else with the
+/// parameters that differ, e.g. "tumble (rotation_step 0.01)"; a value that most of its namesakes have goes
+/// without saying.
+void label_scenes(std::vector<ReportCell>& cells);
+
 /// Reads one build as store::read_build does.
 [[nodiscard]] ReportData read_report(const std::string& store, const std::string& build = {});
 

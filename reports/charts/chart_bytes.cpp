@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Bytes per edge by component: one bar per table type, one panel per algorithm, one shape at a time.
-#include <algorithm>
 #include <set>
 
 #include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/palette.hpp"
 
@@ -12,15 +12,9 @@ namespace edgewise::reports {
 
 namespace {
 
-std::string component_title(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-}
-
 /// One row per component, once for each algorithm, table type and shape.
-ChartJson component_rows(const ReportData& data, const std::vector<std::string>& components,
-                         Omissions& omitted) {
-    ChartJson values = ChartJson::array();
+ChartRows component_rows(const ReportData& data, const std::vector<std::string>& components) {
+    ChartRows rows;
     std::set<std::string> seen;
     for (const ReportCell& cell : data.cells) {
         if (!cell.verified()) continue;
@@ -28,17 +22,17 @@ ChartJson component_rows(const ReportData& data, const std::vector<std::string>&
         for (std::size_t i = 0; i < components.size(); ++i) {
             const measure::Figure figure = cell.figure("bytes", components[i]);
             if (!figure.value) {
-                omitted.add(component_title(components[i]) + ": " + figure.reason);
+                rows.omitted.add(in_words(components[i]) + ": " + figure.reason);
                 continue;
             }
             ChartJson row = cell_json(cell);
-            row["component"] = component_title(components[i]);
+            row["component"] = in_words(components[i]);
             row["order"] = i;
             row["bytes"] = *figure.value;
-            values.push_back(std::move(row));
+            rows.values.push_back(std::move(row));
         }
     }
-    return values;
+    return rows;
 }
 
 /// One for each algorithm, with its own table types.
@@ -55,7 +49,7 @@ ChartJson bytes_slots_of(const ReportData& data, const std::vector<std::string>&
                          const ChartJson& pick) {
     ChartJson names = ChartJson::array(), colours = ChartJson::array();
     for (std::size_t i = 0; i < components.size(); ++i) {
-        names.push_back(component_title(components[i]));
+        names.push_back(in_words(components[i]));
         colours.push_back(store::component_colour(components[i], i));
     }
     return {{"components", names},
@@ -69,13 +63,13 @@ ChartJson bytes_slots_of(const ReportData& data, const std::vector<std::string>&
 Chart bytes_chart(const ReportData& data) {
     Chart chart = chart_of_file("bytes");
     const auto components = byte_components(data);
-    Omissions omitted;
-    ChartJson values = component_rows(data, components, omitted), shown = ChartJson::array();
-    if (!take_rows(chart, values, omitted, "component bar")) return chart;
-    for (const ChartJson& row : values)
+    ChartRows rows = component_rows(data, components);
+    if (!take_rows(chart, rows, "component bar")) return chart;
+    ChartJson shown = ChartJson::array();
+    for (const ChartJson& row : rows.values)
         if (row["shape"] == reference_shape(data)) shown.push_back(row);
     chart.fallback = data_grid(shown, chart.file["fallback"]);
-    draw(chart, data, values, bytes_slots_of(data, components, chart.file["parts"]["component_pick"]));
+    draw(chart, data, rows.values, bytes_slots_of(data, components, chart.file["parts"]["component_pick"]));
     return chart;
 }
 

@@ -13,20 +13,17 @@ namespace edgewise::reports {
 
 namespace {
 
-void ratio_add_row(const ReportCell& cell, PairKind kind, ChartJson& values, Omissions& omitted) {
-    const measure::Figure ratio = cell.figure(times_of(kind).ratio);
-    if (!ratio.value || *ratio.value <= 0) {
-        omitted.add(pair_name(kind) +
-                    " pairs: " + (ratio.value ? "a ratio of 0 has no logarithm" : ratio.reason));
-        return;
-    }
+void ratio_add_row(const ReportCell& cell, PairKind kind, ChartRows& rows) {
+    const auto ratio = rows.omitted.positive(cell.figure(times_of(kind).ratio),
+                                             "a ratio of 0 has no logarithm", pair_name(kind) + " pairs: ");
+    if (!ratio) return;
     ChartJson row = cell_json(cell);
     row["pairs"] = pair_name(kind);
     row["row"] = cell.algorithm + " " + cell.table;
-    row["ratio"] = *ratio.value;
+    row["ratio"] = *ratio;
     // Two octaves each side are told apart by colour; the number in the cell says the rest.
-    row["octaves"] = std::clamp(std::log2(*ratio.value), -2.0, 2.0);
-    values.push_back(std::move(row));
+    row["octaves"] = std::clamp(std::log2(*ratio), -2.0, 2.0);
+    rows.values.push_back(std::move(row));
 }
 
 /// "vclip aos_f64": algorithms in the order of all charts, then table types by name.
@@ -44,18 +41,16 @@ ChartJson rows_in_order(const ReportData& data) {
 }  // namespace
 
 Chart ratio_chart(const ReportData& data) {
-    Chart chart = chart_of_file("ratio");
-    ChartJson values = ChartJson::array(), panels = ChartJson::array();
-    Omissions omitted;
+    ChartRows rows;
+    ChartJson panels = ChartJson::array();
     for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping})
         for (const ReportCell& cell : data.cells)
-            if (cell.verified()) ratio_add_row(cell, kind, values, omitted);
+            if (cell.verified()) ratio_add_row(cell, kind, rows);
     // A panel per scene, each with the shapes and table types that it has.
     for (const std::string& scene : scene_labels(data))
         panels.push_back(ChartJson::object({{"scene", scene}}));
-    if (take_rows(chart, values, omitted))
-        draw(chart, data, values, {{"panels", panels}, {"rows", rows_in_order(data)}});
-    return chart;
+    return drawn_chart(chart_of_file("ratio"), data, std::move(rows),
+                       {{"panels", panels}, {"rows", rows_in_order(data)}});
 }
 
 }  // namespace edgewise::reports

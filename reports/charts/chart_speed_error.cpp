@@ -14,19 +14,16 @@ namespace edgewise::reports {
 
 namespace {
 
-void speed_error_add_row(const ReportCell& cell, ChartJson& values, Omissions& omitted) {
-    const measure::Figure ns = cell.figure("time.separated_ns");
+void speed_error_add_row(const ReportCell& cell, ChartRows& rows) {
+    const auto ns = rows.omitted.positive(cell.figure("time.separated_ns"),
+                                          "a time of 0 has no place on a logarithmic axis", "time: ");
+    if (!ns) return;
     const measure::Figure error = cell.figure("error.worst_error_given");
-    if (!ns.value || *ns.value <= 0) {
-        omitted.add("time: " + (ns.value ? "a time of 0 has no place on a logarithmic axis" : ns.reason));
-    } else if (!error.value) {
-        omitted.add("error: " + error.reason);
-    } else {
-        ChartJson row = cell_json(cell);
-        row["ns"] = *ns.value;
-        row["error"] = *error.value;
-        values.push_back(std::move(row));
-    }
+    if (!error.value) return rows.omitted.add("error: " + error.reason);
+    ChartJson row = cell_json(cell);
+    row["ns"] = *ns;
+    row["error"] = *error.value;
+    rows.values.push_back(std::move(row));
 }
 
 /// A whole power of ten below every positive error; writes "drawn", the place on the axis, into each row.
@@ -62,11 +59,11 @@ ChartJson ticks(const ChartJson& values, double floor) {
 
 Chart speed_error_chart(const ReportData& data) {
     Chart chart = chart_of_file("speed_error");
-    ChartJson values = ChartJson::array(), floors = ChartJson::array();
-    Omissions omitted;
+    ChartRows rows;
     for (const ReportCell& cell : data.cells)
-        if (cell.verified()) speed_error_add_row(cell, values, omitted);
-    if (!take_rows(chart, values, omitted)) return chart;
+        if (cell.verified()) speed_error_add_row(cell, rows);
+    if (!take_rows(chart, rows)) return chart;
+    ChartJson &values = rows.values, floors = ChartJson::array();
     const double floor = place_on_axis(values);
     const auto zeros =
         std::count_if(values.begin(), values.end(), [](const auto& row) { return row["error"] == 0; });

@@ -11,23 +11,16 @@ namespace edgewise::reports {
 
 namespace {
 
-void time_add_row(const ReportCell& cell, PairKind kind, ChartJson& values, Omissions& omitted) {
-    const std::string pairs = pair_name(kind);
-    const measure::Figure ns = cell.figure(times_of(kind).ns);
-    if (!ns.value || *ns.value <= 0) {
-        omitted.add(pairs +
-                    " pairs: " + (ns.value ? "a time of 0 has no place on a logarithmic axis" : ns.reason));
-        return;
-    }
+void time_add_row(const ReportCell& cell, PairKind kind, ChartRows& rows) {
+    const store::QueryTime& times = times_of(kind);
+    const char* const when_zero = "a time of 0 has no place on a logarithmic axis";
+    if (!rows.omitted.positive(cell.figure(times.ns), when_zero, pair_name(kind) + " pairs: ")) return;
     ChartJson row = cell_json(cell);
-    row["pairs"] = pairs;
+    row["pairs"] = pair_name(kind);
     // Sizes of one family are joined by a line; a mesh is a point of its own.
     row["family"] = cell.shape_source == "built-in";
-    row["ns"] = *ns.value;
-    const measure::Figure low = cell.figure(times_of(kind).low), high = cell.figure(times_of(kind).high);
-    row["low"] = low.value && *low.value > 0 ? *low.value : *ns.value;
-    row["high"] = high.value && *high.value > 0 ? *high.value : *ns.value;
-    values.push_back(std::move(row));
+    add_time(row, cell, times);
+    rows.values.push_back(std::move(row));
 }
 
 /// Panels stand in rows and columns only if each has a row of data, if an empty one: else those that follow
@@ -52,14 +45,13 @@ void fill_panels(const ReportData& data, ChartJson& values) {
 
 Chart time_chart(const ReportData& data) {
     Chart chart = chart_of_file("time");
-    ChartJson values = ChartJson::array();
-    Omissions omitted;
+    ChartRows rows;
     for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping})
         for (const ReportCell& cell : data.cells)
-            if (cell.verified()) time_add_row(cell, kind, values, omitted);
-    if (!take_rows(chart, values, omitted)) return chart;
-    fill_panels(data, values);
-    draw(chart, data, values);
+            if (cell.verified()) time_add_row(cell, kind, rows);
+    if (!take_rows(chart, rows)) return chart;
+    fill_panels(data, rows.values);
+    draw(chart, data, rows.values);
     return chart;
 }
 

@@ -6,10 +6,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/charts/spec_file.hpp"
-#include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
@@ -46,6 +47,16 @@ std::vector<std::string> ordered_values(const ChartJson& values, const char* mem
     return charts_in_order(std::move(present), first);
 }
 
+/// By vertices, then name.
+std::vector<std::string> shapes_by_size(const ReportData& data) {
+    std::set<std::pair<std::int64_t, std::string>> shapes;
+    for (const ReportCell& cell : data.cells) shapes.emplace(cell.vertices, cell.shape);
+    std::vector<std::string> names;
+    for (const auto& [vertices, name] : shapes)
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    return names;
+}
+
 /// One of `list` for each name; beyond its end they repeat.
 template <class List>
 void add_order(ChartJson& slots, const std::string& names_slot, const std::vector<std::string>& names,
@@ -67,7 +78,8 @@ std::vector<Chart> all_charts(const ReportData& data) {
                                  ratio_chart(data)};
     if (!modelled_cells(data).empty()) charts.push_back(misses_chart(data));
     if (!data.stability.empty()) charts.insert(charts.end(), {tolerance_chart(data), gap_chart(data)});
-    for (Chart& chart : chapter_charts(data)) charts.push_back(std::move(chart));
+    for (const Addition& addition : additions())
+        for (Chart& chart : addition.charts(data)) charts.push_back(std::move(chart));
     return charts;
 }
 
@@ -85,12 +97,18 @@ Chart chart_of_file(const std::string& name) {
     return {name, file["title"], how_to_read, nullptr, {}, {}, file.value("section", ""), file};
 }
 
-bool take_rows(Chart& chart, ChartJson& values, const Omissions& omitted, const std::string& noun) {
-    omitted.write(noun, chart.notes);
-    thin(values, chart.file.value("most_rows", mark_limit), chart.notes);
-    if (values.empty()) return false;
-    chart.fallback = data_grid(values, chart.file["fallback"]);
+bool take_rows(Chart& chart, ChartRows& rows, const std::string& noun) {
+    rows.omitted.write(noun, chart.notes);
+    thin(rows.values, chart.file.value("most_rows", mark_limit), chart.notes);
+    if (rows.values.empty()) return false;
+    chart.fallback = data_grid(rows.values, chart.file["fallback"]);
     return true;
+}
+
+Chart drawn_chart(Chart chart, const ReportData& data, ChartRows rows, const ChartJson& slots,
+                  const std::string& noun) {
+    if (take_rows(chart, rows, noun)) draw(chart, data, rows.values, slots);
+    return chart;
 }
 
 void draw(Chart& chart, const ReportData& data, const ChartJson& values, const ChartJson& slots) {
@@ -114,15 +132,6 @@ ChartJson order_slots(const ReportData& data, const ChartJson& values) {
     return slots;
 }
 
-std::vector<std::string> shapes_by_size(const ReportData& data) {
-    std::set<std::pair<std::int64_t, std::string>> shapes;
-    for (const ReportCell& cell : data.cells) shapes.emplace(cell.vertices, cell.shape);
-    std::vector<std::string> names;
-    for (const auto& [vertices, name] : shapes)
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    return names;
-}
-
 std::vector<std::string> algorithm_names(const ReportData& data) {
     return ordered_names(data, &ReportCell::algorithm, {"vclip", "gjk"});
 }
@@ -139,11 +148,15 @@ void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes) 
 
 void Omissions::add(const std::string& reason) {
     for (auto& [known, count] : counts_)
-        if (known == reason) {
-            ++count;
-            return;
-        }
+        if (known == reason) return void(++count);
     counts_.emplace_back(reason, 1);
+}
+
+std::optional<double> Omissions::positive(const measure::Figure& figure, const char* when_zero,
+                                          const std::string& what) {
+    if (figure.value && *figure.value > 0) return figure.value;
+    add(what + (figure.value ? when_zero : figure.reason));
+    return std::nullopt;
 }
 
 void Omissions::write(const std::string& noun, std::vector<std::string>& notes) const {
@@ -160,10 +173,9 @@ TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fiel
         std::vector<GridCell> row;
         for (const std::string& field : fields) {
             const ChartJson value = values[i].value(field, ChartJson());
-            if (value.is_number())
-                row.push_back({number_text(value.get<double>())});
-            else
-                row.push_back({value.is_string() ? value.get<std::string>() : "–"});
+            row.push_back({value.is_number()   ? number_text(value.get<double>())
+                           : value.is_string() ? value.get<std::string>()
+                                               : "–"});
         }
         grid.rows.push_back(std::move(row));
     }
@@ -172,26 +184,27 @@ TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fiel
     return grid;
 }
 
-std::vector<StabilityFigure> stability_figures(const ReportData& data, const store::FigureName& family) {
-    std::vector<StabilityFigure> result;
-    for (const ReportCell& row : data.stability) {
-        for (const store::FigureRow& figure : row.figures) {
-            const auto at = family.value_in(figure.probe, figure.name);
-            if (at && figure.value) result.push_back({&row, *at, *figure.value});
-        }
+void add_time(ChartJson& row, const ReportCell& cell, const store::QueryTime& time) {
+    const auto ns = cell.figure(time.ns).value;
+    row["ns"] = *ns;
+    for (const auto& [key, name] : {std::pair("low", time.low), std::pair("high", time.high)}) {
+        const auto end = cell.figure(name).value;
+        row[key] = end && *end > 0 ? *end : *ns;
     }
-    return result;
 }
 
-ChartJson table_json(const ReportData& data, const std::string& algorithm, const std::string& table) {
-    ChartJson result{{"algorithm", algorithm}, {"table", table}};
-    for (const ReportCell& row : data.stability) {
-        if (row.table != table) continue;
-        result["layout"] = row.layout;
-        result["precision"] = row.precision;
-        break;
+void add_misses(const ReportCell& cell, const ChartJson& named, ChartJson& values) {
+    for (const store::FigureRow& figure : cell.figures) {
+        for (const store::ReuseNames& family : store::reuse_names) {
+            const auto power = family.misses.value_in(figure.probe, figure.name);
+            if (!power || !figure.value) continue;
+            ChartJson row = named;
+            row["unit"] = family.units;
+            row["bytes"] = std::ldexp(1.0, std::stoi(*power));
+            row["misses"] = *figure.value;
+            values.push_back(std::move(row));
+        }
     }
-    return result;
 }
 
 }  // namespace edgewise::reports

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The charts, as declarative Vega-Lite specifications (plain JSON, expressions included) plus what a page
-// needs around them. One file a chart; what they share (colours, legends, opacity, limits) is here, so that a
+// needs around them. What they share (colours, legends, opacity, limits) is here, so that a
 // layout has one colour everywhere and a click on a legend means the same in every chart.
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ struct Chart {
     ChartJson file = {};       ///< what its file says (spec_file.hpp)
 };
 
+/// Its specification as JSON; what is no UTF-8 in a name is replaced.
+[[nodiscard]] inline std::string spec_text(const Chart& chart) {
+    return chart.spec.dump(-1, ' ', false, ChartJson::error_handler_t::replace);
+}
+
 [[nodiscard]] Chart bytes_chart(const ReportData& data);
 [[nodiscard]] Chart time_chart(const ReportData& data);
 [[nodiscard]] Chart speed_error_chart(const ReportData& data);
@@ -45,41 +51,43 @@ inline constexpr std::size_t mark_limit = 20000;
 class Omissions {
   public:
     void add(const std::string& reason);
+    /// The number, if a logarithmic axis can show it; else null, and the reason is counted, after `what`.
+    [[nodiscard]] std::optional<double> positive(const measure::Figure& figure, const char* when_zero,
+                                                 const std::string& what = {});
     void write(const std::string& noun, std::vector<std::string>& notes) const;
 
   private:
     std::vector<std::pair<std::string, std::size_t>> counts_;
 };
+/// A chart's data while they are collected, and what is not among them.
+struct ChartRows {
+    ChartJson values = ChartJson::array();
+    Omissions omitted = {};
+};
 /// The chart that NAME.vl.json describes, without data.
 [[nodiscard]] Chart chart_of_file(const std::string& name);
 /// Sets the rows of its fallback table, thins them, notes what was left out (`noun`: of what there was none
 /// to draw); false when no row is left.
-[[nodiscard]] bool take_rows(Chart& chart, ChartJson& values, const Omissions& omitted = {},
-                             const std::string& noun = "cell");
+[[nodiscard]] bool take_rows(Chart& chart, ChartRows& rows, const std::string& noun = "cell");
 /// Fills its specification: `slots`, the rows as $values, and the orders and colours of what the data holds.
 void draw(Chart& chart, const ReportData& data, const ChartJson& values,
           const ChartJson& slots = ChartJson::object());
+/// Both: the chart with these rows, if there are any.
+[[nodiscard]] Chart drawn_chart(Chart chart, const ReportData& data, ChartRows rows,
+                                const ChartJson& slots = ChartJson::object(),
+                                const std::string& noun = "cell");
 
 /// What names a cell in every chart's data.
 [[nodiscard]] ChartJson cell_json(const ReportCell& cell);
-/// One stored figure of a family of the stability run.
-struct StabilityFigure {
-    const ReportCell* row;
-    std::string at;  ///< what its name has for the braces
-    double value;
-};
-[[nodiscard]] std::vector<StabilityFigure> stability_figures(const ReportData& data,
-                                                             const store::FigureName& family);
-/// What names an algorithm on a table type.
-[[nodiscard]] ChartJson table_json(const ReportData& data, const std::string& algorithm,
-                                   const std::string& table);
+/// Adds a time and its interval, whose ends are the time where they are not stored.
+void add_time(ChartJson& row, const ReportCell& cell, const store::QueryTime& time);
+/// Adds a row like `named` for each size of a cache for which the cell's misses are stored.
+void add_misses(const ReportCell& cell, const ChartJson& named, ChartJson& values);
 /// Colours by layout, shapes by algorithm, dashes by precision, each from a fixed order of names, whatever
 /// else is shown or hidden; of curves also dashes by variant and shapes by point (curves.hpp).
 [[nodiscard]] ChartJson order_slots(const ReportData& data, const ChartJson& values);
 /// Algorithms in the order of all charts.
 [[nodiscard]] std::vector<std::string> algorithm_names(const ReportData& data);
-/// Shapes by vertices, then name.
-[[nodiscard]] std::vector<std::string> shapes_by_size(const ReportData& data);
 /// Keeps every k-th row so that at most `rows` stay; says so in a note.
 void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes);
 /// The first rows of a chart's data under the given fields.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
-// See curves.hpp.
 #include "edgewise/reports/charts/curves.hpp"
 
 #include <fmt/core.h>
@@ -16,19 +14,14 @@ ChartJson curve_json(const ReportCell& cell) {
     return row;
 }
 
-ChartJson timed_row(const ReportCell& cell, const store::QueryTime& time, Omissions& omitted) {
-    const measure::Figure ns = cell.figure(time.ns);
-    if (!cell.verified() || !ns.value || *ns.value <= 0) {
-        omitted.add(!cell.verified() ? fmt::format("the cell is {}: {}", cell.status, cell.reason)
-                    : ns.value       ? "a time of 0"
-                                     : ns.reason);
+ChartJson timed_row(const ReportCell& cell, Omissions& omitted) {
+    if (!cell.verified()) {
+        omitted.add(fmt::format("the cell is {}: {}", cell.status, cell.reason));
         return nullptr;
     }
+    if (!omitted.positive(cell.figure(store::all_time.ns), "a time of 0")) return nullptr;
     ChartJson row = curve_json(cell);
-    row["ns"] = *ns.value;
-    const measure::Figure low = cell.figure(time.low), high = cell.figure(time.high);
-    row["low"] = low.value && *low.value > 0 ? *low.value : *ns.value;
-    row["high"] = high.value && *high.value > 0 ? *high.value : *ns.value;
+    add_time(row, cell, store::all_time);
     return row;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See spec_file.hpp. Names are looked up from the inside out, so a part can use names that its user defines.
+// Names are looked up from the inside out, so a part can use names that its user defines.
 #include "edgewise/reports/charts/spec_file.hpp"
 
 #include <stdexcept>

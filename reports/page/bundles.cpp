@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See bundles.hpp. In a <script> element only "</script" and "<!--" have a meaning for HTML; in the bundles
+// In a <script> element only "</script" and "<!--" have a meaning for HTML; in the bundles
 // both can stand only inside string or regular-expression literals, where a backslash in front changes
 // nothing.
 #include "edgewise/reports/page/bundles.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// See chapters.hpp. One function a chapter; what is long is folded.
+// One function a chapter; what is long is folded.
 #include "edgewise/reports/page/chapters.hpp"
 
 #include <fmt/core.h>
 
-#include "edgewise/reports/page/page_parts.hpp"
+#include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
@@ -14,8 +14,6 @@
 namespace edgewise::reports {
 
 namespace {
-
-std::string subheading(const std::string& title) { return "<h3>" + html_text(title) + "</h3>\n"; }
 
 /// The first reason for a count that is missing.
 std::string why_not_counted(const ReportData& data) {
@@ -31,7 +29,7 @@ Chapter bytes_chapter(const ReportData& data) {
     return {"bytes",
             "Bytes per edge",
             prose("bytes.md"),
-            {{.grids = {bytes_grid(data, shape)}, .opening = subheading(shape), .page_only = true},
+            {{.title = shape, .grids = {bytes_grid(data, shape)}, .page_only = true},
              {.grids = {bytes_grid(data, "")}, .fold = "All shapes"}}};
 }
 
@@ -43,8 +41,8 @@ Chapter layouts_chapter(const ReportData& data) {
     if (TextGrid memory = scene_memory_grid(data); !memory.rows.empty()) grids.push_back(std::move(memory));
     Chapter chapter{"layouts", "What layouts cost", prose("layouts.md"), {{.grids = grids}}, "Layouts"};
     if (!pictures.empty())
-        chapter.blocks.push_back({.fold = "The layouts draw themselves: the table of a cube",
-                                  .opening = pictures,
+        chapter.blocks.push_back({.elements = pictures,
+                                  .fold = "The layouts draw themselves: the table of a cube",
                                   .page_only = true});
     return chapter;
 }
@@ -64,11 +62,19 @@ Chapter caches_chapter(const ReportData& data) {
     return chapter;
 }
 
+Chapter counters_chapter(const ReportData& data) {
+    return {"counters",
+            "Counters and heap",
+            prose("counters.md") + why_not_counted(data),
+            {{.grids = {counters_grid(data)}}},
+            "Counters"};
+}
+
 /// The reference shape in full view, all shapes folded.
 Chapter times_chapter(const ReportData& data) {
     Chapter chapter{"times", "Times", prose("times.md"), {}};
     for (const std::string& scene : scene_labels(data)) {
-        ChapterBlock shown{.opening = subheading(scene), .page_only = true};
+        ChapterBlock shown{.title = scene, .page_only = true};
         std::vector<ChapterBlock> all;
         for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
             const TextGrid grid = time_grid(data, scene, kind, "");
@@ -103,26 +109,25 @@ Chapter stability_chapter(const ReportData& data) {
     return chapter;
 }
 
+Chapter cells_chapter(const ReportData& data) {
+    return {
+        "cells",
+        "All cells",
+        {},
+        {{.paragraph = prose("cells.md"), .page_only = true},
+         {.grids = {cells_grid(data)}, .fold = fmt::format("All {}", plural(data.cells.size(), "cell"))}}};
+}
+
 }  // namespace
 
-std::vector<Chapter> report_chapters(const ReportData& data) {
-    return {
-        bytes_chapter(data),
-        layouts_chapter(data),
-        caches_chapter(data),
-        {"counters",
-         "Counters and heap",
-         prose("counters.md") + why_not_counted(data),
-         {{.grids = {counters_grid(data)}}},
-         "Counters"},
-        times_chapter(data),
-        errors_chapter(data),
-        stability_chapter(data),
-        {"cells",
-         "All cells",
-         {},
-         {{.opening = html_paragraph(prose("cells.md")), .page_only = true},
-          {.grids = {cells_grid(data)}, .fold = fmt::format("All {}", plural(data.cells.size(), "cell"))}}}};
+std::vector<Chapter> report_chapters(const ReportData& data, const std::vector<Chart>& charts) {
+    std::vector<Chapter> chapters;
+    for (const Addition& addition : additions())
+        if (auto chapter = addition.chapter(data, charts)) chapters.push_back(std::move(*chapter));
+    for (const auto chapter : {bytes_chapter, layouts_chapter, caches_chapter, counters_chapter,
+                               times_chapter, errors_chapter, stability_chapter, cells_chapter})
+        chapters.push_back(chapter(data));
+    return chapters;
 }
 
 }  // namespace edgewise::reports

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// See csv.hpp. Values are the shortest text that reads back as the same double.
-#include "edgewise/reports/page/csv.hpp"
-
+// The report as comma-separated values, which are the shortest text that reads back as the same double.
 #include <fmt/core.h>
 
-#include <vector>
+#include "edgewise/reports/page/page.hpp"
 
 namespace edgewise::reports {
 

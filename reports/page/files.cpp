@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
-// See files.hpp.
 #include "edgewise/reports/page/files.hpp"
 
 #include <fmt/core.h>

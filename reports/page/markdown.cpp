@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// See markdown.hpp. Pictures are linked, where there are any.
-#include "edgewise/reports/page/markdown.hpp"
-
+// The report as Markdown. Pictures are linked, where there are any.
 #include <fmt/core.h>
 
 #include "edgewise/reports/page/chapters.hpp"
 #include "edgewise/reports/page/page.hpp"
-#include "edgewise/reports/page/page_parts.hpp"
-#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
@@ -17,23 +13,32 @@ namespace edgewise::reports {
 
 namespace {
 
-std::string section(const std::string& title, const std::string& paragraph = {}) {
-    return fmt::format("## {}\n\n{}", title, paragraph.empty() ? "" : paragraph + "\n\n");
+/// `level`: of the heading, such as "###"; nothing for an empty title or paragraph.
+std::string headed(const std::string& level, const std::string& title, const std::string& paragraph = {}) {
+    return (title.empty() ? "" : level + " " + title + "\n\n") +
+           (paragraph.empty() ? "" : paragraph + "\n\n");
 }
 
-std::string charts_markdown(const std::vector<Chart>& charts, const StaticPictures& pictures) {
-    std::string out = section("Charts");
-    if (!pictures.note.empty()) out += pictures.note + "\n\n";
-    for (const Chart& chart : charts)
-        if (chart.section.empty()) out += markdown_chart(chart, pictures, "###");
+std::string charts_markdown(const std::vector<Chart>& charts, const StaticPictures& pictures,
+                            const std::string& section, const std::string& level) {
+    std::string out;
+    for (const Chart& chart : charts) {
+        if (chart.section != section) continue;
+        out += headed(level, chart.title, chart.how_to_read);
+        if (pictures.svg.contains(chart.name))
+            out += fmt::format("![{}](figures/{}.svg)\n\n", chart.title, chart.name);
+        for (const std::string& note : chart.notes) out += "- " + markdown_text(note) + "\n";
+        if (!chart.notes.empty()) out += "\n";
+    }
     return out;
 }
 
-std::string chapter_markdown(const Chapter& chapter) {
-    std::string out = section(chapter.title, chapter.paragraph);
-    for (const ChapterBlock& block : chapter.blocks)
-        if (!block.page_only)
-            for (const TextGrid& grid : block.grids) out += grid_markdown(grid);
+std::string block_markdown(const ChapterBlock& block, const std::vector<Chart>& charts,
+                           const StaticPictures& pictures) {
+    if (block.page_only) return {};
+    std::string out = headed("###", block.title, block.paragraph);
+    if (!block.section.empty()) out += charts_markdown(charts, pictures, block.section, "####");
+    for (const TextGrid& grid : block.grids) out += grid_markdown(grid);
     return out;
 }
 
@@ -44,10 +49,14 @@ std::string report_markdown(const ReportData& data, const std::vector<Chart>& ch
     std::string out =
         fmt::format("# Edgewise report\n\n{}\n\n**{}**\n\n", prose("purpose.md"), verdict_line(data));
     const TextGrid problems = problems_grid(data);
-    if (!problems.rows.empty()) out += section("Failed and unavailable cells") + grid_markdown(problems);
-    out += section("Machine and build") + grid_markdown(facts_grid(data)) + grid_markdown(scenes_grid(data));
-    out += charts_markdown(charts, pictures) + paper_chapter_markdown(data, charts, pictures);
-    for (const Chapter& chapter : report_chapters(data)) out += chapter_markdown(chapter);
+    if (!problems.rows.empty()) out += headed("##", "Failed and unavailable cells") + grid_markdown(problems);
+    out += headed("##", "Machine and build") + grid_markdown(facts_grid(data)) +
+           grid_markdown(scenes_grid(data));
+    out += headed("##", "Charts", pictures.note) + charts_markdown(charts, pictures, "", "###");
+    for (const Chapter& chapter : report_chapters(data, charts)) {
+        out += headed("##", chapter.title, chapter.paragraph);
+        for (const ChapterBlock& block : chapter.blocks) out += block_markdown(block, charts, pictures);
+    }
     return out;
 }
 

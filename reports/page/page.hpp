@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The report as one self-contained HTML file: readable without scripts, alive with them, no network either
-// way.
+// The report as one self-contained HTML file, readable without scripts, alive with them, no network either
+// way; its tables as Markdown, for a repository or a terminal; and all of its figures as comma-separated
+// values.
 #pragma once
 
 #include <string>
@@ -9,7 +10,6 @@
 
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/page/pictures.hpp"
-#include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
 
@@ -19,5 +19,12 @@ namespace edgewise::reports {
 /// `scripts`: the bundles as script elements, or empty when they were not available.
 [[nodiscard]] std::string page_html(const ReportData& data, const std::vector<Chart>& charts,
                                     const StaticPictures& pictures, const std::string& scripts);
+
+[[nodiscard]] std::string report_markdown(const ReportData& data, const std::vector<Chart>& charts,
+                                          const StaticPictures& pictures);
+
+/// Every figure of every cell (RFC 4180): one row per cell and figure. A figure without a value has an empty
+/// value field, the state "not measured" and its reason; a cell without figures still has one row.
+[[nodiscard]] std::string results_csv(const ReportData& data);
 
 }  // namespace edgewise::reports

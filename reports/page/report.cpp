@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See report.hpp. The page is written last: when it is there, what it names is there too.
+// The page is written last: when it is there, what it names is there too.
 #include "edgewise/reports/page/report.hpp"
 
 #include <fmt/core.h>
@@ -9,9 +9,7 @@
 #include <stdexcept>
 
 #include "edgewise/reports/page/bundles.hpp"
-#include "edgewise/reports/page/csv.hpp"
 #include "edgewise/reports/page/files.hpp"
-#include "edgewise/reports/page/markdown.hpp"
 #include "edgewise/reports/page/page.hpp"
 
 namespace edgewise::reports {
@@ -28,17 +26,15 @@ void make_directory(const std::filesystem::path& out) {
 
 ReportSummary summary(const ReportData& data, const StaticPictures& pictures, bool charts,
                       const std::filesystem::path& page) {
-    ReportSummary result;
-    result.cells = data.cell_count();
-    result.verified = data.count("verified");
-    result.failed = data.count("failed");
-    result.unavailable = data.count("unavailable");
-    result.build = data.build.id;
-    result.page = page.string();
-    result.charts = charts;
-    result.pictures = pictures.svg.size();
-    result.note = charts ? pictures.note : "The chart bundles are missing: the report shows tables only.";
-    return result;
+    return {.cells = data.cell_count(),
+            .verified = data.count("verified"),
+            .failed = data.count("failed"),
+            .unavailable = data.count("unavailable"),
+            .build = data.build.id,
+            .page = page.string(),
+            .charts = charts,
+            .pictures = pictures.svg.size(),
+            .note = charts ? pictures.note : "The chart bundles are missing: the report shows tables only."};
 }
 
 }  // namespace

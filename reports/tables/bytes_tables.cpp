@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
@@ -13,30 +14,13 @@ namespace edgewise::reports {
 namespace {
 
 bool is_component(const store::FigureRow& figure) {
-    const std::string suffix = "_bytes_per_edge";
-    const bool total = figure.name.size() >= suffix.size() &&
-                       figure.name.compare(figure.name.size() - suffix.size(), suffix.size(), suffix) == 0;
-    return figure.probe == "bytes" && figure.unit == "B/edge" && !total;
+    return figure.probe == "bytes" && figure.unit == "B/edge" && !figure.name.ends_with("_bytes_per_edge");
 }
 
-std::string column_title(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-}
-
-std::vector<GridCell> bytes_row(const ReportCell& cell, const std::vector<std::string>& components,
-                                bool one_shape) {
-    std::vector<GridCell> row;
-    if (!one_shape) row = {{cell.shape}, {std::to_string(cell.edges)}};
-    row.push_back({cell.algorithm});
-    row.push_back({cell.table});
-    for (const std::string& name : components) row.push_back(figure_cell(cell.figure("bytes", name)));
-    for (const store::FigureName& name :
-         std::initializer_list<store::FigureName>{"bytes.total_bytes_per_edge", "bytes.paper_bytes_per_edge",
-                                                  "bytes.slope_bytes_per_edge", "bytes.table_bytes"})
-        row.push_back(figure_cell(cell.figure(name)));
-    return row;
-}
+const FigureColumn total_columns[] = {{"total", "bytes.total_bytes_per_edge"},
+                                      {"paper's subtotal (slope)", "bytes.paper_bytes_per_edge"},
+                                      {"total (slope)", "bytes.slope_bytes_per_edge"},
+                                      {"table, bytes", "bytes.table_bytes"}};
 
 std::string key(const std::vector<GridCell>& row) {
     std::string joined;
@@ -63,33 +47,31 @@ std::vector<std::string> byte_components(const ReportData& data) {
     for (const ReportCell& cell : data.cells)
         for (const store::FigureRow& figure : cell.figures)
             if (is_component(figure)) present.insert(figure.name);
-    order.erase(std::remove_if(order.begin(), order.end(),
-                               [&](const std::string& name) { return present.erase(name) == 0; }),
-                order.end());
+    std::erase_if(order, [&](const std::string& name) { return present.erase(name) == 0; });
     order.insert(order.end(), present.begin(), present.end());
     return order;
 }
 
 TextGrid bytes_grid(const ReportData& data, const std::string& shape) {
     const std::vector<std::string> components = byte_components(data);
-    TextGrid grid{"Bytes per edge of the built tables" + (shape.empty() ? "" : ", " + shape), {}, {}};
-    if (shape.empty()) grid.columns = columns_of("shape|#edges");
-    grid.columns.push_back({"algorithm"});
-    grid.columns.push_back({"table type"});
-    for (const std::string& name : components) grid.columns.push_back({column_title(name), true});
-    for (const char* title : {"total", "paper's subtotal (slope)", "total (slope)", "table, bytes"})
-        grid.columns.push_back({title, true});
-    std::vector<const ReportCell*> cells;
-    for (const ReportCell& cell : data.cells)
-        if (cell.verified() && (shape.empty() || cell.shape == shape)) cells.push_back(&cell);
+    const bool all_shapes = shape.empty();
+    std::string names = all_shapes ? "shape|#edges|algorithm|table type" : "algorithm|table type";
+    for (const std::string& name : components) names += "|#" + in_words(name);
+    TextGrid grid =
+        figure_grid("Bytes per edge of the built tables" + (all_shapes ? std::string() : ", " + shape), names,
+                    total_columns);
+    std::vector<const ReportCell*> cells = verified_cells(data, shape);
     std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
         return std::tie(b->vertices, a->shape, b->algorithm, a->table) <
                std::tie(a->vertices, b->shape, a->algorithm, b->table);
     });
     std::set<std::string> seen;
     for (const ReportCell* cell : cells) {
-        std::vector<GridCell> row = bytes_row(*cell, components, !shape.empty());
-        if (seen.insert(key(row)).second) grid.rows.push_back(std::move(row));
+        std::vector<GridCell> row = grid_row(cell->algorithm, cell->table);
+        if (all_shapes) row = grid_row(cell->shape, cell->edges, cell->algorithm, cell->table);
+        for (const std::string& name : components) row.push_back(figure_cell(cell->figure("bytes", name)));
+        add_row(grid, std::move(row), *cell, total_columns);
+        if (!seen.insert(key(grid.rows.back())).second) grid.rows.pop_back();
     }
     return grid;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See cache_tables.hpp. Which machines and levels there are is read off the figures' names:
+// Which machines and levels there are is read off the figures' names:
 // MACHINE.LEVEL.WHAT, or MACHINE/POLICY.LEVEL.WHAT.
 #include "edgewise/reports/tables/cache_tables.hpp"
 
@@ -8,19 +8,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 #include <tuple>
 
-#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
 
 namespace {
-
-struct TitledFigure {
-    store::FigureName name;
-    const char* title;
-};
 
 /// The levels of a machine, as the figures of any cell name them: caches from the first on, then TLBs.
 std::vector<std::string> levels_of(const ReportData& data, const std::string& machine) {
@@ -36,36 +32,25 @@ std::vector<std::string> levels_of(const ReportData& data, const std::string& ma
     return levels;
 }
 
-std::vector<GridColumn> naming_columns() { return columns_of("scene|shape|algorithm|table type"); }
-std::vector<GridCell> naming(const ReportCell& cell) {
-    return grid_row(cell.scene_label, cell.shape, cell.algorithm, cell.table);
-}
-
-GridCell cache_scaled(const measure::Figure& figure, double unit) {
-    if (!figure.value) return figure_cell(figure);
-    return {number_text(*figure.value / unit)};
-}
-
-/// A figure of the probe `caches`; a star where the machine's description marks it as unverified.
-GridCell cache_cell(const ReportCell& cell, const std::string& name) {
-    const measure::Figure figure = cell.figure(store::level_misses.probe(), name);
-    GridCell text = figure_cell(figure);
-    if (figure.value && figure.unit.find("unverified") != std::string::npos) text.text += " *";
-    return text;
-}
-
 double sort_key(const ReportCell& cell) {
     const measure::Figure lines = cell.figure("reuse.lines_per_query");
     return lines.value.value_or(std::numeric_limits<double>::infinity());
 }
 
+/// A row for each cell whose caches were modelled.
+template <class FigureColumns>
+TextGrid cache_grid(const ReportData& data, const std::string& caption, const FigureColumns& columns) {
+    TextGrid grid = figure_grid(caption, "scene|shape|algorithm|table type", columns);
+    for (const ReportCell* cell : modelled_cells(data))
+        add_row(grid, grid_row(cell->scene_label, cell->shape, cell->algorithm, cell->table), *cell, columns);
+    return grid;
+}
+
 }  // namespace
 
 std::vector<const ReportCell*> modelled_cells(const ReportData& data) {
-    std::vector<const ReportCell*> cells;
-    for (const ReportCell& cell : data.cells) {
-        if (cell.verified() && cell.figure("reuse.line_knee_bytes").value) cells.push_back(&cell);
-    }
+    std::vector<const ReportCell*> cells = verified_cells(data);
+    std::erase_if(cells, [](const ReportCell* cell) { return !cell->figure("reuse.line_knee_bytes").value; });
     std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
         return std::make_tuple(a->scene_label, a->vertices, b->algorithm, sort_key(*a)) <
                std::make_tuple(b->scene_label, b->vertices, a->algorithm, sort_key(*b));
@@ -87,58 +72,38 @@ std::vector<std::string> modelled_machines(const ReportData& data) {
 }
 
 TextGrid misses_grid(const ReportData& data) {
-    TextGrid grid{
-        "Misses per query in the steady pass, by machine and level; memory time is a model, with * one of "
-        "latencies "
-        "that no source proves",
-        naming_columns(),
-        {}};
-    std::vector<std::string> names;
-    for (const std::string& machine : modelled_machines(data)) {
-        for (const std::string& level : levels_of(data, machine)) {
-            grid.columns.push_back({fmt::format("{} {}", machine, level), true});
-            names.push_back(store::level_misses.of(machine, level).name());
-        }
-        grid.columns.push_back({machine + " memory, ns", true});
-        names.push_back(store::memory_time.of(machine).name());
+    std::map<std::string, std::vector<std::string>> levels;
+    for (const std::string& machine : modelled_machines(data)) levels[machine] = levels_of(data, machine);
+    std::vector<FigureColumn> columns;
+    for (const auto& [machine, of_machine] : levels) {
+        for (const std::string& level : of_machine)
+            columns.push_back({fmt::format("{} {}", machine, level), store::level_misses.of(machine, level)});
+        columns.push_back({machine + " memory, ns", store::memory_time.of(machine)});
     }
-    for (const ReportCell* cell : modelled_cells(data)) {
-        std::vector<GridCell> row = naming(*cell);
-        for (const std::string& name : names) row.push_back(cache_cell(*cell, name));
-        grid.rows.push_back(std::move(row));
-    }
-    return grid;
+    return cache_grid(data,
+                      "Misses per query in the steady pass, by machine and level; memory time is a "
+                      "model, with * one of latencies that no source proves",
+                      columns);
 }
 
 TextGrid causes_grid(const ReportData& data, const std::string& machine) {
-    TextGrid grid{fmt::format("{}: misses per query by cause; bytes brought into the first level", machine),
-                  naming_columns(),
-                  {}};
-    std::vector<std::string> names;
-    const TitledFigure columns[] = {{"caches.{machine}.{level}.compulsory_per_query", "compulsory (warm)"},
-                                    {"caches.{machine}.{level}.warm_misses_per_query", "all (warm)"},
-                                    {"caches.{machine}.{level}.cold_misses_per_query", "all (cold)"},
-                                    {"caches.{machine}.{level}.capacity_per_query", "capacity"},
-                                    {"caches.{machine}.{level}.conflict_per_query", "conflict"},
-                                    {"caches.{machine}.{level}.misses_per_edge", "all per edge"}};
-    for (const std::string& level : levels_of(data, machine)) {
-        for (const auto& [name, title] : columns) {
-            grid.columns.push_back({fmt::format("{} {}", level, title), true});
-            names.push_back(name.of(machine, level).name());
-        }
-    }
-    const TitledFigure bytes[] = {{"caches.{machine}.fetched_bytes_per_query", "bytes brought in"},
-                                  {"caches.{machine}.unused_bytes_per_query", "never used"}};
-    for (const auto& [name, title] : bytes) {
-        grid.columns.push_back({title, true});
-        names.push_back(name.of(machine).name());
-    }
-    for (const ReportCell* cell : modelled_cells(data)) {
-        std::vector<GridCell> row = naming(*cell);
-        for (const std::string& name : names) row.push_back(cache_cell(*cell, name));
-        grid.rows.push_back(std::move(row));
-    }
-    return grid;
+    const FigureColumn of_level[] = {{"compulsory (warm)", "caches.{machine}.{level}.compulsory_per_query"},
+                                     {"all (warm)", "caches.{machine}.{level}.warm_misses_per_query"},
+                                     {"all (cold)", "caches.{machine}.{level}.cold_misses_per_query"},
+                                     {"capacity", "caches.{machine}.{level}.capacity_per_query"},
+                                     {"conflict", "caches.{machine}.{level}.conflict_per_query"},
+                                     {"all per edge", "caches.{machine}.{level}.misses_per_edge"}};
+    const std::vector<std::string> levels = levels_of(data, machine);
+    std::vector<FigureColumn> columns;
+    for (const std::string& level : levels)
+        for (const FigureColumn& column : of_level)
+            columns.push_back({level + " " + column.title, column.figure.of(machine, level)});
+    constexpr store::FigureName fetched("caches.{machine}.fetched_bytes_per_query"),
+        unused("caches.{machine}.unused_bytes_per_query");
+    columns.push_back({"bytes brought in", fetched.of(machine)});
+    columns.push_back({"never used", unused.of(machine)});
+    return cache_grid(data, machine + ": misses per query by cause; bytes brought into the first level",
+                      columns);
 }
 
 std::vector<std::string> broken_down_levels(const ReportData& data, const std::string& machine) {
@@ -157,53 +122,37 @@ TextGrid breakdown_grid(const ReportData& data, const std::string& machine, cons
         for (const store::FigureRow& figure : cell->figures)
             if (const auto part = all.value_in(figure.probe, figure.name)) parts.insert(*part);
     }
-    TextGrid grid{fmt::format("{} {}: misses per query, by {}; a dash: not accessed", machine, level,
-                              &by.info() == &misses_by_field.info() ? "what was read" : "what read it"),
-                  naming_columns(),
-                  {}};
-    if (parts.empty()) return grid;
-    for (const std::string& part : parts) grid.columns.push_back({part, true});
-    for (const ReportCell* cell : modelled_cells(data)) {
-        std::vector<GridCell> row = naming(*cell);
-        for (const std::string& part : parts) {
-            const measure::Figure figure = cell->figure(by.of(machine, level, part));
-            row.push_back({figure.value ? number_text(*figure.value) : "–"});
-        }
-        grid.rows.push_back(std::move(row));
-    }
+    if (parts.empty()) return {};
+    std::vector<FigureColumn> columns;
+    for (const std::string& part : parts) columns.push_back({part, by.of(machine, level, part)});
+    const bool by_field = &by.info() == &misses_by_field.info();
+    TextGrid grid = cache_grid(data,
+                               fmt::format("{} {}: misses per query, by {}; a dash: not accessed", machine,
+                                           level, by_field ? "what was read" : "what read it"),
+                               columns);
+    for (std::vector<GridCell>& row : grid.rows)
+        for (GridCell& cell : row)
+            if (!cell.why.empty()) cell = {"–"};
     return grid;
 }
 
 TextGrid working_sets_grid(const ReportData& data) {
-    constexpr double kibibyte = 1024, lines = 64.0 / 1024, pages = 4;
-    struct Column {
-        const char* title;
-        store::FigureName figure;
-        double unit;
-    };
-    const Column columns[] = {{"query, lines", "reuse.lines_per_query", 1},
-                              {"query, pages", "reuse.pages_per_query", 1},
-                              {"frame, KiB", "reuse.lines_of_frame", 1 / lines},
-                              {"body, KiB", "reuse.lines_of_body", 1 / lines},
-                              {"scene, KiB", "reuse.lines_of_scene", 1 / lines},
-                              {"scene, KiB in pages", "reuse.pages_of_scene", 1 / pages},
-                              {"line knee, KiB", "reuse.line_knee_bytes", kibibyte},
-                              {"page knee, KiB", "reuse.page_knee_bytes", kibibyte},
-                              {"part of tables", "heat.touched_part", 1},
-                              {"vertices", "heat.touched_vertices", 1},
-                              {"edges", "heat.touched_edges", 1},
-                              {"faces", "heat.touched_faces", 1},
-                              {"lines of half", "heat.lines_of_half_the_accesses", 1},
-                              {"lines of 90 %", "heat.lines_of_most_accesses", 1}};
-    TextGrid grid{"Working sets, knees, and what was ever touched", naming_columns(), {}};
-    for (const Column& column : columns) grid.columns.push_back({column.title, true});
-    for (const ReportCell* cell : modelled_cells(data)) {
-        std::vector<GridCell> row = naming(*cell);
-        for (const Column& column : columns)
-            row.push_back(cache_scaled(cell->figure(column.figure), column.unit));
-        grid.rows.push_back(std::move(row));
-    }
-    return grid;
+    constexpr double lines = 64.0 / 1024, pages = 4;  // KiB
+    const FigureColumn columns[] = {{"query, lines", "reuse.lines_per_query"},
+                                    {"query, pages", "reuse.pages_per_query"},
+                                    {"frame, KiB", "reuse.lines_of_frame", 1 / lines},
+                                    {"body, KiB", "reuse.lines_of_body", 1 / lines},
+                                    {"scene, KiB", "reuse.lines_of_scene", 1 / lines},
+                                    {"scene, KiB in pages", "reuse.pages_of_scene", 1 / pages},
+                                    {"line knee, KiB", "reuse.line_knee_bytes", kibibyte},
+                                    {"page knee, KiB", "reuse.page_knee_bytes", kibibyte},
+                                    {"part of tables", "heat.touched_part"},
+                                    {"vertices", "heat.touched_vertices"},
+                                    {"edges", "heat.touched_edges"},
+                                    {"faces", "heat.touched_faces"},
+                                    {"lines of half", "heat.lines_of_half_the_accesses"},
+                                    {"lines of 90 %", "heat.lines_of_most_accesses"}};
+    return cache_grid(data, "Working sets, knees, and what was ever touched", columns);
 }
 
 }  // namespace edgewise::reports

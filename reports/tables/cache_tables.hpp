@@ -31,9 +31,6 @@ inline constexpr store::FigureName misses_by_field("caches.{machine}.{level}.fie
 /// Lines and pages: of a query, a frame, a body and the scene; knees; parts touched.
 [[nodiscard]] TextGrid working_sets_grid(const ReportData& data);
 
-/// What the processor and the kernel counted, and what the heap took: of one scene, the reference shape.
-[[nodiscard]] TextGrid counters_grid(const ReportData& data);
-
 /// One line per scene, algorithm and level: whether tree-PLRU or random replacement ranks the tables
 /// otherwise.
 [[nodiscard]] TextGrid policy_grid(const ReportData& data);

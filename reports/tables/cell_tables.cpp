@@ -29,6 +29,16 @@ const store::QueryTime& times_of(PairKind kind) {
 
 std::string pair_name(PairKind kind) { return kind == PairKind::Separated ? "separated" : "overlapping"; }
 
+std::vector<const ReportCell*> verified_cells(const ReportData& data, const std::string& shape,
+                                              const std::string& scene_label) {
+    std::vector<const ReportCell*> cells;
+    for (const ReportCell& cell : data.cells)
+        if (cell.verified() && (shape.empty() || cell.shape == shape) &&
+            (scene_label.empty() || cell.scene_label == scene_label))
+            cells.push_back(&cell);
+    return cells;
+}
+
 std::vector<std::string> scene_labels(const ReportData& data) {
     std::vector<std::string> labels;
     for (const ReportCell& cell : data.cells)

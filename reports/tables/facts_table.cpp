@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
 
@@ -27,10 +28,9 @@ std::string plain(const FactsJson& value) {
 std::string facts_in_words(const FactsJson& value) {
     std::string out;
     if (value.is_object())
-        for (const auto& item : value.items())
-            out += (out.empty() ? "" : ", ") + item.key() + " " + facts_in_words(item.value());
+        for (const auto& item : value.items()) append(out, item.key() + " " + facts_in_words(item.value()));
     else if (value.is_array())
-        for (const FactsJson& item : value) out += (out.empty() ? "" : "; ") + facts_in_words(item);
+        for (const FactsJson& item : value) append(out, facts_in_words(item), "; ");
     else
         out = plain(value);
     return out;
@@ -57,7 +57,7 @@ std::string cache_in_words(FactsJson cache) {
 std::string caches_in_words(const FactsJson& caches) {
     if (!caches.is_array()) return facts_in_words(caches);
     std::string out;
-    for (const FactsJson& cache : caches) out += (out.empty() ? "" : "; ") + cache_in_words(cache);
+    for (const FactsJson& cache : caches) append(out, cache_in_words(cache), "; ");
     return out;
 }
 
@@ -72,12 +72,12 @@ std::string counters_in_words(const FactsJson& counters) {
     for (const FactsJson& counter : counters) {
         const std::string event = member(counter, "event");
         if (member(counter, "status") == "counted") {
-            counted += (counted.empty() ? "" : ", ") + event;
+            append(counted, event);
             continue;
         }
-        const std::string reason = member(counter, "reason"), remedy = member(counter, "remedy");
-        std::string& events = unavailable[remedy.empty() ? reason : reason + " – " + remedy];
-        events += (events.empty() ? "" : ", ") + event;
+        std::string why = member(counter, "reason");
+        if (const std::string remedy = member(counter, "remedy"); !remedy.empty()) why += " – " + remedy;
+        append(unavailable[why], event);
     }
     std::string out = "counted: " + (counted.empty() ? "none" : counted);
     for (const auto& [why, events] : unavailable)
@@ -97,7 +97,7 @@ std::string further_facts(const FactsJson& machine) {
         const std::string why = item.value().is_null() && machine.contains("unreadable")
                                     ? member(machine["unreadable"], item.key().c_str())
                                     : "";
-        out += (out.empty() ? "" : "; ") + item.key() + " " + plain(item.value());
+        append(out, item.key() + " " + plain(item.value()), "; ");
         if (!why.empty()) out += " (" + why + ")";
     }
     return out;
@@ -105,12 +105,13 @@ std::string further_facts(const FactsJson& machine) {
 
 void add_machine(TextGrid& grid, const std::string& machine_json) {
     const FactsJson machine = FactsJson::parse(machine_json, nullptr, false);
-    const bool object = machine.is_object();
-    add(grid, "CPU", object && machine.contains("cpu") ? facts_in_words(machine["cpu"]) : "");
-    add(grid, "caches", object && machine.contains("caches") ? caches_in_words(machine["caches"]) : "");
-    add(grid, "hardware counters",
-        object && machine.contains("counters") ? counters_in_words(machine["counters"]) : "");
-    const std::string further = object ? further_facts(machine) : "";
+    const auto words = [&](const char* key, std::string (*say)(const FactsJson&)) {
+        return machine.is_object() && machine.contains(key) ? say(machine[key]) : "";
+    };
+    add(grid, "CPU", words("cpu", facts_in_words));
+    add(grid, "caches", words("caches", caches_in_words));
+    add(grid, "hardware counters", words("counters", counters_in_words));
+    const std::string further = machine.is_object() ? further_facts(machine) : "";
     if (!further.empty()) add(grid, "machine", further);
 }
 
@@ -123,7 +124,7 @@ std::string seeds(const ReportData& data) {
     std::size_t shown = 0;
     for (const auto& [seed, cells] : distinct) {
         if (++shown > 4) return out + fmt::format(", ... ({} in all)", distinct.size());
-        out += (out.empty() ? "" : ", ") + std::to_string(seed);
+        append(out, std::to_string(seed));
     }
     return out;
 }
@@ -149,7 +150,7 @@ TextGrid facts_grid(const ReportData& data) {
     }
     if (!plan) add(grid, "plan", "");
     std::string others;
-    for (const std::string& id : data.other_builds) others += (others.empty() ? "" : ", ") + id;
+    for (const std::string& id : data.other_builds) append(others, id);
     if (!others.empty()) add(grid, "other builds in the store, not shown", others);
     return grid;
 }

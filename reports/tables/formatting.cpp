@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-//
-// See formatting.hpp.
 #include "edgewise/reports/tables/formatting.hpp"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace edgewise::reports {
 
@@ -19,6 +19,19 @@ std::string without_trailing_zeros(std::string text) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
     return text;
+}
+
+/// Each of these characters becomes its text.
+std::string replaced(const std::string& text, const std::map<char, const char*>& by) {
+    std::string out;
+    for (const char c : text) {
+        const auto found = by.find(c);
+        if (found == by.end())
+            out += c;
+        else
+            out += found->second;
+    }
+    return out;
 }
 
 }  // namespace
@@ -37,36 +50,29 @@ std::string number_text(double value, const std::string& unit) {
 }
 
 std::string html_text(const std::string& text) {
-    std::string safe;
-    safe.reserve(text.size());
-    for (const char c : text) {
-        if (c == '&')
-            safe += "&amp;";
-        else if (c == '<')
-            safe += "&lt;";
-        else if (c == '>')
-            safe += "&gt;";
-        else if (c == '"')
-            safe += "&quot;";
-        else if (c == '\'')
-            safe += "&#39;";
-        else
-            safe += c;
-    }
-    return safe;
+    return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}});
 }
 
 std::string markdown_text(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '|' || c == '\\' || c == '`' || c == '*' || c == '[' || c == ']')
-            (safe += '\\') += c;
-        else if (c == '<')
-            safe += "&lt;";
-        else
-            safe += c == '\n' || c == '\r' ? ' ' : c;
-    }
-    return safe;
+    return replaced(text, {{'|', "\\|"},
+                           {'\\', "\\\\"},
+                           {'`', "\\`"},
+                           {'*', "\\*"},
+                           {'[', "\\["},
+                           {']', "\\]"},
+                           {'<', "&lt;"},
+                           {'\n', " "},
+                           {'\r', " "}});
+}
+
+std::string in_words(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+void append(std::string& list, const std::string& part, const char* separator) {
+    if (!list.empty()) list += separator;
+    list += part;
 }
 
 std::string plural(std::size_t count, const std::string& noun) {

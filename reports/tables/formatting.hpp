@@ -9,10 +9,15 @@
 
 namespace edgewise::reports {
 
+inline constexpr double kibibyte = 1024, mebibyte = 1024 * kibibyte;
+
 /// At most three or four significant digits, by unit: "168", "12.4", "3.1e-16", "0" only for exactly 0.
 [[nodiscard]] std::string number_text(double value, const std::string& unit = {});
-[[nodiscard]] std::string html_text(const std::string& text);                  ///< escapes & < > " '
-[[nodiscard]] std::string markdown_text(const std::string& text);              ///< one line; escapes | and <
+[[nodiscard]] std::string html_text(const std::string& text);      ///< escapes & < > " '
+[[nodiscard]] std::string markdown_text(const std::string& text);  ///< one line; escapes | and <
+[[nodiscard]] std::string in_words(std::string name);              ///< "face_planes" -> "face planes"
+/// Adds `part` to a list in one text.
+void append(std::string& list, const std::string& part, const char* separator = ", ");
 [[nodiscard]] std::string plural(std::size_t count, const std::string& noun);  ///< "1 cell", "2 cells"
 
 }  // namespace edgewise::reports

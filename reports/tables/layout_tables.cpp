@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a layout costs beside its own bytes: cache lines that queries touch, time to build and to refit, in
-// one scene with one shape (results.csv has all); and the memory of scenes with many tables.
+// What a layout costs beside its own bytes, in one scene with one shape (results.csv has all): cache lines
+// that queries touch, time to build and to refit; what was counted and what the heap took. And the memory of
+// scenes with many tables.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,14 +10,13 @@
 #include <string_view>
 #include <tuple>
 
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {
 
 namespace {
-
-constexpr double layout_mebibyte = 1 << 20;
 
 /// The warm scene if there is one: its queries are what layouts are for.
 std::string reference_scene(const ReportData& data) {
@@ -28,21 +28,35 @@ std::string reference_scene(const ReportData& data) {
     return first;
 }
 
-/// The figure's number divided, with this many digits; or why there is none.
-GridCell scaled_cell(const measure::Figure& figure, double unit, int digits) {
-    if (!figure.value) return figure_cell(figure);
-    return {fmt::format("{:.{}f}", *figure.value / unit, digits)};
-}
+const FigureColumn layout_cost_columns[] = {
+    {"lines per query", "lines.lines_per_query", 1, 1}, {"their bytes", "lines.line_bytes_per_query", 1, 0},
+    {"bytes read", "lines.read_bytes_per_query", 1, 0}, {"build, us", "build.build_ns", 1000, 1},
+    {"refit, us", "build.refit_ns", 1000, 1},           {"refit / build", "build.refit_over_build", 1, 2},
+    {"materialised", "memory.materialised", 1, 3}};
 
-std::vector<GridCell> cost_row(const ReportCell& cell) {
-    return grid_row(cell.algorithm, cell.table, scaled_cell(cell.figure("lines.lines_per_query"), 1, 1),
-                    scaled_cell(cell.figure("lines.line_bytes_per_query"), 1, 0),
-                    scaled_cell(cell.figure("lines.read_bytes_per_query"), 1, 0),
-                    scaled_cell(cell.figure("build.build_ns"), 1000, 1),
-                    scaled_cell(cell.figure("build.refit_ns"), 1000, 1),
-                    scaled_cell(cell.figure("build.refit_over_build"), 1, 2),
-                    scaled_cell(cell.figure("memory.materialised"), 1, 3));
-}
+const FigureColumn scene_memory_columns[] = {{"tables", "memory.tables", 1, 0},
+                                             {"asked for, MiB", "memory.requested_bytes", mebibyte, 2},
+                                             {"taken, MiB", "memory.taken_bytes", mebibyte, 2},
+                                             {"resident, MiB", "memory.resident_bytes", mebibyte, 2},
+                                             {"ns per query", "time.separated_ns", 1, 0},
+                                             {"ratio to baseline", "time.separated_ratio", 1, 3}};
+
+const FigureColumn counter_columns[] = {
+    {"minor faults", "counters.minor_faults"},
+    {"major faults", "counters.major_faults"},
+    {"context switches", "counters.context_switches"},
+    {"migrations", "counters.cpu_migrations"},
+    {"instructions", "counters.instructions"},
+    {"cycles", "counters.cycles"},
+    {"branch misses", "counters.branch_misses"},
+    {"L1D fills", "counters.l1d_fills"},
+    {"L2 demand misses", "counters.l2_demand_misses"},
+    {"LLC misses", "counters.llc_misses"},
+    {"dTLB walks", "counters.dtlb_walks"},
+    {"table asked for, B", store::FigureName("heap.{structure}.requested_bytes").of("table")},
+    {"size classes, B", store::FigureName("heap.{structure}.size_class_bytes").of("table")},
+    {"slack, B", store::FigureName("heap.{structure}.slack_bytes").of("table")},
+    {"resident, B", store::FigureName("heap.{structure}.resident_bytes").of("table")}};
 
 double lines_of(const ReportCell& cell) {
     return cell.figure("lines.lines_per_query").value.value_or(std::numeric_limits<double>::infinity());
@@ -52,39 +66,43 @@ double lines_of(const ReportCell& cell) {
 
 TextGrid layout_cost_grid(const ReportData& data) {
     const std::string scene = reference_scene(data), shape = reference_shape(data);
-    TextGrid grid{
-        fmt::format("{}, {}, fewest lines first", scene, shape),
-        columns_of("algorithm|table type|#lines per query|#their bytes|#bytes read|#build, us|#refit, us|"
-                   "#refit / build|#materialised"),
-        {}};
-    std::vector<const ReportCell*> cells;
-    for (const ReportCell& cell : data.cells)
-        if (cell.verified() && cell.scene_label == scene && cell.shape == shape) cells.push_back(&cell);
+    std::vector<const ReportCell*> cells = verified_cells(data, shape, scene);
     std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
         return std::make_tuple(b->algorithm, lines_of(*a)) < std::make_tuple(a->algorithm, lines_of(*b));
     });
-    for (const ReportCell* cell : cells) grid.rows.push_back(cost_row(*cell));
+    TextGrid grid = figure_grid(fmt::format("{}, {}, fewest lines first", scene, shape),
+                                "algorithm|table type", layout_cost_columns);
+    for (const ReportCell* cell : cells)
+        add_row(grid, grid_row(cell->algorithm, cell->table), *cell, layout_cost_columns);
+    return grid;
+}
+
+TextGrid counters_grid(const ReportData& data) {
+    const std::string shape = reference_shape(data);
+    std::vector<const ReportCell*> cells = verified_cells(data, shape);
+    const std::string scene = cells.empty() ? "" : cells.front()->scene_label;
+    std::erase_if(cells, [&](const ReportCell* cell) { return cell->scene_label != scene; });
+    // Columns that nothing was counted for are left out; the text above the table says why.
+    std::vector<FigureColumn> shown;
+    for (const FigureColumn& column : counter_columns) {
+        const auto has = [&](const ReportCell* cell) {
+            return cell->figure(column.figure).value.has_value();
+        };
+        if (std::any_of(cells.begin(), cells.end(), has)) shown.push_back(column);
+    }
+    TextGrid grid =
+        figure_grid(cells.empty() ? "" : scene + ", " + shape + ", per query", "algorithm|table type", shown);
+    for (const ReportCell* cell : cells) add_row(grid, grid_row(cell->algorithm, cell->table), *cell, shown);
     return grid;
 }
 
 TextGrid scene_memory_grid(const ReportData& data) {
-    TextGrid grid{
-        "Cells with more than four tables",
-        columns_of("scene|shape|algorithm|table type|#tables|#asked for, MiB|#taken, MiB|#resident, MiB|"
-                   "#ns per query|#ratio to baseline"),
-        {}};
-    for (const ReportCell& cell : data.cells) {
-        const measure::Figure tables = cell.figure("memory.tables");
-        const bool many = tables.value && *tables.value > 4;
-        if (!cell.verified() || !many) continue;
-        grid.rows.push_back(grid_row(cell.scene_label, cell.shape, cell.algorithm, cell.table,
-                                     scaled_cell(tables, 1, 0),
-                                     scaled_cell(cell.figure("memory.requested_bytes"), layout_mebibyte, 2),
-                                     scaled_cell(cell.figure("memory.taken_bytes"), layout_mebibyte, 2),
-                                     scaled_cell(cell.figure("memory.resident_bytes"), layout_mebibyte, 2),
-                                     scaled_cell(cell.figure("time.separated_ns"), 1, 0),
-                                     scaled_cell(cell.figure("time.separated_ratio"), 1, 3)));
-    }
+    TextGrid grid = figure_grid("Cells with more than four tables", "scene|shape|algorithm|table type",
+                                scene_memory_columns);
+    for (const ReportCell& cell : data.cells)
+        if (cell.verified() && cell.figure("memory.tables").value.value_or(0) > 4)
+            add_row(grid, grid_row(cell.scene_label, cell.shape, cell.algorithm, cell.table), cell,
+                    scene_memory_columns);
     return grid;
 }
 

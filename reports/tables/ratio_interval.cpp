@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See ratio_interval.hpp. The k-th smallest and k-th largest of n values enclose the median with probability
+// The k-th smallest and k-th largest of n values enclose the median with probability
 // 1 - 2 P(B < k), B binomial(n, 1/2) (David and Nagaraja, Order Statistics, 7.1).
 #include "edgewise/reports/tables/ratio_interval.hpp"
 

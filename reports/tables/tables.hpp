@@ -25,6 +25,10 @@ enum class PairKind { Separated, Overlapping };
 /// Every cell: what it is and its status.
 [[nodiscard]] TextGrid cells_grid(const ReportData& data);
 
+/// In the data's order, of one shape and of one scene; an empty name means all.
+[[nodiscard]] std::vector<const ReportCell*> verified_cells(const ReportData& data,
+                                                            const std::string& shape = {},
+                                                            const std::string& scene_label = {});
 /// The shape that the short tables and the first view of the charts show: sphere386 if swept, else the
 /// largest.
 [[nodiscard]] std::string reference_shape(const ReportData& data);
@@ -35,6 +39,8 @@ enum class PairKind { Separated, Overlapping };
 
 /// Cache lines per query, time to build and refit, part ever materialised: one scene, the reference shape.
 [[nodiscard]] TextGrid layout_cost_grid(const ReportData& data);
+/// What the processor and the kernel counted, and what the heap took: of one scene, the reference shape.
+[[nodiscard]] TextGrid counters_grid(const ReportData& data);
 /// What the tables of scenes with more than a few of them take, beside the time of their queries.
 [[nodiscard]] TextGrid scene_memory_grid(const ReportData& data);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See text_grid.hpp. Reasons are numbered under each table, so that they are read without a mouse and on
+// Reasons are numbered under each table, so that they are read without a mouse and on
 // paper.
 #include "edgewise/reports/tables/text_grid.hpp"
 
@@ -55,9 +55,19 @@ GridCell missing_cell(const std::string& why) {
     return {"not measured", why.empty() ? "no reason given" : why};
 }
 
-GridCell figure_cell(const measure::Figure& figure) {
-    if (figure.value) return {number_text(*figure.value, figure.unit)};
-    return missing_cell(figure.remedy.empty() ? figure.reason : figure.reason + " – " + figure.remedy);
+GridCell figure_cell(const measure::Figure& figure, double unit, int digits) {
+    if (!figure.value)
+        return missing_cell(figure.remedy.empty() ? figure.reason : figure.reason + " – " + figure.remedy);
+    if (digits >= 0) return {fmt::format("{:.{}f}", *figure.value / unit, digits)};
+    if (unit != 1) return {number_text(*figure.value / unit)};
+    const bool verified = figure.unit.find("unverified") == std::string::npos;
+    return {number_text(*figure.value, figure.unit) + (verified ? "" : " *")};
+}
+
+GridCell ratio_cell(const measure::Figure& above, const measure::Figure& below) {
+    if (!above.value) return figure_cell(above);
+    if (!below.value || *below.value <= 0) return figure_cell(below);
+    return figure_cell(above, *below.value, 3);
 }
 
 std::vector<GridColumn> columns_of(std::string_view titles) {

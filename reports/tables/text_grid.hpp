@@ -28,8 +28,11 @@ struct TextGrid {
     std::vector<std::vector<GridCell>> rows;
 };
 
-/// The figure's number, or "not measured" with its reason and remedy.
-[[nodiscard]] GridCell figure_cell(const measure::Figure& figure);
+/// The figure's number divided by `unit`, with as many digits as it has meaning where `digits` names none; a
+/// star where its unit says that it is unverified. Or "not measured" with its reason and remedy.
+[[nodiscard]] GridCell figure_cell(const measure::Figure& figure, double unit = 1, int digits = -1);
+/// One figure over another, or which of the two is not there.
+[[nodiscard]] GridCell ratio_cell(const measure::Figure& above, const measure::Figure& below);
 [[nodiscard]] GridCell missing_cell(const std::string& why);
 
 /// From titles with bars between them, "scene|#tables|#ns": '#' stands before those that are set flush right.
@@ -47,6 +50,29 @@ template <std::integral Number>
 template <class... Cells>
 [[nodiscard]] std::vector<GridCell> grid_row(const Cells&... cells) {
     return {grid_cell(cells)...};
+}
+
+/// A column that shows one figure of each row's cell, as figure_cell does.
+struct FigureColumn {
+    std::string title;
+    store::FigureName figure;
+    double unit = 1;
+    int digits = -1;
+};
+/// A grid without rows: columns that name what a row is of, as in columns_of, then one for each figure.
+template <class FigureColumns>
+[[nodiscard]] TextGrid figure_grid(std::string caption, std::string_view names,
+                                   const FigureColumns& columns) {
+    TextGrid grid{std::move(caption), columns_of(names), {}};
+    for (const FigureColumn& column : columns) grid.columns.push_back({column.title, true});
+    return grid;
+}
+template <class FigureColumns>
+void add_row(TextGrid& grid, std::vector<GridCell> names, const ReportCell& cell,
+             const FigureColumns& columns) {
+    for (const FigureColumn& column : columns)
+        names.push_back(figure_cell(cell.figure(column.figure), column.unit, column.digits));
+    grid.rows.push_back(std::move(names));
 }
 
 [[nodiscard]] std::string grid_html(const TextGrid& grid);

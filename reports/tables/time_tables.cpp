@@ -37,8 +37,7 @@ std::vector<GridCell> time_row(const ReportCell& cell, PairKind kind) {
     const store::QueryTime& times = times_of(kind);
     const measure::Figure ratio = cell.figure(times.ratio);
     return grid_row(cell.shape, cell.vertices, cell.algorithm, cell.table, cell.figure(times.ns),
-                    interval_cell(cell.figure(times.low), cell.figure(times.high)),
-                    ratio.value ? GridCell{fmt::format("{:.3f}", *ratio.value)} : figure_cell(ratio),
+                    interval_cell(cell.figure(times.low), cell.figure(times.high)), figure_cell(ratio, 1, 3),
                     ratio.value ? ratio_interval_cell(cell, kind) : figure_cell(ratio),
                     cell.figure("time.rounds"));
 }
@@ -59,9 +58,8 @@ TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairK
                    "#95 % interval|#rounds"),
         {}};
     std::vector<std::pair<double, const ReportCell*>> cells;
-    for (const ReportCell& cell : data.cells)
-        if (cell.verified() && cell.scene_label == scene_label && (shape.empty() || cell.shape == shape))
-            cells.emplace_back(rank(cell, kind), &cell);
+    for (const ReportCell* cell : verified_cells(data, shape, scene_label))
+        cells.emplace_back(rank(*cell, kind), cell);
     std::stable_sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
         return std::tie(a.second->vertices, a.second->shape, a.first) <
                std::tie(b.second->vertices, b.second->shape, b.first);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// See report_text.hpp. The texts themselves are generated.
+// The texts themselves are generated.
 #include "edgewise/reports/text/report_text.hpp"
 
 #include <algorithm>
 #include <cassert>
-
-#include "edgewise/reports/text/embedded_texts.hpp"
 
 namespace edgewise::reports {
 

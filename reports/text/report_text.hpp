@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,12 @@ namespace edgewise::reports {
 /// The file of this name, wherever it stands below reports/: "stability.md", "bytes.vl.json". The program
 /// names only files that are there; the unit tests read them all.
 [[nodiscard]] std::string_view report_text(std::string_view name);
+
+struct EmbeddedText {
+    std::string_view name, text;
+};
+/// All of them; generated.
+[[nodiscard]] std::span<const EmbeddedText> embedded_texts();
 
 /// A Markdown file as one paragraph: line ends become spaces.
 [[nodiscard]] std::string prose(std::string_view name);

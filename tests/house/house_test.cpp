@@ -57,6 +57,8 @@ TEST(Comments, NameFilesThatAreThere) { EXPECT_EQ(to_text(dead_mentions(tree()))
 
 TEST(Folders, AreNotFull) { EXPECT_EQ(to_text(full_folders(tree())), ""); }
 
+TEST(Reports, HaveTheirProseInFiles) { EXPECT_EQ(to_text(long_prose(tree())), ""); }
+
 TEST(Readme, IsShort) { EXPECT_EQ(to_text(long_readme(tree())), ""); }
 
 /// The other half of the manifests' promise: a file and a line. A file without its line would be dead.

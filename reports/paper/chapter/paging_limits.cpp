@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
-// See paging_limits.hpp.
 #include "edgewise/reports/paper/chapter/paging_limits.hpp"
 
 #include <algorithm>

@@ -1,75 +1,98 @@
 // SPDX-License-Identifier: MIT
-//
-// The chapter on the paper's figures as HTML and as Markdown; what is in it: paper_parts.cpp.
 #include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
-#include "edgewise/reports/page/page_parts.hpp"
+#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/paper/charts/paper_charts.hpp"
+#include "edgewise/reports/paper/claims/claims.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-std::vector<const Chart*> charts_of(const ChapterPart& part, const std::vector<Chart>& charts) {
-    std::vector<const Chart*> own;
-    for (const Chart& chart : charts)
-        if (!part.section.empty() && chart.section == part.section) own.push_back(&chart);
-    return own;
+/// A paragraph, then its charts, then its grids; left out without charts and rows.
+struct ChapterPart {
+    std::string title, paragraph;
+    std::string section;                      ///< of its charts (paper_charts.hpp); empty: it has none
+    std::vector<TextGrid> grids, long_grids;  ///< in full view; folded
+};
+
+std::vector<TextGrid> scene_grids(const ReportData& data, const std::vector<std::string>& names) {
+    std::vector<TextGrid> grids;
+    for (const std::string& name : names) grids.push_back(file_scene_grid(scene_file(data, name)));
+    return grids;
 }
 
-bool is_empty(const ChapterPart& part, const std::vector<Chart>& charts) {
-    const auto has_rows = [](const TextGrid& grid) { return !grid.rows.empty(); };
-    return charts_of(part, charts).empty() && std::none_of(part.grids.begin(), part.grids.end(), has_rows) &&
-           std::none_of(part.long_grids.begin(), part.long_grids.end(), has_rows);
+std::vector<ChapterPart> paper_parts(const ReportData& data) {
+    return {
+        {"Performance, static", prose("part_static.md"), "", {static_grid(data)}, {}},
+        {"Performance, dynamic", prose("part_dynamic.md"), dynamic_section,
+         scene_grids(data, {"paper_proximity"}), scene_grids(data, {"paper_linear_8", "paper_angular_8"})},
+        {"Scalability",
+         prose("part_scalability.md"),
+         scalability_section,
+         {},
+         scene_grids(data, {"paper_angular_38", "paper_angular_386", "paper_bodies", "paper_bodies_shrinking",
+                            "paper_complexity", "paper_cold"})},
+        {"Robustness", prose("part_robustness.md"), "", {robustness_grid(data)}, {}},
+        {"Ease of implementation", prose("part_ease.md"), "", {source_grid(), build_grid(data)}, {}},
+        {"Cost functions", prose("part_cost.md"), "", {cost_grid(data, true)}, {cost_grid(data, false)}},
+        {"Needs", prose("part_needs.md"), "", {needs_grid(data)}, {}},
+        {"The thrash at 386 vertices",
+         thrash_paragraph(data),
+         thrash_section,
+         {thrash_grid(data), paging_grid(data)},
+         scene_grids(data, {"paper_caches_here"})}};
 }
 
-std::string part_html(const ChapterPart& part, const std::vector<Chart>& charts,
-                      const StaticPictures& pictures, bool alive) {
-    std::string out = fmt::format("<h3>{}</h3>\n", html_text(part.title)) + html_paragraph(part.paragraph);
-    for (const Chart* chart : charts_of(part, charts)) out += html_chart(*chart, pictures, alive, "h4");
-    for (const TextGrid& grid : part.grids)
-        if (!grid.rows.empty()) out += grid_html(grid);
-    for (const TextGrid& grid : part.long_grids)
-        if (!grid.rows.empty())
-            out += html_folded(fmt::format("{} ({})", grid.caption, plural(grid.rows.size(), "row")),
-                               grid_html(grid));
-    return out;
+ChapterPart own_part(const ReportData& data) {
+    ChapterPart part{"Your own scenes", "Scenes from files that are not the paper's.", own_section, {}, {}};
+    for (const StoredScene& scene : scene_files(data))
+        if (!is_of_paper(scene.name)) part.long_grids.push_back(file_scene_grid(scene));
+    return part;
 }
 
-std::string part_markdown(const ChapterPart& part, const std::vector<Chart>& charts,
-                          const StaticPictures& pictures) {
-    std::string out = fmt::format("### {}\n\n{}\n\n", part.title, part.paragraph);
-    for (const Chart* chart : charts_of(part, charts)) out += markdown_chart(*chart, pictures, "####");
-    for (const auto* grids : {&part.grids, &part.long_grids})
-        for (const TextGrid& grid : *grids)
-            if (!grid.rows.empty()) out += grid_markdown(grid);
-    return out;
+bool has_paper_scene(const ReportData& data) {
+    return std::any_of(data.scene_files.begin(), data.scene_files.end(),
+                       [](const auto& file) { return is_of_paper(file.first); });
+}
+
+void add_part(ChapterPart part, const std::vector<Chart>& charts, std::vector<ChapterBlock>& blocks) {
+    const auto without_rows = [](const TextGrid& grid) { return grid.rows.empty(); };
+    std::erase_if(part.grids, without_rows);
+    std::erase_if(part.long_grids, without_rows);
+    const bool drawn = !part.section.empty() &&
+                       std::any_of(charts.begin(), charts.end(),
+                                   [&](const Chart& chart) { return chart.section == part.section; });
+    if (!drawn && part.grids.empty() && part.long_grids.empty()) return;
+    blocks.push_back({.title = part.title,
+                      .paragraph = part.paragraph,
+                      .section = part.section,
+                      .grids = std::move(part.grids)});
+    for (TextGrid& grid : part.long_grids) {
+        const std::string fold = fmt::format("{} ({})", grid.caption, plural(grid.rows.size(), "row"));
+        blocks.push_back({.grids = {std::move(grid)}, .fold = fold});
+    }
 }
 
 }  // namespace
 
-std::string paper_chapter_html(const ReportData& data, const std::vector<Chart>& charts,
-                               const StaticPictures& pictures, bool alive) {
-    if (!has_paper_chapter(data)) return {};
-    std::string out = html_heading("paper", paper_chapter_title(data));
-    for (const TextGrid& grid : opening_grids(data)) out += grid_html(grid);
-    for (const ChapterPart& part : chapter_parts(data))
-        if (!is_empty(part, charts)) out += part_html(part, charts, pictures, alive);
-    return out;
-}
-
-std::string paper_chapter_markdown(const ReportData& data, const std::vector<Chart>& charts,
-                                   const StaticPictures& pictures) {
-    if (!has_paper_chapter(data)) return {};
-    std::string out = fmt::format("## {}\n\n", paper_chapter_title(data));
-    for (const TextGrid& grid : opening_grids(data)) out += grid_markdown(grid);
-    for (const ChapterPart& part : chapter_parts(data))
-        if (!is_empty(part, charts)) out += part_markdown(part, charts, pictures);
-    return out;
+std::optional<Chapter> paper_chapter(const ReportData& data, const std::vector<Chart>& charts) {
+    if (data.scene_files.empty()) return std::nullopt;
+    Chapter chapter{"paper", has_paper_scene(data) ? "The paper's figures" : "Scenes from files", {}, {}};
+    chapter.blocks.push_back({.grids = {claims_grid(data)}});
+    std::vector<ChapterPart> parts;
+    if (has_paper_scene(data)) parts = paper_parts(data);
+    parts.push_back(own_part(data));
+    for (ChapterPart& part : parts) add_part(std::move(part), charts, chapter.blocks);
+    return chapter;
 }
 
 }  // namespace edgewise::reports

@@ -7,8 +7,7 @@
 #include <map>
 
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
-#include "edgewise/reports/paper/chapter/source_facts.hpp"
-#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/source_facts.hpp"
 
 namespace edgewise::reports {
 
@@ -37,28 +36,24 @@ TextGrid source_grid() {
                   {}};
     for (const SourceFacts& facts : source_facts())
         grid.rows.push_back(
-            {{facts.algorithm},
-             {std::to_string(facts.files)},
-             {std::to_string(facts.code_lines)},
-             {std::to_string(facts.tolerances.size())},
-             {facts.tolerances.empty() ? "–" : fmt::format("{}", fmt::join(facts.tolerances, ", "))},
-             {bodies_accepted(facts.algorithm)}});
+            grid_row(facts.algorithm, facts.files, facts.code_lines, facts.tolerances.size(),
+                     facts.tolerances.empty() ? "–" : fmt::format("{}", fmt::join(facts.tolerances, ", ")),
+                     bodies_accepted(facts.algorithm)));
     return grid;
 }
 
 TextGrid build_grid(const ReportData& data) {
-    TextGrid grid{
+    const FigureColumn columns[] = {{"build, ns", "build.build_ns"},
+                                    {"refit, ns", "build.refit_ns"},
+                                    {"bytes per edge (slope)", "bytes.paper_bytes_per_edge"},
+                                    {"table, bytes", "bytes.table_bytes"}};
+    TextGrid grid = figure_grid(
         "Preprocessing: building a table, and refitting it to a deformed body of the same topology",
-        columns_of("shape|#vertices|algorithm|table type|#build, ns|#refit, ns|#bytes per edge (slope)|"
-                   "#table, bytes"),
-        {}};
-    for (const ReportCell* cell : scene_file(data, "paper_complexity").cells) {
-        if (!cell->axes.empty()) continue;
-        grid.rows.push_back(grid_row(cell->shape, cell->vertices, cell->algorithm, cell->table,
-                                     cell->figure("build.build_ns"), cell->figure("build.refit_ns"),
-                                     cell->figure("bytes.paper_bytes_per_edge"),
-                                     cell->figure("bytes.table_bytes")));
-    }
+        "shape|#vertices|algorithm|table type", columns);
+    for (const ReportCell* cell : scene_file(data, "paper_complexity").cells)
+        if (cell->axes.empty())
+            add_row(grid, grid_row(cell->shape, cell->vertices, cell->algorithm, cell->table), *cell,
+                    columns);
     return grid;
 }
 

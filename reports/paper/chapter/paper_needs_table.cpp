@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // What each need costs: times with the axis `needs` over the plain cell's, which gives witness points.
-#include <fmt/core.h>
-
 #include <map>
 #include <tuple>
 
@@ -33,9 +31,7 @@ GridCell needs_ratio_of(const ByAxes& cells, const std::string& need, const stor
     const measure::Figure ns = cell->second->figure(time);
     if (!ns.value) return figure_cell(ns);
     if (plain == cells.end()) return missing_cell("the store has no plain cell to compare with");
-    const measure::Figure base = plain->second->figure(time);
-    if (!base.value || *base.value <= 0) return figure_cell(base);
-    return {fmt::format("{:.3f}", *ns.value / *base.value)};
+    return ratio_cell(ns, plain->second->figure(time));
 }
 
 }  // namespace

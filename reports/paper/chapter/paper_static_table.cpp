@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The static test, and the table of any scene from a file.
-#include <fmt/core.h>
-
 #include <map>
 #include <tuple>
 
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
-#include "edgewise/reports/paper/charts/rotation_angle.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -38,11 +35,7 @@ GridCell cell_of(const ReportCell* cell, const store::FigureName& name) {
 /// Both relative to the baseline timed in the same rounds: what moved the clock is in neither.
 GridCell static_ratio_of(const Sides& sides) {
     if (!sides.vclip || !sides.gjk) return {"–"};
-    const measure::Figure vclip = sides.vclip->figure("time.all_ratio"),
-                          gjk = sides.gjk->figure("time.all_ratio");
-    if (!gjk.value) return figure_cell(gjk);
-    if (!vclip.value || *vclip.value <= 0) return figure_cell(vclip);
-    return {fmt::format("{:.3f}", *gjk.value / *vclip.value)};
+    return ratio_cell(sides.gjk->figure("time.all_ratio"), sides.vclip->figure("time.all_ratio"));
 }
 
 GridCell static_place_of(const StoredScene& scene, const ReportCell& cell) {
@@ -55,14 +48,8 @@ GridCell static_place_of(const StoredScene& scene, const ReportCell& cell) {
 
 TextGrid static_grid(const ReportData& data) {
     TextGrid grid{"Static test: ns per query, all pairs as they come; building a table separately",
-                  {{"shape"},
-                   {"vertices", true},
-                   {"table type"},
-                   {"V-Clip, ns", true},
-                   {"Enhanced GJK, ns", true},
-                   {"GJK / V-Clip", true},
-                   {"V-Clip table, build ns", true},
-                   {"GJK table, build ns", true}},
+                  columns_of("shape|#vertices|table type|#V-Clip, ns|#Enhanced GJK, ns|#GJK / V-Clip|"
+                             "#V-Clip table, build ns|#GJK table, build ns"),
                   {}};
     for (const auto& [key, sides] : sides_of(scene_file(data, "paper_static"))) {
         const auto& [vertices, shape, table] = key;
@@ -75,22 +62,20 @@ TextGrid static_grid(const ReportData& data) {
 }
 
 TextGrid file_scene_grid(const StoredScene& scene) {
-    TextGrid grid{scene.name + (scene.note.empty() ? "" : ": " + scene.note),
-                  columns_of("shape|algorithm|table type|#ns per query, all|#from|#to|#ratio to baseline|"
-                             "#separated, ns|#overlapping, ns"),
-                  {}};
+    const FigureColumn columns[] = {{"ns per query, all", store::all_time.ns},
+                                    {"from", store::all_time.low},
+                                    {"to", store::all_time.high},
+                                    {"ratio to baseline", store::all_time.ratio},
+                                    {"separated, ns", store::separated_time.ns},
+                                    {"overlapping, ns", store::overlapping_time.ns}};
+    TextGrid grid = figure_grid(scene.name + (scene.note.empty() ? "" : ": " + scene.note),
+                                "shape|algorithm|table type", columns);
     const bool varies = !scene.varied.empty();
     if (varies) grid.columns.insert(grid.columns.begin() + 1, {scene.axis_title(), true});
     for (const ReportCell* cell : scene.cells) {
-        std::vector<GridCell> row{{cell->shape}};
-        if (varies) row.push_back(static_place_of(scene, *cell));
-        row.push_back({cell->algorithm});
-        row.push_back({cell->table});
-        for (const store::FigureName& name :
-             {store::all_time.ns, store::all_time.low, store::all_time.high, store::all_time.ratio,
-              store::separated_time.ns, store::overlapping_time.ns})
-            row.push_back(figure_cell(cell->figure(name)));
-        grid.rows.push_back(std::move(row));
+        std::vector<GridCell> row = grid_row(cell->shape, cell->algorithm, cell->table);
+        if (varies) row.insert(row.begin() + 1, static_place_of(scene, *cell));
+        add_row(grid, std::move(row), *cell, columns);
     }
     return grid;
 }

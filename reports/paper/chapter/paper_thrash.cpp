@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See paper_thrash.hpp. One function per sentence.
+// One function per sentence.
 #include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 
 #include <fmt/format.h>
@@ -11,8 +11,6 @@
 #include <vector>
 
 #include "edgewise/reports/paper/chapter/paging_limits.hpp"
-#include "edgewise/reports/paper/chapter/paper_thrash_here.hpp"
-#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
@@ -22,11 +20,8 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr double thrash_mebibyte = 1048576;
-
 std::string bytes_text(double bytes) {
-    return bytes < thrash_mebibyte ? number_text(bytes / 1024) + " KiB"
-                                   : number_text(bytes / thrash_mebibyte) + " MiB";
+    return bytes < mebibyte ? number_text(bytes / kibibyte) + " KiB" : number_text(bytes / mebibyte) + " MiB";
 }
 
 std::string missing_text(const std::string& why) { return "missing (" + why + ")"; }
@@ -63,7 +58,7 @@ std::string answer(const ReportData& data) {
 
 std::string factor_at(const ReportData& data, const char* machine, bool fastest) {
     const measure::Expected<double> factor = memory_factor(data, machine, fastest),
-                                    step = thrash_step(data, 386, fastest),
+                                    step = thrash_number(data, 386, fastest, "rotation_step"),
                                     time = thrash_figure(data, 386, fastest, store::memory_time.of(machine));
     const std::string speed =
         step.value ? number_text(*step.value) + " rad per step" : (fastest ? "the fastest" : "the slowest");
@@ -119,7 +114,7 @@ std::string knees_text(const ReportData& data, const store::FigureName& knee) {
 
 std::string line_sentence(const ReportData& data) {
     constexpr store::FigureName knee("reuse.line_knee_bytes");
-    return prose("thrash_lines.md", fmt::arg("bodies", count_text(thrash_bodies(data, 386))),
+    return prose("thrash_lines.md", fmt::arg("bodies", count_text(thrash_number(data, 386, false, "bodies"))),
                  fmt::arg("knees", knees_text(data, knee)), fmt::arg("cache", bytes_text(old_cache)),
                  fmt::arg("where", where_it_passes(data, knee, old_cache)),
                  fmt::arg("large", count_text(bodies_to_fill(data, 386, knee, old_cache))),
@@ -129,7 +124,7 @@ std::string line_sentence(const ReportData& data) {
 /// Of all bodies' tables, used or not.
 std::string tables_text(const ReportData& data) {
     const measure::Expected<double> table = thrash_figure(data, 386, false, "bytes.table_bytes"),
-                                    bodies = thrash_bodies(data, 386);
+                                    bodies = thrash_number(data, 386, false, "bodies");
     if (!table.value || !bodies.value)
         return "what their tables take is " + missing_text(table.value ? bodies.reason : table.reason);
     return fmt::format("the tables of {} bodies of 386 vertices take {}", count_text(bodies),
@@ -200,7 +195,7 @@ std::string layouts_sentence(const ReportData& data) {
     const auto base = thrash_cells(data, 386, "vclip", "aos_f64");
     if (base.empty()) return "What layouts do to it is missing: no verified cell of V-Clip on aos_f64.";
     std::vector<std::string> texts;
-    for (const ReportCell* cell : scene_file(data, "paper_thrash_386").cells) {
+    for (const ReportCell* cell : thrash_scene(data, 386).cells) {
         const auto step = scene_number(*cell, "rotation_step");
         const bool told = cell->algorithm == "vclip" || cell->table == "aos_f64";
         if (!cell->verified() || !told || cell == base.front().second) continue;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/paper/chapter/paper_thrash_here.hpp"
-
+//
+// The thrash on the machine that measured: what its own caches make of figures 7 and 8, in times.
 #include <fmt/core.h>
 
 #include <optional>
 
+#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-//
-// See stored_scene.hpp.
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
@@ -13,16 +12,12 @@ namespace {
 
 using StoredSceneJson = nlohmann::json;
 
-std::string text_of(const StoredSceneJson& object, const char* name) {
-    return object.is_object() && object.contains(name) && object[name].is_string()
-               ? object[name].get<std::string>()
-               : "";
-}
-
 StoredScene parse(const std::string& name, const std::string& text) {
     const StoredSceneJson file = StoredSceneJson::parse(text, nullptr, false);
-    StoredScene scene{name, text_of(file, "scene"), {}, text_of(file, "note"), {}};
-    if (!file.is_object() || !file.contains("vary") || !file["vary"].is_object()) return scene;
+    StoredScene scene{name, {}, {}, {}};
+    if (!file.is_object()) return scene;
+    if (file.contains("note") && file["note"].is_string()) scene.note = file["note"];
+    if (!file.contains("vary") || !file["vary"].is_object()) return scene;
     for (const auto& item : file["vary"].items()) scene.varied = item.key();
     return scene;
 }
@@ -35,10 +30,7 @@ std::optional<double> StoredScene::place(const ReportCell& cell) const {
 }
 
 std::string StoredScene::axis_title() const {
-    if (varied.empty()) return "vertices of a body";
-    std::string title = varied;
-    std::replace(title.begin(), title.end(), '_', ' ');
-    return title;
+    return varied.empty() ? "vertices of a body" : in_words(varied);
 }
 
 std::vector<StoredScene> scene_files(const ReportData& data) {
@@ -54,7 +46,7 @@ std::vector<StoredScene> scene_files(const ReportData& data) {
 StoredScene scene_file(const ReportData& data, const std::string& name) {
     for (StoredScene& scene : scene_files(data))
         if (scene.name == name) return scene;
-    return {name, {}, {}, {}, {}};
+    return {name, {}, {}, {}};
 }
 
 bool is_of_paper(const std::string& scene) { return scene.starts_with("paper_"); }

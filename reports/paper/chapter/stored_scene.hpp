@@ -13,9 +13,9 @@
 namespace edgewise::reports {
 
 struct StoredScene {
-    std::string name, kind;  ///< "paper_angular_8", "tumble"
-    std::string varied;      ///< the number that it varies; empty: its cells differ in their shapes
-    std::string note;        ///< what its author says of it
+    std::string name;    ///< "paper_angular_8"
+    std::string varied;  ///< the number that it varies; empty: its cells differ in their shapes
+    std::string note;    ///< what its author says of it
     std::vector<const ReportCell*> cells;
 
     /// What its cells stand at on an axis: the varied number, else the vertices.
@@ -32,6 +32,10 @@ struct StoredScene {
 
 /// A number of the cell's scene parameters; null when they do not name it.
 [[nodiscard]] std::optional<double> scene_number(const ReportCell& cell, const std::string& name);
+/// A new random orientation each step: coherence's other end.
+[[nodiscard]] inline bool has_random_orientation(const ReportCell& cell) {
+    return scene_number(cell, "random_orientation").value_or(0) != 0;
+}
 /// The verified cell of this algorithm and table type that stands nearest to a wanted place; null when there
 /// is none.
 [[nodiscard]] const ReportCell* nearest_cell(const StoredScene& scene, const std::string& algorithm,

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
-// See thrash_evidence.hpp.
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 
 #include <fmt/core.h>
@@ -9,7 +7,6 @@
 #include <limits>
 
 #include "edgewise/reports/paper/chapter/paging_limits.hpp"
-#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
 
 namespace edgewise::reports {
@@ -25,14 +22,29 @@ const ReportCell* end_cell(const ReportData& data, int vertices, bool fastest) {
     return fastest ? cells.back().second : cells.front().second;
 }
 
-std::string thrash_evidence_no_cell(int vertices) {
-    return fmt::format("the store has no verified cell of paper_thrash_{} with V-Clip on {}", vertices,
-                       table);
+measure::Expected<double> no_cell(int vertices) {
+    return measure::Expected<double>::none(
+        fmt::format("the store has no verified cell of paper_thrash_{} with V-Clip on {}", vertices, table));
 }
 
 bool gives_the_time(const ReportData& data, const std::string& machine, bool fastest) {
     const measure::Expected<double> time = thrash_figure(data, 386, fastest, store::memory_time.of(machine));
     return time.value && *time.value >= least_share * papers_growth_ns;
+}
+
+/// Whether a row of the paging run is such a measurement, and what it says: V-Clip on aos_f64, 386 vertices,
+/// hundreds of bodies, a limit that leaves the tables as much as a memory of the time.
+std::optional<bool> faults_in_old_memory(const ReportCell& row) {
+    const bool ours =
+        row.verified() && row.algorithm == algorithm && row.table == table && row.vertices == 386;
+    if (!ours || scene_number(row, "bodies").value_or(more_than_hundreds) >= more_than_hundreds)
+        return std::nullopt;
+    std::optional<bool> found;
+    for (const PagingLimit& limit : paging_limits(row)) {
+        if (!limit.faults.value || limit.held.value.value_or(0) < least_old_memory) continue;
+        found = found.value_or(false) || *limit.faults.value >= least_faults;
+    }
+    return found;
 }
 
 }  // namespace
@@ -41,7 +53,7 @@ std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData&
                                                                const std::string& algorithm_name,
                                                                const std::string& table_name) {
     std::vector<std::pair<double, const ReportCell*>> cells;
-    for (const ReportCell* cell : scene_file(data, fmt::format("paper_thrash_{}", vertices)).cells) {
+    for (const ReportCell* cell : thrash_scene(data, vertices).cells) {
         const auto step = scene_number(*cell, "rotation_step");
         if (step && cell->verified() && cell->algorithm == algorithm_name && cell->table == table_name)
             cells.emplace_back(*step, cell);
@@ -53,23 +65,17 @@ std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData&
 measure::Expected<double> thrash_figure(const ReportData& data, int vertices, bool fastest,
                                         const store::FigureName& name) {
     const ReportCell* cell = end_cell(data, vertices, fastest);
-    if (!cell) return {std::nullopt, thrash_evidence_no_cell(vertices)};
+    if (!cell) return no_cell(vertices);
     const measure::Figure figure = cell->figure(name);
     if (figure.value) return {figure.value, {}};
     return {std::nullopt, fmt::format("{} at {} vertices: {}", name.name(), vertices, figure.reason)};
 }
 
-measure::Expected<double> thrash_step(const ReportData& data, int vertices, bool fastest) {
+measure::Expected<double> thrash_number(const ReportData& data, int vertices, bool fastest,
+                                        const std::string& name) {
     const ReportCell* cell = end_cell(data, vertices, fastest);
-    return cell ? measure::Expected<double>{scene_number(*cell, "rotation_step"), "no rotation_step"}
-                : measure::Expected<double>{std::nullopt, thrash_evidence_no_cell(vertices)};
-}
-
-measure::Expected<double> thrash_bodies(const ReportData& data, int vertices) {
-    const ReportCell* cell = end_cell(data, vertices, false);
-    return cell ? measure::Expected<double>{scene_number(*cell, "bodies"),
-                                            "the scene's parameters do not name its bodies"}
-                : measure::Expected<double>{std::nullopt, thrash_evidence_no_cell(vertices)};
+    if (!cell) return no_cell(vertices);
+    return {scene_number(*cell, name), "the scene's parameters do not name its " + name};
 }
 
 measure::Expected<double> worst_figure(const ReportData& data, int vertices, const store::FigureName& name) {
@@ -82,7 +88,7 @@ measure::Expected<double> worst_figure(const ReportData& data, int vertices, con
 measure::Expected<double> bodies_to_fill(const ReportData& data, int vertices, const store::FigureName& knee,
                                          double bytes) {
     const measure::Expected<double> worst = worst_figure(data, vertices, knee),
-                                    bodies = thrash_bodies(data, vertices);
+                                    bodies = thrash_number(data, vertices, false, "bodies");
     if (!worst.value) return worst;
     if (!bodies.value) return bodies;
     if (*worst.value <= 0) return {std::numeric_limits<double>::infinity(), {}};
@@ -108,19 +114,6 @@ std::optional<bool> cache_is_a_cause(const ReportData& data) {
             const bool enough = *factor.value >= papers_factor && gives_the_time(data, machine, fastest);
             found = found.value_or(false) || enough;
         }
-    }
-    return found;
-}
-
-std::optional<bool> faults_in_old_memory(const ReportCell& row) {
-    const bool ours =
-        row.verified() && row.algorithm == algorithm && row.table == table && row.vertices == 386;
-    if (!ours || scene_number(row, "bodies").value_or(more_than_hundreds) >= more_than_hundreds)
-        return std::nullopt;
-    std::optional<bool> found;
-    for (const PagingLimit& limit : paging_limits(row)) {
-        if (!limit.faults.value || limit.held.value.value_or(0) < least_old_memory) continue;
-        found = found.value_or(false) || *limit.faults.value >= least_faults;
     }
     return found;
 }

@@ -22,9 +22,9 @@ namespace edgewise::reports {
 /// V-Clip on aos_f64: a figure at the slowest or the fastest rotation.
 [[nodiscard]] measure::Expected<double> thrash_figure(const ReportData& data, int vertices, bool fastest,
                                                       const store::FigureName& name);
-/// The angle per step, and the bodies, of those cells.
-[[nodiscard]] measure::Expected<double> thrash_step(const ReportData& data, int vertices, bool fastest);
-[[nodiscard]] measure::Expected<double> thrash_bodies(const ReportData& data, int vertices);
+/// Likewise a number of the scene: "rotation_step", "bodies".
+[[nodiscard]] measure::Expected<double> thrash_number(const ReportData& data, int vertices, bool fastest,
+                                                      const std::string& name);
 /// The larger of a figure at the slowest and at the fastest rotation.
 [[nodiscard]] measure::Expected<double> worst_figure(const ReportData& data, int vertices,
                                                      const store::FigureName& name);
@@ -35,9 +35,6 @@ namespace edgewise::reports {
 [[nodiscard]] measure::Expected<double> memory_factor(const ReportData& data, const std::string& machine,
                                                       bool fastest);
 
-/// Whether a row of the paging run is such a measurement, and what it says: V-Clip on aos_f64, 386 vertices,
-/// hundreds of bodies, a limit that leaves the tables as much as a memory of the time.
-[[nodiscard]] std::optional<bool> faults_in_old_memory(const ReportCell& row);
 /// Whether the cache makes figure 8: on some machine, at some speed, the modelled memory time grows by the
 /// paper's factor from 38 to 386 vertices, and is no less than a tenth of what the paper's axis grows by.
 /// Null when nothing was modelled.

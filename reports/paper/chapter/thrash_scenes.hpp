@@ -4,10 +4,16 @@
 #pragma once
 
 #include <array>
+#include <string>
+
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 
 namespace edgewise::reports {
 
 inline constexpr std::array<int, 3> thrash_vertices = {8, 38, 386};
+[[nodiscard]] inline StoredScene thrash_scene(const ReportData& data, int vertices) {
+    return scene_file(data, "paper_thrash_" + std::to_string(vertices));
+}
 /// The angle per step at which curves against the size of a cache are shown: the paper's fastest, 7 rad/s, at
 /// 60 steps per second.
 inline constexpr double thrash_step_angle = 7.0 / 60;

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "edgewise/reports/charts/curves.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/charts/rotation_angle.hpp"
 
@@ -19,27 +20,22 @@ bool all_positive(const ChartJson& values) {
                        [](const ChartJson& row) { return row["place"].get<double>() > 0; });
 }
 
-ChartJson own_scenes_values_of(const StoredScene& scene, Omissions& omitted) {
-    ChartJson values = ChartJson::array();
-    for (const ReportCell* cell : scene.cells) {
-        const auto place = scene.place(*cell);
-        if (!place) {
-            omitted.add("its scene parameters do not hold " + scene.varied);
-            continue;
-        }
-        ChartJson row = timed_row(*cell, store::all_time, omitted);
-        if (row.is_null()) continue;
-        row["place"] = *place;
-        if (scene.varied == "rotation_step" && has_random_orientation(*cell)) {
-            row["place"] = random_angle;
-            row["larger"] = row["unjoined"] = true;
-            row["point"] = cell->algorithm + ", random orientations";
-        }
-        // Bodies of one shape are joined over what varies; else the shapes are.
-        if (!scene.varied.empty()) row["stroke"] = row["stroke"].get<std::string>() + " " + cell->shape;
-        values.push_back(std::move(row));
+/// Where a cell stands; null, and counted, where its scene does not say.
+ChartJson own_place(const StoredScene& scene, const ReportCell& cell, Omissions& omitted) {
+    const auto at = scene.place(cell);
+    if (!at) {
+        omitted.add("its scene parameters do not hold " + scene.varied);
+        return nullptr;
     }
-    return values;
+    ChartJson place = ChartJson::object({{"place", *at}});
+    if (scene.varied == "rotation_step" && has_random_orientation(cell))
+        place = {{"place", random_angle},
+                 {"unjoined", true},
+                 {"larger", true},
+                 {"point", cell.algorithm + ", random orientations"}};
+    // Bodies of one shape are joined over what varies; else the shapes are.
+    if (!scene.varied.empty()) place["stroke"] = cell.algorithm + " " + cell.table + " " + cell.shape;
+    return place;
 }
 
 /// Names of files and elements hold letters, digits, '_' and '-' only.
@@ -56,13 +52,13 @@ Chart chart_of(const ReportData& data, const StoredScene& scene) {
     chart.title =
         fmt::format(fmt::runtime(chart.title), fmt::arg("name", scene.name), fmt::arg("axis", axis));
     chart.how_to_read = fmt::format(fmt::runtime(chart.how_to_read), fmt::arg("note", scene.note));
-    Omissions omitted;
-    ChartJson values = own_scenes_values_of(scene, omitted);
-    if (!take_rows(chart, values, omitted)) return chart;
-    draw(chart, data, values,
-         {{"axis_title", axis},
-          {"scale_of_places", chart.file["scales"][all_positive(values) ? "log" : "linear"]}});
-    return chart;
+    ChartRows rows;
+    add_timed_rows(rows, scene.cells,
+                   [&](const ReportCell& cell) { return own_place(scene, cell, rows.omitted); });
+    const ChartJson slots{
+        {"axis_title", axis},
+        {"scale_of_places", chart.file["scales"][all_positive(rows.values) ? "log" : "linear"]}};
+    return drawn_chart(std::move(chart), data, std::move(rows), slots);
 }
 
 }  // namespace

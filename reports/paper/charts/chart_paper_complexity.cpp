@@ -12,43 +12,34 @@ namespace {
 
 constexpr const char *warm = "ns per query", *cold = "ns per cold query", *bytes = "bytes of a table";
 
-void add_times(const StoredScene& scene, const char* measure, Omissions& omitted, ChartJson& values) {
-    for (const ReportCell* cell : scene.cells) {
-        ChartJson row = timed_row(*cell, store::all_time, omitted);
-        if (row.is_null()) continue;
-        row["measure"] = measure;
-        row["value"] = row["ns"];
-        row.erase("ns");
-        values.push_back(std::move(row));
-    }
+void add_times(ChartRows& rows, const StoredScene& scene, const char* measure) {
+    add_timed_rows(rows, scene.cells, [&](const ReportCell& cell) -> ChartJson {
+        return {{"measure", measure}, {"value", cell.figure(store::all_time.ns).value.value_or(0)}};
+    });
+    for (ChartJson& row : rows.values) row.erase("ns");
 }
 
-void add_bytes(const StoredScene& scene, Omissions& omitted, ChartJson& values) {
+void add_bytes(ChartRows& rows, const StoredScene& scene) {
     for (const ReportCell* cell : scene.cells) {
-        const measure::Figure size = cell->figure("bytes.table_bytes");
-        if (!size.value || *size.value <= 0) {
-            omitted.add(size.reason);
-            continue;
-        }
+        const auto size = rows.omitted.positive(cell->figure("bytes.table_bytes"), "a size of 0");
+        if (!size) continue;
         ChartJson row = curve_json(*cell);
         row["measure"] = bytes;
-        row["value"] = row["low"] = row["high"] = *size.value;  // a size is exact
-        values.push_back(std::move(row));
+        row["value"] = row["low"] = row["high"] = *size;  // a size is exact
+        rows.values.push_back(std::move(row));
     }
 }
 
 }  // namespace
 
 Chart paper_complexity_chart(const ReportData& data) {
-    Chart chart = chart_of_file("paper_complexity");
-    Omissions omitted;
-    ChartJson values = ChartJson::array();
+    ChartRows rows;
     const StoredScene scene = scene_file(data, "paper_complexity");
-    add_times(scene, warm, omitted, values);
-    add_times(scene_file(data, "paper_cold"), cold, omitted, values);
-    add_bytes(scene, omitted, values);
-    if (take_rows(chart, values, omitted)) draw(chart, data, values, {{"measures", {warm, cold, bytes}}});
-    return chart;
+    add_times(rows, scene, warm);
+    add_times(rows, scene_file(data, "paper_cold"), cold);
+    add_bytes(rows, scene);
+    return drawn_chart(chart_of_file("paper_complexity"), data, std::move(rows),
+                       {{"measures", {warm, cold, bytes}}});
 }
 
 }  // namespace edgewise::reports

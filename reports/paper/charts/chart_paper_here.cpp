@@ -2,32 +2,20 @@
 //
 // Where this machine's own caches thrash: time per query against the number of bodies, each with a table of
 // its own, and under it the knee of the reuse distances beside the caches of this machine.
-#include <fmt/core.h>
-
 #include <nlohmann/json.hpp>
 
 #include "edgewise/reports/charts/curves.hpp"
-#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
+#include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-constexpr const char* scene_name = "paper_caches_here";
-
-ChartJson times_of(const StoredScene& scene, Omissions& omitted) {
-    ChartJson values = ChartJson::array();
-    for (const ReportCell* cell : scene.cells) {
-        const auto bodies = scene_number(*cell, "bodies");
-        if (!bodies) continue;
-        ChartJson row = timed_row(*cell, store::all_time, omitted);
-        if (row.is_null()) continue;
-        row["bodies"] = *bodies;
-        values.push_back(std::move(row));
-    }
-    return values;
+ChartJson bodies_of(const ReportCell& cell) {
+    const auto bodies = scene_number(cell, "bodies");
+    return bodies ? ChartJson::object({{"bodies", *bodies}}) : ChartJson();
 }
 
 /// The knee of the cell; where none was traced, that of the same table in the scene of the thrash, at the
@@ -37,7 +25,7 @@ std::optional<double> knee_of(const ReportData& data, const ReportCell& cell, do
     const measure::Figure own = cell.figure("reuse.line_knee_bytes");
     if (own.value) return own.value;
     const ReportCell* like =
-        nearest_cell(scene_file(data, "paper_thrash_386"), cell.algorithm, cell.table, thrash_step_angle);
+        nearest_cell(thrash_scene(data, 386), cell.algorithm, cell.table, thrash_step_angle);
     if (!like) return std::nullopt;
     const measure::Figure knee = like->figure("reuse.line_knee_bytes");
     const auto traced = scene_number(*like, "bodies");
@@ -59,11 +47,7 @@ ChartJson knees_of(const ReportData& data, const StoredScene& scene, std::vector
         row["knee"] = *knee;
         values.push_back(std::move(row));
     }
-    if (estimated)
-        notes.emplace_back(
-            "Knees of cells whose reuse distances were not traced are those of paper_thrash_386 with the "
-            "same "
-            "table at 7/60 rad per step, in proportion to the number of bodies.");
+    if (estimated) notes.push_back(prose("knees_in_proportion.md"));
     if (values.empty()) notes.emplace_back("No knee is drawn: no reuse distances were traced.");
     return values;
 }
@@ -93,14 +77,13 @@ ChartJson if_any(const char* slot, const ChartJson& rows) {
 
 Chart paper_here_chart(const ReportData& data) {
     Chart chart = chart_of_file("paper_thrash_here");
-    Omissions omitted;
-    const StoredScene scene = scene_file(data, scene_name);
-    ChartJson times = times_of(scene, omitted);
+    const StoredScene scene = scene_file(data, "paper_caches_here");
+    ChartRows times;
+    add_timed_rows(times, scene.cells, bodies_of);
     const ChartJson knees = knees_of(data, scene, chart.notes);
-    if (take_rows(chart, times, omitted))
-        draw(chart, data, times,
-             {{"knees", if_any("knee_values", knees)}, {"caches", if_any("cache_values", caches_of(data))}});
-    return chart;
+    return drawn_chart(
+        std::move(chart), data, std::move(times),
+        {{"knees", if_any("knee_values", knees)}, {"caches", if_any("cache_values", caches_of(data))}});
 }
 
 }  // namespace edgewise::reports

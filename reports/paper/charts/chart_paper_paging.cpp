@@ -19,16 +19,16 @@ ChartJson fault_row(const ReportCell& cell, double memory, const char* kind, dou
 }
 
 /// A limit's two places on the predicted line, and its measured point.
-void add_limit(const ReportCell& cell, const PagingLimit& limit, Omissions& omitted, ChartJson& values) {
+void add_limit(const ReportCell& cell, const PagingLimit& limit, ChartRows& rows) {
     const double held = limit.held.value.value_or(0), given = limit.limit.value.value_or(0);
     if (held > 0 && limit.predicted_at_held.value)
-        values.push_back(fault_row(cell, held, "predicted", *limit.predicted_at_held.value));
+        rows.values.push_back(fault_row(cell, held, "predicted", *limit.predicted_at_held.value));
     if (given > 0 && limit.predicted_at_limit.value)
-        values.push_back(fault_row(cell, given, "predicted", *limit.predicted_at_limit.value));
+        rows.values.push_back(fault_row(cell, given, "predicted", *limit.predicted_at_limit.value));
     if (held > 0 && limit.faults.value)
-        values.push_back(fault_row(cell, held, "measured", *limit.faults.value));
+        rows.values.push_back(fault_row(cell, held, "measured", *limit.faults.value));
     else
-        omitted.add(limit.faults.value ? limit.held.reason : limit.faults.reason);
+        rows.omitted.add(limit.faults.value ? limit.held.reason : limit.faults.reason);
 }
 
 }  // namespace
@@ -36,19 +36,18 @@ void add_limit(const ReportCell& cell, const PagingLimit& limit, Omissions& omit
 Chart paper_paging_chart(const ReportData& data) {
     Chart chart = chart_of_file("paper_thrash_paging");
     if (data.scene_files.empty()) chart.section.clear();
-    Omissions omitted;
-    ChartJson values = ChartJson::array();
+    ChartRows rows;
     bool keeps_recency = true;
     for (const ReportCell& row : data.paging) {
         keeps_recency = keeps_recency && row.figure("paging.keeps_recency").value.value_or(1) != 0;
-        for (const PagingLimit& limit : paging_limits(row)) add_limit(row, limit, omitted, values);
+        for (const PagingLimit& limit : paging_limits(row)) add_limit(row, limit, rows);
     }
-    if (!take_rows(chart, values, omitted, "limit")) return chart;
+    if (!take_rows(chart, rows, "limit")) return chart;
     if (!keeps_recency)
         chart.notes.emplace_back(
             "The system could throw out any page, not the least recent (read-ahead could not be set), so "
             "measured faults need not follow the line.");
-    draw(chart, data, values);
+    draw(chart, data, rows.values);
     return chart;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The charts of the chapter on the paper's figures: one file each. A chart whose scenes are not in the store
+// The charts of the chapter on the paper's figures. A chart whose scenes are not in the store
 // has no specification and is not shown.
 #pragma once
 

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "edgewise/reports/paper/chapter/stored_scene.hpp"
-
 namespace edgewise::reports {
 
 /// w mod 2 pi, then the smaller of that and the rest of the turn: 0 to pi.
@@ -23,10 +21,5 @@ namespace edgewise::reports {
 /// The mean angle between two random orientations: pi/2 + 2/pi, since the density of the angle t is
 /// (1 - cos t) / pi.
 inline constexpr double random_angle = std::numbers::pi / 2 + 2 / std::numbers::pi;
-
-/// A new random orientation each step: coherence's other end.
-[[nodiscard]] inline bool has_random_orientation(const ReportCell& cell) {
-    return scene_number(cell, "random_orientation").value_or(0) != 0;
-}
 
 }  // namespace edgewise::reports

@@ -19,8 +19,6 @@ constexpr double nearly_always = 0.9, algorithms_often = 0.5;
 /// Four points have 15 subsets; half of them is early.
 constexpr double half_of_subsets = 7.5;
 
-constexpr int algorithms_sizes[] = {8, 38, 386};
-
 std::vector<CurvePoint> climbs(const ReportData& data) {
     std::vector<CurvePoint> curve =
         curve_of(cells_along(data, gjk_key("paper_cold"), "vertices"), "work.vertices_per_support");
@@ -45,7 +43,7 @@ Claim judge_logarithm(const ReportData& data) {
 
 Claim judge_neighbours(const ReportData& data) {
     std::vector<ClaimPart> parts;
-    for (const int vertices : algorithms_sizes) {
+    for (const int vertices : angular_sizes) {
         parts.push_back({"near, " + paper_shape(vertices),
                          slowest_figure(data, vertices, "gjk", "work.support_near"),
                          at_least(nearly_always)});
@@ -85,13 +83,10 @@ Claim judge_early(const ReportData& data) {
 }
 
 Claim judge_analog(const ReportData& data) {
-    std::vector<ClaimPart> parts;
-    for (const int vertices : algorithms_sizes)
-        parts.push_back(
-            {paper_shape(vertices),
-             figure_of(data, gjk_key("paper_static", paper_shape(vertices)), "work.features_agree"),
-             at_least(nearly_always)});
-    return judge_claim("gjk_analog_of_features", parts);
+    const auto agree = [&](int vertices) {
+        return figure_of(data, gjk_key("paper_static", paper_shape(vertices)), "work.features_agree");
+    };
+    return judge_claim("gjk_analog_of_features", by_size("", agree, at_least(nearly_always)));
 }
 
 }  // namespace

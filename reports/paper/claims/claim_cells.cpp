@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-//
-// See claim_cells.hpp.
 #include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "edgewise/measure/statistics.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/tables/ratio_interval.hpp"
 
 namespace edgewise::reports {
@@ -33,19 +31,24 @@ bool fits(const ReportCell& cell, const CellKey& key) {
 /// Null when the cell has no such number.
 std::optional<double> cells_place_of(const ReportCell& cell, const std::string& parameter) {
     if (parameter == "vertices") return static_cast<double>(cell.vertices);
-    const auto parameters = nlohmann::json::parse(cell.scene_parameters, nullptr, false);
-    if (!parameters.is_object() || !parameters.contains(parameter)) return std::nullopt;
-    if (parameters.contains("random_orientation") && parameters["random_orientation"] == 1)
-        return std::nullopt;
-    const auto& number = parameters[parameter];
-    if (!number.is_number()) return std::nullopt;
-    return number.get<double>();
+    if (has_random_orientation(cell)) return std::nullopt;
+    return scene_number(cell, parameter);
 }
 
-std::string cells_no_cell(const CellKey& key) {
+std::string no_stored_cell(const CellKey& key) {
     return fmt::format("no cell of {}{}, {} on {} is stored",
                        key.scene.empty() ? "any scene" : "scene " + key.scene,
                        key.shape.empty() ? "" : ", " + key.shape, key.algorithm, key.table);
+}
+
+/// A point at each x that both have.
+template <class Point, class Join>
+std::vector<CurvePoint> joined_at(const std::vector<Point>& a, const std::vector<Point>& b, Join join) {
+    std::vector<CurvePoint> curve;
+    for (const Point& above : a)
+        for (const Point& below : b)
+            if (same_x(above.x, below.x)) curve.push_back({above.x, join(above, below)});
+    return curve;
 }
 
 std::optional<Evidence> ratio_of_rounds(const ReportCell& cell) {
@@ -101,7 +104,7 @@ Evidence figure_of(const ReportCell& cell, const store::FigureName& name) {
 
 Evidence figure_of(const ReportData& data, const CellKey& key, const store::FigureName& name) {
     const ReportCell* cell = find_cell(data, key);
-    return cell ? figure_of(*cell, name) : no_evidence(cells_no_cell(key));
+    return cell ? figure_of(*cell, name) : no_evidence(no_stored_cell(key));
 }
 
 Evidence time_of(const ReportCell& cell) {
@@ -114,7 +117,7 @@ Evidence time_of(const ReportCell& cell) {
 
 Evidence time_of(const ReportData& data, const CellKey& key) {
     const ReportCell* cell = find_cell(data, key);
-    return cell ? time_of(*cell) : no_evidence(cells_no_cell(key));
+    return cell ? time_of(*cell) : no_evidence(no_stored_cell(key));
 }
 
 Evidence time_ratio(const ReportCell& cell, const ReportCell& baseline) {
@@ -125,8 +128,8 @@ Evidence time_ratio(const ReportCell& cell, const ReportCell& baseline) {
 
 Evidence time_ratio(const ReportData& data, const CellKey& key, const CellKey& baseline) {
     const ReportCell *above = find_cell(data, key), *below = find_cell(data, baseline);
-    if (!above) return no_evidence(cells_no_cell(key));
-    if (!below) return no_evidence(cells_no_cell(baseline));
+    if (!above) return no_evidence(no_stored_cell(key));
+    if (!below) return no_evidence(no_stored_cell(baseline));
     return time_ratio(*above, *below);
 }
 
@@ -144,19 +147,14 @@ std::vector<CurvePoint> time_curve(const std::vector<CurveCell>& cells) {
 
 std::vector<CurvePoint> ratio_curve(const std::vector<CurveCell>& cells,
                                     const std::vector<CurveCell>& baselines) {
-    std::vector<CurvePoint> curve;
-    for (const CurveCell& at : cells)
-        for (const CurveCell& baseline : baselines)
-            if (same_x(at.x, baseline.x)) curve.push_back({at.x, time_ratio(*at.cell, *baseline.cell)});
-    return curve;
+    return joined_at(cells, baselines, [](const CurveCell& above, const CurveCell& below) {
+        return time_ratio(*above.cell, *below.cell);
+    });
 }
 
 std::vector<CurvePoint> quotient_curve(const std::vector<CurvePoint>& a, const std::vector<CurvePoint>& b) {
-    std::vector<CurvePoint> curve;
-    for (const CurvePoint& above : a)
-        for (const CurvePoint& below : b)
-            if (same_x(above.x, below.x)) curve.push_back({above.x, quotient(above.y, below.y)});
-    return curve;
+    return joined_at(
+        a, b, [](const CurvePoint& above, const CurvePoint& below) { return quotient(above.y, below.y); });
 }
 
 std::vector<Evidence> values_of(const std::vector<CurvePoint>& curve) {

@@ -16,8 +16,6 @@ constexpr double coherence_often = 0.5;
 /// "Problems": a quarter more time; "particularly well": no more than a tenth.
 constexpr double problem = 1.25, well = 1.1;
 
-constexpr int coherence_sizes[] = {8, 38, 386};
-
 /// Mean steps, from incoherent to as coherent as can be.
 Evidence gain_in_steps(const ReportData& data, int vertices, const std::string& algorithm) {
     return quotient(figure_of(data, {"paper_static", paper_shape(vertices), algorithm}, "error.mean_steps"),
@@ -37,15 +35,6 @@ Evidence gains_in_time(const ReportData& data, int vertices) {
                     time_ratio(data, gjk_key("paper_static", shape), vclip_key("paper_static", shape)));
 }
 
-Claim judge_caching(const ReportData& data, const std::string& id,
-                    Evidence (*gains)(const ReportData&, int)) {
-    std::vector<ClaimPart> parts;
-    for (const int vertices : coherence_sizes)
-        parts.push_back(
-            {"V-Clip's gain over GJK's, " + paper_shape(vertices), gains(data, vertices), more_than(1)});
-    return judge_claim(id, parts);
-}
-
 Evidence growth_of_steps(const ReportData& data, const std::string& algorithm) {
     std::vector<CurvePoint> curve =
         curve_of(angular_cells(data, 8, algorithm, {0, coherence_half_turn}), "error.mean_steps");
@@ -54,19 +43,10 @@ Evidence growth_of_steps(const ReportData& data, const std::string& algorithm) {
     return quotient(curve.back().y, curve.front().y);
 }
 
-Claim judge_kept(const ReportData& data) {
-    std::vector<ClaimPart> parts;
-    for (const int vertices : coherence_sizes)
-        parts.push_back({"V-Clip, " + paper_shape(vertices),
-                         slowest_figure(data, vertices, "vclip", "work.unchanged"),
-                         at_least(coherence_often)});
-    return judge_claim("last_answer_kept", parts);
-}
-
 Claim judge_proximity(const ReportData& data) {
     const auto slow_down = [&](const std::string& algorithm) {
         std::vector<Evidence> all;
-        for (const int vertices : coherence_sizes)
+        for (const int vertices : angular_sizes)
             all.push_back(quotient(time_of(data, {"paper_proximity", paper_shape(vertices), algorithm}),
                                    slowest_time(data, vertices, algorithm)));
         return geometric_mean(all);
@@ -81,11 +61,15 @@ Claim judge_proximity(const ReportData& data) {
 }  // namespace
 
 std::vector<Claim> coherence_claims(const ReportData& data) {
+    const std::string gain = "V-Clip's gain over GJK's, ";
+    const auto in_time = [&](int vertices) { return gains_in_time(data, vertices); };
+    const auto in_steps = [&](int vertices) { return gains_in_steps(data, vertices); };
+    const auto kept = [&](int vertices) { return slowest_figure(data, vertices, "vclip", "work.unchanged"); };
     return {judge_claim("speed_costs_steps", {{"V-Clip", growth_of_steps(data, "vclip"), more_than(1)},
                                               {"GJK", growth_of_steps(data, "gjk"), more_than(1)}}),
-            judge_kept(data), judge_proximity(data),
-            judge_caching(data, "caching_favours_vclip", gains_in_time),
-            judge_caching(data, "caching_favours_vclip_in_steps", gains_in_steps)};
+            judge_claim("last_answer_kept", by_size("V-Clip, ", kept, at_least(coherence_often))),
+            judge_proximity(data), judge_claim("caching_favours_vclip", by_size(gain, in_time, more_than(1))),
+            judge_claim("caching_favours_vclip_in_steps", by_size(gain, in_steps, more_than(1)))};
 }
 
 }  // namespace edgewise::reports

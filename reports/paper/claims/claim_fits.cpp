@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See claim_fits.hpp. Relative residuals, since the largest body's value would outweigh all others'.
+// Relative residuals, since the largest body's value would outweigh all others'.
 #include "edgewise/reports/paper/claims/claim_fits.hpp"
 
 #include <fmt/core.h>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
-// See claim_groups.hpp.
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
 #include <fmt/core.h>

@@ -33,6 +33,11 @@ namespace edgewise::reports {
     return {scene, shape, "gjk"};
 }
 
+/// The shape of so many vertices in the paper's scenes: "cube8", "sphere38".
+[[nodiscard]] std::string paper_shape(int vertices);
+/// The vertices of the scenes paper_angular_*.
+inline constexpr int angular_sizes[] = {8, 38, 386};
+
 /// Axes of angular velocity, rad/s.
 inline constexpr CurveRange figure_6_speeds{0, 12.57}, figures_7_and_8_speeds{1, 7};
 
@@ -54,7 +59,14 @@ inline constexpr CurveRange figure_6_speeds{0, 12.57}, figures_7_and_8_speeds{1,
                                       const store::FigureName& name);
 [[nodiscard]] Evidence slowest_time(const ReportData& data, int vertices, const std::string& algorithm);
 
-/// The shape of so many vertices in the paper's scenes: "cube8", "sphere38".
-[[nodiscard]] std::string paper_shape(int vertices);
+/// A part for each of these sizes: its label and the shape, what `of` gives for the vertices, the same
+/// wanted.
+template <class Of>
+[[nodiscard]] PartList by_size(const std::string& label, const Of& of, const WantedBand& wanted) {
+    PartList parts;
+    for (const int vertices : angular_sizes)
+        parts.push_back({label + paper_shape(vertices), of(vertices), wanted});
+    return parts;
+}
 
 }  // namespace edgewise::reports

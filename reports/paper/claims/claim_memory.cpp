@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Claims about what V-Clip's tables take (sections 4, "Scalability" and "Ease of implementation", and 5).
+// Claims about what V-Clip's tables take (sections 4, "Scalability" and "Ease of implementation", and 5); and
+// about memory that is too small for them (section 4, "memory swapping"): the rows of the paging run, real
+// page faults under limits.
+#include <fmt/core.h>
+
 #include "edgewise/reports/paper/claims/claim_groups.hpp"
 
 namespace edgewise::reports {
@@ -18,6 +22,15 @@ constexpr double significant = 2;
 /// "Hundreds of such primitives", and what a PC of 2000 commonly had: 64 MiB.
 constexpr double hundreds = 300, memory_of_2000 = 64.0 * 1024 * 1024;
 
+/// A limit that is "too small": half of what V-Clip touches, so that no choice of pages can keep it.
+constexpr double part_of_touched = 0.5;
+/// "Large amounts": a fault every twentieth query.
+constexpr double large_amounts = 0.05;
+/// GJK "performs as it did": a tenth of V-Clip's faults at most.
+constexpr double spared_share = 0.1;
+/// The axis of figure 8 is 12 times that of figure 7.
+constexpr double slowed = 12;
+
 Evidence slope(const ReportData& data, const std::string& table) {
     return figure_of(data, {"", "sphere386", "vclip", table}, "bytes.paper_bytes_per_edge");
 }
@@ -30,6 +43,57 @@ Claim judge_linear(const ReportData& data) {
     return judge_claim("memory_linear_in_edges",
                        {{"largest over smallest", quotient(largest(sizes, no_sizes), smallest(sizes)),
                          at_most(most_spread)}});
+}
+
+const ReportCell* row_of_run(const ReportData& data, const std::string& algorithm) {
+    for (const ReportCell& row : data.paging)
+        if (row.algorithm == algorithm && row.table == "aos_f64" && row.shape == "sphere386") return &row;
+    return nullptr;
+}
+
+Evidence no_run(const std::string& algorithm) {
+    return no_evidence(fmt::format("no paging run of {} on aos_f64, sphere386, is stored", algorithm));
+}
+
+/// The number of the wanted limit: the largest that is below `bound`, where 0 bytes mean no limit at all; -1
+/// when there is none.
+int largest_limit(const ReportCell& row, double bound) {
+    int best = -1;
+    double most = -1;
+    for (int i = 0;; ++i) {
+        const Evidence limit =
+            figure_of(row, store::FigureName("paging.limit_bytes.{limit}").of(std::to_string(i)));
+        if (!limit.value) return best;
+        const double bytes = *limit.value > 0 ? *limit.value : 1e300;
+        if (bytes < bound && bytes > most) best = i, most = bytes;
+    }
+}
+
+/// A figure of an algorithm's row at its largest limit below `bound`.
+Evidence at_limit(const ReportData& data, const std::string& algorithm, double bound,
+                  const store::FigureName& name, const std::string& when_none) {
+    const ReportCell* row = row_of_run(data, algorithm);
+    if (!row) return no_run(algorithm);
+    const int i = largest_limit(*row, bound);
+    return i < 0 ? no_evidence(when_none) : figure_of(*row, name.of(std::to_string(i)));
+}
+
+/// Of V-Clip's row: the limit that is too small.
+Evidence tight_limit(const ReportData& data) {
+    const ReportCell* row = row_of_run(data, "vclip");
+    const Evidence touched = row ? figure_of(*row, "paging.touched_bytes") : no_run("vclip");
+    if (!touched.value) return touched;
+    return at_limit(data, "vclip", part_of_touched * *touched.value, "paging.limit_bytes.{limit}",
+                    "no limit is below half of what V-Clip touches");
+}
+
+/// A figure of an algorithm's row at V-Clip's tight limit. Its own limits may all be smaller; with more
+/// memory it faults no more often.
+Evidence when_tight(const ReportData& data, const std::string& algorithm, const store::FigureName& name) {
+    const Evidence limit = tight_limit(data);
+    if (!limit.value) return limit;
+    return at_limit(data, algorithm, *limit.value + 1, name,
+                    fmt::format("no row of {} has V-Clip's limit or a smaller one", algorithm));
 }
 
 }  // namespace
@@ -51,6 +115,19 @@ std::vector<Claim> memory_claims(const ReportData& data) {
                          {"V-Clip", vclip, only_shown(), "B"},
                          {"GJK", gjk, only_shown(), "B"}}),
             judge_claim("hundreds_fill_memory", {{"300 tables", many, at_least(memory_of_2000)}})};
+}
+
+std::vector<Claim> paging_claims(const ReportData& data) {
+    const Evidence vclip = when_tight(data, "vclip", "paging.faults_per_query.{limit}");
+    const Evidence ratio = quotient(when_tight(data, "gjk", "paging.faults_per_query.{limit}"), vclip);
+    const store::FigureName time("paging.us_per_query.{limit}");
+    const Evidence at_ease = at_limit(data, "vclip", 1e301, time, "the paging run has no limit");
+    const Evidence slower = quotient(when_tight(data, "vclip", time), at_ease);
+    return {judge_claim("memory_too_small_swaps", {{"V-Clip", vclip, at_least(large_amounts)},
+                                                   {"limit", tight_limit(data), only_shown(), "B"}}),
+            judge_claim("swapping_spares_gjk", {{"GJK over V-Clip", ratio, at_most(spared_share)}}),
+            judge_claim("swapping_explains_figure_8",
+                        {{"with too little memory over with enough", slower, at_least(slowed)}})};
 }
 
 }  // namespace edgewise::reports

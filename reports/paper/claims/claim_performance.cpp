@@ -78,11 +78,10 @@ Claim judge_comparable(const ReportData& data) {
 }
 
 Claim judge_angular(const ReportData& data, const std::string& id, int vertices, const CurveRange& speeds) {
-    const auto parts = [&](const TimeStepReading& reading) {
-        return std::vector<ClaimPart>{
+    return both_readings(id, [&](const TimeStepReading& reading) {
+        return PartList{
             {"GJK over V-Clip", angular_ratio(data, vertices, in_steps(speeds, reading)), more_than(1)}};
-    };
-    return judge_readings(id, parts(reading_60th), parts(reading_half));
+    });
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See claim_rules.hpp. Reasons are written from the parts, so that they cannot contradict the numbers.
+// Reasons are written from the parts, so that they cannot contradict the numbers.
 #include "edgewise/reports/paper/claims/claim_rules.hpp"
 
 #include <fmt/core.h>
@@ -129,13 +129,9 @@ WantedBand between(double low, double high) {
 }
 WantedBand only_shown() { return {-infinity, infinity, ""}; }
 
-Claim claim_text(const std::string& id) {
-    static const std::map<std::string, Claim> claims = read_claims();
-    return claims.at(id);
-}
-
 Claim judge_claim(const std::string& id, const std::vector<ClaimPart>& parts) {
-    Claim claim = claim_text(id);
+    static const std::map<std::string, Claim> texts = read_claims();
+    Claim claim = texts.at(id);
     Findings findings;
     for (const ClaimPart& part : parts) {
         findings.add(claim, part);
@@ -146,9 +142,8 @@ Claim judge_claim(const std::string& id, const std::vector<ClaimPart>& parts) {
     return claim;
 }
 
-Claim judge_readings(const std::string& id, const std::vector<ClaimPart>& at_60th,
-                     const std::vector<ClaimPart>& at_half) {
-    const Claim fast = judge_claim(id, at_60th), slow = judge_claim(id, at_half);
+Claim both_readings(const std::string& id, const std::function<PartList(const TimeStepReading&)>& parts) {
+    const Claim fast = judge_claim(id, parts(reading_60th)), slow = judge_claim(id, parts(reading_half));
     Claim claim = fast;
     claim.rule += " Both readings of the time step, 1/60 s and 1/2 s, must agree.";
     claim.ours.clear();

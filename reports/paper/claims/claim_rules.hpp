@@ -4,6 +4,7 @@
 // whole interval inside: met; the whole interval outside: missed; else undecided.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,8 @@ struct ClaimPart {
     std::string unit = {};  ///< the claim's where empty
 };
 
-/// What stands in the claim whatever the store says: its entry in claims.json, without verdict. Throws
-/// std::out_of_range when there is none.
-[[nodiscard]] Claim claim_text(const std::string& id);
-
+/// The claim's entry in claims.json, with the verdict that its parts give. Throws std::out_of_range when
+/// there is no such entry.
 [[nodiscard]] Claim judge_claim(const std::string& id, const std::vector<ClaimPart>& parts);
 
 /// The paper gives speeds in radians per second and no time step. One turn per step is its fastest test ("up
@@ -48,15 +47,10 @@ struct TimeStepReading {
 inline constexpr TimeStepReading reading_60th{"at steps of 1/60 s", 1.0 / 60};
 inline constexpr TimeStepReading reading_half{"at steps of 1/2 s", 0.5};
 
-/// One verdict of both readings' parts: the common one, else inconclusive, since it depends on the time step.
-/// Not measured where a reading is.
-[[nodiscard]] Claim judge_readings(const std::string& id, const std::vector<ClaimPart>& at_60th,
-                                   const std::vector<ClaimPart>& at_half);
 using PartList = std::vector<ClaimPart>;
-/// `parts` gives those of a reading.
-template <class Parts>
-[[nodiscard]] Claim both_readings(const std::string& id, const Parts& parts) {
-    return judge_readings(id, parts(reading_60th), parts(reading_half));
-}
+/// One verdict of both readings, each with the parts that it is given: the common one, else inconclusive,
+/// since it depends on the time step. Not measured where a reading is.
+[[nodiscard]] Claim both_readings(const std::string& id,
+                                  const std::function<PartList(const TimeStepReading&)>& parts);
 
 }  // namespace edgewise::reports

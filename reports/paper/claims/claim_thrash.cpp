@@ -45,25 +45,15 @@ Evidence misses(const ReportData& data, int vertices, const std::string& algorit
     return thrash_mean(data, vertices, algorithm, table, reading, store::level_misses.of(machine, "L2"));
 }
 
-Claim judge_grows(const ReportData& data) {
-    return both_readings("cache_misses_grow_at_386", [&](const TimeStepReading& reading) {
+/// V-Clip's misses at 386 vertices over those of an algorithm at a size.
+Claim judge_misses(const ReportData& data, const std::string& id, int vertices,
+                   const std::string& algorithm) {
+    return both_readings(id, [&](const TimeStepReading& reading) {
         PartList parts;
         for (const char* machine : machines)
             parts.push_back({machine,
                              quotient(misses(data, 386, "vclip", reading, machine),
-                                      misses(data, 38, "vclip", reading, machine)),
-                             at_least(considerable)});
-        return parts;
-    });
-}
-
-Claim judge_spared(const ReportData& data) {
-    return both_readings("cache_misses_spare_gjk", [&](const TimeStepReading& reading) {
-        PartList parts;
-        for (const char* machine : machines)
-            parts.push_back({machine,
-                             quotient(misses(data, 386, "vclip", reading, machine),
-                                      misses(data, 386, "gjk", reading, machine)),
+                                      misses(data, vertices, algorithm, reading, machine)),
                              at_least(considerable)});
         return parts;
     });
@@ -108,8 +98,12 @@ Claim judge_here(const ReportData& data) {
 }  // namespace
 
 std::vector<Claim> thrash_claims(const ReportData& data) {
-    return {judge_knee(data),   judge_locality(data), judge_grows(data),
-            judge_spared(data), judge_cause(data),    judge_here(data)};
+    return {judge_knee(data),
+            judge_locality(data),
+            judge_misses(data, "cache_misses_grow_at_386", 38, "vclip"),
+            judge_misses(data, "cache_misses_spare_gjk", 386, "gjk"),
+            judge_cause(data),
+            judge_here(data)};
 }
 
 }  // namespace edgewise::reports

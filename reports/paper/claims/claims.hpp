@@ -35,6 +35,9 @@ struct Claim {
 /// "N claims: 20 reproduced, 9 not reproduced, 5 inconclusive, 7 not measured", whatever N is.
 [[nodiscard]] std::string claims_summary(const std::vector<Claim>& claims);
 
+/// What the command `claims` prints. A claim that is not reproduced is a finding, not an error.
+[[nodiscard]] std::string claims_text(const ReportData& data, bool json);
+
 /// One row per claim.
 [[nodiscard]] TextGrid claims_grid(const ReportData& data);
 

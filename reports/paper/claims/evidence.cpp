@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
-// See evidence.hpp.
 #include "edgewise/reports/paper/claims/evidence.hpp"
 
 #include <fmt/core.h>
@@ -21,6 +19,16 @@ std::optional<Evidence> what_is_missing(const std::vector<Evidence>& all, const 
         std::find_if(all.begin(), all.end(), [](const Evidence& evidence) { return !evidence.value; });
     if (gap == all.end()) return std::nullopt;
     return *gap;
+}
+
+/// Of the values, and of both ends of their intervals.
+template <class Pick>
+Evidence extreme(const std::vector<Evidence>& all, const std::string& when_none, Pick pick) {
+    if (const auto gap = what_is_missing(all, when_none)) return *gap;
+    Evidence most = all.front();
+    for (const Evidence& one : all)
+        most = {pick(*most.value, *one.value), pick(most.low, one.low), pick(most.high, one.high)};
+    return most;
 }
 
 }  // namespace
@@ -67,21 +75,11 @@ Evidence geometric_mean(const std::vector<Evidence>& all, const std::string& whe
 }
 
 Evidence smallest(const std::vector<Evidence>& all, const std::string& when_none) {
-    if (const auto gap = what_is_missing(all, when_none)) return *gap;
-    Evidence least = all.front();
-    for (const Evidence& one : all)
-        least = {std::min(*least.value, *one.value), std::min(least.low, one.low),
-                 std::min(least.high, one.high)};
-    return least;
+    return extreme(all, when_none, [](double a, double b) { return std::min(a, b); });
 }
 
 Evidence largest(const std::vector<Evidence>& all, const std::string& when_none) {
-    if (const auto gap = what_is_missing(all, when_none)) return *gap;
-    Evidence most = all.front();
-    for (const Evidence& one : all)
-        most = {std::max(*most.value, *one.value), std::max(most.low, one.low),
-                std::max(most.high, one.high)};
-    return most;
+    return extreme(all, when_none, [](double a, double b) { return std::max(a, b); });
 }
 
 std::string evidence_text(const Evidence& evidence, const std::string& unit) {

@@ -25,10 +25,10 @@ inline CLI::App* add_command(CLI::App& app, Context& context, const std::string&
     return command;
 }
 
+void add_additions(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);
 void add_bytes(CLI::App& app, Context& context);
 void add_calibrate(CLI::App& app, Context& context);
-void add_claims(CLI::App& app, Context& context);
 void add_crosscheck(CLI::App& app, Context& context);
 void add_draw(CLI::App& app, Context& context);
 void add_heat(CLI::App& app, Context& context);

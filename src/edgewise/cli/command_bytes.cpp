@@ -12,7 +12,7 @@
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/reports/paper/decompositions.hpp"
+#include "edgewise/reports/additions.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/table_memory_cost.hpp"
@@ -196,15 +196,19 @@ int run(const Options& options, bool json) {
     for (const bench::TableType* type : bench::select_table_types(options.layouts))
         rows.push_back(row_of(*type, shape, options.slopes));
     if (json) {
-        fmt::print("{}\n",
-                   nlohmann::json{{"rows", rows}, {"decompositions", reports::decompositions_json()}}.dump());
+        nlohmann::json out;
+        out["rows"] = rows;
+        for (const reports::Addition& addition : reports::additions())
+            out[addition.bytes_key] = addition.bytes_json();
+        fmt::print("{}\n", out.dump());
     } else {
         fmt::print("{}: {} vertices, {} edges\n", shape.name, shape.body.vertex_count(),
                    shape.body.edge_count());
         print_table(rows);
         print_costs(rows);
         if (options.slopes) print_slopes(rows);
-        fmt::print("\n{}", reports::decompositions_text());
+        for (const reports::Addition& addition : reports::additions())
+            fmt::print("\n{}", addition.bytes_text());
     }
     return exit_done;
 }

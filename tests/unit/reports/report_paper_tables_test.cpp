@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
-#include "edgewise/reports/paper/chapter/source_facts.hpp"
+#include "edgewise/reports/tables/source_facts.hpp"
 #include "paper_data.hpp"
 
 namespace edgewise::reports {

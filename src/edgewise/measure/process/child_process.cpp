@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -54,7 +55,8 @@ Expected<ProcessOutcome> run_program(const std::vector<std::string>& command) {
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) return Answer::none(command.front() + ": " + std::strerror(error));
     int status = 0;
-    waitpid(process, &status, 0);
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return {ProcessOutcome{code, out.text(), err.text()}};
 }

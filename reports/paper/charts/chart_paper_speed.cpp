@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Figures 6, 7 and 8 of the paper: time per query against angular speed, bodies of 8, 38 and 386 vertices.
-// The axis is the effective angle per step: a rotation beyond half a turn is a smaller one in the opposite
-// direction. The three charts have one scale of time, so that they can be laid side by side.
+// Time per query against speed. Figure 4 of the paper: linear speed, bodies of 8 vertices. What coherence
+// knows of a speed is the displacement per step divided by the size of the body: that is the axis; speeds in
+// metres per second follow from a time step and a size, which the paper does not name. Figures 6, 7 and 8:
+// angular speed, bodies of 8, 38 and 386 vertices. The axis is the effective angle per step: a rotation
+// beyond half a turn is a smaller one in the opposite direction. The three charts have one scale of time, so
+// that they can be laid side by side.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,12 +13,22 @@
 #include <numbers>
 
 #include "edgewise/reports/charts/curves.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/charts/rotation_angle.hpp"
 
 namespace edgewise::reports {
 
 namespace {
+
+constexpr double short_step = 1.0 / 60, long_step = 0.5;  ///< seconds
+
+ChartJson speed_of(const ReportCell& cell) {
+    const auto way = scene_number(cell, "step_in_dimensions");
+    if (!way) return nullptr;
+    return {
+        {"step_in_dimensions", *way}, {"m_s_at_60_Hz", *way / short_step}, {"m_s_at_2_Hz", *way / long_step}};
+}
 
 struct PaperFigure {
     int number, vertices;
@@ -32,35 +45,28 @@ constexpr PaperFigure figures[] = {
 
 /// Where a cell stands, and how: random orientations separately, with a shape of their own; what lies beyond
 /// half a turn comes back over the same angles, as points that no line joins.
-void set_angle(const ReportCell& cell, double step, ChartJson& row) {
+ChartJson angle_of(const ReportCell& cell) {
+    const double step = scene_number(cell, "rotation_step").value_or(0);
     const bool random = has_random_orientation(cell);
-    row["angle"] = random ? random_angle : folded_angle(step);
-    row["raw_angle"] = random ? ChartJson(nullptr) : ChartJson(step);
-    row["larger"] = random;
-    row["unjoined"] = random || step > std::numbers::pi + 1e-6;
-    if (random) row["point"] = cell.algorithm + ", random orientations";
+    ChartJson place{{"angle", random ? random_angle : folded_angle(step)},
+                    {"raw_angle", random ? ChartJson(nullptr) : ChartJson(step)},
+                    {"larger", random},
+                    {"unjoined", random || step > std::numbers::pi + 1e-6}};
+    if (random) place["point"] = cell.algorithm + ", random orientations";
+    return place;
 }
 
-ChartJson angular_values_of(const StoredScene& scene, Omissions& omitted) {
-    ChartJson values = ChartJson::array();
-    for (const ReportCell* cell : scene.cells) {
-        const double step = scene_number(*cell, "rotation_step").value_or(0);
-        ChartJson row = timed_row(*cell, store::all_time, omitted);
-        if (row.is_null()) continue;
-        set_angle(*cell, step, row);
-        values.push_back(std::move(row));
-    }
-    return values;
+ChartRows angular_rows(const ReportData& data, const PaperFigure& figure) {
+    ChartRows rows;
+    add_timed_rows(rows, scene_file(data, fmt::format("paper_angular_{}", figure.vertices)).cells, angle_of);
+    return rows;
 }
-
-std::string scene_of(const PaperFigure& figure) { return fmt::format("paper_angular_{}", figure.vertices); }
 
 /// The slowest of the three figures: where their common scale ends.
 double slowest_time(const ReportData& data) {
     double most = 0;
-    Omissions ignored;
     for (const PaperFigure& figure : figures)
-        for (const ChartJson& row : angular_values_of(scene_file(data, scene_of(figure)), ignored))
+        for (const ChartRows rows = angular_rows(data, figure); const ChartJson& row : rows.values)
             most = std::max(most, row["high"].get<double>());
     return most;
 }
@@ -78,6 +84,16 @@ ChartJson angular_slots_of(const PaperFigure& figure, double most) {
 
 }  // namespace
 
+Chart paper_linear_chart(const ReportData& data) {
+    Chart chart = chart_of_file("paper_linear");
+    chart.name = "paper_figure_4";
+    ChartRows rows;
+    add_timed_rows(rows, scene_file(data, "paper_linear_8").cells, speed_of);
+    double most = 0;
+    for (const ChartJson& row : rows.values) most = std::max(most, row["high"].get<double>());
+    return drawn_chart(std::move(chart), data, std::move(rows), {{"most", 1.15 * most}});
+}
+
 Chart paper_angular_chart(const ReportData& data, int number) {
     const PaperFigure& figure = figures[number - figures[0].number];
     Chart chart = chart_of_file("paper_angular");
@@ -88,11 +104,8 @@ Chart paper_angular_chart(const ReportData& data, int number) {
                                     fmt::arg("fastest", figure.fastest), fmt::arg("top", figure.top),
                                     fmt::arg("says", figure.says));
     chart.section = number == 6 ? dynamic_section : scalability_section;
-    Omissions omitted;
-    ChartJson values = angular_values_of(scene_file(data, scene_of(figure)), omitted);
-    if (take_rows(chart, values, omitted))
-        draw(chart, data, values, angular_slots_of(figure, slowest_time(data)));
-    return chart;
+    return drawn_chart(std::move(chart), data, angular_rows(data, figure),
+                       angular_slots_of(figure, slowest_time(data)));
 }
 
 }  // namespace edgewise::reports

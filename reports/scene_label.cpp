@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// See scene_label.hpp. Parameters that are no JSON object are shown as they are.
-#include "edgewise/reports/tables/scene_label.hpp"
-
+// The labels of scenes. Parameters that are no JSON object are shown as they are.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,8 +9,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <string>
-#include <vector>
+
+#include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
 

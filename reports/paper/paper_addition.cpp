@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// What this folder adds to the report and to the program.
+#include <fmt/format.h>
+
+#include "edgewise/reports/additions.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
+#include "edgewise/reports/paper/charts/paper_charts.hpp"
+#include "edgewise/reports/paper/claims/claims.hpp"
+#include "edgewise/reports/text/report_text.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+/// Ways to reach the paper's 168 bytes per edge, which it gives as a sum without terms.
+nlohmann::json decompositions() { return nlohmann::json::parse(report_text("decompositions.json")); }
+
+/// A short table with what is known about it, and which reading this program takes.
+std::string decompositions_text() {
+    std::string text = fmt::format("{:<76}{:>8}{:>8}\n", "ways to 168 bytes per edge", "double", "single");
+    for (const auto& way : decompositions())
+        text +=
+            fmt::format("{:<76}{:>8.4g}{:>8.4g}  {}\n", way["terms"].get<std::string>(),
+                        way["f64"].get<double>(), way["f32"].get<double>(), way["remark"].get<std::string>());
+    return text.append(report_text("decompositions.md"));
+}
+
+}  // namespace
+
+std::vector<Chart> chapter_charts(const ReportData& data) {
+    std::vector<Chart> charts = {paper_linear_chart(data),     paper_angular_chart(data, 6),
+                                 paper_angular_chart(data, 7), paper_angular_chart(data, 8),
+                                 paper_bodies_chart(data),     paper_complexity_chart(data),
+                                 paper_misses_chart(data),     paper_reuse_chart(data),
+                                 paper_paging_chart(data),     paper_here_chart(data)};
+    for (Chart& chart : own_scene_charts(data)) charts.push_back(std::move(chart));
+    std::erase_if(charts, [](const Chart& chart) { return chart.spec.is_null(); });
+    return charts;
+}
+
+Addition paper_addition();
+Addition paper_addition() {
+    return {.charts = chapter_charts,
+            .chapter = paper_chapter,
+            .command = "claims",
+            .command_does = "The paper's claims, each with a verdict from a store",
+            .command_text = claims_text,
+            .bytes_key = "decompositions",
+            .bytes_json = decompositions,
+            .bytes_text = decompositions_text};
+}
+
+}  // namespace edgewise::reports
