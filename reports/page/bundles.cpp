@@ -15,7 +15,7 @@ namespace edgewise::reports {
 namespace {
 
 /// vega first: the others look for it when they load.
-const char* const names[] = {"vega", "vega-lite", "vega-embed"};
+const char* const bundle_names[] = {"vega", "vega-lite", "vega-embed"};
 
 bool starts_with_ignoring_case(const std::string& text, std::size_t at, const std::string& prefix) {
     if (at + prefix.size() > text.size()) return false;
@@ -28,7 +28,7 @@ bool starts_with_ignoring_case(const std::string& text, std::size_t at, const st
 
 bool have_bundles(const std::filesystem::path& directory) {
     std::error_code ignored;
-    for (const char* name : names)
+    for (const char* name : bundle_names)
         if (!std::filesystem::is_regular_file(directory / (std::string(name) + ".min.js"), ignored))
             return false;
     return true;
@@ -64,7 +64,7 @@ std::string inline_json(const std::string& json) {
 
 std::string bundle_scripts(const std::filesystem::path& directory) {
     std::string out;
-    for (const std::string name : names) {
+    for (const std::string name : bundle_names) {
         const auto script = read_file(directory / (name + ".min.js"));
         if (!script) return {};
         const auto licence = read_file(directory / (name + ".LICENSE"));

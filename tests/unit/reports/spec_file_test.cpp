@@ -8,7 +8,6 @@
 
 #include <stdexcept>
 
-#include "edgewise/reports/text/embedded_texts.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
