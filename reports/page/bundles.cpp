@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "edgewise/reports/page/files.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
@@ -51,16 +52,7 @@ std::string inline_script(const std::string& text) {
     return safe;
 }
 
-std::string inline_json(const std::string& json) {
-    std::string safe;
-    safe.reserve(json.size());
-    for (const char c : json)
-        if (c == '<')
-            safe += "\\u003c";
-        else
-            safe += c;
-    return safe;
-}
+std::string inline_json(const std::string& json) { return replaced(json, {{'<', "\\u003c"}}); }
 
 std::string bundle_scripts(const std::filesystem::path& directory) {
     std::string out;

@@ -43,13 +43,12 @@ std::string cache_in_words(FactsJson cache) {
     cache.erase("level");
     if (cache.contains("type")) out += " " + plain(cache["type"]);
     cache.erase("type");
-    for (const char* key : {"bytes", "size", "size_bytes"}) {
-        if (!cache.contains(key)) continue;
-        const FactsJson size = cache[key];
+    if (cache.contains("bytes")) {
+        const FactsJson& size = cache["bytes"];
         const bool kibibytes = size.is_number_unsigned() && size.get<std::uint64_t>() % 1024 == 0;
         out += kibibytes ? fmt::format(" {} KiB", size.get<std::uint64_t>() / 1024) : " " + plain(size);
-        cache.erase(key);
     }
+    cache.erase("bytes");
     const std::string rest = facts_in_words(cache);
     return rest.empty() ? out : out + " (" + rest + ")";
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace edgewise::reports {
 
@@ -21,19 +20,6 @@ std::string without_trailing_zeros(std::string text) {
     return text;
 }
 
-/// Each of these characters becomes its text.
-std::string replaced(const std::string& text, const std::map<char, const char*>& by) {
-    std::string out;
-    for (const char c : text) {
-        const auto found = by.find(c);
-        if (found == by.end())
-            out += c;
-        else
-            out += found->second;
-    }
-    return out;
-}
-
 }  // namespace
 
 std::string number_text(double value, const std::string& unit) {
@@ -47,6 +33,18 @@ std::string number_text(double value, const std::string& unit) {
     if (size >= 100) return fmt::format("{:.1f}", value);
     if (size >= 1) return fmt::format("{:.2f}", value);
     return fmt::format("{:.3f}", value);
+}
+
+std::string replaced(const std::string& text, const std::map<char, const char*>& by) {
+    std::string out;
+    for (const char c : text) {
+        const auto found = by.find(c);
+        if (found == by.end())
+            out += c;
+        else
+            out += found->second;
+    }
+    return out;
 }
 
 std::string html_text(const std::string& text) {

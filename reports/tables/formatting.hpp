@@ -3,6 +3,7 @@
 // Numbers and text for people: how a figure is written, and how text is made safe for HTML and Markdown.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "edgewise/reports/reader.hpp"
@@ -13,6 +14,8 @@ inline constexpr double kibibyte = 1024, mebibyte = 1024 * kibibyte;
 
 /// At most three or four significant digits, by unit: "168", "12.4", "3.1e-16", "0" only for exactly 0.
 [[nodiscard]] std::string number_text(double value, const std::string& unit = {});
+/// Each of these characters becomes its text.
+[[nodiscard]] std::string replaced(const std::string& text, const std::map<char, const char*>& by);
 [[nodiscard]] std::string html_text(const std::string& text);      ///< escapes & < > " '
 [[nodiscard]] std::string markdown_text(const std::string& text);  ///< one line; escapes | and <
 [[nodiscard]] std::string in_words(std::string name);              ///< "face_planes" -> "face planes"

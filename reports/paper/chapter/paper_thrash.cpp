@@ -10,9 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "edgewise/reports/paper/chapter/paging_limits.hpp"
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
-#include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 

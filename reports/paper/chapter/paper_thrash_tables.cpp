@@ -4,10 +4,9 @@
 // paging run, one row per limit.
 #include <fmt/core.h>
 
-#include "edgewise/reports/paper/chapter/paging_limits.hpp"
 #include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
-#include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
+#include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "edgewise/reports/charts/curves.hpp"
-#include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
+#include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 
 namespace edgewise::reports {

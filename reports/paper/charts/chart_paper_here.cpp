@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Where this machine's own caches thrash: time per query against the number of bodies, each with a table of
-// its own, and under it the knee of the reuse distances beside the caches of this machine.
+// What this machine's caches and memory do. Where its own caches thrash: time per query against the number of
+// bodies, each with a table of its own, and under it the knee of the reuse distances beside the caches of
+// this machine. And page faults per query against the memory that tables have: measured under limits (points)
+// and predicted by the page-granular reuse distance (line), in one plot.
 #include <nlohmann/json.hpp>
 
 #include "edgewise/reports/charts/curves.hpp"
-#include "edgewise/reports/paper/chapter/thrash_scenes.hpp"
+#include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 
@@ -73,6 +75,27 @@ ChartJson if_any(const char* slot, const ChartJson& rows) {
     return list;
 }
 
+ChartJson fault_row(const ReportCell& cell, double memory, const char* kind, double faults) {
+    ChartJson row = curve_json(cell);
+    row["memory"] = memory;
+    row["kind"] = kind;
+    row["faults"] = faults;
+    return row;
+}
+
+/// A limit's two places on the predicted line, and its measured point.
+void add_limit(const ReportCell& cell, const PagingLimit& limit, ChartRows& rows) {
+    const double held = limit.held.value.value_or(0), given = limit.limit.value.value_or(0);
+    if (held > 0 && limit.predicted_at_held.value)
+        rows.values.push_back(fault_row(cell, held, "predicted", *limit.predicted_at_held.value));
+    if (given > 0 && limit.predicted_at_limit.value)
+        rows.values.push_back(fault_row(cell, given, "predicted", *limit.predicted_at_limit.value));
+    if (held > 0 && limit.faults.value)
+        rows.values.push_back(fault_row(cell, held, "measured", *limit.faults.value));
+    else
+        rows.omitted.add(limit.faults.value ? limit.held.reason : limit.faults.reason);
+}
+
 }  // namespace
 
 Chart paper_here_chart(const ReportData& data) {
@@ -84,6 +107,24 @@ Chart paper_here_chart(const ReportData& data) {
     return drawn_chart(
         std::move(chart), data, std::move(times),
         {{"knees", if_any("knee_values", knees)}, {"caches", if_any("cache_values", caches_of(data))}});
+}
+
+Chart paper_paging_chart(const ReportData& data) {
+    Chart chart = chart_of_file("paper_thrash_paging");
+    if (data.scene_files.empty()) chart.section.clear();
+    ChartRows rows;
+    bool keeps_recency = true;
+    for (const ReportCell& row : data.paging) {
+        keeps_recency = keeps_recency && row.figure("paging.keeps_recency").value.value_or(1) != 0;
+        for (const PagingLimit& limit : paging_limits(row)) add_limit(row, limit, rows);
+    }
+    if (!take_rows(chart, rows, "limit")) return chart;
+    if (!keeps_recency)
+        chart.notes.emplace_back(
+            "The system could throw out any page, not the least recent (read-ahead could not be set), so "
+            "measured faults need not follow the line.");
+    draw(chart, data, rows.values);
+    return chart;
 }
 
 }  // namespace edgewise::reports

@@ -41,18 +41,21 @@ std::vector<ClaimPart> static_parts(const ReportData& data) {
     return parts;
 }
 
-Claim judge_static(const ReportData& data) {
-    std::vector<ClaimPart> parts = static_parts(data);
+Evidence mean_of(const std::vector<ClaimPart>& parts) {
     std::vector<Evidence> all;
     for (const ClaimPart& part : parts) all.push_back(part.ours);
-    parts.insert(parts.begin(), {"GJK over V-Clip", geometric_mean(all), less_than(1)});
+    return geometric_mean(all);
+}
+
+Claim judge_static(const ReportData& data) {
+    std::vector<ClaimPart> parts = static_parts(data);
+    parts.insert(parts.begin(), {"GJK over V-Clip", mean_of(parts), less_than(1)});
     return judge_claim("static_gjk_faster", parts);
 }
 
 Claim judge_static_ratio(const ReportData& data) {
-    std::vector<Evidence> all;
-    for (const ClaimPart& part : static_parts(data)) all.push_back(part.ours);
-    return judge_claim("static_ratio", {{"V-Clip over GJK", quotient(exact_evidence(1), geometric_mean(all)),
+    const Evidence mean = mean_of(static_parts(data));
+    return judge_claim("static_ratio", {{"V-Clip over GJK", quotient(exact_evidence(1), mean),
                                          between(static_low, static_high)}});
 }
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+//
+// What things cost. The paper's cost functions, equations 1 and 2: T = N_v C_v + N_p C_p (+ N_u C_u), each
+// term as measured, and their sums beside the measured step. What each need costs: times with the axis
+// `needs` over the plain cell's, which gives witness points. Ease of implementation: what the algorithms'
+// source says, and what building their tables costs.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <tuple>
+
+#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/source_facts.hpp"
+#include "edgewise/reports/tables/tables.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+const FigureColumn cost_columns[] = {{"N_v box tests", "cost.box_tests_per_step"},
+                                     {"C_v, ns", "cost.box_test_ns"},
+                                     {"N_p pairs", "cost.pairs_per_step"},
+                                     {"C_p, ns", "cost.pair_ns"},
+                                     {"N_u boxes", "cost.bodies"},
+                                     {"C_u, ns", "cost.update_ns"},
+                                     {"equation 1, ns", "cost.equation_1_ns"},
+                                     {"equation 2, ns", "cost.equation_2_ns"},
+                                     {"measured, ns", "cost.step_ns"}};
+
+bool has_cost(const ReportCell& cell) {
+    for (const store::FigureRow& figure : cell.figures)
+        if (figure.probe == "cost" && figure.value) return true;
+    return false;
+}
+
+void add_cost_row(TextGrid& grid, const StoredScene& scene, const ReportCell& cell) {
+    const auto place = scene.place(cell);
+    add_row(grid,
+            grid_row(scene.name, scene.varied.empty() ? cell.shape : scene.axis_title(),
+                     place ? number_text(*place) : "–", cell.algorithm),
+            cell, cost_columns);
+    grid.rows.back().push_back(ratio_cell(cell.figure("cost.equation_2_ns"), cell.figure("cost.step_ns")));
+}
+
+constexpr const char* needs[] = {"verdict", "distance", "features", "depth", "certificate"};
+
+/// Axes -> cell, of one shape, algorithm, layout and precision.
+using ByAxes = std::map<std::string, const ReportCell*>;
+using Groups = std::map<std::tuple<std::int64_t, std::string, std::string, std::string>, ByAxes>;
+
+Groups groups_of(const StoredScene& scene) {
+    Groups groups;
+    for (const ReportCell* cell : scene.cells)
+        groups[{cell->vertices, cell->shape, cell->algorithm, cell->layout + "_" + cell->precision}]
+              [cell->axes] = cell;
+    return groups;
+}
+
+GridCell needs_ratio_of(const ByAxes& cells, const std::string& need, const store::FigureName& time) {
+    const auto cell = cells.find("needs=" + need), plain = cells.find("");
+    if (cell == cells.end()) return missing_cell("the store has no cell with needs=" + need);
+    const measure::Figure ns = cell->second->figure(time);
+    if (!ns.value) return figure_cell(ns);
+    if (plain == cells.end()) return missing_cell("the store has no plain cell to compare with");
+    return ratio_cell(ns, plain->second->figure(time));
+}
+
+/// What the contract between layouts and algorithms asks of a body (table/contract.hpp).
+std::string bodies_accepted(const std::string& algorithm) {
+    const std::map<std::string, std::string> accepted{
+        {"V-Clip",
+         "convex polyhedra with their features: solids, flat polygons, segments, points; planes stored or "
+         "derived"},
+        {"Enhanced GJK", "convex hulls of points: vertices alone, or with neighbours for hill climbing"},
+        {"Moore-Wilhelms", "convex polyhedra: vertices, edges and faces"},
+        {"sweep and prune", "boxes of any bodies"},
+        {"penetration (EPA)", "what GJK takes, after a query found contact"}};
+    const auto found = accepted.find(algorithm);
+    return found == accepted.end() ? "–" : found->second;
+}
+
+}  // namespace
+
+TextGrid cost_grid(const ReportData& data, bool of_bodies) {
+    TextGrid grid = figure_grid("Cost functions per step, on the baseline's table type (aos_f64)",
+                                "scene|varies|#at|algorithm", cost_columns);
+    grid.columns.push_back({"equation 2 / measured", true});
+    for (const StoredScene& scene : scene_files(data)) {
+        if (scene.name.starts_with("paper_bodies") != of_bodies) continue;
+        for (const ReportCell* cell : scene.cells)
+            if (cell->verified() && cell->table == "aos_f64" && has_cost(*cell))
+                add_cost_row(grid, scene, *cell);
+    }
+    return grid;
+}
+
+TextGrid needs_grid(const ReportData& data) {
+    TextGrid grid{"What each need costs: time over that of witness points, the plain cell",
+                  columns_of("shape|algorithm|table type|pairs|#witnesses, ns"),
+                  {}};
+    for (const char* need : needs) grid.columns.push_back({need, true});
+    for (const auto& [key, cells] : groups_of(scene_file(data, "paper_needs"))) {
+        const auto& [vertices, shape, algorithm, table] = key;
+        const auto plain = cells.find("");
+        for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
+            const store::FigureName& time = times_of(kind).ns;
+            std::vector<GridCell> row = grid_row(shape, algorithm, table, pair_name(kind));
+            row.push_back(plain == cells.end() ? missing_cell("the store has no plain cell")
+                                               : figure_cell(plain->second->figure(time)));
+            for (const char* need : needs) row.push_back(needs_ratio_of(cells, need, time));
+            grid.rows.push_back(std::move(row));
+        }
+    }
+    return grid;
+}
+
+TextGrid source_grid() {
+    TextGrid grid{"Source of each algorithm in this program (no blank and no comment lines)",
+                  columns_of("algorithm|#files|#lines of code|#tolerances|which|"
+                             "bodies accepted (concave ones by none)"),
+                  {}};
+    for (const SourceFacts& facts : source_facts())
+        grid.rows.push_back(
+            grid_row(facts.algorithm, facts.files, facts.code_lines, facts.tolerances.size(),
+                     facts.tolerances.empty() ? "–" : fmt::format("{}", fmt::join(facts.tolerances, ", ")),
+                     bodies_accepted(facts.algorithm)));
+    return grid;
+}
+
+TextGrid build_grid(const ReportData& data) {
+    const FigureColumn columns[] = {{"build, ns", "build.build_ns"},
+                                    {"refit, ns", "build.refit_ns"},
+                                    {"bytes per edge (slope)", "bytes.paper_bytes_per_edge"},
+                                    {"table, bytes", "bytes.table_bytes"}};
+    TextGrid grid = figure_grid(
+        "Preprocessing: building a table, and refitting it to a deformed body of the same topology",
+        "shape|#vertices|algorithm|table type", columns);
+    for (const ReportCell* cell : scene_file(data, "paper_complexity").cells)
+        if (cell->axes.empty())
+            add_row(grid, grid_row(cell->shape, cell->vertices, cell->algorithm, cell->table), *cell,
+                    columns);
+    return grid;
+}
+
+}  // namespace edgewise::reports
