@@ -7,7 +7,6 @@
 
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/measure/counters/count_pass.hpp"
-#include "edgewise/measure/counters/software_watch.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/store/vocabulary.hpp"
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "edgewise/bench/memory/allocators.hpp"
-#include "edgewise/bench/memory/jemalloc.hpp"
 #include "edgewise/bench/trace/trace_places.hpp"
 #include "edgewise/table/table_memory.hpp"
 
@@ -67,9 +66,8 @@ HeapUse heap_of(const bench::ProbedCell& cell) {
     } catch (const std::exception& problem) {
         use.structures.clear();
         use.reason = problem.what();
-        use.remedy = bench::JemallocArena::available()
-                         ? "see the reason"
-                         : "install libjemalloc-dev and build again, without sanitizers";
+        use.remedy = bench::make_jemalloc() ? "see the reason"
+                                            : "install libjemalloc-dev and build again, without sanitizers";
     }
     return use;
 }

@@ -2,7 +2,7 @@
 //
 // Exact reuse distances: how many misses a query has in a fully associative LRU cache of any size, at lines
 // of 64 bytes and at pages of 4 KiB, in the steady pass; the knee, below which the scene thrashes
-// (measure/cache/miss_curve.hpp has the rule); and the working sets.
+// (measure/cache/reuse_distance.hpp has the rule); and the working sets.
 #pragma once
 
 #include "edgewise/bench/probe.hpp"

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <string>
 
-#include "edgewise/bench/draw_layout.hpp"
+#include "edgewise/bench/drawings.hpp"
 #include "edgewise/scene/shapes.hpp"
 
 namespace edgewise {

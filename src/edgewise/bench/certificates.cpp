@@ -64,10 +64,10 @@ Result<Certificates> certificates_of(const NamedAnswer& answer, const scene::Que
                                      std::span<const Vec3d> points_a, std::span<const Vec3d> points_b) {
     const Polyhedron& a = stored[query.body_a];
     const Polyhedron& b = stored[query.body_b];
-    const bool apart = answer.proof_a.empty();
-    const std::vector<Index> on_a = apart ? stored_vertices(a, answer.feature_a) : answer.proof_a;
-    const std::vector<Index> on_b = apart ? stored_vertices(b, answer.feature_b) : answer.proof_b;
-    const Vec3d along = apart ? Vec3d(answer.distance.point_b - answer.distance.point_a) : answer.normal;
+    const bool separated = answer.proof_a.empty();
+    const std::vector<Index> on_a = separated ? stored_vertices(a, answer.feature_a) : answer.proof_a;
+    const std::vector<Index> on_b = separated ? stored_vertices(b, answer.feature_b) : answer.proof_b;
+    const Vec3d along = separated ? Vec3d(answer.distance.point_b - answer.distance.point_a) : answer.normal;
     const auto held =
         truth::certify(a.vertices, query.pose_a, b.vertices, query.pose_b, {on_a}, {on_b}, along);
     if (!held) return Result<Certificates>::failure(held.error);

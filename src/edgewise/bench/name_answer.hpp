@@ -1,21 +1,73 @@
 // SPDX-License-Identifier: MIT
 //
-// From a query's bare answer to everything that a user may ask for: features by name and, in contact, how
-// deep the bodies overlap.
+// From a query's bare answer to everything that a user may ask for: features by names that survive outside
+// (kind and input vertex indices) and, in contact, how deep the bodies overlap.
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/penetration.hpp"
 #include "edgewise/algorithms/penetration/start.hpp"
+#include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/bench/certificates.hpp"
-#include "edgewise/bench/name_feature.hpp"
 #include "edgewise/bench/named_answer.hpp"
 #include "edgewise/table/needs.hpp"
 
 namespace edgewise::bench {
+
+template <class Table>
+[[nodiscard]] NamedFeature name_feature(const Table& table, const Polyhedron& body,
+                                        const Feature<Table>& feature) {
+    NamedFeature result;
+    result.kind = feature.kind();
+    const auto name = [&](auto v) { result.vertices.push_back(body.input_index[table.index_of(v)]); };
+    switch (feature.kind()) {
+        case FeatureKind::vertex:
+            name(feature.vertex());
+            break;
+        case FeatureKind::edge:
+            name(table.tail(feature.edge()));
+            name(table.head(feature.edge()));
+            break;
+        case FeatureKind::face:
+            for (const auto [edge, flipped] : table.ring_of_face(feature.face())) {
+                name(flipped ? table.head(edge) : table.tail(edge));
+            }
+            break;
+    }
+    return result;
+}
+
+/// The vertices a simplex rests on: one is a vertex, two an edge, more a face. (They may span a diagonal.)
+template <class Table>
+[[nodiscard]] NamedFeature name_simplex(const Table& table, const Polyhedron& body,
+                                        std::span<const typename Table::Vertex> vertices) {
+    NamedFeature result;
+    for (const auto v : vertices) result.vertices.push_back(body.input_index[table.index_of(v)]);
+    std::sort(result.vertices.begin(), result.vertices.end());
+    result.vertices.erase(std::unique(result.vertices.begin(), result.vertices.end()), result.vertices.end());
+    result.kind = static_cast<FeatureKind>(std::min<std::size_t>(result.vertices.size(), 3) - 1);
+    return result;
+}
+
+template <class TableA, class TableB>
+[[nodiscard]] std::pair<NamedFeature, NamedFeature> name_features(const FeaturePair<TableA, TableB>& pair,
+                                                                  const TableA& a, const Polyhedron& body_a,
+                                                                  const TableB& b, const Polyhedron& body_b) {
+    return {name_feature(a, body_a, pair.a), name_feature(b, body_b, pair.b)};
+}
+
+template <class TableA, class TableB>
+[[nodiscard]] std::pair<NamedFeature, NamedFeature> name_features(const SimplexPair<TableA, TableB>& pair,
+                                                                  const TableA& a, const Polyhedron& body_a,
+                                                                  const TableB& b, const Polyhedron& body_b) {
+    return {name_simplex(a, body_a, std::span(pair.vertex_a).first(pair.count)),
+            name_simplex(b, body_b, std::span(pair.vertex_b).first(pair.count))};
+}
 
 /// What a query was about.
 template <class Table>
@@ -42,12 +94,12 @@ void measure_contact(const AskedPair<Table>& asked, const Pair& pair, const Dist
         answer.proof_a.push_back(a.index_of(simplex.vertex_a[i]));
         answer.proof_b.push_back(b.index_of(simplex.vertex_b[i]));
     }
-    Distance settled = distance;
-    settled.status = overlap.depth > noise ? Status::overlapping : Status::touching;
-    settled.normal = overlap.normal;
-    settled.point_a = overlap.point_a;
-    settled.point_b = overlap.point_b;
-    answer.distance = to_world(settled, query.pose_a);
+    Distance contact = distance;
+    contact.status = overlap.depth > noise ? Status::overlapping : Status::touching;
+    contact.normal = overlap.normal;
+    contact.point_a = overlap.point_a;
+    contact.point_b = overlap.point_b;
+    answer.distance = to_world(contact, query.pose_a);
     answer.depth = overlap.depth;
     answer.depth_cut_short = !overlap.converged;
     answer.normal = query.pose_a.rotation * overlap.normal;
@@ -59,8 +111,8 @@ template <class Table, class Pair>
 void name_answer(const AskedPair<Table>& asked, const Pair& pair, const Distance& distance, Needs needs,
                  NamedAnswer& answer) {
     answer.distance = to_world(distance, asked.query.pose_a);
-    const bool apart = distance.status == Status::separated || distance.distance > 0;
-    if (!apart && needs >= Needs::depth) measure_contact(asked, pair, distance, answer);
+    const bool separated = distance.status == Status::separated || distance.distance > 0;
+    if (!separated && needs >= Needs::depth) measure_contact(asked, pair, distance, answer);
     std::tie(answer.feature_a, answer.feature_b) =
         name_features(pair, asked.a, asked.body_a, asked.b, asked.body_b);
 }

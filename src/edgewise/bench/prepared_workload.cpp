@@ -9,6 +9,16 @@
 
 namespace edgewise::bench {
 
+std::vector<std::uint8_t> cold_starts(const scene::Workload& workload) {
+    std::vector<std::uint8_t> cold(workload.queries.size(), 0), met(workload.pair_count, 0);
+    for (std::size_t i = 0; workload.warm && i < cold.size(); ++i) {
+        std::uint8_t& known = met[workload.queries[i].pair];
+        cold[i] = !known;
+        known = 1;
+    }
+    return cold;
+}
+
 std::string PreparedWorkload::take_bodies(std::span<const Polyhedron> bodies, VertexOrder order,
                                           const std::function<Result<Polyhedron>(const Polyhedron&)>& store) {
     bodies_.clear();

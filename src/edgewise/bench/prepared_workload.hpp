@@ -17,6 +17,10 @@
 
 namespace edgewise::bench {
 
+/// Which queries of a warm scene are the first of their pair: cold by nature, and left out of what is said of
+/// warm ones. One flag per query; all zero where every query is cold.
+[[nodiscard]] std::vector<std::uint8_t> cold_starts(const scene::Workload& workload);
+
 class PreparedWorkload {
   public:
     /// `store` gives the body that a table holds of one. An error line when a body cannot be stored.

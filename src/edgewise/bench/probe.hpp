@@ -4,16 +4,61 @@
 // one file and one line in probes/CMakeLists.txt.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <typeindex>
 #include <vector>
 
-#include "edgewise/bench/probed_cell.hpp"
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/measure/checked_answer.hpp"
 #include "edgewise/measure/figure.hpp"
 
 namespace edgewise::bench {
+
+/// Results that several probes of one cell need, each made once, by the first that asks.
+class SharedResults {
+  public:
+    template <class Value, class Make>
+    [[nodiscard]] const Value& get(const Make& make) const {
+        std::shared_ptr<const void>& known = known_[typeid(Value)];
+        if (!known) known = std::make_shared<const Value>(make());
+        return *static_cast<const Value*>(known.get());
+    }
+
+  private:
+    mutable std::map<std::type_index, std::shared_ptr<const void>> known_;
+};
+
+/// What caches a sweep wants modelled of a cell: on which machines, over how many queries.
+struct CacheOrder {
+    std::span<const measure::MachineChoice> machines = {};  ///< empty: no caches are modelled
+    std::size_t queries = 0;                                ///< traced, of those that count; 0: all
+
+    /// A number that is another one for other machines or another number of queries; whole, and exact as a
+    /// figure.
+    [[nodiscard]] double identity() const;
+};
+
+/// A cell at work: the tables are loaded and the answers checked. Whatever else a probe wants to know it
+/// finds out itself, by asking the runner.
+struct ProbedCell {
+    const TableType& type;
+    const AlgorithmInfo& algorithm;
+    const Runner& runner;  ///< with the workload loaded
+    const scene::Workload& workload;
+    bool plain = true;                                     ///< without further axes
+    bool verified = true;                                  ///< else a checked answer is wrong
+    std::span<const std::size_t> checked_positions = {};   ///< of the queries that were checked
+    std::span<const measure::CheckedAnswer> checked = {};  ///< in that order
+    measure::AnswerCounts counts = {};                     ///< of all answers
+    std::span<const measure::Round> rounds = {};           ///< timed so far
+    CacheOrder caches = {};                                ///< what is to be modelled
+    SharedResults shared = {};
+};
 
 struct Findings {
     std::vector<measure::Figure> figures;

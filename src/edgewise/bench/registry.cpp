@@ -11,25 +11,27 @@ namespace edgewise::bench {
 
 namespace {
 
-/// Every item a name stands for, in registry order; throws when some name stands for none.
-template <class Item, class Matches, class NameOf>
+/// Every item a name stands for, in registry order; throws when some name stands for none. An item's names:
+/// the first is the one that is listed.
+template <class Item, class NamesOf>
 std::vector<const Item*> select(std::span<const Item> items, std::span<const std::string> names,
-                                std::string_view what, Matches matches, NameOf name_of) {
-    for (const std::string& name : names) {
-        const auto stands_for = [&](const Item& item) { return matches(item, name); };
-        if (name == "all" || std::any_of(items.begin(), items.end(), stands_for)) continue;
-        std::vector<std::string> known;
-        for (const Item& item : items) {
-            if (known.empty() || known.back() != name_of(item)) known.push_back(name_of(item));
-        }
-        throw std::invalid_argument(
-            fmt::format("unknown {} '{}'; known: all, {}", what, name, fmt::join(known, ", ")));
-    }
+                                std::string_view what, NamesOf names_of) {
+    const auto stands_for = [&](const std::string& name, const Item& item) {
+        const std::vector<std::string> own = names_of(item);
+        return name == "all" || std::find(own.begin(), own.end(), name) != own.end();
+    };
     std::vector<const Item*> selected;
+    std::vector<std::string> known, unknown(names.begin(), names.end());
+    std::erase(unknown, "all");
     for (const Item& item : items) {
-        const auto asked = [&](const std::string& name) { return name == "all" || matches(item, name); };
+        if (known.empty() || known.back() != names_of(item).front()) known.push_back(names_of(item).front());
+        const auto asked = [&](const std::string& name) { return stands_for(name, item); };
         if (std::any_of(names.begin(), names.end(), asked)) selected.push_back(&item);
+        std::erase_if(unknown, asked);
     }
+    if (!unknown.empty())
+        throw std::invalid_argument(
+            fmt::format("unknown {} '{}'; known: all, {}", what, unknown.front(), fmt::join(known, ", ")));
     return selected;
 }
 
@@ -52,22 +54,17 @@ const AlgorithmInfo& algorithm_called(std::string_view name) {
 }
 
 std::vector<const TableType*> select_table_types(std::span<const std::string> names) {
-    return select<TableType>(
-        table_types(), names, "layout (or table type, as in aos_f64)",
-        [](const TableType& type, const std::string& name) {
-            return type.name == name || type.layout == name;
-        },
-        [](const TableType& type) { return type.layout; });
+    return select<TableType>(table_types(), names, "layout (or table type, as in aos_f64)",
+                             [](const TableType& type) {
+                                 return std::vector{type.layout, type.name};
+                             });
 }
 
 std::vector<std::string> select_algorithms(std::span<const std::string> names) {
     std::vector<std::string> result;
-    for (const AlgorithmInfo* algorithm : select<AlgorithmInfo>(
-             algorithms(), names, "algorithm",
-             [](const AlgorithmInfo&info, const std::string&name) { return info.name == name; },
-             [](const AlgorithmInfo&info) { return info.name; })) {
+    const auto name_of = [](const AlgorithmInfo& info) { return std::vector{info.name}; };
+    for (const AlgorithmInfo* algorithm : select<AlgorithmInfo>(algorithms(), names, "algorithm", name_of))
         result.push_back(algorithm->name);
-    }
     return result;
 }
 

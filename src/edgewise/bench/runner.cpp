@@ -5,11 +5,22 @@
 #include <cassert>
 #include <exception>
 
-#include "edgewise/bench/cold_starts.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/table/table_memory.hpp"
 
 namespace edgewise::bench {
+
+namespace {
+
+/// Queries first .. end - 1 are of one class, with no cold start after the first.
+std::size_t end_of_stretch(const std::vector<std::uint8_t>& cold, std::span<const std::uint8_t> in_contact,
+                           std::size_t first) {
+    std::size_t end = first + 1;
+    while (end < in_contact.size() && in_contact[end] == in_contact[first] && !cold[end]) ++end;
+    return end;
+}
+
+}  // namespace
 
 void Runner::configure(const RunnerOptions& options) {
     given_options_ = options;

@@ -52,8 +52,8 @@ class Runner {
     /// The bodies that the tables really hold, in the given bodies' unit and order.
     [[nodiscard]] std::span<const Polyhedron> stored_bodies() const { return prepared_.unscaled_bodies(); }
 
-    /// Every loaded query in order, from cold pairs; points in A's frame. Bodies farther apart than the
-    /// precision can compute with: status failed, here and below.
+    /// Every loaded query in order, from cold pairs; points in A's frame. Bodies farther from each other than
+    /// the precision can compute with: status failed, here and below.
     [[nodiscard]] std::vector<Distance> answer() const;
 
     /// Any query of the loaded bodies from a cold start, with features and, in contact, the depth, which also
@@ -92,8 +92,9 @@ class Runner {
     /// What the tables stand in. Only after load().
     [[nodiscard]] const TableAllocator& table_allocator() const { return *memory_; }
 
-    /// Times of building a table of the first body anew, and of refitting one in place to the body deformed,
-    /// so often each, alternating.
+    /// Times of building a table of the first body anew, and of refitting one in place to the body deformed
+    /// (twice as large and back, with the topology kept), so often each, alternating: neighbours in time
+    /// share the machine's moods.
     [[nodiscard]] virtual measure::BuildTimes build_times(int repetitions) const = 0;
 
     /// Bytes of one pair's cache.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The runner of one algorithm on one table type. Included by the generated registry units only, so that each
-// table type compiles apart and in parallel.
+// table type compiles by itself, in parallel.
 #pragma once
 
 #include <memory>
@@ -12,12 +12,32 @@
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/bench/name_answer.hpp"
 #include "edgewise/bench/runner.hpp"
-#include "edgewise/bench/time_builds.hpp"
 #include "edgewise/bench/trace/trace_queries.hpp"
+#include "edgewise/layout_parts/write_geometry.hpp"
+#include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/table/stored_body.hpp"
 #include "edgewise/table/table_memory.hpp"
 
 namespace edgewise::bench {
+
+/// Of a body that the table can store, as Runner::build_times tells.
+template <class Table>
+[[nodiscard]] measure::BuildTimes time_builds(const Polyhedron& body, Parts parts, int repetitions) {
+    const Polyhedron larger = scene::scaled(body, 2);
+    Table refitted(body, parts);
+    measure::BuildTimes times;
+    for (int i = 0; i < repetitions; ++i) {
+        const measure::Stopwatch build_watch;
+        const Table fresh(body, parts);
+        times.build_ns.push_back(build_watch.elapsed_ns());
+        if constexpr (Refittable<Table>) {
+            const measure::Stopwatch refit_watch;
+            refit(refitted, i % 2 == 0 ? larger : body);
+            times.refit_ns.push_back(refit_watch.elapsed_ns());
+        }
+    }
+    return times;
+}
 
 /// TracedTable: the same layout with a loader that tells a TraceSink.
 template <class Algorithm, class Table, class TracedTable>
@@ -70,6 +90,7 @@ class RunnerFor final : public Runner {
         return maps;
     }
 
+    /// In memory that nobody used before, where the allocator has that.
     [[nodiscard]] measure::BuildTimes build_times(int repetitions) const override {
         const auto memory = make_allocator(options().tables.allocator);
         const TablesIn placed(*memory);

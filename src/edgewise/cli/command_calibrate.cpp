@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/counters/calibration.hpp"
-#include "edgewise/measure/machine/host_machine.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 
 namespace edgewise::cli {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "edgewise/bench/draw_layout.hpp"
+#include "edgewise/bench/drawings.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/scene/shapes.hpp"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "edgewise/bench/draw_heat.hpp"
+#include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/cli/cell_options.hpp"

@@ -10,8 +10,17 @@
 
 namespace edgewise::measure {
 
+template <class Value>
+struct Expected;
+
+/// Becomes an Expected of any value.
 struct Refusal {
-    std::string reason, remedy;
+    std::string reason = {}, remedy = {};
+
+    template <class Value>
+    operator Expected<Value>() const {
+        return {std::nullopt, reason, remedy};
+    }
 };
 
 template <class Value>

@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "edgewise/bench/pipe.hpp"
-#include "edgewise/measure/cache/page_reuse.hpp"
+#include "edgewise/measure/cache/reuse_distance.hpp"
 #include "edgewise/measure/process/memory_limit.hpp"
-#include "edgewise/measure/process/page_faults.hpp"
+#include "edgewise/measure/process/thread_usage.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 
 namespace edgewise::studies {
@@ -37,10 +37,10 @@ constexpr int counted_passes = 3;
     if (!to_child.receive<char>()) _exit(1);
     pass();
     do {
-        const measure::PageFaults before = measure::page_faults();
+        const measure::ThreadUsage before = measure::thread_usage();
         const measure::Stopwatch watch;
         pass();
-        const Counted counted{measure::page_faults().since(before).major, watch.elapsed_ns()};
+        const Counted counted{(measure::thread_usage() - before).major_faults, watch.elapsed_ns()};
         to_parent.send(counted);
     } while (to_child.receive<char>());
     _exit(0);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "edgewise/bench/cell.hpp"
-#include "edgewise/bench/cold_starts.hpp"
 #include "edgewise/sweep/verify.hpp"
 
 namespace edgewise::sweep {

@@ -8,7 +8,7 @@
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/cell.hpp"
-#include "edgewise/bench/draw_layout.hpp"
+#include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/parallel.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"

@@ -11,7 +11,6 @@
 #include <cstring>
 
 #include "edgewise/bench/memory/arena.hpp"
-#include "edgewise/bench/memory/jemalloc.hpp"
 #include "edgewise/scene/rng.hpp"
 
 namespace edgewise::bench {
@@ -25,7 +24,7 @@ struct Piece {
 };
 
 TEST_P(Allocators, CountWhatIsAskedForAndWhatItTakes) {
-    if (GetParam() == AllocatorKind::jemalloc && !JemallocArena::available())
+    if (GetParam() == AllocatorKind::jemalloc && !make_jemalloc())
         GTEST_SKIP() << "this program was built without jemalloc";
     const auto allocator = make_allocator(GetParam());
     scene::Rng rng(1);
@@ -60,12 +59,18 @@ INSTANTIATE_TEST_SUITE_P(Each, Allocators,
 
 /// Linked beside it, jemalloc must not take malloc's place: sizes of its classes would show.
 TEST(AllocatorsTogether, LeaveMallocToTheCLibrary) {
-    if (!JemallocArena::available()) GTEST_SKIP() << "this program was built without jemalloc";
+    const auto jemalloc = make_jemalloc();
+    if (!jemalloc) GTEST_SKIP() << "this program was built without jemalloc";
     void* const memory = std::malloc(100);
     EXPECT_EQ(malloc_usable_size(memory), 104U) << "glibc's chunk; jemalloc's class would be 112";
     std::free(memory);
-    EXPECT_EQ(JemallocArena().size_class(64848, 64), 65536U);
-    EXPECT_EQ(JemallocArena().size_class(168, 8), 192U);
+    void* const large = jemalloc->allocate(64848, 64);
+    EXPECT_EQ(jemalloc->taken(), 65536U);
+    void* const small = jemalloc->allocate(168, 8);
+    EXPECT_EQ(jemalloc->taken(), 65536U + 192U);
+    jemalloc->deallocate(large, 64848, 64);
+    jemalloc->deallocate(small, 168, 8);
+    EXPECT_EQ(jemalloc->taken(), 0U);
 }
 
 TEST(Arena, PlacesTablesAtKnownOffsets) {
@@ -75,7 +80,8 @@ TEST(Arena, PlacesTablesAtKnownOffsets) {
     EXPECT_EQ(offset(arena.allocate(100, 64)), 0);
     EXPECT_EQ(offset(arena.allocate(10, 8)), 104);
     EXPECT_EQ(offset(arena.allocate(1, 64)), 128);
-    EXPECT_EQ(arena.used(), 129U);
+    EXPECT_EQ(arena.taken(), 129U);
+    EXPECT_EQ(arena.requested(), 111U);
 }
 
 TEST(Arena, TakesPagesOnlyForWhatIsWritten) {

@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "edgewise/bench/memory/jemalloc.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -53,7 +52,7 @@ TEST_P(Placement, LeavesTheAnswersAsTheyAre) {
         EXPECT_GE(plain.touched.lines, 2 * plain.touched.queries) << "each query reads both tables";
         for (const AllocatorKind allocator :
              {AllocatorKind::arena, AllocatorKind::jemalloc, AllocatorKind::libc}) {
-            if (allocator == AllocatorKind::jemalloc && !JemallocArena::available()) continue;
+            if (allocator == AllocatorKind::jemalloc && !make_jemalloc()) continue;
             const Placed other =
                 place(type(), algorithm, {VertexOrder::given, Sharing::per_instance, allocator});
             EXPECT_EQ(other.memory.tables, tumble().instances.size());

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "edgewise/bench/probe.hpp"
-#include "edgewise/bench/trace/broad_phase_trace.hpp"
+#include "edgewise/bench/trace/frame_trace.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
@@ -163,7 +163,7 @@ TEST(TimeOrder, AsksTheSameQueriesAsPairAfterPair) {
     EXPECT_GT(in_time.workload().frames.size(), 3U);
 }
 
-TEST(BroadPhaseTraces, FindTheScenesOwnPairs) {
+TEST(FrameTraces, FindTheScenesOwnPairs) {
     class Counter final : public measure::TraceListener {
       public:
         void on_access(const measure::TracedAccess&) override { ++accesses; }
@@ -174,7 +174,7 @@ TEST(BroadPhaseTraces, FindTheScenesOwnPairs) {
     const scene::Workload& workload = cell.workload();
     Counter counter;
     const TracePlaces places(nullptr, 0, 8, workload.pair_count, workload.instances.size());
-    BroadPhaseTrace broad_phase(places, counter);
+    FrameTrace broad_phase(workload, places, counter);
     for (std::size_t i = 0; i + 1 < workload.frames.size(); ++i) {
         const std::size_t pairs = workload.frames[i + 1].first_query - workload.frames[i].first_query;
         EXPECT_EQ(broad_phase.run(workload.frames[i]), pairs) << "frame " << i;

@@ -132,7 +132,7 @@ TEST(CacheModel, AnInclusiveLevelTakesLinesFromThoseAbove) {
 TEST(CacheModel, DirtyLinesAreWrittenBackOnce) {
     CacheModel model = model_of({level(1, 1), level(1, 4)});
     model.access(0, 8, Kind::write);
-    model.access(0, 8, Kind::modify);
+    model.access(0, 8, Kind::write);
     model.access(64, 8, Kind::read);  // 0 goes to the second level
     EXPECT_EQ(model.counts(0).write_backs, 1U);
     EXPECT_EQ(model.counts(1).write_backs, 0U);

@@ -9,7 +9,7 @@
 
 #include <cstddef>
 
-#include "edgewise/measure/counters/perf_event.hpp"
+#include "edgewise/measure/counters/event_code.hpp"
 
 namespace edgewise::measure {
 

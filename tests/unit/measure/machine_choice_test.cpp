@@ -9,8 +9,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "edgewise/measure/machine/host_machine.hpp"
-
 namespace edgewise::measure {
 namespace {
 

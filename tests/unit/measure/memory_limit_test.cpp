@@ -13,8 +13,8 @@
 #include <fstream>
 
 #include "edgewise/bench/memory/table_mapping.hpp"
-#include "edgewise/measure/cache/page_reuse.hpp"
-#include "edgewise/measure/process/page_faults.hpp"
+#include "edgewise/measure/cache/reuse_distance.hpp"
+#include "edgewise/measure/process/thread_usage.hpp"
 
 namespace edgewise::measure {
 namespace {
@@ -66,11 +66,11 @@ TEST(TableMapping, OfAFileLetsItsPagesGoAndComeBack) {
     EXPECT_EQ(mapping.resident(pages * page), pages * page);
     ASSERT_TRUE(mapping.evict(pages * page));
     EXPECT_EQ(mapping.resident(pages * page), 0U);
-    const PageFaults before = page_faults();
+    const ThreadUsage before = thread_usage();
     for (std::size_t i = 0; i < pages; ++i)
         ASSERT_EQ(std::to_integer<std::size_t>(mapping.base()[i * page]), i);
-    const PageFaults faults = page_faults().since(before);
-    EXPECT_EQ(faults.major, pages) << "each page is read from the disk, and none ahead";
+    const ThreadUsage during = thread_usage() - before;
+    EXPECT_EQ(during.major_faults, pages) << "each page is read from the disk, and none ahead";
     EXPECT_EQ(mapping.resident(pages * page), pages * page);
 }
 

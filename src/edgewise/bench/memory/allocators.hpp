@@ -9,9 +9,8 @@
 #include <memory>
 #include <memory_resource>
 #include <optional>
-#include <string>
+#include <span>
 #include <string_view>
-#include <vector>
 
 namespace edgewise::bench {
 
@@ -25,14 +24,14 @@ enum class AllocatorKind : std::uint8_t { arena, jemalloc, libc, file };
 struct AllocatorInfo {
     std::string_view name, summary;
 };
-[[nodiscard]] const std::vector<AllocatorInfo>& allocators_known();
+[[nodiscard]] std::span<const AllocatorInfo> allocators_known();
 
 class TableAllocator : public std::pmr::memory_resource {
   public:
     /// Bytes asked for and not given back.
     [[nodiscard]] std::size_t requested() const { return requested_; }
     /// Bytes that these take: size classes, headers and gaps included.
-    [[nodiscard]] virtual std::size_t taken() const { return taken_; }
+    [[nodiscard]] std::size_t taken() const { return taken_; }
     /// Bytes of pages really in memory; nothing where that cannot be told from other memory.
     [[nodiscard]] virtual std::optional<std::size_t> resident() const { return std::nullopt; }
     /// The allocator's own count of what it has given out, where it keeps one.
@@ -52,6 +51,9 @@ class TableAllocator : public std::pmr::memory_resource {
         return this == &other;
     }
 };
+
+/// Null when this program was built without it.
+[[nodiscard]] std::unique_ptr<TableAllocator> make_jemalloc();
 
 /// Throws std::runtime_error, with a remedy, when this program was built without it.
 [[nodiscard]] std::unique_ptr<TableAllocator> make_allocator(AllocatorKind kind);

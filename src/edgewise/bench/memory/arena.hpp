@@ -6,34 +6,36 @@
 // once, when the arena goes.
 #pragma once
 
-#include <cstddef>
-#include <memory_resource>
+#include <new>
 
+#include "edgewise/bench/memory/allocators.hpp"
 #include "edgewise/bench/memory/table_mapping.hpp"
 
 namespace edgewise::bench {
 
-class Arena final : public std::pmr::memory_resource {
+class Arena final : public TableAllocator {
   public:
     /// Throws as TableMapping does.
     explicit Arena(Backing backing = Backing::memory) : mapping_(backing) {}
 
-    [[nodiscard]] const TableMapping& mapping() const { return mapping_; }
-    [[nodiscard]] const std::byte* base() const { return mapping_.base(); }
-    /// Bytes from the start that are taken, gaps for alignment included.
-    [[nodiscard]] std::size_t used() const { return used_; }
-    /// Bytes of pages that the operating system has really given to it; nothing when it does not say.
-    [[nodiscard]] std::optional<std::size_t> resident() const { return mapping_.resident(used_); }
+    [[nodiscard]] std::optional<std::size_t> resident() const override { return mapping_.resident(taken_); }
+    [[nodiscard]] const std::byte* base() const override { return mapping_.base(); }
+    [[nodiscard]] bool evict() const override { return mapping_.evict(taken_); }
+    [[nodiscard]] bool keeps_recency() const override { return mapping_.keeps_recency(); }
 
   private:
-    void* do_allocate(std::size_t bytes, std::size_t align) override;
-    void do_deallocate(void* /*memory*/, std::size_t /*bytes*/, std::size_t /*align*/) override {}
-    [[nodiscard]] bool do_is_equal(const memory_resource& other) const noexcept override {
-        return this == &other;
+    void* do_allocate(std::size_t bytes, std::size_t align) override {
+        const std::size_t start = (taken_ + align - 1) / align * align;
+        if (bytes > TableMapping::bytes() || start > TableMapping::bytes() - bytes) throw std::bad_alloc();
+        taken_ = start + bytes;
+        requested_ += bytes;
+        return mapping_.base() + start;
+    }
+    void do_deallocate(void* /*memory*/, std::size_t bytes, std::size_t /*align*/) override {
+        requested_ -= bytes;
     }
 
     TableMapping mapping_;
-    std::size_t used_ = 0;
 };
 
 }  // namespace edgewise::bench

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Flags of jemalloc's extended interface, as its manual (section "Non-standard API") defines them: the
+// One arena of jemalloc, by its own interface. jemalloc is linked with all its symbols but these hidden, so
+// that the C library's malloc stays what the rest of the program uses.
+//
+// Flags of the extended interface, as jemalloc's manual (section "Non-standard API") defines them: the
 // alignment's binary logarithm; no thread cache, so that statistics are exact; and the arena.
-#include "edgewise/bench/memory/jemalloc.hpp"
-
 #include <jemalloc/jemalloc.h>
 
-#include <cstdint>
 #include <new>
 #include <stdexcept>
 #include <string>
+
+#include "edgewise/bench/memory/allocators.hpp"
 
 namespace edgewise::bench {
 namespace {
@@ -23,49 +25,51 @@ Value control(const std::string& name, Value value = {}, bool write = false) {
     return value;
 }
 
-int flags(unsigned arena, std::size_t alignment) {
-    return MALLOCX_ALIGN(alignment) | MALLOCX_TCACHE_NONE | MALLOCX_ARENA(arena);
-}
+/// An arena of its own, so that its statistics are of these tables alone.
+class JemallocAllocator final : public TableAllocator {
+  public:
+    JemallocAllocator() : arena_(control<unsigned>("arenas.create")) {}
+    ~JemallocAllocator() override {
+        const std::string name = "arena." + std::to_string(arena_) + ".destroy";
+        mallctl(name.c_str(), nullptr, nullptr, nullptr, 0);
+    }
+    JemallocAllocator(const JemallocAllocator&) = delete;
+    JemallocAllocator& operator=(const JemallocAllocator&) = delete;
+
+    [[nodiscard]] std::optional<std::size_t> by_its_statistics() const override {
+        return statistic(".small.allocated") + statistic(".large.allocated");
+    }
+    /// Its own books included.
+    [[nodiscard]] std::optional<std::size_t> resident() const override { return statistic(".resident"); }
+
+  private:
+    void* do_allocate(std::size_t bytes, std::size_t alignment) override {
+        void* const memory = mallocx(bytes, flags(alignment));
+        if (!memory) throw std::bad_alloc();
+        requested_ += bytes;
+        taken_ += nallocx(bytes, flags(alignment));
+        return memory;
+    }
+    void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override {
+        requested_ -= bytes;
+        taken_ -= nallocx(bytes, flags(alignment));
+        sdallocx(memory, bytes, flags(alignment));
+    }
+
+    [[nodiscard]] int flags(std::size_t alignment) const {
+        return MALLOCX_ALIGN(alignment) | MALLOCX_TCACHE_NONE | MALLOCX_ARENA(arena_);
+    }
+    /// One of the arena's numbers; jemalloc brings them up to date when the epoch is written.
+    [[nodiscard]] std::size_t statistic(const char* name) const {
+        control<std::uint64_t>("epoch", 1, true);
+        return control<std::size_t>("stats.arenas." + std::to_string(arena_) + name);
+    }
+
+    unsigned arena_;
+};
 
 }  // namespace
 
-bool JemallocArena::available() { return true; }
-
-JemallocArena::JemallocArena() : arena_(control<unsigned>("arenas.create")) {}
-
-JemallocArena::~JemallocArena() {
-    const std::string name = "arena." + std::to_string(arena_) + ".destroy";
-    mallctl(name.c_str(), nullptr, nullptr, nullptr, 0);
-}
-
-void* JemallocArena::allocate(std::size_t bytes, std::size_t alignment) {
-    void* const memory = mallocx(bytes, flags(arena_, alignment));
-    if (!memory) throw std::bad_alloc();
-    return memory;
-}
-
-void JemallocArena::deallocate(void* memory, std::size_t bytes, std::size_t alignment) {
-    sdallocx(memory, bytes, flags(arena_, alignment));
-}
-
-std::size_t JemallocArena::size_class(std::size_t bytes, std::size_t alignment) const {
-    return nallocx(bytes, flags(arena_, alignment));
-}
-
-namespace {
-
-/// One of an arena's numbers; jemalloc brings them up to date when the epoch is written.
-std::size_t statistic(unsigned arena, const char* name) {
-    control<std::uint64_t>("epoch", 1, true);
-    return control<std::size_t>("stats.arenas." + std::to_string(arena) + name);
-}
-
-}  // namespace
-
-std::size_t JemallocArena::allocated() const {
-    return statistic(arena_, ".small.allocated") + statistic(arena_, ".large.allocated");
-}
-
-std::size_t JemallocArena::resident() const { return statistic(arena_, ".resident"); }
+std::unique_ptr<TableAllocator> make_jemalloc() { return std::make_unique<JemallocAllocator>(); }
 
 }  // namespace edgewise::bench

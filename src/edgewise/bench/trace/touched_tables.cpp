@@ -35,15 +35,9 @@ void add_shares(const MappedPiece& piece, const measure::TouchedBytes& touched, 
 }
 
 bool belongs_to(FeatureKind kind, Component component) {
-    switch (kind) {
-        case FeatureKind::vertex:
-            return component == Component::vertex_coordinates;
-        case FeatureKind::edge:
-            return component == Component::voronoi_planes || component == Component::edge_geometry;
-        case FeatureKind::face:
-            return component == Component::face_planes;
-    }
-    return false;
+    if (kind == FeatureKind::vertex) return component == Component::vertex_coordinates;
+    if (kind == FeatureKind::face) return component == Component::face_planes;
+    return component == Component::voronoi_planes || component == Component::edge_geometry;
 }
 
 bool serves(const MappedPiece& piece, FeatureKind kind) {

@@ -11,7 +11,7 @@
 
 #include "edgewise/bench/runner.hpp"
 #include "edgewise/geometry/feature.hpp"
-#include "edgewise/measure/cache/scene_trace.hpp"
+#include "edgewise/measure/cache/scene_caches.hpp"
 #include "edgewise/measure/cache/touched_bytes.hpp"
 
 namespace edgewise::bench {

@@ -4,10 +4,12 @@
 // its tables; and steps of algorithms.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 
+#include "edgewise/algorithms/sweep_and_prune.hpp"
 #include "edgewise/geometry/feature.hpp"
 #include "edgewise/table/loader.hpp"
 
@@ -31,7 +33,7 @@ enum class TraceStep : std::uint8_t {
     broad_phase,
 };
 
-/// The state of V-Clip on features of these kinds, either way round. What follows the last state (points,
+/// The state of V-Clip on features of these kinds, in either order. What follows the last state (points,
 /// proofs) counts as it.
 [[nodiscard]] constexpr TraceStep step_of(FeatureKind a, FeatureKind b) {
     if (a > b) return step_of(b, a);
@@ -43,7 +45,19 @@ enum class TraceStep : std::uint8_t {
 }
 
 /// By number.
-[[nodiscard]] std::span<const std::string_view> field_names();
-[[nodiscard]] std::span<const std::string_view> step_names();
+[[nodiscard]] inline std::span<const std::string_view> field_names() {
+    static constexpr std::array<std::string_view, broad_phase_field + broad_phase_arrays> names = {
+        "vertex",      "voronoi_plane", "edge_direction", "edge_ends", "face_plane",
+        "vertex_ring", "face_ring",     "neighbour",      "edge_made", "pair_cache",
+        "boxes",       "order_x",       "order_y",        "order_z",   "near_pairs"};
+    return names;
+}
+
+[[nodiscard]] inline std::span<const std::string_view> step_names() {
+    static constexpr std::array<std::string_view, static_cast<std::size_t>(TraceStep::broad_phase) + 1>
+        names = {"start",     "vertex_vertex", "vertex_edge",   "vertex_face", "edge_edge",
+                 "edge_face", "settle",        "gjk_iteration", "pair_cache",  "broad_phase"};
+    return names;
+}
 
 }  // namespace edgewise::bench

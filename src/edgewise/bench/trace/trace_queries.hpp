@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "edgewise/algorithms/query_options.hpp"
-#include "edgewise/bench/cold_starts.hpp"
 #include "edgewise/bench/runner.hpp"
-#include "edgewise/bench/trace/broad_phase_trace.hpp"
+#include "edgewise/bench/trace/frame_trace.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/bench/trace/trace_places.hpp"
 #include "edgewise/measure/cache/trace.hpp"
@@ -46,34 +45,8 @@ struct TracedPair {
         : a(table_a, {&sink_a}), b(table_b, {&sink_b}), pair(a, b) {}
 };
 
-/// Frames of a workload as its queries come by: the broad phase before a frame's first, the listener told
-/// after its last.
-class FrameTrace {
-  public:
-    FrameTrace(const scene::Workload& workload, const TracePlaces& places, measure::TraceListener& listener)
-        : workload_(workload), listener_(listener), broad_phase_(places, listener) {}
-
-    /// Before each query, in order.
-    void before(std::size_t query) {
-        for (; next_ < workload_.frames.size() && workload_.frames[next_].first_query <= query; ++next_) {
-            end();
-            static_cast<void>(broad_phase_.run(workload_.frames[next_]));
-        }
-    }
-    /// After the last frame.
-    void end() const {
-        if (next_ > 0) listener_.on_frame_end();
-    }
-
-  private:
-    const scene::Workload& workload_;
-    measure::TraceListener& listener_;
-    BroadPhaseTrace broad_phase_;
-    std::size_t next_ = 0;
-};
-
 /// Notifies the listener of the first queries, until so many have counted. tables(query) gives a query's two
-/// tables. Tables are only read and pairs read first and written last, so nothing is told as modified.
+/// tables. Tables are only read, and pairs read first and written last.
 template <class Algorithm, class TracedTable, class Tables>
 PassSum trace_queries(const scene::Workload& workload, std::size_t limit, const QueryOptions& options,
                       const TracePlaces& places, Tables tables, measure::TraceListener& listener) {

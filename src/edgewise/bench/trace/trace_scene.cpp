@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/measure/cache/cold_caches.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
-#include "edgewise/measure/cache/trace_fan_out.hpp"
 
 namespace edgewise::bench {
 
@@ -71,10 +71,11 @@ measure::SceneHeat heat_of(const measure::HeatMap& heat, const Runner& runner) {
 }
 
 /// Both passes through all listeners; what the second answered.
-PassSum trace_passes(const Runner& runner, bool framed, std::span<const measure::CacheMachine> machines,
-                     const CacheOrder& order, measure::SceneTrace& trace) {
+PassSum trace_passes(const Runner& runner, bool framed, const CacheOrder& order, measure::SceneTrace& trace) {
     const std::size_t limit = order.queries > 0 ? order.queries : std::numeric_limits<std::size_t>::max();
     const std::vector<measure::CacheMachine> known = known_machines(order.machines);
+    std::vector<measure::CacheMachine> machines = known;
+    for (measure::CacheMachine& other : other_policies(known)) machines.push_back(std::move(other));
     measure::SceneCaches caches(machines, trace.fields.size(), trace.steps.size(), framed);
     measure::ColdCaches cold(known);
     measure::HeatMap heat(trace.fields.size(), trace.steps.size());
@@ -91,7 +92,32 @@ PassSum trace_passes(const Runner& runner, bool framed, std::span<const measure:
     return sum;
 }
 
+void add(Fingerprint& print, const measure::CacheGeometry& geometry) {
+    print.add(std::uint64_t{geometry.line_bytes});
+    for (const measure::LevelGeometry& level : geometry.levels) {
+        print.add(level.name).add(std::uint64_t{level.sets}).add(std::uint64_t{level.ways});
+        print.add(static_cast<std::uint64_t>(level.inclusion));
+        print.add(static_cast<std::uint64_t>(level.replacement));
+    }
+}
+
 }  // namespace
+
+double CacheOrder::identity() const {
+    Fingerprint print;
+    print.add(std::uint64_t{queries});
+    for (const measure::MachineChoice& choice : machines) {
+        print.add(choice.name);
+        if (!choice.machine.value) continue;
+        const measure::CacheMachine& machine = *choice.machine.value;
+        print.add(machine.clock_mhz).add(machine.memory.latency_cycles);
+        for (const measure::LevelOrigin& origin : machine.origins) print.add(origin.latency_cycles);
+        add(print, machine.caches);
+        add(print, machine.tlbs);
+    }
+    // A figure is a double: as many bits as it holds exactly.
+    return static_cast<double>(print.value() >> 12);
+}
 
 measure::SceneTrace trace_scene(const Runner& runner, const scene::Workload& workload,
                                 const CacheOrder& order) {
@@ -106,9 +132,7 @@ measure::SceneTrace trace_scene(const Runner& runner, const scene::Workload& wor
     trace.fields = field_names();
     trace.steps = step_names();
     trace.tables = runner.memory().tables;
-    std::vector<measure::CacheMachine> machines = known_machines(order.machines);
-    for (measure::CacheMachine& other : other_policies(machines)) machines.push_back(std::move(other));
-    const PassSum sum = trace_passes(runner, !workload.frames.empty(), machines, order, trace);
+    const PassSum sum = trace_passes(runner, !workload.frames.empty(), order, trace);
     trace.answered = sum.queries;
     trace.distances = sum.distances;
     return trace;

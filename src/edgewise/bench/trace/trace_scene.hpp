@@ -3,8 +3,8 @@
 // A cell's traced passes: two over the same queries, through every chosen machine at once.
 #pragma once
 
-#include "edgewise/bench/probed_cell.hpp"
-#include "edgewise/measure/cache/scene_trace.hpp"
+#include "edgewise/bench/probe.hpp"
+#include "edgewise/measure/cache/scene_caches.hpp"
 
 namespace edgewise::bench {
 

@@ -26,25 +26,29 @@ struct Place {
     [[noreturn]] void refuse(std::string_view field, std::string_view wanted) const {
         throw std::runtime_error(fmt::format("{}: {}{}: wants {}", file, path, field, wanted));
     }
-    [[nodiscard]] Place in(std::string_view field) const {
+    /// Null where there is no such field.
+    [[nodiscard]] const Json& at(std::string_view field) const {
+        static const Json none;
         const auto found = json.find(field);
-        if (found == json.end() || !found->is_object()) refuse(field, "an object");
-        return {*found, file, fmt::format("{}{}.", path, field)};
+        return found == json.end() ? none : *found;
+    }
+    [[nodiscard]] Place in(std::string_view field) const {
+        if (!at(field).is_object()) refuse(field, "an object");
+        return {at(field), file, fmt::format("{}{}.", path, field)};
     }
     [[nodiscard]] std::vector<Place> list(std::string_view field) const {
-        const auto found = json.find(field);
-        if (found == json.end() || !found->is_array() || found->empty()) refuse(field, "a list, not empty");
+        const Json& items = at(field);
+        if (!items.is_array() || items.empty()) refuse(field, "a list, not empty");
         std::vector<Place> places;
-        for (std::size_t i = 0; i < found->size(); ++i) {
-            if (!(*found)[i].is_object()) refuse(fmt::format("{}[{}]", field, i), "an object");
-            places.push_back({(*found)[i], file, fmt::format("{}{}[{}].", path, field, i)});
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            if (!items[i].is_object()) refuse(fmt::format("{}[{}]", field, i), "an object");
+            places.push_back({items[i], file, fmt::format("{}{}[{}].", path, field, i)});
         }
         return places;
     }
     /// From least to most.
     [[nodiscard]] double number(std::string_view field, double least, double most) const {
-        const auto found = json.find(field);
-        const double value = found != json.end() && found->is_number() ? found->get<double>() : std::nan("");
+        const double value = at(field).is_number() ? at(field).get<double>() : std::nan("");
         if (!(value >= least && value <= most))
             refuse(field, fmt::format("a number from {} to {}", least, most));
         return value;
@@ -55,18 +59,16 @@ struct Place {
         return static_cast<std::uint64_t>(value);
     }
     [[nodiscard]] std::string text(std::string_view field) const {
-        const auto found = json.find(field);
-        if (found == json.end() || !found->is_string() || found->get<std::string>().empty())
-            refuse(field, "a text, not empty");
-        return found->get<std::string>();
+        const std::string value = at(field).is_string() ? at(field).get<std::string>() : "";
+        if (value.empty()) refuse(field, "a text, not empty");
+        return value;
     }
     /// One of the names, by position; the first if the field is not there.
     [[nodiscard]] std::size_t choice(std::string_view field,
                                      const std::vector<std::string_view>& names) const {
-        const auto found = json.find(field);
-        if (found == json.end()) return 0;
+        if (!json.contains(field)) return 0;
         const auto name =
-            std::find(names.begin(), names.end(), found->is_string() ? found->get<std::string>() : "");
+            std::find(names.begin(), names.end(), at(field).is_string() ? at(field).get<std::string>() : "");
         if (name == names.end()) refuse(field, fmt::format("one of {}", fmt::join(names, ", ")));
         return static_cast<std::size_t>(name - names.begin());
     }
@@ -76,10 +78,10 @@ LevelOrigin read_origin(const Place& place, bool has_latency) {
     LevelOrigin origin;
     if (has_latency) origin.latency_cycles = place.number("latency_cycles", 0, most_cycles);
     origin.source = place.text("source");
-    const auto unverified = place.json.find("unverified");
-    if (unverified == place.json.end()) return origin;
-    if (!unverified->is_array()) place.refuse("unverified", "a list of this level's fields");
-    for (const Json& field : *unverified) {
+    if (!place.json.contains("unverified")) return origin;
+    const Json& unverified = place.at("unverified");
+    if (!unverified.is_array()) place.refuse("unverified", "a list of this level's fields");
+    for (const Json& field : unverified) {
         if (!field.is_string() || !place.json.contains(field.get<std::string>()))
             place.refuse("unverified", "a list of this level's fields");
         origin.unverified.push_back(field);

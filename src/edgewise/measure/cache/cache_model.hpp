@@ -18,11 +18,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "edgewise/measure/cache/access_kind.hpp"
 #include "edgewise/measure/cache/cache_level.hpp"
+#include "edgewise/measure/cache/trace.hpp"
 
 namespace edgewise::measure {
 
@@ -40,6 +41,10 @@ struct CacheGeometry {
     std::uint32_t line_bytes = 64;  ///< a power of two
     std::vector<LevelGeometry> levels;
     LineCrossing crossing = LineCrossing::split;
+
+    [[nodiscard]] std::uint64_t bytes_of(std::size_t level) const {
+        return std::uint64_t{levels[level].sets} * levels[level].ways * line_bytes;
+    }
 };
 
 /// What one level saw.
@@ -52,8 +57,8 @@ class CacheModel {
   public:
     explicit CacheModel(CacheGeometry geometry);
 
-    /// How many levels had to be asked in vain, at most over the lines: 0 is a hit in the first, levels() a
-    /// fetch from memory.
+    /// How many levels had to be asked in vain, at most over the lines: 0 is a hit in the first, as many as
+    /// there are a fetch from memory.
     std::size_t access(std::uint64_t address, std::uint32_t bytes, AccessKind kind) {
         const std::uint64_t first = address >> line_shift_, last = (address + bytes - 1) >> line_shift_;
         if (first == last) [[likely]] {
@@ -64,8 +69,8 @@ class CacheModel {
         return access_lines(address, bytes, kind);
     }
 
-    [[nodiscard]] std::size_t levels() const { return levels_.size(); }
     [[nodiscard]] const CacheGeometry& geometry() const { return geometry_; }
+    [[nodiscard]] std::span<const LevelCounts> counts() const { return counts_; }
     [[nodiscard]] const LevelCounts& counts(std::size_t level) const { return counts_[level]; }
 
     /// Of the lines that the first level brought in since counts were last forgotten: bytes, and those of

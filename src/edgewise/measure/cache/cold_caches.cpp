@@ -11,15 +11,12 @@ void ColdCaches::on_access(const TracedAccess& access) {
     if (access.side == TraceSide::scene) return;
     for (Cold& cold : machines_) {
         if (cold.model.access(access.address, access.bytes, access.kind) == 0) continue;
-        const std::uint64_t line_bytes = cold.model.geometry().line_bytes;
-        const std::uint64_t last = (access.address + access.bytes - 1) / line_bytes;
-        for (std::uint64_t line = access.address / line_bytes; line <= last; ++line)
-            cold.lines.push_back(line);
+        access.for_each_unit(cold.model.geometry().line_bytes,
+                             [&](std::uint64_t line) { cold.lines.push_back(line); });
     }
 }
 
 void ColdCaches::on_query_end(bool /*counts*/) {
-    ++queries_;
     for (Cold& cold : machines_) {
         for (const std::uint64_t line : cold.lines) cold.model.drop(line);
         cold.lines.clear();
@@ -28,8 +25,7 @@ void ColdCaches::on_query_end(bool /*counts*/) {
 
 std::vector<std::uint64_t> ColdCaches::misses(std::size_t machine) const {
     std::vector<std::uint64_t> all;
-    const CacheModel& model = machines_[machine].model;
-    for (std::size_t level = 0; level < model.levels(); ++level) all.push_back(model.counts(level).misses);
+    for (const LevelCounts& level : machines_[machine].model.counts()) all.push_back(level.misses);
     return all;
 }
 

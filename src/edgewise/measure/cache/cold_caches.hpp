@@ -19,7 +19,6 @@ class ColdCaches final : public TraceListener {
     void on_access(const TracedAccess& access) override;
     void on_query_end(bool counts) override;
 
-    [[nodiscard]] std::uint64_t queries() const { return queries_; }
     /// Of a machine's cache levels, summed over queries.
     [[nodiscard]] std::vector<std::uint64_t> misses(std::size_t machine) const;
 
@@ -30,7 +29,6 @@ class ColdCaches final : public TraceListener {
     };
 
     std::vector<Cold> machines_;
-    std::uint64_t queries_ = 0;
 };
 
 }  // namespace edgewise::measure

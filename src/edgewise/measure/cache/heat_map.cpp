@@ -7,19 +7,15 @@
 
 namespace edgewise::measure {
 
-namespace {
-
-constexpr std::uint64_t line_bytes = 64;
-
-}  // namespace
-
 void HeatMap::on_access(const TracedAccess& access) {
     ++by_field_[access.field];
     ++by_step_[access.step];
     touched_.touch(access.address, access.bytes);
-    const std::uint64_t last = (access.address + access.bytes - 1) / line_bytes;
-    if (last >= by_line_.size()) by_line_.resize(std::max<std::uint64_t>(last + 1, 2 * by_line_.size()), 0);
-    for (std::uint64_t line = access.address / line_bytes; line <= last; ++line) ++by_line_[line];
+    access.for_each_unit(64, [this](std::uint64_t line) {
+        if (line >= by_line_.size())
+            by_line_.resize(std::max<std::uint64_t>(line + 1, 2 * by_line_.size()), 0);
+        ++by_line_[line];
+    });
 }
 
 std::uint64_t HeatMap::lines() const {

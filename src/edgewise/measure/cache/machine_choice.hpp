@@ -4,6 +4,7 @@
 // machine under another replacement policy, to see whether that changes what is concluded.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,7 +23,12 @@ struct MachineChoice {
 /// file: file, field, what is wanted.
 [[nodiscard]] std::vector<MachineChoice> choose_machines(std::span<const std::string> names);
 
-/// The same with every level of this policy, called "zen5/tree_plru".
+/// This machine as one to model: sizes, ways and line from sysfs. How long its levels take, which contain
+/// which and what they evict the kernel does not tell: latencies are left out, and the model's defaults
+/// (non-inclusive, LRU) are marked as unverified. `root` is "/" except in tests.
+[[nodiscard]] Expected<CacheMachine> host_machine(const std::filesystem::path& root = "/");
+
+/// The machine with every level of this policy, called "zen5/tree_plru".
 [[nodiscard]] CacheMachine with_policy(CacheMachine machine, Replacement policy);
 
 }  // namespace edgewise::measure

@@ -14,9 +14,53 @@
 #include <cstdint>
 #include <vector>
 
-#include "edgewise/measure/cache/miss_curve.hpp"
+#include "edgewise/measure/cache/trace.hpp"
 
 namespace edgewise::measure {
+
+/// Misses against size, for caches of every size at once: a histogram of stack distances.
+class MissCurve {
+  public:
+    /// A use after this many other lines.
+    void add(std::uint64_t distance) {
+        if (distance >= at_.size()) at_.resize(2 * distance + 1, 0);
+        ++at_[distance];
+        ++uses_;
+    }
+    /// The first use of a line: a miss in every size.
+    void add_first() {
+        ++firsts_;
+        ++uses_;
+    }
+
+    [[nodiscard]] std::uint64_t uses() const { return uses_; }
+    [[nodiscard]] std::uint64_t firsts() const { return firsts_; }
+
+    /// Uses that a cache of so many lines misses, first uses included.
+    [[nodiscard]] std::uint64_t misses(std::uint64_t lines) const;
+
+    /// The smallest size whose misses, without first uses, are at most so many; 0: even none would do.
+    [[nodiscard]] std::uint64_t smallest_size(double misses) const;
+
+    /// Sizes at which the misses change, growing, and the misses from there on; at most `points` of them,
+    /// evenly spread over the logarithm of size.
+    struct Point {
+        std::uint64_t lines, misses;
+    };
+    [[nodiscard]] std::vector<Point> points(std::size_t points) const;
+
+  private:
+    std::vector<std::uint64_t> at_;  ///< uses by distance
+    std::uint64_t uses_ = 0, firsts_ = 0;
+};
+
+/// The knee of a scene: the smallest cache in which a query finds nine tenths of what it comes back to, that
+/// is, in which it brings in again, on average, at most a tenth of the lines it touches. Below it the scene
+/// thrashes: lines are evicted before they are used again. `touched`: distinct lines that all queries
+/// touched, summed over queries.
+[[nodiscard]] inline std::uint64_t knee(const MissCurve& curve, std::uint64_t touched) {
+    return curve.smallest_size(0.1 * static_cast<double>(touched));
+}
 
 class ReuseDistance {
   public:
@@ -55,6 +99,37 @@ class ReuseDistance {
     std::vector<std::uint64_t> tree_;      ///< Fenwick tree over the words' bit counts, from 1
     std::uint64_t now_ = 0, live_ = 0;
     MissCurve curve_;
+};
+
+/// Of the tables' pages alone: what a memory of any size would have to fetch again, if it evicted the page
+/// that was not used for longest.
+class PageReuse final : public TraceListener {
+  public:
+    explicit PageReuse(std::uint64_t page_bytes) : page_bytes_(page_bytes) {}
+
+    void on_access(const TracedAccess& access) override {
+        if (access.side == TraceSide::scene) return;
+        access.for_each_unit(page_bytes_, [this](std::uint64_t page) { reuse_.use(page); });
+    }
+    void on_query_end(bool /*counts*/) override { ++queries_; }
+
+    /// What came before is known but not counted.
+    void start_counting() {
+        queries_ = 0;
+        reuse_.forget_curve();
+    }
+
+    /// Distinct pages so far.
+    [[nodiscard]] std::uint64_t pages() const { return reuse_.lines(); }
+    /// Fetches per query in a memory of so many pages.
+    [[nodiscard]] double fetches_per_query(std::uint64_t memory_pages) const {
+        return static_cast<double>(reuse_.curve().misses(memory_pages)) / static_cast<double>(queries_);
+    }
+
+  private:
+    std::uint64_t page_bytes_;
+    ReuseDistance reuse_;
+    std::uint64_t queries_ = 0;
 };
 
 }  // namespace edgewise::measure

@@ -20,34 +20,34 @@ void each_unit(const TracedAccess& access, std::uint32_t unit, Use use) {
     }
 }
 
-/// How many distinct units each stretch of a trace touches, summed.
-class DistinctUnits {
-  public:
-    void touch(std::uint64_t unit) {
-        if (unit >= last_.size()) last_.resize(std::max(unit + 1, 2 * last_.size()), 0);
-        sum_ += last_[unit] != stretch_;
-        last_[unit] = stretch_;
-    }
-    void end_stretch() { ++stretch_; }
-    void forget_sum() { sum_ = 0; }
-
-    [[nodiscard]] std::uint64_t sum() const { return sum_; }
-    /// Units that were ever touched.
-    [[nodiscard]] std::uint64_t ever() const {
-        return last_.size() -
-               static_cast<std::uint64_t>(std::count(last_.begin(), last_.end(), std::uint32_t{0}));
-    }
-
-  private:
-    std::vector<std::uint32_t> last_;  ///< stretch that touched it last; 0: none
-    std::uint32_t stretch_ = 1;
-    std::uint64_t sum_ = 0;
-};
-
 }  // namespace
 
 /// Reuse distances of one unit, and what queries and frames touch.
 struct SceneCaches::Stack {
+    /// How many distinct units each stretch of a trace touches, summed.
+    class DistinctUnits {
+      public:
+        void touch(std::uint64_t unit) {
+            if (unit >= last_.size()) last_.resize(std::max(unit + 1, 2 * last_.size()), 0);
+            sum_ += last_[unit] != stretch_;
+            last_[unit] = stretch_;
+        }
+        void end_stretch() { ++stretch_; }
+        void forget_sum() { sum_ = 0; }
+
+        [[nodiscard]] std::uint64_t sum() const { return sum_; }
+        /// Units that were ever touched.
+        [[nodiscard]] std::uint64_t ever() const {
+            return last_.size() -
+                   static_cast<std::uint64_t>(std::count(last_.begin(), last_.end(), std::uint32_t{0}));
+        }
+
+      private:
+        std::vector<std::uint32_t> last_;  ///< stretch that touched it last; 0: none
+        std::uint32_t stretch_ = 1;
+        std::uint64_t sum_ = 0;
+    };
+
     ReuseDistance reuse;
     DistinctUnits of_queries, with_scene, of_frames;
 
@@ -74,17 +74,14 @@ class SceneCaches::Modelled {
             const std::uint64_t own = std::uint64_t{level.sets} * level.ways;
             above = level.inclusion == Inclusion::exclusive ? above + own : own;
             capacity_.push_back(above);
-            levels_.push_back({level.name,
-                               0,
-                               0,
-                               {},
-                               std::vector<std::uint64_t>(fields),
-                               std::vector<std::uint64_t>(steps)});
+            LevelMisses& missed = levels_.emplace_back();
+            missed.level = level.name;
+            missed.by_field.resize(fields);
+            missed.by_step.resize(steps);
         }
     }
 
     [[nodiscard]] std::uint32_t unit() const { return model_.geometry().line_bytes; }
-
     /// Within one line, last used `distance` others ago.
     void access(std::uint64_t address, std::uint32_t bytes, const TracedAccess& whole,
                 std::uint64_t distance) {
@@ -108,12 +105,7 @@ class SceneCaches::Modelled {
         }
         return all;
     }
-    [[nodiscard]] std::vector<LevelCounts> counts() const {
-        std::vector<LevelCounts> all;
-        for (std::size_t i = 0; i < levels_.size(); ++i) all.push_back(model_.counts(i));
-        return all;
-    }
-    [[nodiscard]] CacheModel::Fetched fetched() const { return model_.fetched(); }
+    [[nodiscard]] const CacheModel& model() const { return model_; }
     void forget_counts() {
         model_.forget_counts();
         first_touches_ = 0;
@@ -141,8 +133,8 @@ struct SceneCaches::Machine {
         MachineMisses all;
         all.caches = caches.counted();
         if (tlbs) all.tlbs = tlbs->counted();
-        all.fetched = caches.fetched();
-        if (described->latencies_known()) all.memory_ns = described->memory_ns(caches.counts());
+        all.fetched = caches.model().fetched();
+        if (described->latencies_known()) all.memory_ns = described->memory_ns(caches.model().counts());
         all.proved = described->latencies_proved();
         return all;
     }

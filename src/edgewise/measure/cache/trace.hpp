@@ -7,10 +7,13 @@
 
 #include <cstddef>
 #include <cstdint>
-
-#include "edgewise/measure/cache/access_kind.hpp"
+#include <initializer_list>
+#include <vector>
 
 namespace edgewise::measure {
+
+/// What an access does to memory.
+enum class AccessKind : std::uint8_t { read, write };
 
 /// Whose memory an access is to.
 enum class TraceSide : std::uint8_t { table_a, table_b, scene };
@@ -21,6 +24,13 @@ struct TracedAccess {
     AccessKind kind;
     std::uint8_t field, step;  ///< numbers whose names the tracer knows
     TraceSide side;
+
+    /// use(number) of each unit of so many bytes that is accessed, from address 0 on.
+    template <class Use>
+    void for_each_unit(std::uint64_t unit_bytes, Use use) const {
+        const std::uint64_t last = (address + bytes - 1) / unit_bytes;
+        for (std::uint64_t unit = address / unit_bytes; unit <= last; ++unit) use(unit);
+    }
 };
 
 class TraceListener {
@@ -35,6 +45,25 @@ class TraceListener {
     virtual void on_query_end(bool counts) = 0;
     /// After the last query of a frame; never called in scenes that are not asked frame after frame.
     virtual void on_frame_end() {}
+};
+
+/// Several listeners to one trace.
+class TraceFanOut final : public TraceListener {
+  public:
+    TraceFanOut(std::initializer_list<TraceListener*> listeners) : listeners_(listeners) {}
+
+    void on_access(const TracedAccess& access) override {
+        for (TraceListener* listener : listeners_) listener->on_access(access);
+    }
+    void on_query_end(bool counts) override {
+        for (TraceListener* listener : listeners_) listener->on_query_end(counts);
+    }
+    void on_frame_end() override {
+        for (TraceListener* listener : listeners_) listener->on_frame_end();
+    }
+
+  private:
+    std::vector<TraceListener*> listeners_;
 };
 
 /// Where a traced loader tells what it reads.

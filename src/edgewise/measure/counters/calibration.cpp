@@ -46,12 +46,10 @@ void count(RandomChase& chase, std::uint64_t loads, const Cpu& cpu, CalibrationR
 
 CalibrationRow calibrate(const CacheMachine& machine, std::size_t level, double times,
                          const CalibrationOptions& options, const Cpu& cpu) {
-    const LevelGeometry& geometry = machine.caches.levels[level];
-    const double size = static_cast<double>(geometry.sets) * geometry.ways * machine.caches.line_bytes;
     CalibrationRow row;
-    row.level = geometry.name;
+    row.level = machine.caches.levels[level].name;
     row.times = times;
-    row.bytes = static_cast<std::uint64_t>(times * size);
+    row.bytes = static_cast<std::uint64_t>(times * static_cast<double>(machine.caches.bytes_of(level)));
     row.event = event_of(level, machine.caches.levels.size());
     row.modelled = modelled_misses(machine, level, row.bytes, options.loads);
     RandomChase chase(row.bytes);
@@ -69,8 +67,7 @@ std::vector<CalibrationRow> calibrate_model(const CacheMachine& machine, const C
                                             const CalibrationOptions& options) {
     std::vector<CalibrationRow> rows;
     for (std::size_t level = 0; level < machine.caches.levels.size(); ++level) {
-        const LevelGeometry& geometry = machine.caches.levels[level];
-        const double size = static_cast<double>(geometry.sets) * geometry.ways * machine.caches.line_bytes;
+        const auto size = static_cast<double>(machine.caches.bytes_of(level));
         for (const double times : options.times) {
             if (times * size <= static_cast<double>(options.most_bytes))
                 rows.push_back(calibrate(machine, level, times, options, cpu));

@@ -3,6 +3,10 @@
 // Counts the processor's events over a pass of queries. Events are counted four at a time, each group in
 // passes of its own: sharing counters would need scaling. So `pass` must do the same work each time, on the
 // calling thread. Each group is calibrated by empty batches (counter_arithmetic.hpp).
+//
+// And what the operating system did to the thread during a pass: page faults, context switches, moves to
+// another processor. These are there wherever the processor has no counters. Here 0 is a value: it is what a
+// steady pass should show.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +17,16 @@
 #include <vector>
 
 #include "edgewise/measure/counters/event_choice.hpp"
-#include "edgewise/measure/machine/cpu.hpp"
 
 namespace edgewise::measure {
 
 /// An event over a pass. Without a value, `refusal` says why; `error` is the errno if the event did not open.
 struct PassRecord : ChosenEvent {
-    std::optional<double> value;  ///< per query
-    std::uint64_t overhead = 0;   ///< of counting, taken off each pass
-    std::uint64_t floor = 0;      ///< a pass must have counted ten times this
-    std::size_t samples = 0;      ///< passes that the value comes from
-    std::size_t dropped = 0;      ///< passes that were disturbed
+    std::optional<double> value = {};  ///< per query
+    std::uint64_t overhead = 0;        ///< of counting, taken off each pass
+    std::uint64_t floor = 0;           ///< a pass must have counted ten times this
+    std::size_t samples = 0;           ///< passes that the value comes from
+    std::size_t dropped = 0;           ///< passes that were disturbed
 };
 
 struct CountedPass {
@@ -39,11 +42,14 @@ struct CountOptions {
 
 /// Every metric of metric.hpp. Where no event can be opened, `pass` is not called at all; that is found out
 /// once per process. `cpu`: this machine's.
-[[nodiscard]] CountedPass count_pass(const std::function<void()>& pass, std::size_t queries, const Cpu& cpu,
-                                     const CountOptions& options = {});
+[[nodiscard]] CountedPass count_pass(const std::function<void()>& pass, std::size_t queries, const Cpu& cpu);
 
 /// The same for any events; those with a refusal are handed on with it.
 [[nodiscard]] CountedPass count_events(const std::function<void()>& pass, std::size_t queries,
                                        std::span<const ChosenEvent> events, const CountOptions& options = {});
+
+/// minor_faults, major_faults, context_switches and cpu_migrations of one pass.
+[[nodiscard]] std::vector<PassRecord> count_software(const std::function<void()>& pass, std::size_t queries,
+                                                     const Cpu& cpu);
 
 }  // namespace edgewise::measure

@@ -48,11 +48,10 @@ std::string why_dropped(const Sorted& sorted, std::size_t total) {
 }  // namespace
 
 Expected<CountingCost> counting_cost(std::span<const std::uint64_t> empty_batches) {
-    if (empty_batches.size() < least_empty_batches) {
-        return Expected<CountingCost>::none(
+    if (empty_batches.size() < least_empty_batches)
+        return Refusal{
             fmt::format("{} empty batches say too little of what counting costs", empty_batches.size()),
-            fmt::format("count at least {}", least_empty_batches));
-    }
+            fmt::format("count at least {}", least_empty_batches)};
     std::vector<std::uint64_t> counts(empty_batches.begin(), empty_batches.end());
     const std::uint64_t overhead = rank(counts, 1, 2);
     return {CountingCost{overhead, std::max<std::uint64_t>(rank(counts, 9, 10), 1)}};
@@ -60,23 +59,20 @@ Expected<CountingCost> counting_cost(std::span<const std::uint64_t> empty_batche
 
 Expected<CounterFigure> count_per_query(std::span<const CounterSample> samples, const CountingCost& cost,
                                         std::size_t queries) {
-    using Result = Expected<CounterFigure>;
-    if (queries == 0) return Result::none("no queries in the batch", "count a batch that has some");
+    if (queries == 0) return Refusal{"no queries in the batch", "count a batch that has some"};
     const Sorted sorted = sort_out(samples);
-    if (sorted.good.size() < least_samples) {
-        return Result::none(why_dropped(sorted, samples.size()),
-                            "leave the machine to this program, pin it to a processor, and count more "
-                            "often or in shorter batches");
-    }
+    if (sorted.good.size() < least_samples)
+        return Refusal{why_dropped(sorted, samples.size()),
+                       "leave the machine to this program, pin it to a processor, and count more often or in "
+                       "shorter batches"};
     const double batch = median(sorted.good).value_or(0) - static_cast<double>(cost.overhead);
     const double least = static_cast<double>(least_to_floor * cost.floor);
-    if (batch < least) {
-        return Result::none(
+    if (batch < least)
+        return Refusal{
             fmt::format("fewer than {} in a batch of {} queries, so below {:.3g} per query: too few to tell "
                         "from what counting itself may cause ({})",
                         least, queries, least / static_cast<double>(queries), cost.floor),
-            "count a batch of more queries");
-    }
+            "count a batch of more queries"};
     return {CounterFigure{batch / static_cast<double>(queries), sorted.good.size(),
                           samples.size() - sorted.good.size()}};
 }

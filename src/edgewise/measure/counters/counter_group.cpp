@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Only the leader is enabled and disabled: its members stay enabled and count while it does. Counts are reset
-// for all, which leaves the times alone.
+// for all, which leaves the times alone. glibc has no wrapper for perf_event_open, so the system call is made
+// by number.
 #include "edgewise/measure/counters/counter_group.hpp"
 
 #include <fmt/core.h>
 #include <linux/perf_event.h>
 #include <sys/ioctl.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,25 +24,37 @@ constexpr const char* free_counters =
     "end other users of the counters, also the NMI watchdog (sysctl kernel.nmi_watchdog=0); on a hybrid "
     "processor pin the thread to a core whose counters the events are for (taskset)";
 
+/// The descriptor, or -errno. `leader`: of the group to join; -1 for the first, which is pinned and starts
+/// disabled.
+int open_event(const EventCode& code, int leader) {
+    perf_event_attr attributes{};
+    attributes.size = sizeof attributes;
+    attributes.type = code.type;
+    attributes.config = code.config;
+    attributes.disabled = leader < 0;
+    attributes.pinned = leader < 0;
+    attributes.exclude_kernel = !code.kernel_too;
+    attributes.exclude_hv = 1;
+    attributes.read_format =
+        PERF_FORMAT_GROUP | PERF_FORMAT_ID | PERF_FORMAT_TOTAL_TIME_ENABLED | PERF_FORMAT_TOTAL_TIME_RUNNING;
+    // This thread (0), on whatever processor it runs (-1).
+    const long result = syscall(SYS_perf_event_open, &attributes, 0, -1, leader, PERF_FLAG_FD_CLOEXEC);
+    return result < 0 ? -errno : static_cast<int>(result);
+}
+
 }  // namespace
 
 CounterGroup::CounterGroup(std::span<const EventCode> events) {
     if (events.empty() || events.size() > largest_group) {
         error_ = EINVAL;
     } else if (!open_all(events)) {
-        for (int& descriptor : descriptors_) {
-            if (descriptor >= 0) close(descriptor);
-            descriptor = -1;
-        }
+        close_all();
     }
 }
 
 bool CounterGroup::open_all(std::span<const EventCode> events) {
-    constexpr std::uint64_t format =
-        PERF_FORMAT_GROUP | PERF_FORMAT_ID | PERF_FORMAT_TOTAL_TIME_ENABLED | PERF_FORMAT_TOTAL_TIME_RUNNING;
     for (const EventCode& event : events) {
-        const bool leads = size_ == 0;
-        const int descriptor = open_event(event, leads ? -1 : descriptors_[0], leads, format);
+        const int descriptor = open_event(event, descriptors_[0]);  // -1 until there is a leader
         if (descriptor < 0) {
             error_ = -descriptor;
             return false;
@@ -55,9 +69,10 @@ bool CounterGroup::open_all(std::span<const EventCode> events) {
     return true;
 }
 
-CounterGroup::~CounterGroup() {
+void CounterGroup::close_all() {
     for (std::size_t i = largest_group; i-- > 0;) {
         if (descriptors_[i] >= 0) close(descriptors_[i]);
+        descriptors_[i] = -1;
     }
 }
 
@@ -67,14 +82,12 @@ bool CounterGroup::start() {
 }
 
 Expected<GroupCount> CounterGroup::stop() {
-    using Result = Expected<GroupCount>;
     std::array<std::uint64_t, head_words + 2 * largest_group> words{};
-    if (error_ != 0) return Result::none("the group is not open", "open it where its events exist");
-    if (ioctl(descriptors_[0], PERF_EVENT_IOC_DISABLE, 0) != 0) {
-        return Result::none("the kernel does not stop the group", "try again");
-    }
+    if (error_ != 0) return Refusal{"the group is not open", "open it where its events exist"};
+    if (ioctl(descriptors_[0], PERF_EVENT_IOC_DISABLE, 0) != 0)
+        return Refusal{"the kernel does not stop the group", "try again"};
     const std::int64_t bytes = read(descriptors_[0], words.data(), sizeof words);
-    Result result = parse_group(words, bytes, std::span(ids_).first(size_));
+    Expected<GroupCount> result = parse_group(words, bytes, std::span(ids_).first(size_));
     if (!result.value) return result;
     GroupCount& count = *result.value;
     count.enabled_ns -= std::exchange(enabled_before_, count.enabled_ns);
@@ -84,25 +97,21 @@ Expected<GroupCount> CounterGroup::stop() {
 
 Expected<GroupCount> parse_group(std::span<const std::uint64_t> words, std::int64_t bytes,
                                  std::span<const std::uint64_t> ids) {
-    using Result = Expected<GroupCount>;
     const std::size_t needed = head_words + 2 * ids.size();
-    if (bytes == 0) {
-        return Result::none("not enough free counters for the group: it is in error (end of file)",
-                            free_counters);
-    }
+    if (bytes == 0)
+        return Refusal{"not enough free counters for the group: it is in error (end of file)", free_counters};
     if (bytes != static_cast<std::int64_t>(needed * sizeof(std::uint64_t)) || words.size() < needed ||
         words[0] != ids.size()) {
-        return Result::none(fmt::format("the kernel gave {} bytes, not {} events", bytes, ids.size()),
-                            "try again, or use another kernel");
+        return Refusal{fmt::format("the kernel gave {} bytes, not {} events", bytes, ids.size()),
+                       "try again, or use another kernel"};
     }
     GroupCount count;
     count.enabled_ns = words[1];
     count.running_ns = words[2];
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const auto* const id = std::find(ids.data(), ids.data() + ids.size(), words[head_words + 2 * i + 1]);
-        if (id == ids.data() + ids.size()) {
-            return Result::none("the kernel counted an event that was not asked for", "try again");
-        }
+        if (id == ids.data() + ids.size())
+            return Refusal{"the kernel counted an event that was not asked for", "try again"};
         count.values[static_cast<std::size_t>(id - ids.data())] = words[head_words + 2 * i];
     }
     return {count};
@@ -110,10 +119,9 @@ Expected<GroupCount> parse_group(std::span<const std::uint64_t> words, std::int6
 
 Expected<GroupCount> whole_time_only(const GroupCount& count) {
     if (count.enabled_ns != 0 && count.running_ns == count.enabled_ns) return {count};
-    return Expected<GroupCount>::none(
-        fmt::format("on the counters for only {} of {} ns, and a scaled count is a guess", count.running_ns,
-                    count.enabled_ns),
-        free_counters);
+    return Refusal{fmt::format("on the counters for only {} of {} ns, and a scaled count is a guess",
+                               count.running_ns, count.enabled_ns),
+                   free_counters};
 }
 
 }  // namespace edgewise::measure

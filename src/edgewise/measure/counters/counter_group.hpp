@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A few events counted together by the Linux kernel for the calling thread, over exactly the same
+// One event, or a few counted together by the Linux kernel for the calling thread, over exactly the same
 // instructions, so that their ratios are valid (man 2 perf_event_open). The group is pinned: it is on the
 // counters the whole time or in error, and never shares them. A count that was on a counter only part of
 // the time is refused; scaling it up would be a guess.
@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-#include "edgewise/measure/counters/perf_event.hpp"
+#include "edgewise/measure/counters/event_code.hpp"
 #include "edgewise/measure/expected.hpp"
 
 namespace edgewise::measure {
@@ -28,7 +28,7 @@ class CounterGroup {
   public:
     /// One to largest_group events; the first leads.
     explicit CounterGroup(std::span<const EventCode> events);
-    ~CounterGroup();
+    ~CounterGroup() { close_all(); }
     CounterGroup(const CounterGroup&) = delete;
     CounterGroup& operator=(const CounterGroup&) = delete;
 
@@ -42,6 +42,7 @@ class CounterGroup {
 
   private:
     bool open_all(std::span<const EventCode> events);
+    void close_all();
 
     std::array<int, largest_group> descriptors_{-1, -1, -1, -1};
     std::array<std::uint64_t, largest_group> ids_{};

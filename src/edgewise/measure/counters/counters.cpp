@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
-//
-// Departure from "user mode only": context-switches and cpu-migrations happen inside the kernel, so that the
-// kernel filters every one of them out of a user-only count, which then is a perfect 0 without any error.
 #include "edgewise/measure/counters/counters.hpp"
 
-#include <fmt/core.h>
 #include <linux/perf_event.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <array>
 #include <ctime>
-#include <string>
+#include <span>
 
-#include "edgewise/measure/counters/perf_error.hpp"
-#include "edgewise/measure/counters/perf_event.hpp"
+#include "edgewise/measure/counters/counter_group.hpp"
 
 namespace edgewise::measure {
 
@@ -22,47 +16,20 @@ namespace {
 
 struct SoftwareEvent {
     std::string_view name;
-    EventCode code;
+    std::uint64_t config;
     bool must_happen;  ///< the reference work causes it for certain
     std::string_view meaning;
     std::string_view unit = "1";
 };
 
-constexpr std::array<SoftwareEvent, 6> software_events{{
-    {"page-faults",
-     {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_PAGE_FAULTS},
-     true,
-     "pages mapped in at a first touch"},
-    {"minor-faults",
-     {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_PAGE_FAULTS_MIN},
-     true,
-     "those without reading a disk"},
-    {"major-faults", {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_PAGE_FAULTS_MAJ}, false, "those read from a disk"},
-    {"context-switches",
-     {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_CONTEXT_SWITCHES, true},
-     true,
-     "times the thread left its processor"},
-    {"cpu-migrations",
-     {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_CPU_MIGRATIONS, true},
-     false,
-     "times the thread changed its processor"},
-    {"task-clock", {PERF_TYPE_SOFTWARE, PERF_COUNT_SW_TASK_CLOCK}, true, "time on a processor", "ns"},
-}};
-
-ChosenEvent choose_software(const SoftwareEvent& software, const Cpu& cpu) {
-    ChosenEvent event;
-    event.event = software.name;
-    event.by = "software";
-    event.encoding = encoding_text(software.code);
-    event.level = "kernel";
-    event.meaning = software.meaning;
-    event.unit = software.unit;
-    event.code = software.code;
-    event.must_happen = software.must_happen;
-    event.error = PerfEvent(software.code).error();
-    if (event.error != 0) event.refusal = explain_error(event.error, false, cpu);
-    return event;
-}
+constexpr SoftwareEvent software_events[] = {
+    {"page-faults", PERF_COUNT_SW_PAGE_FAULTS, true, "pages mapped in at a first touch"},
+    {"minor-faults", PERF_COUNT_SW_PAGE_FAULTS_MIN, true, "those without reading a disk"},
+    {"major-faults", PERF_COUNT_SW_PAGE_FAULTS_MAJ, false, "those read from a disk"},
+    {"context-switches", PERF_COUNT_SW_CONTEXT_SWITCHES, true, "times the thread left its processor"},
+    {"cpu-migrations", PERF_COUNT_SW_CPU_MIGRATIONS, false, "times the thread changed its processor"},
+    {"task-clock", PERF_COUNT_SW_TASK_CLOCK, true, "time on a processor", "ns"},
+};
 
 /// See reference_work. False when the system gives no memory.
 bool do_reference_work() {
@@ -82,41 +49,22 @@ bool do_reference_work() {
     return true;
 }
 
-void set_unavailable(CounterRecord& record, std::string reason, std::string remedy) {
-    record.value.reset();
-    record.refusal = {std::move(reason), std::move(remedy)};
-}
-
-void judge(CounterRecord& record, const EventCount& count) {
-    if (count.running_ns == 0) {
-        set_unavailable(
-            record, "opened, but it was never on a counter",
-            "on a hybrid processor pin the thread to a core whose counters the event is for (taskset); "
-            "else end other users of the counters");
-    } else if (count.running_ns < count.enabled_ns) {
-        set_unavailable(
-            record,
-            fmt::format("on a counter for only {} of {} ns: it shared one, and a scaled count is a guess",
-                        count.running_ns, count.enabled_ns),
-            "end other users of the counters, also the NMI watchdog (sysctl kernel.nmi_watchdog=0)");
-    } else if (count.value == 0 && record.must_happen) {
-        set_unavailable(record, "counted 0 over work that must cause it: this counter does not work here",
-                        "run outside the virtual machine or container");
-    } else {
-        record.value = count.value;
-    }
-}
-
 CounterRecord read_counter(const ChosenEvent& event) {
     CounterRecord record{event, std::nullopt};
     if (!event.refusal.reason.empty()) return record;
-    PerfEvent counter(event.code);
-    const bool worked = counter.start() && do_reference_work();
-    const std::optional<EventCount> count = counter.stop();
-    if (worked && count) {
-        judge(record, *count);
+    CounterGroup counter(std::span(&event.code, 1));
+    if (!counter.start() || !do_reference_work()) {
+        record.refusal = {"opened, but the kernel gave no count", "try again"};
+        return record;
+    }
+    const Expected<GroupCount> count = counter.stop();
+    if (!count.value) {
+        record.refusal = count.refusal();
+    } else if (count.value->values[0] == 0 && record.must_happen) {
+        record.refusal = {"counted 0 over work that must cause it: this counter does not work here",
+                          "run outside the virtual machine or container"};
     } else {
-        set_unavailable(record, "opened, but the kernel gave no count", "try again");
+        record.value = count.value->values[0];
     }
     return record;
 }
@@ -126,8 +74,11 @@ CounterRecord read_counter(const ChosenEvent& event) {
 std::vector<CounterRecord> read_counters(const Cpu& cpu) {
     std::vector<CounterRecord> records;
     for (const MetricName& metric : metrics) records.push_back(read_counter(choose_event(metric, cpu)));
-    for (const SoftwareEvent& event : software_events) {
-        records.push_back(read_counter(choose_software(event, cpu)));
+    for (const SoftwareEvent& software : software_events) {
+        ChosenEvent event = software_event(software.name, software.config, software.meaning, cpu);
+        event.must_happen = software.must_happen;
+        event.unit = software.unit;
+        records.push_back(read_counter(event));
     }
     return records;
 }

@@ -4,30 +4,19 @@
 #include <fmt/core.h>
 #include <linux/perf_event.h>
 
+#include "edgewise/measure/counters/counter_group.hpp"
 #include "edgewise/measure/counters/event_table.hpp"
-#include "edgewise/measure/counters/generic_event.hpp"
 #include "edgewise/measure/counters/libpfm.hpp"
-#include "edgewise/measure/counters/perf_error.hpp"
-#include "edgewise/measure/machine/processor.hpp"
 
 namespace edgewise::measure {
 
 namespace {
 
-ChosenEvent named(const MetricName& metric, std::string by) {
-    ChosenEvent event;
-    event.event = metric.name;
-    event.by = std::move(by);
-    event.must_happen = metric.must_happen;
-    return event;
-}
-
-ChosenEvent from_row(const MetricName& metric, std::string by, const EventRow& row, const EventCode& code) {
-    ChosenEvent event = named(metric, std::move(by));
+ChosenEvent event_by(const MetricName& metric, std::string by, const EventCode& code, std::string meaning) {
+    ChosenEvent event{std::string(metric.name), std::move(by), encoding_text(code), std::string(metric.level),
+                      std::move(meaning)};
     event.code = code;
-    event.encoding = encoding_text(code);
-    event.level = row.level;
-    event.meaning = meaning(row);
+    event.must_happen = metric.must_happen;
     return event;
 }
 
@@ -36,27 +25,19 @@ void add_of_processor(std::vector<ChosenEvent>& found, const MetricName& metric,
     if (row == nullptr) return;
     const std::string name = fmt::format("{}::{}", processor.pmu, row->name);
     if (const Expected<EventCode> code = encode_by_libpfm(name); code.value) {
-        found.push_back(from_row(metric, "libpfm", *row, *code.value));
-        found.back().encoding = fmt::format("{} = {}", name, encoding_text(*code.value));
+        ChosenEvent& event = found.emplace_back(event_by(metric, "libpfm", *code.value, meaning(*row)));
+        event.encoding = fmt::format("{} = {}", name, event.encoding);
     }
-    found.push_back(from_row(metric, "raw", *row, {PERF_TYPE_RAW, row->config}));
+    found.push_back(event_by(metric, "raw", {PERF_TYPE_RAW, row->config}, meaning(*row)));
 }
 
-void add_generic(std::vector<ChosenEvent>& found, const MetricName& metric, const Cpu& cpu) {
-    const GenericEvent* const generic = find_generic(metric.metric, maker_of(cpu));
-    if (generic == nullptr) return;
-    ChosenEvent event = named(metric, "generic");
-    event.code = generic->code;
-    event.encoding = encoding_text(generic->code);
-    event.level = generic->level;
-    event.meaning = generic->meaning;
-    found.push_back(std::move(event));
-}
+/// The errno of opening it; 0: it opens.
+int error_of(const EventCode& code) { return CounterGroup(std::span(&code, 1)).error(); }
 
 /// Nothing known counts it here.
 ChosenEvent no_event(const MetricName& metric, const Cpu& cpu) {
-    ChosenEvent event = named(metric, "none");
-    event.meaning = "not known here";
+    ChosenEvent event{std::string(metric.name), "none", "none", std::nullopt, "not known here"};
+    event.must_happen = metric.must_happen;
     const Processor* const processor = find_processor(cpu);
     const std::string where = processor != nullptr
                                   ? std::string(processor->name)
@@ -73,7 +54,8 @@ std::vector<ChosenEvent> event_candidates(const MetricName& metric, const Cpu& c
     if (const Processor* const processor = find_processor(cpu); processor != nullptr) {
         add_of_processor(found, metric, *processor);
     }
-    add_generic(found, metric, cpu);
+    if (const GenericEvent* const generic = find_generic(metric.metric, maker_of(cpu)); generic != nullptr)
+        found.push_back(event_by(metric, "generic", generic->code, std::string(generic->meaning)));
     return found;
 }
 
@@ -82,9 +64,9 @@ ChosenEvent choose_event(const MetricName& metric, const Cpu& cpu) {
     if (candidates.empty()) return no_event(metric, cpu);
     ChosenEvent first = candidates.front();
     for (const ChosenEvent& candidate : candidates) {
-        const PerfEvent trial(candidate.code);
-        if (trial.error() == 0) return candidate;
-        if (first.error == 0) first.error = trial.error();
+        const int error = error_of(candidate.code);
+        if (error == 0) return candidate;
+        if (first.error == 0) first.error = error;
     }
     first.refusal = explain_error(first.error, true, cpu);
     return first;
@@ -97,6 +79,19 @@ const std::vector<ChosenEvent>& chosen_events(const Cpu& cpu) {
         return events;
     }();
     return chosen;
+}
+
+/// Departure from "user mode only": context switches and migrations happen inside the kernel, so that it
+/// filters every one of them out of a user-only count, which then is a perfect 0 without any error.
+ChosenEvent software_event(std::string_view name, std::uint64_t config, std::string_view meaning,
+                           const Cpu& cpu) {
+    const bool in_kernel = config == PERF_COUNT_SW_CONTEXT_SWITCHES || config == PERF_COUNT_SW_CPU_MIGRATIONS;
+    const EventCode code{PERF_TYPE_SOFTWARE, config, in_kernel};
+    ChosenEvent event{std::string(name), "software", encoding_text(code), "kernel", std::string(meaning)};
+    event.code = code;
+    event.error = error_of(code);
+    if (event.error != 0) event.refusal = explain_error(event.error, false, cpu);
+    return event;
 }
 
 }  // namespace edgewise::measure

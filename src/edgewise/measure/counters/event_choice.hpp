@@ -2,17 +2,16 @@
 //
 // From a metric to an event that this machine counts: libpfm's name for it, else its raw code by the
 // processor's family, else a generic event of the kernel. Raw comes before generic because it is the same
-// event as libpfm's name, while a generic one may count at another level or other causes (generic_event.hpp);
+// event as libpfm's name, while a generic one may count at another level or other causes (event_table.hpp);
 // it also covers processors newer than the libpfm at hand. What is not found is said, with a reason.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "edgewise/measure/counters/perf_event.hpp"
-#include "edgewise/measure/expected.hpp"
-#include "edgewise/measure/machine/cpu.hpp"
+#include "edgewise/measure/counters/event_code.hpp"
 #include "edgewise/measure/metric.hpp"
 
 namespace edgewise::measure {
@@ -21,13 +20,13 @@ struct ChosenEvent {
     std::string event;                 ///< the metric's name, or what perf calls a software event
     std::string by;                    ///< how it was found: libpfm, raw, generic, software; none: not at all
     std::string encoding = "none";     ///< what is asked of the kernel, e.g. "PERF_TYPE_RAW:0x8d1:u"
-    std::optional<std::string> level;  ///< what it counts: "core", "L1D", "L2", "LLC" ...
+    std::optional<std::string> level;  ///< what it counts: see MetricName, or "kernel"
     std::string meaning;               ///< the same in words
     std::string unit = "1";            ///< "1" or "ns"; per query where a value is
-    EventCode code;
+    EventCode code = {};
     bool must_happen = false;  ///< see MetricName
     int error = 0;             ///< errno of opening it; 0: none
-    Refusal refusal;           ///< empty: it can be opened
+    Refusal refusal = {};      ///< empty: it can be opened
 };
 
 /// In the order in which they are tried; `refusal` and `error` are not set.
@@ -38,5 +37,9 @@ struct ChosenEvent {
 
 /// One for every metric, found out at the first call and kept: `cpu` is this machine's, always the same.
 [[nodiscard]] const std::vector<ChosenEvent>& chosen_events(const Cpu& cpu);
+
+/// One of the kernel's own (PERF_COUNT_SW_*), or why it cannot be opened.
+[[nodiscard]] ChosenEvent software_event(std::string_view name, std::uint64_t config,
+                                         std::string_view meaning, const Cpu& cpu);
 
 }  // namespace edgewise::measure

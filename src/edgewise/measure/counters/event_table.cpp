@@ -4,143 +4,155 @@
 // libpfm of the build); for Zen 5 libpfm's later tables and the Linux kernel's
 // tools/perf/pmu-events/arch/x86/amdzen5; for Arm the architected codes (Arm ARM, D13.12) under libpfm's
 // names. AMD's L3 counters are left out: they belong to a whole core complex, not to a thread, so the last
-// level is seen through the core's own fills from memory.
+// level is seen through the core's own fills from memory. What the generic events are: the kernel's tables in
+// arch/x86/events/intel/core.c, amd/core.c and drivers/perf/arm_pmuv3.c.
 #include "edgewise/measure/counters/event_table.hpp"
 
 #include <fmt/core.h>
-
-#include <array>
+#include <linux/perf_event.h>
 
 namespace edgewise::measure {
 
 namespace {
 
+using namespace generation;
 using enum EventScope;
 using enum EventTime;
 using enum Metric;
 
-constexpr unsigned intel = generation::skylake | generation::sapphire_rapids;
-constexpr unsigned zen = generation::zen2 | generation::zen3 | generation::zen4 | generation::zen5;
-constexpr unsigned zen_3_to_5 = generation::zen3 | generation::zen4 | generation::zen5;
-constexpr unsigned arm = generation::neoverse_n1 | generation::neoverse_v2;
+constexpr unsigned intel = skylake | sapphire_rapids;
+constexpr unsigned zen = zen2 | zen3 | zen4 | zen5;
+constexpr unsigned zen_3_to_5 = zen3 | zen4 | zen5;
+constexpr unsigned arm = neoverse_n1 | neoverse_v2;
 
 constexpr std::string_view own_clock = "cycles of the core's own clock";
 constexpr std::string_view guessed_wrong = "branches guessed wrong";
 constexpr std::string_view fills = "lines brought into L1D, for loads and stores";
 constexpr std::string_view fills_from_memory = "lines brought into L1D from memory, for loads and stores";
-constexpr std::string_view walks = "dTLB, page walks";
 
-constexpr auto rows = std::to_array<EventRow>({
-    {instructions, intel, "INSTRUCTION_RETIRED", 0xc0, "core", "instructions", demand, retired},
-    {instructions, zen | generation::k7, "RETIRED_INSTRUCTIONS", 0xc0, "core", "instructions", demand,
-     retired},
-    {instructions, arm, "INST_RETIRED", 0x08, "core", "instructions", demand, retired},
+constexpr EventRow rows[] = {
+    {instructions, intel, "INSTRUCTION_RETIRED", 0xc0, "instructions", demand, retired},
+    {instructions, zen | k7, "RETIRED_INSTRUCTIONS", 0xc0, "instructions", demand, retired},
+    {instructions, arm, "INST_RETIRED", 0x08, "instructions", demand, retired},
 
-    {cycles, intel, "UNHALTED_CORE_CYCLES", 0x3c, "core", own_clock, all, speculative},
-    {cycles, zen, "CYCLES_NOT_IN_HALT", 0x76, "core", own_clock, all, speculative},
-    {cycles, generation::k7, "CPU_CLK_UNHALTED", 0x76, "core", own_clock, all, speculative},
-    {cycles, arm, "CPU_CYCLES", 0x11, "core", own_clock, all, speculative},
+    {cycles, intel, "UNHALTED_CORE_CYCLES", 0x3c, own_clock, all},
+    {cycles, zen, "CYCLES_NOT_IN_HALT", 0x76, own_clock, all},
+    {cycles, k7, "CPU_CLK_UNHALTED", 0x76, own_clock, all},
+    {cycles, arm, "CPU_CYCLES", 0x11, own_clock, all},
 
-    {branches, intel, "BR_INST_RETIRED:ALL_BRANCHES", 0xc4, "core", "branches of every kind", demand,
-     retired},
-    {branches, zen | generation::k7, "RETIRED_BRANCH_INSTRUCTIONS", 0xc2, "core",
-     "branches of every kind, interrupts too", demand, retired},
-    {branches, arm, "BR_RETIRED", 0x21, "core", "branches that a wrong guess would cost", demand, retired},
-
-    {branch_misses, intel, "BR_MISP_RETIRED:ALL_BRANCHES", 0xc5, "core", guessed_wrong, demand, retired},
-    {branch_misses, zen, "RETIRED_BRANCH_INSTRUCTIONS_MISPREDICTED", 0xc3, "core", guessed_wrong, demand,
-     retired},
-    {branch_misses, generation::k7, "RETIRED_MISPREDICTED_BRANCH_INSTRUCTIONS", 0xc3, "core", guessed_wrong,
+    {branches, intel, "BR_INST_RETIRED:ALL_BRANCHES", 0xc4, "branches of every kind", demand, retired},
+    {branches, zen | k7, "RETIRED_BRANCH_INSTRUCTIONS", 0xc2, "branches of every kind, interrupts too",
      demand, retired},
-    {branch_misses, arm, "BR_MIS_PRED_RETIRED", 0x22, "core", guessed_wrong, demand, retired},
+    {branches, arm, "BR_RETIRED", 0x21, "branches that a wrong guess would cost", demand, retired},
 
-    {loads, intel, "MEM_INST_RETIRED:ALL_LOADS", 0x81d0, "core", "load instructions", demand, retired},
-    {loads, zen, "LS_DISPATCH:LD_DISPATCH", 0x129, "core", "load operations sent to the load-store unit",
-     demand, speculative},
-    {loads, arm, "MEM_ACCESS_RD", 0x66, "core", "read accesses to memory", demand, speculative},
+    {branch_misses, intel, "BR_MISP_RETIRED:ALL_BRANCHES", 0xc5, guessed_wrong, demand, retired},
+    {branch_misses, zen, "RETIRED_BRANCH_INSTRUCTIONS_MISPREDICTED", 0xc3, guessed_wrong, demand, retired},
+    {branch_misses, k7, "RETIRED_MISPREDICTED_BRANCH_INSTRUCTIONS", 0xc3, guessed_wrong, demand, retired},
+    {branch_misses, arm, "BR_MIS_PRED_RETIRED", 0x22, guessed_wrong, demand, retired},
 
-    {stores, intel, "MEM_INST_RETIRED:ALL_STORES", 0x82d0, "core", "store instructions", demand, retired},
-    {stores, zen, "LS_DISPATCH:STORE_DISPATCH", 0x229, "core", "store operations sent to the load-store unit",
-     demand, speculative},
-    {stores, arm, "MEM_ACCESS_WR", 0x67, "core", "write accesses to memory", demand, speculative},
+    {loads, intel, "MEM_INST_RETIRED:ALL_LOADS", 0x81d0, "load instructions", demand, retired},
+    {loads, zen, "LS_DISPATCH:LD_DISPATCH", 0x129, "load operations sent to the load-store unit"},
+    {loads, arm, "MEM_ACCESS_RD", 0x66, "read accesses to memory"},
 
-    {l1d_fills, intel, "L1D:REPLACEMENT", 0x151, "L1D", fills, all, speculative},
-    {l1d_fills, generation::zen2, "REQUESTS_TO_L2_GROUP1:RD_BLK_L:RD_BLK_X:LS_RD_BLK_C_S:CHANGE_TO_X", 0xe860,
-     "L1D", "requests of L1D to L2, for loads and stores, among them those to own a line it has", all,
-     speculative},
-    {l1d_fills, generation::zen3,
+    {stores, intel, "MEM_INST_RETIRED:ALL_STORES", 0x82d0, "store instructions", demand, retired},
+    {stores, zen, "LS_DISPATCH:STORE_DISPATCH", 0x229, "store operations sent to the load-store unit"},
+    {stores, arm, "MEM_ACCESS_WR", 0x67, "write accesses to memory"},
+
+    {l1d_fills, intel, "L1D:REPLACEMENT", 0x151, fills, all},
+    {l1d_fills, zen2, "REQUESTS_TO_L2_GROUP1:RD_BLK_L:RD_BLK_X:LS_RD_BLK_C_S:CHANGE_TO_X", 0xe860,
+     "requests of L1D to L2, for loads and stores, among them those to own a line it has", all},
+    {l1d_fills, zen3,
      "ANY_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:INT_CACHE:EXT_CACHE_LCL:MEM_IO_LCL:EXT_CACHE_RMT:MEM_IO_RMT",
-     0x5f44, "L1D", fills, all, speculative},
-    {l1d_fills, generation::zen4,
-     "ANY_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_CACHE_NEAR_FAR:DRAM_IO_NEAR:FAR_CACHE_NEAR_FAR:"
-     "DRAM_IO_FAR:ALT_MEM_NEAR_FAR",
-     0xdf44, "L1D", fills, all, speculative},
-    {l1d_fills, generation::zen5,
-     "ANY_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_FAR_CACHE_NEAR:DRAM_IO_NEAR:NEAR_FAR_CACHE_FAR:"
-     "DRAM_IO_FAR",
-     0x5f44, "L1D", fills, all, speculative},
-    {l1d_fills, arm, "L1D_CACHE_REFILL", 0x03, "L1D", fills, all, speculative},
-    {l1d_fills, generation::k7, "DATA_CACHE_MISSES", 0x41, "L1D", "loads and stores that missed L1D", demand,
-     speculative},
+     0x5f44, fills, all},
+    {l1d_fills, zen4,
+     "ANY_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_CACHE_NEAR_FAR:DRAM_IO_NEAR:FAR_CACHE_NEAR_FAR:DRAM_IO_FAR:ALT_MEM_NEAR_FAR",
+     0xdf44, fills, all},
+    {l1d_fills, zen5,
+     "ANY_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_FAR_CACHE_NEAR:DRAM_IO_NEAR:NEAR_FAR_CACHE_FAR:DRAM_IO_FAR",
+     0x5f44, fills, all},
+    {l1d_fills, arm, "L1D_CACHE_REFILL", 0x03, fills, all},
+    {l1d_fills, k7, "DATA_CACHE_MISSES", 0x41, "loads and stores that missed L1D"},
 
-    {l1d_load_misses, intel, "MEM_LOAD_RETIRED:L1_MISS", 0x8d1, "L1D",
+    {l1d_load_misses, intel, "MEM_LOAD_RETIRED:L1_MISS", 0x8d1,
      "load instructions that missed L1D; one that met a line under way is not among them", demand, retired},
-    {l1d_load_misses, generation::zen2,
-     "DATA_CACHE_REFILLS_FROM_SYSTEM:MABRESP_LCL_L2:LS_MABRESP_LCL_CACHE:LS_MABRESP_LCL_DRAM:LS_MABRESP_RMT_"
-     "CACHE:LS_MABRESP_RMT_DRAM",
-     0x5b43, "L1D", fills, demand, speculative},
-    {l1d_load_misses, generation::zen3,
+    {l1d_load_misses, zen2,
+     "DATA_CACHE_REFILLS_FROM_SYSTEM:MABRESP_LCL_L2:LS_MABRESP_LCL_CACHE:LS_MABRESP_LCL_DRAM:LS_MABRESP_RMT_CACHE:LS_MABRESP_RMT_DRAM",
+     0x5b43, fills},
+    {l1d_load_misses, zen3,
      "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:INT_CACHE:EXT_CACHE_LCL:MEM_IO_LCL:EXT_CACHE_RMT:MEM_IO_RMT",
-     0x5f43, "L1D", fills, demand, speculative},
-    {l1d_load_misses, generation::zen4,
-     "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_CACHE_NEAR_FAR:DRAM_IO_NEAR:FAR_CACHE_NEAR_"
-     "FAR:DRAM_IO_FAR:ALT_MEM_NEAR_FAR",
-     0xdf43, "L1D", fills, demand, speculative},
-    {l1d_load_misses, generation::zen5,
-     "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_FAR_CACHE_NEAR:DRAM_IO_NEAR:NEAR_FAR_CACHE_"
-     "FAR:DRAM_IO_FAR",
-     0x5f43, "L1D", fills, demand, speculative},
-    {l1d_load_misses, generation::neoverse_n1, "L1D_CACHE_REFILL_RD", 0x42, "L1D",
-     "lines brought into L1D, for loads", all, speculative},
-    {l1d_load_misses, generation::neoverse_v2, "L1D_CACHE_LMISS_RD", 0x39, "L1D",
-     "reads that missed L1D and had to wait", demand, speculative},
+     0x5f43, fills},
+    {l1d_load_misses, zen4,
+     "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_CACHE_NEAR_FAR:DRAM_IO_NEAR:FAR_CACHE_NEAR_FAR:DRAM_IO_FAR:ALT_MEM_NEAR_FAR",
+     0xdf43, fills},
+    {l1d_load_misses, zen5,
+     "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_FAR_CACHE_NEAR:DRAM_IO_NEAR:NEAR_FAR_CACHE_FAR:DRAM_IO_FAR",
+     0x5f43, fills},
+    {l1d_load_misses, neoverse_n1, "L1D_CACHE_REFILL_RD", 0x42, "lines brought into L1D, for loads", all},
+    {l1d_load_misses, neoverse_v2, "L1D_CACHE_LMISS_RD", 0x39, "reads that missed L1D and had to wait"},
 
-    {l2_demand_misses, intel, "L2_RQSTS:ALL_DEMAND_MISS", 0x2724, "L2",
-     "loads, stores and instruction fetches that missed L2", demand, speculative},
-    {l2_demand_misses, zen, "CORE_TO_L2_CACHEABLE_REQUEST_ACCESS_STATUS:LS_RD_BLK_C", 0x864, "L2",
-     "requests of L1D and its prefetcher, not of L2's, that missed L2", all, speculative},
-    {l2_demand_misses, arm, "L2D_CACHE_REFILL", 0x17, "L2",
-     "lines brought into L2, for data and instructions", all, speculative},
+    {l2_demand_misses, intel, "L2_RQSTS:ALL_DEMAND_MISS", 0x2724,
+     "loads, stores and instruction fetches that missed L2"},
+    {l2_demand_misses, zen, "CORE_TO_L2_CACHEABLE_REQUEST_ACCESS_STATUS:LS_RD_BLK_C", 0x864,
+     "requests of L1D and its prefetcher, not of L2's, that missed L2", all},
+    {l2_demand_misses, arm, "L2D_CACHE_REFILL", 0x17, "lines brought into L2, for data and instructions",
+     all},
 
-    {llc_misses, intel, "MEM_LOAD_RETIRED:L3_MISS", 0x20d1, "LLC",
-     "load instructions that missed the last level", demand, retired},
-    {llc_misses, generation::zen2, "DATA_CACHE_REFILLS_FROM_SYSTEM:LS_MABRESP_LCL_DRAM:LS_MABRESP_RMT_DRAM",
-     0x4843, "LLC", fills_from_memory, demand, speculative},
-    {llc_misses, generation::zen3, "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:MEM_IO_LCL:MEM_IO_RMT", 0x4843, "LLC",
-     fills_from_memory, demand, speculative},
-    {llc_misses, generation::zen4 | generation::zen5,
-     "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:DRAM_IO_NEAR:DRAM_IO_FAR", 0x4843, "LLC", fills_from_memory, demand,
-     speculative},
-    {llc_misses, arm, "LL_CACHE_MISS_RD", 0x37, "LLC", "reads that missed the last level", demand,
-     speculative},
+    {llc_misses, intel, "MEM_LOAD_RETIRED:L3_MISS", 0x20d1, "load instructions that missed the last level",
+     demand, retired},
+    {llc_misses, zen2, "DATA_CACHE_REFILLS_FROM_SYSTEM:LS_MABRESP_LCL_DRAM:LS_MABRESP_RMT_DRAM", 0x4843,
+     fills_from_memory},
+    {llc_misses, zen3, "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:MEM_IO_LCL:MEM_IO_RMT", 0x4843,
+     fills_from_memory},
+    {llc_misses, zen4 | zen5, "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:DRAM_IO_NEAR:DRAM_IO_FAR", 0x4843,
+     fills_from_memory},
+    {llc_misses, arm, "LL_CACHE_MISS_RD", 0x37, "reads that missed the last level"},
 
-    {dtlb_walks, generation::skylake, "DTLB_LOAD_MISSES:WALK_COMPLETED", 0xe08, walks,
-     "page walks ended, for loads", demand, speculative},
-    {dtlb_walks, generation::sapphire_rapids, "DTLB_LOAD_MISSES:WALK_COMPLETED", 0xe12, walks,
-     "page walks ended, for loads", demand, speculative},
+    {dtlb_walks, skylake, "DTLB_LOAD_MISSES:WALK_COMPLETED", 0xe08, "page walks ended, for loads"},
+    {dtlb_walks, sapphire_rapids, "DTLB_LOAD_MISSES:WALK_COMPLETED", 0xe12, "page walks ended, for loads"},
     {dtlb_walks, zen,
-     "L1_DTLB_MISS:TLB_RELOAD_4K_L2_MISS:TLB_RELOAD_COALESCED_PAGE_MISS:TLB_RELOAD_2M_L2_MISS:TLB_RELOAD_1G_"
-     "L2_MISS",
-     0xf045, walks, "misses of both data TLBs, for loads and stores", demand, speculative},
-    {dtlb_walks, arm, "DTLB_WALK", 0x34, walks, "page walks, for loads and stores", demand, speculative},
-    {dtlb_walks, generation::k7, "L1_DTLB_AND_L2_DTLB_MISS", 0x46, walks,
-     "misses of both data TLBs, for loads and stores", demand, speculative},
+     "L1_DTLB_MISS:TLB_RELOAD_4K_L2_MISS:TLB_RELOAD_COALESCED_PAGE_MISS:TLB_RELOAD_2M_L2_MISS:TLB_RELOAD_1G_L2_MISS",
+     0xf045, "misses of both data TLBs, for loads and stores"},
+    {dtlb_walks, arm, "DTLB_WALK", 0x34, "page walks, for loads and stores"},
+    {dtlb_walks, k7, "L1_DTLB_AND_L2_DTLB_MISS", 0x46, "misses of both data TLBs, for loads and stores"},
 
-    {line_crossing_loads, intel, "MEM_INST_RETIRED:SPLIT_LOADS", 0x41d0, "L1D",
+    {line_crossing_loads, intel, "MEM_INST_RETIRED:SPLIT_LOADS", 0x41d0,
      "load instructions that touch two cache lines", demand, retired},
-    {line_crossing_loads, zen_3_to_5, "MISALIGNED_LOADS:MA64", 0x147, "L1D",
-     "loads that touch two cache lines", demand, retired},
-});
+    {line_crossing_loads, zen_3_to_5, "MISALIGNED_LOADS:MA64", 0x147, "loads that touch two cache lines",
+     demand, retired},
+};
+
+constexpr EventCode hardware(std::uint64_t config) { return {PERF_TYPE_HARDWARE, config}; }
+
+constexpr EventCode cached(std::uint64_t cache, std::uint64_t result,
+                           std::uint64_t operation = PERF_COUNT_HW_CACHE_OP_READ) {
+    return {PERF_TYPE_HW_CACHE, cache | operation << 8 | result << 16};
+}
+
+constexpr EventCode l1d_reads = cached(PERF_COUNT_HW_CACHE_L1D, PERF_COUNT_HW_CACHE_RESULT_ACCESS);
+constexpr EventCode l1d_writes =
+    cached(PERF_COUNT_HW_CACHE_L1D, PERF_COUNT_HW_CACHE_RESULT_ACCESS, PERF_COUNT_HW_CACHE_OP_WRITE);
+constexpr EventCode l1d_misses = cached(PERF_COUNT_HW_CACHE_L1D, PERF_COUNT_HW_CACHE_RESULT_MISS);
+constexpr EventCode llc_read_misses = cached(PERF_COUNT_HW_CACHE_LL, PERF_COUNT_HW_CACHE_RESULT_MISS);
+constexpr EventCode dtlb_misses = cached(PERF_COUNT_HW_CACHE_DTLB, PERF_COUNT_HW_CACHE_RESULT_MISS);
+
+constexpr GenericEvent generic_events[] = {
+    {instructions, CpuMaker::other, hardware(PERF_COUNT_HW_INSTRUCTIONS), "instructions (retired)"},
+    {cycles, CpuMaker::other, hardware(PERF_COUNT_HW_CPU_CYCLES), own_clock},
+    {branches, CpuMaker::other, hardware(PERF_COUNT_HW_BRANCH_INSTRUCTIONS), "branches"},
+    {branch_misses, CpuMaker::other, hardware(PERF_COUNT_HW_BRANCH_MISSES), guessed_wrong},
+    {loads, CpuMaker::intel, l1d_reads, "load instructions"},
+    {stores, CpuMaker::intel, l1d_writes, "store instructions"},
+    {l1d_fills, CpuMaker::intel, l1d_misses, "lines brought into L1D, for loads and stores (prefetches too)"},
+    {l1d_fills, CpuMaker::amd, l1d_misses, "requests of L1D to L2, for loads and stores (prefetches too)"},
+    {l1d_fills, CpuMaker::arm, l1d_misses, "lines brought into L1D, for loads and stores (prefetches too)"},
+    {l2_demand_misses, CpuMaker::amd, hardware(PERF_COUNT_HW_CACHE_MISSES),
+     "requests of both first-level caches that missed L2 (prefetches too, but not L2's own)"},
+    {llc_misses, CpuMaker::intel, hardware(PERF_COUNT_HW_CACHE_MISSES),
+     "requests of the core that missed the last level (prefetches too)"},
+    {llc_misses, CpuMaker::arm, llc_read_misses, "reads that missed the last level"},
+    {dtlb_walks, CpuMaker::intel, dtlb_misses, "misses of the data TLBs, for loads"},
+    {dtlb_walks, CpuMaker::amd, dtlb_misses, "misses of both data TLBs, for loads and stores"},
+};
 
 }  // namespace
 
@@ -153,13 +165,19 @@ const EventRow* find_event(Metric metric, unsigned generation) {
     return nullptr;
 }
 
+const GenericEvent* find_generic(Metric metric, CpuMaker maker) {
+    for (const GenericEvent& event : generic_events) {
+        if (event.metric == metric && (event.maker == CpuMaker::other || event.maker == maker)) return &event;
+    }
+    return nullptr;
+}
+
 std::string meaning(const EventRow& row) {
-    if (row.metric == Metric::cycles) return std::string(row.counts);
+    if (row.metric == cycles) return std::string(row.counts);
     const char* const when = row.time == retired ? "retired" : "speculative ones too";
     // Prefetches are a question of what moves between caches only.
-    if (row.level == "core" || row.metric == Metric::line_crossing_loads) {
+    if (row.metric < l1d_fills || row.metric == line_crossing_loads)
         return fmt::format("{} ({})", row.counts, when);
-    }
     return fmt::format("{} ({}, {})", row.counts,
                        row.scope == demand ? "without prefetches" : "prefetches too", when);
 }

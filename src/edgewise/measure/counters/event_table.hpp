@@ -2,7 +2,11 @@
 //
 // Which event of which processor answers a metric: libpfm's name for it, its raw code for where libpfm does
 // not know the processor, and what exactly it counts. Processors differ in that, so every count is reported
-// with its level and its meaning. A metric that no event of a processor counts has no row for it.
+// with its meaning. A metric that no event of a processor counts has no row for it.
+//
+// And the kernel's generic events ("perf list hw cache"). The same one is another thing on another maker's
+// processor: "cache-misses" is the last level on Intel, the second level on AMD and the first on Arm. So one
+// is taken only where it counts what the metric says.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "edgewise/measure/counters/event_code.hpp"
 #include "edgewise/measure/machine/processor.hpp"
 #include "edgewise/measure/metric.hpp"
 
@@ -29,19 +34,28 @@ enum class EventTime {
 
 struct EventRow {
     Metric metric;
-    unsigned generations;   ///< of processor.hpp, a set
-    std::string_view name;  ///< libpfm's, without the PMU
-    std::uint64_t config;   ///< of PERF_TYPE_RAW: event, unit mask << 8
-    std::string_view level;
+    unsigned generations;     ///< of processor.hpp, a set
+    std::string_view name;    ///< libpfm's, without the PMU
+    std::uint64_t config;     ///< of PERF_TYPE_RAW: event, unit mask << 8
     std::string_view counts;  ///< in words
-    EventScope scope;
-    EventTime time;
+    EventScope scope = EventScope::demand;
+    EventTime time = EventTime::speculative;
+};
+
+struct GenericEvent {
+    Metric metric;
+    CpuMaker maker;  ///< CpuMaker::other: every maker
+    EventCode code;
+    std::string_view meaning;
 };
 
 [[nodiscard]] std::span<const EventRow> event_table();
 
 /// Null: this processor has no such event.
 [[nodiscard]] const EventRow* find_event(Metric metric, unsigned generation);
+
+/// Null: none that counts this on a processor of that maker.
+[[nodiscard]] const GenericEvent* find_generic(Metric metric, CpuMaker maker);
 
 /// What a row counts, in one phrase.
 [[nodiscard]] std::string meaning(const EventRow& row);

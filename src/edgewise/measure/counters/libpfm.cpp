@@ -8,36 +8,23 @@
 #include <perfmon/pfmlib.h>
 #include <perfmon/pfmlib_perf_event.h>
 
-#include <utility>
-
 namespace edgewise::measure {
 
-namespace {
-
 /// Starts the library at the first use; it is never ended, as that would free nothing the process keeps.
-int started() {
-    static const int result = pfm_initialize();
-    return result;
-}
-
-}  // namespace
-
 std::string why_no_libpfm() {
-    const int result = started();
+    static const int result = pfm_initialize();
     return result == PFM_SUCCESS ? "" : fmt::format("libpfm does not start: {}", pfm_strerror(result));
 }
 
 Expected<EventCode> encode_by_libpfm(const std::string& name) {
-    if (std::string why = why_no_libpfm(); !why.empty()) return Expected<EventCode>::none(std::move(why));
+    if (const std::string why = why_no_libpfm(); !why.empty()) return Refusal{why};
     perf_event_attr attributes{};
     pfm_perf_encode_arg_t request{};
     request.attr = &attributes;
     request.size = sizeof request;
     attributes.size = sizeof attributes;
     const int result = pfm_get_os_event_encoding(name.c_str(), PFM_PLM3, PFM_OS_PERF_EVENT, &request);
-    if (result != PFM_SUCCESS) {
-        return Expected<EventCode>::none(fmt::format("libpfm: {}: {}", name, pfm_strerror(result)));
-    }
+    if (result != PFM_SUCCESS) return Refusal{fmt::format("libpfm: {}: {}", name, pfm_strerror(result))};
     return {EventCode{attributes.type, attributes.config}};
 }
 

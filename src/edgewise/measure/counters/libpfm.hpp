@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "edgewise/measure/counters/perf_event.hpp"
+#include "edgewise/measure/counters/event_code.hpp"
 #include "edgewise/measure/expected.hpp"
 
 namespace edgewise::measure {

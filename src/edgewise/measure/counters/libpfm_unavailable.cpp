@@ -5,16 +5,8 @@
 
 namespace edgewise::measure {
 
-namespace {
+std::string why_no_libpfm() { return "this build is without libpfm (Debian: libpfm4-dev)"; }
 
-constexpr const char* left_out = "this build is without libpfm (Debian: libpfm4-dev)";
-
-}  // namespace
-
-std::string why_no_libpfm() { return left_out; }
-
-Expected<EventCode> encode_by_libpfm(const std::string& /*name*/) {
-    return Expected<EventCode>::none(left_out);
-}
+Expected<EventCode> encode_by_libpfm(const std::string& /*name*/) { return Refusal{why_no_libpfm()}; }
 
 }  // namespace edgewise::measure

@@ -15,12 +15,23 @@ class RandomChase {
     static constexpr std::uint64_t line_bytes = 64;
 
     /// Memory of so many bytes, whole lines, 2^32 of them at most. Throws std::bad_alloc.
-    explicit RandomChase(std::uint64_t bytes);
+    explicit RandomChase(std::uint64_t bytes)
+        : lines_(bytes / line_bytes), memory_((lines_ + 1) * words_a_line, 0) {
+        const auto address = reinterpret_cast<std::uintptr_t>(memory_.data());
+        first_ = (line_bytes - address % line_bytes) % line_bytes / sizeof(std::uint64_t);
+    }
 
     [[nodiscard]] std::uint64_t lines() const { return lines_; }
 
     /// So many loads; goes on where the last call ended.
-    void run(std::uint64_t loads);
+    void run(std::uint64_t loads) {
+        const volatile std::uint64_t* const words = memory_.data() + first_;
+        std::uint64_t loaded = 0;
+        for (; loads > 0; --loads) {
+            loaded = words[next(loaded) * words_a_line];
+            state_ ^= loaded;
+        }
+    }
 
     /// Tells use(line) of the lines that run() would load, without loading any; goes on likewise.
     template <class Use>

@@ -44,15 +44,14 @@ Expected<std::string> find_text(const Keys& keys, std::string_view x86, std::str
         const auto found = keys.find(key);
         if (found != keys.end() && !found->second.empty()) return {found->second};
     }
-    return Expected<std::string>::none(fmt::format("/proc/cpuinfo has no \"{}\"", x86));
+    return Refusal{fmt::format("/proc/cpuinfo has no \"{}\"", x86)};
 }
 
 Expected<std::int64_t> find_number(const Keys& keys, std::string_view x86, std::string_view arm) {
     const Expected<std::string> text = find_text(keys, x86, arm);
-    if (!text.value) return Expected<std::int64_t>::none(text.reason);
+    if (!text.value) return text.refusal();
     const auto number = parse_number(*text.value);
-    if (!number)
-        return Expected<std::int64_t>::none(fmt::format("/proc/cpuinfo: {} is {}", x86, *text.value));
+    if (!number) return Refusal{fmt::format("/proc/cpuinfo: {} is {}", x86, *text.value)};
     return {number};
 }
 
@@ -61,26 +60,17 @@ Expected<std::int64_t> count_cores(const std::vector<Keys>& blocks) {
     for (const Keys& keys : blocks) {
         const auto package = keys.find("physical id");
         const auto core = keys.find("core id");
-        if (package == keys.end() || core == keys.end()) {
-            return Expected<std::int64_t>::none("/proc/cpuinfo has no \"core id\"");
-        }
+        if (package == keys.end() || core == keys.end()) return Refusal{"/proc/cpuinfo has no \"core id\""};
         cores.emplace(package->second, core->second);
     }
-    if (cores.empty()) return Expected<std::int64_t>::none("/proc/cpuinfo names no processor");
+    if (cores.empty()) return Refusal{"/proc/cpuinfo names no processor"};
     return {static_cast<std::int64_t>(cores.size())};
 }
 
-std::vector<std::string> vector_extensions(const std::set<std::string>& flags) {
-    constexpr std::string_view wanted[] = {
-        "sse2",        "ssse3",      "sse4_1",   "sse4_2",  "avx",      "avx2",     "fma",
-        "f16c",        "bmi2",       "avx_vnni", "avx512f", "avx512dq", "avx512bw", "avx512vl",
-        "avx512_vnni", "avx512vbmi", "amx_tile", "asimd",   "asimdhp",  "sve",      "sve2"};
-    std::vector<std::string> found;
-    for (const std::string_view name : wanted) {
-        if (flags.count(std::string(name)) != 0) found.emplace_back(name);
-    }
-    return found;
-}
+constexpr const char* known_extensions[] = {
+    "sse2",        "ssse3",      "sse4_1",   "sse4_2",  "avx",      "avx2",     "fma",
+    "f16c",        "bmi2",       "avx_vnni", "avx512f", "avx512dq", "avx512bw", "avx512vl",
+    "avx512_vnni", "avx512vbmi", "amx_tile", "asimd",   "asimdhp",  "sve",      "sve2"};
 
 }  // namespace
 
@@ -99,7 +89,9 @@ Cpu parse_cpu(std::string_view cpuinfo) {
     std::istringstream words(find_text(keys, "flags", "Features").value.value_or(""));
     std::set<std::string> flags;
     for (std::string word; words >> word;) flags.insert(word);
-    cpu.vector_extensions = vector_extensions(flags);
+    for (const char* name : known_extensions) {
+        if (flags.contains(name)) cpu.vector_extensions.emplace_back(name);
+    }
     const bool x86 = keys.find("flags") != keys.end();
     cpu.hypervisor = x86 ? Expected<bool>{flags.count("hypervisor") != 0}
                          : Expected<bool>::none("only x86 processors tell a guest that it is one");

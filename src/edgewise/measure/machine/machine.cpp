@@ -28,7 +28,7 @@ Cpu read_cpu(const std::filesystem::path& root) {
 
 Expected<std::int64_t> read_memory(const std::filesystem::path& root) {
     const Expected<std::string> text = read_text(root / "proc/meminfo");
-    if (!text.value) return Expected<std::int64_t>::none(text.reason);
+    if (!text.value) return text.refusal();
     std::istringstream lines(*text.value);
     std::string key;
     std::int64_t kibibytes = 0;
@@ -36,7 +36,7 @@ Expected<std::int64_t> read_memory(const std::filesystem::path& root) {
         std::istringstream words(line);
         if (words >> key >> kibibytes && key == "MemTotal:") return {kibibytes * 1024};
     }
-    return Expected<std::int64_t>::none("/proc/meminfo has no MemTotal");
+    return Refusal{"/proc/meminfo has no MemTotal"};
 }
 
 /// Intel's own driver has a switch for "no turbo", the others one for "boost".
@@ -45,7 +45,7 @@ Expected<bool> read_turbo(const std::filesystem::path& root) {
     if (off.value) return {*off.value == 0};
     const Expected<std::int64_t> boost = read_number(root / "sys/devices/system/cpu/cpufreq/boost");
     if (boost.value) return {*boost.value != 0};
-    return Expected<bool>::none(fmt::format("{}; {}", off.reason, boost.reason));
+    return Refusal{fmt::format("{}; {}", off.reason, boost.reason)};
 }
 
 /// The choice in brackets: "always [madvise] never".
@@ -54,20 +54,44 @@ Expected<std::string> read_choice(const std::filesystem::path& file) {
     if (!text.value) return text;
     const auto open = text.value->find('[');
     const auto close = text.value->find(']');
-    if (open == std::string::npos || close == std::string::npos || close < open) {
-        return Expected<std::string>::none(
-            fmt::format("{}: no choice in brackets: {}", file.string(), *text.value));
-    }
+    if (open == std::string::npos || close == std::string::npos || close < open)
+        return Refusal{fmt::format("{}: no choice in brackets: {}", file.string(), *text.value)};
     return {text.value->substr(open + 1, close - open - 1)};
 }
 
 Expected<bool> read_own_aslr() {
     const int flags = personality(0xffffffff);  // asks, changes nothing
-    if (flags < 0) return Expected<bool>::none("personality() is not allowed here");
+    if (flags < 0) return Refusal{"personality() is not allowed here"};
     return {(flags & ADDR_NO_RANDOMIZE) == 0};
 }
 
+Cache read_cache(const std::filesystem::path& index) {
+    Cache cache;
+    cache.level = read_number(index / "level");
+    cache.type = read_text(index / "type");
+    cache.bytes = read_number(index / "size");
+    cache.ways = read_number(index / "ways_of_associativity");
+    cache.line_bytes = read_number(index / "coherency_line_size");
+    cache.sets = read_number(index / "number_of_sets");
+    cache.shared_cpus = read_text(index / "shared_cpu_list");
+    // The kernel writes 0 where it does not know (Arm without firmware tables): that is not a number of ways.
+    for (Expected<std::int64_t>* number : {&cache.bytes, &cache.ways, &cache.line_bytes, &cache.sets}) {
+        if (number->value == 0) *number = Refusal{"the kernel says 0: it does not know"};
+    }
+    return cache;
+}
+
 }  // namespace
+
+Expected<std::vector<Cache>> read_caches(const std::filesystem::path& root) {
+    const std::filesystem::path directory = root / "sys/devices/system/cpu/cpu0/cache";
+    std::vector<Cache> caches;
+    std::error_code error;
+    const auto index = [&] { return directory / fmt::format("index{}", caches.size()); };
+    while (std::filesystem::is_directory(index(), error)) caches.push_back(read_cache(index()));
+    if (caches.empty()) return Refusal{fmt::format("{}: no caches described", directory.string())};
+    return {std::move(caches)};
+}
 
 Machine read_machine(const std::filesystem::path& root) {
     Machine machine;

@@ -9,11 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/measure/cache/caches.hpp"
 #include "edgewise/measure/machine/cpu.hpp"
-#include "edgewise/measure/machine/read_text.hpp"
 
 namespace edgewise::measure {
+
+/// Of the first processor, as the kernel tells it in sysfs (Documentation/ABI/testing/
+/// sysfs-devices-system-cpu). In a virtual machine that is what the hypervisor chose to tell.
+struct Cache {
+    Expected<std::int64_t> level, bytes, ways, line_bytes, sets;
+    Expected<std::string> type;         ///< Data, Instruction or Unified
+    Expected<std::string> shared_cpus;  ///< logical processors that share it, e.g. "0-7"
+};
 
 struct Machine {
     Cpu cpu;
@@ -29,7 +35,9 @@ struct Machine {
     Expected<std::int64_t> perf_event_paranoid;
 };
 
-/// `root` is "/" except in tests.
+/// In the order of sysfs (level 1 first). `root` is "/" except in tests, here and below.
+[[nodiscard]] Expected<std::vector<Cache>> read_caches(const std::filesystem::path& root);
+
 [[nodiscard]] Machine read_machine(const std::filesystem::path& root = "/");
 
 }  // namespace edgewise::measure

@@ -12,40 +12,26 @@ namespace {
 
 using nlohmann::json;
 
-class FactWriter {
-  public:
-    FactWriter(json& target, json& reasons, std::string prefix)
-        : target_(target), reasons_(reasons), prefix_(std::move(prefix)) {
-        target_ = json::object();
-    }
-
-    template <class Value>
-    void put(const char* key, const Expected<Value>& fact) {
-        if (fact.value) {
-            target_[key] = *fact.value;
-        } else {
-            target_[key] = nullptr;
-            reasons_[prefix_ + key] = fact.reason;
-        }
-    }
-
-  private:
-    json& target_;
-    json& reasons_;
-    std::string prefix_;
-};
+/// Makes the target an object and gives what writes a fact into it.
+auto fact_writer(json& target, json& reasons, const std::string& prefix) {
+    target = json::object();
+    return [&target, &reasons, prefix](const char* key, const auto& fact) {
+        target[key] = fact.value ? json(*fact.value) : json(nullptr);
+        if (!fact.value) reasons[prefix + key] = fact.reason;
+    };
+}
 
 json cpu_json(const Cpu& cpu, json& reasons) {
     json result;
-    FactWriter writer(result, reasons, "cpu.");
-    writer.put("vendor", cpu.vendor);
-    writer.put("name", cpu.name);
-    writer.put("family", cpu.family);
-    writer.put("model", cpu.model);
-    writer.put("stepping", cpu.stepping);
-    writer.put("cores", cpu.cores);
-    writer.put("threads", cpu.threads > 0 ? Expected<std::int64_t>{cpu.threads}
-                                          : Expected<std::int64_t>::none("/proc/cpuinfo names no processor"));
+    const auto put = fact_writer(result, reasons, "cpu.");
+    put("vendor", cpu.vendor);
+    put("name", cpu.name);
+    put("family", cpu.family);
+    put("model", cpu.model);
+    put("stepping", cpu.stepping);
+    put("cores", cpu.cores);
+    put("threads", cpu.threads > 0 ? Expected<std::int64_t>{cpu.threads}
+                                   : Expected<std::int64_t>::none("/proc/cpuinfo names no processor"));
     result["vector_extensions"] = cpu.vector_extensions;
     return result;
 }
@@ -58,14 +44,14 @@ json caches_json(const Expected<std::vector<Cache>>& caches, json& reasons) {
     }
     for (const Cache& cache : *caches.value) {
         json row;
-        FactWriter writer(row, reasons, fmt::format("caches[{}].", result.size()));
-        writer.put("level", cache.level);
-        writer.put("type", cache.type);
-        writer.put("bytes", cache.bytes);
-        writer.put("ways", cache.ways);
-        writer.put("line_bytes", cache.line_bytes);
-        writer.put("sets", cache.sets);
-        writer.put("shared_cpus", cache.shared_cpus);
+        const auto put = fact_writer(row, reasons, fmt::format("caches[{}].", result.size()));
+        put("level", cache.level);
+        put("type", cache.type);
+        put("bytes", cache.bytes);
+        put("ways", cache.ways);
+        put("line_bytes", cache.line_bytes);
+        put("sets", cache.sets);
+        put("shared_cpus", cache.shared_cpus);
         result.push_back(std::move(row));
     }
     return result;
@@ -101,20 +87,20 @@ json machine_json() {
 json machine_json(const Machine& machine, const std::vector<CounterRecord>& counters) {
     json result;
     json reasons = json::object();
-    FactWriter writer(result, reasons, "");
+    const auto put = fact_writer(result, reasons, "");
     result["cpu"] = cpu_json(machine.cpu, reasons);
     result["caches"] = caches_json(machine.caches, reasons);
-    writer.put("page_bytes", machine.page_bytes);
-    writer.put("memory_bytes", machine.memory_bytes);
-    writer.put("kernel", machine.kernel);
-    writer.put("hypervisor", machine.cpu.hypervisor);
-    writer.put("clock_source", machine.clock_source);
-    writer.put("governor", machine.governor);
-    writer.put("turbo", machine.turbo);
-    writer.put("aslr", machine.aslr);
-    writer.put("aslr_this_process", machine.aslr_this_process);
-    writer.put("transparent_huge_pages", machine.transparent_huge_pages);
-    writer.put("perf_event_paranoid", machine.perf_event_paranoid);
+    put("page_bytes", machine.page_bytes);
+    put("memory_bytes", machine.memory_bytes);
+    put("kernel", machine.kernel);
+    put("hypervisor", machine.cpu.hypervisor);
+    put("clock_source", machine.clock_source);
+    put("governor", machine.governor);
+    put("turbo", machine.turbo);
+    put("aslr", machine.aslr);
+    put("aslr_this_process", machine.aslr_this_process);
+    put("transparent_huge_pages", machine.transparent_huge_pages);
+    put("perf_event_paranoid", machine.perf_event_paranoid);
     result["counters"] = json::array();
     for (const CounterRecord& record : counters) result["counters"].push_back(counter_json(record));
     result["counted_over"] = reference_work;

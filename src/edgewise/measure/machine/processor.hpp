@@ -22,10 +22,23 @@ inline constexpr unsigned neoverse_n1 = 64, neoverse_v2 = 128;
 inline constexpr unsigned k7 = 256;
 }  // namespace generation
 
+/// first .. last; of one number where no last is given.
+struct NumberRange {
+    std::int64_t first = -1, last = first;
+
+    [[nodiscard]] constexpr bool holds(std::int64_t number) const {
+        return first >= 0 && first <= number && number <= last;
+    }
+};
+
 struct Processor {
     std::string_view pmu;  ///< libpfm's name
     std::string_view name;
     unsigned generation;  ///< one bit
+    CpuMaker maker;
+    std::int64_t family;    ///< Arm: the architecture, always 8
+    NumberRange models[5];  ///< unused ones hold no number
+    NumberRange steppings = {0, 0xffff};
 };
 
 /// All of them, each once.

@@ -16,11 +16,10 @@ namespace edgewise::measure {
 
 Expected<CacheGeometry> callgrind_geometry(const CacheMachine& machine) {
     const auto& levels = machine.caches.levels;
-    if (levels.size() < 2) return Expected<CacheGeometry>::none("Callgrind has two levels, this machine one");
+    if (levels.size() < 2) return Refusal{"Callgrind has two levels, this machine one"};
     CacheGeometry geometry{machine.caches.line_bytes, {levels[0], levels[1]}, LineCrossing::merge};
     for (LevelGeometry& level : geometry.levels) {
-        if (!std::has_single_bit(level.sets))
-            return Expected<CacheGeometry>::none("Callgrind wants a power of two of sets");
+        if (!std::has_single_bit(level.sets)) return Refusal{"Callgrind wants a power of two of sets"};
         level.inclusion = Inclusion::non_inclusive;
         level.replacement = Replacement::lru;
     }
@@ -29,16 +28,16 @@ Expected<CacheGeometry> callgrind_geometry(const CacheMachine& machine) {
 
 std::vector<std::string> callgrind_command(const CacheGeometry& geometry, const std::filesystem::path& output,
                                            const std::vector<std::string>& program) {
-    const auto cache = [&](const char* name, const LevelGeometry& level) {
-        return fmt::format("--{}={},{},{}", name, level.sets * level.ways * geometry.line_bytes, level.ways,
+    const auto cache = [&](const char* name, std::size_t level) {
+        return fmt::format("--{}={},{},{}", name, geometry.bytes_of(level), geometry.levels[level].ways,
                            geometry.line_bytes);
     };
     std::vector<std::string> command = {"valgrind",
                                         "--tool=callgrind",
                                         "--cache-sim=yes",
                                         fmt::format("--I1=32768,8,{}", geometry.line_bytes),
-                                        cache("D1", geometry.levels[0]),
-                                        cache("LL", geometry.levels[1]),
+                                        cache("D1", 0),
+                                        cache("LL", 1),
                                         "--collect-atstart=no",
                                         "--callgrind-out-file=" + output.string()};
     command.insert(command.end(), program.begin(), program.end());
@@ -63,8 +62,7 @@ Expected<CallgrindCounts> parse_callgrind(const std::string& text) {
     }
     for (const char* needed : {"Ir", "Dr", "Dw", "D1mr", "D1mw", "DLmr", "DLmw"}) {
         if (std::find(names.begin(), names.end(), needed) == names.end())
-            return Expected<CallgrindCounts>::none(
-                fmt::format("Callgrind's output lacks the event {}", needed));
+            return Refusal{fmt::format("Callgrind's output lacks the event {}", needed)};
     }
     return {CallgrindCounts{events["Ir"], events["Dr"] + events["Dw"], events["D1mr"] + events["D1mw"],
                             events["DLmr"] + events["DLmw"]}};

@@ -39,9 +39,8 @@ class Capture {
 }  // namespace
 
 Expected<ProcessOutcome> run_program(const std::vector<std::string>& command) {
-    using Answer = Expected<ProcessOutcome>;
     const Capture out, err;
-    if (out.descriptor() < 0 || err.descriptor() < 0) return Answer::none("no temporary file can be made");
+    if (out.descriptor() < 0 || err.descriptor() < 0) return Refusal{"no temporary file can be made"};
     std::vector<char*> words;
     for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
@@ -53,7 +52,7 @@ Expected<ProcessOutcome> run_program(const std::vector<std::string>& command) {
     pid_t process = 0;
     const int error = posix_spawnp(&process, words[0], &actions, nullptr, words.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) return Answer::none(command.front() + ": " + std::strerror(error));
+    if (error != 0) return Refusal{command.front() + ": " + std::strerror(error)};
     int status = 0;
     while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
     }

@@ -15,6 +15,13 @@
 
 namespace edgewise::measure {
 
+/// What a version of the kernel's interface calls things.
+struct MemoryLimit::Hierarchy {
+    const char *mount, *sign, *controller;  ///< the sign is a file that is there where it is mounted
+    const char *limit, *usage;              ///< files of a group
+    const char *unlimited, *of_files;       ///< a limit's value; the name of a number in memory.stat
+};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,13 +32,6 @@ std::string write_to(const fs::path& file, const std::string& text) {
     std::ofstream stream(file);
     if (stream << text << std::flush) return {};
     return fmt::format("{}: cannot write {}: {}", file.string(), text, std::strerror(errno));
-}
-
-std::string own_group(const fs::path& root, const std::string& controller) {
-    std::ifstream stream(root / "proc/self/cgroup");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return control_group_in(text.str(), controller);
 }
 
 /// A new folder in the first of the parents that takes one.
@@ -77,26 +77,29 @@ std::string control_group_in(const std::string& text, const std::string& control
     for (std::string line; std::getline(lines, line);) {
         const auto first = line.find(':'), second = line.find(':', first + 1);
         if (first == std::string::npos || second == std::string::npos) continue;
-        const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
-        if (controllers.find("," + controller + ",") == std::string::npos) continue;
+        const auto controllers = fmt::format(",{},", line.substr(first + 1, second - first - 1));
+        if (controllers.find(fmt::format(",{},", controller)) == std::string::npos) continue;
         if (controller.empty() == (controllers == ",,")) return line.substr(second + 1);
     }
     return {};
 }
 
 Expected<std::unique_ptr<MemoryLimit>> MemoryLimit::make(const fs::path& root) {
+    static constexpr Hierarchy versions[] = {
+        {"sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory", "memory.limit_in_bytes",
+         "memory.usage_in_bytes", "-1", "cache"},
+        {"sys/fs/cgroup", "cgroup.controllers", "", "memory.max", "memory.current", "max", "file"},
+    };
     std::string why = "no memory control groups are mounted";
-    const fs::path first = root / "sys/fs/cgroup/memory", second = root / "sys/fs/cgroup";
-    if (fs::exists(first / "memory.limit_in_bytes")) {
-        const fs::path folder =
-            new_folder(upwards(first, own_group(root, "memory")), "memory.limit_in_bytes", why);
-        if (!folder.empty()) return {std::unique_ptr<MemoryLimit>(new MemoryLimit(folder, false))};
+    const std::string groups = read_text(root / "proc/self/cgroup").value.value_or("");
+    for (const Hierarchy& version : versions) {
+        const fs::path mount = root / version.mount;
+        if (!fs::exists(mount / version.sign)) continue;
+        const auto parents = upwards(mount, control_group_in(groups, version.controller));
+        const fs::path folder = new_folder(parents, version.limit, why);
+        if (!folder.empty()) return {std::unique_ptr<MemoryLimit>(new MemoryLimit(folder, version))};
     }
-    if (fs::exists(second / "cgroup.controllers")) {
-        const fs::path folder = new_folder(upwards(second, own_group(root, "")), "memory.max", why);
-        if (!folder.empty()) return {std::unique_ptr<MemoryLimit>(new MemoryLimit(folder, true))};
-    }
-    return Expected<std::unique_ptr<MemoryLimit>>::none(why);
+    return Refusal{why};
 }
 
 MemoryLimit::~MemoryLimit() {
@@ -105,9 +108,7 @@ MemoryLimit::~MemoryLimit() {
 }
 
 std::string MemoryLimit::set_bytes(std::uint64_t bytes) const {
-    const char* const file = second_ ? "memory.max" : "memory.limit_in_bytes";
-    const std::string none = second_ ? "max" : "-1";
-    return write_to(folder_ / file, bytes > 0 ? std::to_string(bytes) : none);
+    return write_to(folder_ / version_.limit, bytes > 0 ? std::to_string(bytes) : version_.unlimited);
 }
 
 std::string MemoryLimit::take_in(pid_t process) const {
@@ -115,10 +116,10 @@ std::string MemoryLimit::take_in(pid_t process) const {
 }
 
 Expected<MemoryInGroup> MemoryLimit::holds() const {
-    const auto all = read_number(folder_ / (second_ ? "memory.current" : "memory.usage_in_bytes"));
-    if (!all.value) return Expected<MemoryInGroup>::none(all.reason);
+    const auto all = read_number(folder_ / version_.usage);
+    if (!all.value) return all.refusal();
     MemoryInGroup held;
-    held.file = number_in(folder_ / "memory.stat", second_ ? "file" : "cache");
+    held.file = number_in(folder_ / "memory.stat", version_.of_files);
     const auto used = static_cast<std::uint64_t>(*all.value);
     held.other = used > held.file ? used - held.file : 0;
     return {held};

@@ -40,10 +40,12 @@ class MemoryLimit {
     [[nodiscard]] Expected<MemoryInGroup> holds() const;
 
   private:
-    MemoryLimit(std::filesystem::path folder, bool second) : folder_(std::move(folder)), second_(second) {}
+    struct Hierarchy;
+    MemoryLimit(std::filesystem::path folder, const Hierarchy& version)
+        : folder_(std::move(folder)), version_(version) {}
 
     std::filesystem::path folder_;
-    bool second_;  ///< version 2
+    const Hierarchy& version_;
 };
 
 }  // namespace edgewise::measure

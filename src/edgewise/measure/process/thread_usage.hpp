@@ -4,12 +4,14 @@
 // kernel's events of the same things do.
 #pragma once
 
+#include <sys/resource.h>
+
 #include <cstdint>
 
 namespace edgewise::measure {
 
 struct ThreadUsage {
-    std::uint64_t minor_faults = 0, major_faults = 0;
+    std::uint64_t minor_faults = 0, major_faults = 0;  ///< of pages; major ones had to wait for a disk
     std::uint64_t context_switches = 0;  ///< given up or taken away; a move to another processor is one too
 
     friend ThreadUsage operator-(const ThreadUsage& later, const ThreadUsage& earlier) {
@@ -19,6 +21,11 @@ struct ThreadUsage {
 };
 
 /// Since the thread began.
-[[nodiscard]] ThreadUsage thread_usage();
+[[nodiscard]] inline ThreadUsage thread_usage() {
+    rusage usage{};
+    getrusage(RUSAGE_THREAD, &usage);  // cannot fail with these arguments
+    return {static_cast<std::uint64_t>(usage.ru_minflt), static_cast<std::uint64_t>(usage.ru_majflt),
+            static_cast<std::uint64_t>(usage.ru_nvcsw) + static_cast<std::uint64_t>(usage.ru_nivcsw)};
+}
 
 }  // namespace edgewise::measure

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/bench/draw_layout.hpp"
+#include "edgewise/bench/drawings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "edgewise/bench/memory/arena.hpp"
@@ -15,10 +16,29 @@ namespace edgewise::bench {
 namespace {
 
 constexpr std::size_t line_bytes = BlockPlan::alignment;
-constexpr std::size_t lines_a_column = 48;
+constexpr std::size_t lines_per_column = 48;
 constexpr int byte_width = 4, line_height = 9;
 constexpr int column_width = 64 * byte_width + 24;
 constexpr int left_margin = 8, top_margin = 44;
+
+constexpr std::size_t lines_per_row = 64;  ///< of heat: a row is a page of 4 KiB
+constexpr int heat_cell = 10, heat_top = 40;
+
+std::string svg_start(int width, int height, const std::string& title) {
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+        "font-family=\"sans-serif\" font-size=\"11\">\n<title>{2}</title>\n",
+        width, height, title);
+}
+
+std::string cut_text(std::size_t drawn, std::size_t lines) {
+    return drawn < lines ? fmt::format("; the first {} of {} lines", drawn, lines) : std::string();
+}
+
+std::string rectangle(int x, int y, int width, int height, std::string_view fill) {
+    return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>", x, y, width,
+                       height, fill);
+}
 
 std::string_view colour_of(Component component) {
     return store::component_colour(component_names[static_cast<std::size_t>(component)]);
@@ -70,31 +90,25 @@ class Picture {
         const std::size_t end = run.offset + run.bytes;
         while (at < end && at / line_bytes < lines_) {
             const std::size_t next = std::min(end, (at / line_bytes + 1) * line_bytes);
-            add_rectangle(at, next - at, run.component);
+            add_rectangle(at, static_cast<int>(next - at) * byte_width, colour_of(run.component));
             at = next;
         }
-        if (run.starts_element && run.offset / line_bytes < lines_) add_mark(run.offset);
+        if (run.starts_element && run.offset / line_bytes < lines_) add_rectangle(run.offset, 1, "#000");
     }
     [[nodiscard]] std::string take() const { return body_; }
 
     static int x_of(std::size_t offset) {
-        const std::size_t column = offset / line_bytes / lines_a_column;
+        const std::size_t column = offset / line_bytes / lines_per_column;
         return left_margin + static_cast<int>(column) * column_width +
                static_cast<int>(offset % line_bytes) * byte_width;
     }
     static int y_of(std::size_t offset) {
-        return top_margin + static_cast<int>(offset / line_bytes % lines_a_column) * line_height;
+        return top_margin + static_cast<int>(offset / line_bytes % lines_per_column) * line_height;
     }
 
   private:
-    void add_rectangle(std::size_t offset, std::size_t bytes, Component component) {
-        body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
-                             x_of(offset), y_of(offset), static_cast<int>(bytes) * byte_width,
-                             line_height - 1, colour_of(component));
-    }
-    void add_mark(std::size_t offset) {
-        body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"1\" height=\"{}\" fill=\"#000\"/>\n",
-                             x_of(offset), y_of(offset), line_height - 1);
+    void add_rectangle(std::size_t offset, int width, std::string_view fill) {
+        body_ += rectangle(x_of(offset), y_of(offset), width, line_height - 1, fill) + "\n";
     }
 
     std::size_t lines_;
@@ -107,10 +121,8 @@ std::string legend(const Ledger& ledger, int y) {
     for (std::size_t i = 0; i < component_names.size(); ++i) {
         if (ledger.bytes[i] == 0) continue;
         const std::string text = fmt::format("{} {} B", component_names[i], ledger.bytes[i]);
-        result += fmt::format(
-            "<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" fill=\"{}\"/>"
-            "<text x=\"{}\" y=\"{}\">{}</text>\n",
-            x, y, store::component_colour(component_names[i]), x + 14, y + 9, text);
+        result += rectangle(x, y, 10, 10, store::component_colour(component_names[i])) +
+                  fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", x + 14, y + 9, text);
         x += 30 + static_cast<int>(text.size()) * 6;
     }
     return result;
@@ -123,6 +135,14 @@ Ledger ledger_of(const std::vector<MappedPiece>& map) {
     return ledger;
 }
 
+/// From near white to dark red, by the logarithm of the part of the most.
+std::string heat_colour(std::uint32_t accesses, std::uint32_t most) {
+    if (accesses == 0) return "#ffffff";
+    const double part = most > 1 ? std::log(accesses) / std::log(most) : 1;
+    const auto fade = [&](double from, double to) { return static_cast<int>(from + part * (to - from)); };
+    return fmt::format("#{:02x}{:02x}{:02x}", fade(254, 103), fade(224, 0), fade(210, 13));
+}
+
 }  // namespace
 
 std::string draw_map(const std::string& title, const std::vector<MappedPiece>& map, std::size_t most_lines) {
@@ -131,19 +151,16 @@ std::string draw_map(const std::string& title, const std::vector<MappedPiece>& m
     const std::size_t lines = std::min(all_lines, most_lines);
     Picture picture(lines);
     for (const Run& run : runs_of(map)) picture.add(run);
-    const auto columns = static_cast<int>((lines + lines_a_column - 1) / lines_a_column);
+    const auto columns = static_cast<int>((lines + lines_per_column - 1) / lines_per_column);
     const int width = std::max(900, 2 * left_margin + columns * column_width);
-    const int rows = static_cast<int>(std::min(lines, lines_a_column));
-    const std::string cut =
-        lines < all_lines ? fmt::format("; the first {} of {} lines", lines, all_lines) : std::string();
+    const int rows = static_cast<int>(std::min(lines, lines_per_column));
     return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-        "font-family=\"sans-serif\" font-size=\"11\">\n<title>{2}</title>\n"
-        "<text x=\"{3}\" y=\"14\" font-weight=\"bold\">{2}</text>"
-        "<text x=\"{4}\" y=\"14\" text-anchor=\"end\">{5} bytes; a row is a cache line of {6}, a black "
-        "stroke starts an element{7}</text>\n{8}{9}</svg>\n",
-        width, top_margin + rows * line_height + left_margin, title, left_margin, width - left_margin, bytes,
-        line_bytes, cut, legend(ledger_of(map), 22), picture.take());
+        "{}<text x=\"{}\" y=\"14\" font-weight=\"bold\">{}</text>"
+        "<text x=\"{}\" y=\"14\" text-anchor=\"end\">{} bytes; a row is a cache line of {}, a black "
+        "stroke starts an element{}</text>\n{}{}</svg>\n",
+        svg_start(width, top_margin + rows * line_height + left_margin, title), left_margin, title,
+        width - left_margin, bytes, line_bytes, cut_text(lines, all_lines), legend(ledger_of(map), 22),
+        picture.take());
 }
 
 std::string draw_layout(const TableType& type, const std::string& shape, const Polyhedron& body) {
@@ -152,6 +169,29 @@ std::string draw_layout(const TableType& type, const std::string& shape, const P
     Arena arena;
     const TablesIn placed(arena);
     return draw_map(fmt::format("{}, {}", type.name, shape), type.memory_map(*stored, type.all_parts()));
+}
+
+std::string draw_heat(const std::string& title, std::span<const std::uint32_t> accesses,
+                      std::size_t most_lines) {
+    const std::size_t lines = std::min(accesses.size(), most_lines);
+    const std::uint32_t most = accesses.empty() ? 0 : *std::max_element(accesses.begin(), accesses.end());
+    std::string body;
+    for (std::size_t line = 0; line < lines; ++line) {
+        body += rectangle(left_margin + static_cast<int>(line % lines_per_row) * heat_cell,
+                          heat_top + static_cast<int>(line / lines_per_row) * heat_cell, heat_cell - 1,
+                          heat_cell - 1, heat_colour(accesses[line], most)) +
+                "\n";
+    }
+    const int rows = static_cast<int>((lines + lines_per_row - 1) / lines_per_row);
+    const int width = 2 * left_margin + static_cast<int>(lines_per_row) * heat_cell;
+    const int height = heat_top + rows * heat_cell + left_margin;
+    return fmt::format(
+        "{7}<rect width=\"{0}\" height=\"{1}\" fill=\"#e8e8e8\"/>\n"
+        "<text x=\"{3}\" y=\"14\" font-weight=\"bold\">{2}</text>\n"
+        "<text x=\"{3}\" y=\"30\">a square is a line of 64 bytes, a row a page; white: never; dark: up to {4} "
+        "accesses{5}</text>\n{6}</svg>\n",
+        width, height, title, left_margin, most, cut_text(lines, accesses.size()), body,
+        svg_start(width, height, title));
 }
 
 }  // namespace edgewise::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/bench/trace/broad_phase_trace.hpp"
+#include "edgewise/bench/trace/frame_trace.hpp"
 
 #include "edgewise/bench/trace/trace_names.hpp"
 
@@ -30,7 +30,14 @@ struct TracedTouches {
 
 }  // namespace
 
-std::size_t BroadPhaseTrace::run(const scene::Frame& frame) {
+void FrameTrace::before(std::size_t query) {
+    for (; next_ < workload_.frames.size() && workload_.frames[next_].first_query <= query; ++next_) {
+        end();
+        static_cast<void>(run(workload_.frames[next_]));
+    }
+}
+
+std::size_t FrameTrace::run(const scene::Frame& frame) {
     if (frame.boxes.empty()) return 0;
     if (frame.starts_anew || !broad_phase_) broad_phase_.emplace(frame.boxes.size());
     TracedTouches touches{places_, listener_};

@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/measure/counters/perf_error.hpp"
+#include "edgewise/measure/counters/event_code.hpp"
+
+#include <fmt/core.h>
+#include <linux/perf_event.h>
 
 #include <cerrno>
 #include <cstring>
-#include <string>
 
 namespace edgewise::measure {
+
+std::string encoding_text(const EventCode& code) {
+    const char* const type = code.type == PERF_TYPE_HARDWARE   ? "PERF_TYPE_HARDWARE"
+                             : code.type == PERF_TYPE_HW_CACHE ? "PERF_TYPE_HW_CACHE"
+                             : code.type == PERF_TYPE_SOFTWARE ? "PERF_TYPE_SOFTWARE"
+                             : code.type == PERF_TYPE_RAW      ? "PERF_TYPE_RAW"
+                                                               : nullptr;
+    const std::string name = type != nullptr ? type : fmt::format("type {}", code.type);
+    return fmt::format("{}:{:#x}{}", name, code.config, code.kernel_too ? "" : ":u");
+}
 
 Refusal explain_error(int error, bool hardware, const Cpu& cpu) {
     const bool guest = cpu.hypervisor.value.value_or(false);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// Pictures of tables' memory, as SVG. A layout draws itself: one body's table to scale, a strip for each
+// cache line of 64 bytes, every byte coloured by what it is for, elements set off from each other. And heat:
+// the lines of a scene's tables as a grid, coloured by how often they were accessed.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/bench/registry.hpp"
+
+namespace edgewise::bench {
+
+/// Lines beyond `most_lines` are left out, and the picture says so.
+[[nodiscard]] std::string draw_map(const std::string& title, const std::vector<MappedPiece>& map,
+                                   std::size_t most_lines = 2048);
+
+/// Of the table of this body, with all parts that the layout has, placed in an arena. Throws
+/// std::invalid_argument when the layout cannot store the body.
+[[nodiscard]] std::string draw_layout(const TableType& type, const std::string& shape,
+                                      const Polyhedron& body);
+
+/// Of the accesses of each line, from the tables' start on; most_lines as above. White was never accessed;
+/// from light to dark is logarithmic.
+[[nodiscard]] std::string draw_heat(const std::string& title, std::span<const std::uint32_t> accesses,
+                                    std::size_t most_lines = 8192);
+
+}  // namespace edgewise::bench

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// Frames of a workload as its queries come by: the broad phase of each once more, told to a trace's listener
+// before the frame's first query, and the frame's end after its last. What the broad phase finds is the
+// scene's own list of queries; here only what it reads and writes matters.
+#pragma once
+
+#include <optional>
+
+#include "edgewise/bench/trace/trace_places.hpp"
+#include "edgewise/measure/cache/trace.hpp"
+#include "edgewise/scene/workload.hpp"
+
+namespace edgewise::bench {
+
+class FrameTrace {
+  public:
+    FrameTrace(const scene::Workload& workload, const TracePlaces& places, measure::TraceListener& listener)
+        : workload_(workload), places_(places), listener_(listener) {}
+
+    /// Before each query, in order.
+    void before(std::size_t query);
+    /// After the last frame.
+    void end() const {
+        if (next_ > 0) listener_.on_frame_end();
+    }
+    /// Frames in order. Their boxes are written first, as whoever moved the bodies does. Returns how many
+    /// pairs were near.
+    std::size_t run(const scene::Frame& frame);
+
+  private:
+    const scene::Workload& workload_;
+    const TracePlaces& places_;
+    measure::TraceListener& listener_;
+    std::optional<SweepAndPrune> broad_phase_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace edgewise::bench
