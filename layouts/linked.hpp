@@ -51,7 +51,7 @@ class linked {
     static constexpr std::string_view derives = "nothing";
 
     linked(const Polyhedron& body, Parts parts, Loader loader = {})
-        : loader_(loader), facts_(facts_of(body, parts)), nodes_(parts) {
+        : loader_(loader), facts_(body, parts, Tolerance<Stored>::strict_turn), nodes_(parts) {
         LinkedBuilder<Stored>(body, parts == Parts::features, nodes_);
         write_body(body);
     }
@@ -125,11 +125,7 @@ class linked {
     /// The facts of a body of the same topology, and its numbers (write_geometry.hpp): lists run in the
     /// body's order, and an edge is met at its tail.
     void note_facts(const Polyhedron& body) {
-        assert(body.vertex_count() == facts_.vertex_count &&
-               body.vertex_ring.size() == facts_.neighbour_count);
-        const std::uint32_t identity = facts_.identity;
-        facts_ = facts_of(body, facts_.parts);
-        facts_.identity = identity;
+        facts_ = facts_.refitted(body, Tolerance<Stored>::strict_turn);
     }
     void write_body(const Polyhedron& body) {
         auto* vertex = nodes_.first_vertex;
@@ -146,9 +142,6 @@ class linked {
     template <Precision, class>
     friend class linked;
 
-    static BodyFacts facts_of(const Polyhedron& body, Parts parts) {
-        return {body, parts, Tolerance<Stored>::strict_turn};
-    }
     void write_edges_of(typename Nodes::Vertex& tail, const Polyhedron& body, Index v) {
         Spoke* spoke = tail.spokes;
         for (const HalfEdge h : body.ring_of_vertex(v)) {

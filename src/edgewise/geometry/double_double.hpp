@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "edgewise/geometry/vec.hpp"
 
@@ -20,6 +21,10 @@ struct DoubleDouble {
     [[nodiscard]] constexpr double value() const { return high + low; }
     [[nodiscard]] explicit constexpr operator double() const { return value(); }
 };
+
+/// The next wider arithmetic: double for single, sums of two doubles for double.
+template <class Scalar>
+using Wider = std::conditional_t<std::is_same_v<Scalar, float>, double, DoubleDouble>;
 
 [[nodiscard]] inline DoubleDouble exact_sum(double a, double b) {
     const double sum = a + b;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every epsilon of Edgewise, each with its unit and its reason. No other file holds a literal tolerance.
+// Every epsilon of Edgewise, and the one cap on a loop, each with its unit and its reason. No other file
+// holds a literal tolerance.
 #pragma once
 
 #include <limits>
@@ -141,6 +142,12 @@ inline constexpr double smallest_extent_single = 0x1p-30;
 /// EPA, where bodies are about 1: a coordinate below this counts as zero, so that every digit of a product of
 /// three differences stays in the range of double (3 x (200 + 53) < 1074 binary places).
 inline constexpr double smallest_coordinate = 0x1p-200;
+
+/// A cap on GJK's iterations per query, which ends by an argument: every one lowers the distance by more than
+/// rounding, or ends the run; spheres of 1538 vertices take up to some dozen. A thousandfold of that is a
+/// tenth of a second. Only a shape that breaks its contract meets it: an assertion in debug; in release the
+/// query says that it failed.
+inline constexpr int most_gjk_iterations = 1 << 14;
 
 /// Pure number: a mesh is called concave when its volume is below this share of its hull's. Mesh files hold
 /// about seven digits, so a convex mesh of thousands of faces is off by some 1e-6.

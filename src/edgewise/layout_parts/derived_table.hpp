@@ -48,10 +48,7 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     static constexpr Face no_face = {0xffffffff, 0xffffffff};
 
     DerivedTable(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
-        block_ = Block([this](BlockPlan& plan) {
-            points_.place(plan, facts_);
-            rings_.place(plan, facts_);
-        });
+        this->make_block(points_, rings_);
         rings_.fill(body);
         write_body(body);
     }
@@ -63,12 +60,7 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
 
     void write_body(const Polyhedron& body) { points_.write(body); }
 
-    [[nodiscard]] std::vector<Piece> pieces() const {
-        BlockPlan plan;
-        Points().place(plan, facts_);
-        NarrowRings().place(plan, facts_);
-        return plan.pieces(block_.base());
-    }
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Points(), NarrowRings()); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
@@ -144,7 +136,6 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     template <class>
     friend class DerivedFaces;
 
-    using Base::block_;
     using Base::facts_;
     using Base::loader_;
 

@@ -35,7 +35,6 @@ class StoredTable : public BlockTable<P, Loader> {
     using Base = BlockTable<P, Loader>;
 
   protected:
-    using Base::block_;
     using Base::facts_;
     using Base::loader_;
 
@@ -49,10 +48,7 @@ class StoredTable : public BlockTable<P, Loader> {
 
     StoredTable(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
         : Base(body, parts, loader) {
-        block_ = Block([this](BlockPlan& plan) {
-            at_.place(plan, facts_);
-            rings_.place(plan, facts_);
-        });
+        this->make_block(at_, rings_);
         rings_.fill(body, parts);
         for (Index e = 0; e < facts_.edge_count; ++e) write_ends(at_.ends(e), body.edges[e]);
         if constexpr (requires { at_.link(body); }) {
@@ -66,12 +62,7 @@ class StoredTable : public BlockTable<P, Loader> {
     StoredTable(const StoredTable<Arrays, P, OtherLoader>& other, Loader loader)
         : Base(other, loader), at_(other.at_), rings_(other.rings_) {}
 
-    [[nodiscard]] std::vector<Piece> pieces() const {
-        BlockPlan plan;
-        Arrays().place(plan, facts_);
-        Rings().place(plan, facts_);
-        return plan.pieces(block_.base());
-    }
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Arrays(), Rings()); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
