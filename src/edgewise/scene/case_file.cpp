@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/geometry/hull/flat_hull.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
 
 namespace edgewise::scene {
