@@ -14,7 +14,8 @@ Quaternion rotation_about(const Vec3d& axis, double angle) {
     return normalised({half.cosine, half.sine * axis.x(), half.sine * axis.y(), half.sine * axis.z()});
 }
 
-void reflect(double& coordinate, double& velocity, double half) {
+/// A coordinate folded back between the walls -half and half; each reflection flips the velocity.
+static void reflect(double& coordinate, double& velocity, double half) {
     assert(half > 0 && std::isfinite(coordinate));
     while (coordinate > half || coordinate < -half) {
         coordinate = (coordinate > half ? 2 * half : -2 * half) - coordinate;

@@ -25,9 +25,6 @@ struct MovingBody {
 /// One step on: moved, turned, and reflected at the walls of [-half, half]^3.
 void advance(MovingBody& body, double half);
 
-/// A coordinate folded back between the walls -half and half; each reflection flips the velocity.
-void reflect(double& coordinate, double& velocity, double half);
-
 /// Pose that turns a body about `centre` (body frame) and then puts that point at `place` (world).
 [[nodiscard]] Pose pose_at(const Mat3d& rotation, const Vec3d& centre, const Vec3d& place);
 

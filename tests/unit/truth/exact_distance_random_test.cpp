@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "brute_force.hpp"
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/truth/brute_force.hpp"
 #include "edgewise/truth/dyadic.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 #include "exact_bodies.hpp"

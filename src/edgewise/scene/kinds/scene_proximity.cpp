@@ -43,23 +43,7 @@ void add_pair(const SceneSetup& setup, const Vec3d& middle, Rng& rng, std::vecto
     bodies.push_back(b);
 }
 
-}  // namespace
-
-SceneInfo describe_proximity() {
-    return {"proximity",
-            "pairs a small gap apart, turning slowly in place: contacts that last",
-            true,
-            {{"pairs", "1", "pairs of bodies", 30, 1, 100000, true},
-             {"gap", "body sizes", "between the bodies of a pair at the start", 0.001, 0, 10, false},
-             {"rotation_step", "rad", "turn of every body per step: 1/4 rad/s at 60 steps per second",
-              0.25 / steps_a_second, 0, 100, false}}};
-}
-
 Result<Workload> make_proximity(const SceneSetup& setup) {
-    if (!setup.distance) {
-        return Result<Workload>::failure(
-            "scene 'proximity' places pairs by their distance: give it a distance function");
-    }
     Workload workload;
     workload.warm = true;
     workload.bodies.push_back(setup.shape);
@@ -81,6 +65,20 @@ Result<Workload> make_proximity(const SceneSetup& setup) {
         for (MovingBody& body : bodies) advance(body, std::numeric_limits<double>::infinity());
     }
     return Result<Workload>::success(std::move(workload));
+}
+
+}  // namespace
+
+SceneKind proximity_scene() {
+    return {{"proximity",
+             "pairs a small gap apart, turning slowly in place: contacts that last",
+             true,
+             {{"pairs", "1", "pairs of bodies", 30, 1, 100000, true},
+              {"gap", "body sizes", "between the bodies of a pair at the start", 0.001, 0, 10, false},
+              {"rotation_step", "rad", "turn of every body per step: 1/4 rad/s at 60 steps per second",
+               0.25 / steps_a_second, 0, 100, false}}},
+            make_proximity,
+            true};
 }
 
 }  // namespace edgewise::scene

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What the scenes are made from and share: the checked request, a body's middle and reach, its box in the
-// world, and the box of a given occupancy. One `describe_` and one `make_` function per scene; scenes.cpp
-// lists them.
+// world, and the box of a given occupancy. One function per scene; scenes.cpp lists them.
 #pragma once
 
 #include <cstddef>
@@ -45,21 +44,22 @@ struct SceneSetup {
 /// algorithm go through this, so that their last bits cannot move a pose.
 [[nodiscard]] double coarse(double x);
 
-/// Of a positive number, in IEEE + - * / only: libm's is not the same everywhere.
+/// Of a positive number, by Newton's method in IEEE + - * / only: libm's is not the same everywhere.
 [[nodiscard]] double cube_root(double x);
 
 /// Half the side of the cube in which bodies of this total volume have this occupancy.
 [[nodiscard]] double box_half(double total_volume, double occupancy);
 
-[[nodiscard]] SceneInfo describe_static();
-[[nodiscard]] Result<Workload> make_static(const SceneSetup& setup);
-[[nodiscard]] SceneInfo describe_cold();
-[[nodiscard]] Result<Workload> make_cold(const SceneSetup& setup);
-[[nodiscard]] SceneInfo describe_tumble();
-[[nodiscard]] Result<Workload> make_tumble(const SceneSetup& setup);
-[[nodiscard]] SceneInfo describe_proximity();
-[[nodiscard]] Result<Workload> make_proximity(const SceneSetup& setup);
-[[nodiscard]] SceneInfo describe_pressure();
-[[nodiscard]] Result<Workload> make_pressure(const SceneSetup& setup);
+struct SceneKind {
+    SceneInfo info;
+    Result<Workload> (*make)(const SceneSetup&);
+    bool places_pairs = false;  ///< by their distance: needs the function
+};
+
+[[nodiscard]] SceneKind static_scene();
+[[nodiscard]] SceneKind cold_scene();
+[[nodiscard]] SceneKind tumble_scene();
+[[nodiscard]] SceneKind proximity_scene();
+[[nodiscard]] SceneKind pressure_scene();
 
 }  // namespace edgewise::scene
