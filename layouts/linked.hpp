@@ -21,7 +21,7 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/layout_parts/linked_body.hpp"
 #include "edgewise/layout_parts/linked_builder.hpp"
-#include "edgewise/layout_parts/linked_list.hpp"
+#include "edgewise/layout_parts/linked_nodes.hpp"
 #include "edgewise/layout_parts/voronoi.hpp"
 #include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/contract.hpp"

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// The nodes of the layout `linked`, and what their bytes are for.
+// The nodes of the layout `linked`, what their bytes are for, and lists of them as ranges.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 
 #include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/table/loader.hpp"
 #include "edgewise/table/pieces.hpp"
 
 namespace edgewise {
 
-/// What the nodes are made of, and what their bytes are for.
 template <class Stored>
 struct LinkedNodes {
     struct Spoke;
@@ -70,6 +71,33 @@ struct LinkedNodes {
         FaceCone* next;
         static Shares shares() { return {plane_share, {Component::topology, 2 * pointer}}; }
     };
+};
+
+/// A list from one of its nodes on, each step a read through the loader; both range and iterator: `item` is
+/// what a node stands for.
+template <class Loader, class Node, class Item>
+class LinkedList {
+  public:
+    LinkedList(const Loader& loader, const Node* at, Field field, Item item)
+        : loader_(&loader), at_(at), field_(field), item_(item) {}
+    [[nodiscard]] LinkedList begin() const { return *this; }
+    [[nodiscard]] std::nullptr_t end() const { return nullptr; }
+    auto operator*() const {
+        assert(at_);
+        return item_(at_);
+    }
+    LinkedList& operator++() {
+        assert(at_);
+        at_ = static_cast<const Node*>(loader_->load(at_->next, field_));
+        return *this;
+    }
+    bool operator!=(std::nullptr_t) const { return at_ != nullptr; }
+
+  private:
+    const Loader* loader_;
+    const Node* at_;
+    Field field_;
+    Item item_;
 };
 
 }  // namespace edgewise

@@ -10,7 +10,6 @@
 #include "edgewise/truth/depth/common_interior.hpp"
 #include "edgewise/truth/dyadic.hpp"
 #include "edgewise/truth/optimality.hpp"
-#include "edgewise/truth/pair_error.hpp"
 
 namespace edgewise::truth {
 
