@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cassert>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -44,6 +45,7 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     using Edge = DerivedEdge;
     using Face = DerivedFace;
 
+    static constexpr std::string_view derives = "edges, faces and every plane";
     static constexpr bool derives_planes = true;
     static constexpr Face no_face = {0xffffffff, 0xffffffff};
 

@@ -22,6 +22,7 @@
 
 #include <cassert>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
@@ -45,6 +46,7 @@ class StoredTable : public BlockTable<P, Loader> {
     using Face = Index;
 
     static constexpr Face no_face = edgewise::no_face;
+    static constexpr std::string_view derives = "nothing";
 
     StoredTable(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
         : Base(body, parts, loader) {

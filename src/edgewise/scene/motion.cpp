@@ -29,6 +29,10 @@ void advance(MovingBody& body, double half) {
     body.orientation = normalised(body.turn * body.orientation);
 }
 
+Pose pose_of(const MovingBody& body, const Vec3d& centre) {
+    return pose_at(rotation_matrix(body.orientation), centre, body.centre);
+}
+
 Pose pose_at(const Mat3d& rotation, const Vec3d& centre, const Vec3d& place) {
     return {rotation, place - multiply(rotation, centre)};
 }

@@ -19,6 +19,9 @@ struct MovingBody {
     Quaternion turn;  ///< rotation of one step
 };
 
+/// The pose of a body of this centre in its own frame.
+[[nodiscard]] Pose pose_of(const MovingBody& body, const Vec3d& centre);
+
 /// The rotation by `angle` radians about a unit axis; any angle up to 2^20 turns (angle.hpp).
 [[nodiscard]] Quaternion rotation_about(const Vec3d& axis, double angle);
 

@@ -75,7 +75,7 @@ Pair near_coplanar_vertices(Maker& maker) {
     if (maker.rng.below(2) == 0) return at_some_gap(maker, std::move(a), std::move(b), -30, 1);
     const double gap = maker.either_sign(maker.spread(-30, 0));
     const Mat3d common = maker.common_rotation();
-    return at_gap(maker, std::move(a), std::move(b), common, product(common, maker.quarter_turn()), gap);
+    return at_gap(maker, std::move(a), std::move(b), common, multiply(common, maker.quarter_turn()), gap);
 }
 
 Pair flat_bodies(Maker& maker) {

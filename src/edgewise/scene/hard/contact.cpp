@@ -63,7 +63,7 @@ Pair tie_rich_solids(Maker& maker) {
     const double height = maker.pick({1.5, 2.0, 2.25, 3.0, 4.0});
     const Mat3d common = maker.rng.below(2) == 0 ? maker.quarter_turn() : maker.rng.rotation();
     const Vec3d place = multiply(common, Vec3d(lateral + Vec3d(0, 0, height)));
-    return at(std::move(a), std::move(b), common, product(common, maker.quarter_turn()), place);
+    return at(std::move(a), std::move(b), common, multiply(common, maker.quarter_turn()), place);
 }
 
 }  // namespace edgewise::scene::hard

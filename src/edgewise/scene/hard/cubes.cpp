@@ -32,7 +32,7 @@ Pair cubes_random(Maker& maker) {
 Pair cubes_near_parallel(Maker& maker) {
     const Mat3d rotation = maker.rng.rotation();
     const Mat3d tilt = Maker::turn(maker.rng.on_sphere(), maker.spread(-29, -1));
-    return cubes({rotation, Vec3d::Zero()}, {product(rotation, tilt), maker.rng.in_cube(2.5)});
+    return cubes({rotation, Vec3d::Zero()}, {multiply(rotation, tilt), maker.rng.in_cube(2.5)});
 }
 
 Pair cubes_half_lattice(Maker& maker) { return cubes({}, {Mat3d::Identity(), on_lattice(maker, 0.5, 5)}); }

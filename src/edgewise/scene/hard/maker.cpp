@@ -92,14 +92,6 @@ std::vector<Vec3d> Maker::any_solid() {
     return random_points(4 + rng.below(29), Vec3d(1, 1, 1));
 }
 
-Mat3d product(const Mat3d& a, const Mat3d& b) {
-    Mat3d result;
-    for (int column = 0; column < 3; ++column) {
-        result.col(column) = multiply(a, Vec3d(b.col(column)));
-    }
-    return result;
-}
-
 void set_gap(const CaseBody& a, const Pose& pose_a, const CaseBody& b, Pose& pose_b, const Vec3d& away,
              double gap) {
     auto exact = truth::exact_distance(a.vertices, pose_a, b.vertices, pose_b);

@@ -62,8 +62,6 @@ class Maker {
     std::span<const Polyhedron> real_;
 };
 
-[[nodiscard]] Mat3d product(const Mat3d& a, const Mat3d& b);
-
 /// One pose of both, A at the origin.
 [[nodiscard]] inline Pair at(CaseBody a, CaseBody b, const Mat3d& rotation_a, const Mat3d& rotation_b,
                              const Vec3d& place_b) {

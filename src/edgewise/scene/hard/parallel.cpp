@@ -18,7 +18,7 @@ std::vector<Vec3d> box_or_prism(Maker& maker) {
 /// B on top of A (both half a unit high) in A's frame, then both turned.
 Pair stacked(Maker& maker, CaseBody a, CaseBody b, const Mat3d& common, const Mat3d& tilt, double gap) {
     const Vec3d lateral(maker.pick({0.0, 0.5, 1.0, 0.75}), maker.pick({0.0, 0.5, 1.0, -0.25}), 1 + gap);
-    return at(std::move(a), std::move(b), common, product(common, tilt), multiply(common, lateral));
+    return at(std::move(a), std::move(b), common, multiply(common, tilt), multiply(common, lateral));
 }
 
 Vec3d tilt_axis(Maker& maker) {
@@ -42,7 +42,7 @@ Pair near_parallel_faces(Maker& maker) {
     const Mat3d common = maker.common_rotation();
     const double gap = (maker.rng.below(3) == 0 ? -1 : 1) * maker.spread(-40, -4);
     return at_gap(maker, std::move(a), std::move(b), common,
-                  product(common, Maker::turn(tilt_axis(maker), tilt)), gap);
+                  multiply(common, Maker::turn(tilt_axis(maker), tilt)), gap);
 }
 
 Pair near_parallel_edges(Maker& maker) {
@@ -50,10 +50,10 @@ Pair near_parallel_edges(Maker& maker) {
     const double cross = maker.rng.below(6) == 0 ? 0 : maker.spread(finest(maker) + 20, -2);
     const double gap = maker.either_sign(maker.spread(-40, -5));
     const Mat3d roll = Maker::turn(Vec3d(1, 0, 0), std::numbers::pi / 4);
-    const Mat3d turned = product(Maker::turn(Vec3d(0, 0, 1), cross), roll);
+    const Mat3d turned = multiply(Maker::turn(Vec3d(0, 0, 1), cross), roll);
     const Vec3d along(maker.pick({0.0, 0.7, 3.0, 1.5}), 0, 0.2 * std::sqrt(2.0) + gap);
     const Mat3d common = maker.common_rotation();
-    return at(std::move(a), std::move(b), product(common, roll), product(common, turned),
+    return at(std::move(a), std::move(b), multiply(common, roll), multiply(common, turned),
               multiply(common, along));
 }
 

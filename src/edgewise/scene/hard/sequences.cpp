@@ -30,7 +30,7 @@ void roll(Maker& maker, Pair& pair, const Mat3d& common) {
     for (int i = 0; i < steps; ++i) {
         const Vec3d place(0.25, 0.125, 1.25);
         pair.poses.push_back({Pose{common, Vec3d::Zero()}, Pose{turned, multiply(common, place)}});
-        turned = product(turned, once);
+        turned = multiply(turned, once);
     }
 }
 

@@ -65,8 +65,7 @@ Result<Workload> make_pressure(const SceneSetup& setup) {
     while (workload.queries.size() < setup.query_count) {
         workload.frames.push_back({workload.queries.size(), false, {}});
         std::vector<Pose> poses;
-        for (const MovingBody& body : bodies)
-            poses.push_back(pose_at(rotation_matrix(body.orientation), middle, body.centre));
+        for (const MovingBody& body : bodies) poses.push_back(pose_of(body, middle));
         for (const std::uint32_t pair : order) {
             if (workload.queries.size() == setup.query_count) break;
             workload.queries.push_back({0, 0, pair, poses[pair], poses[pair + 1], pair, pair + 1});

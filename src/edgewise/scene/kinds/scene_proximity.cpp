@@ -32,7 +32,7 @@ void add_pair(const SceneSetup& setup, const Vec3d& middle, Rng& rng, std::vecto
     const MovingBody a = body_at(rng.in_cube(size));
     MovingBody b = body_at(a.centre);
     const Vec3d direction = rng.on_sphere();
-    const Pose pose_a = pose_at(rotation_matrix(a.orientation), middle, a.centre);
+    const Pose pose_a = pose_of(a, middle);
     const auto place_b = [&](double s) { return Vec3d(a.centre + direction * s); };
     const auto distance_at = [&](double s) {
         return setup.distance(setup.shape, pose_a, setup.shape,
@@ -58,9 +58,8 @@ Result<Workload> make_proximity(const SceneSetup& setup) {
         for (std::uint32_t pair = 0; pair < workload.pair_count; ++pair) {
             if (workload.queries.size() == setup.query_count) break;
             const MovingBody &a = bodies[2 * pair], &b = bodies[2 * pair + 1];
-            workload.queries.push_back({0, 0, pair, pose_at(rotation_matrix(a.orientation), middle, a.centre),
-                                        pose_at(rotation_matrix(b.orientation), middle, b.centre), 2 * pair,
-                                        2 * pair + 1});
+            workload.queries.push_back(
+                {0, 0, pair, pose_of(a, middle), pose_of(b, middle), 2 * pair, 2 * pair + 1});
         }
         for (MovingBody& body : bodies) advance(body, std::numeric_limits<double>::infinity());
     }

@@ -61,7 +61,7 @@ class Population {
         begun_ = true;
         std::vector<Pose>& poses = frame.poses;
         for (const MovingBody& body : bodies_) {
-            poses.push_back(pose_at(rotation_matrix(body.orientation), centre_, body.centre));
+            poses.push_back(pose_of(body, centre_));
             frame.boxes.push_back(world_box(shape_, poses.back()).enlarged(margin_));
         }
         std::map<BodyPair, std::uint32_t> near;
