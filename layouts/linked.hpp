@@ -21,7 +21,6 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/layout_parts/linked_body.hpp"
 #include "edgewise/layout_parts/linked_builder.hpp"
-#include "edgewise/layout_parts/linked_nodes.hpp"
 #include "edgewise/layout_parts/voronoi.hpp"
 #include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/contract.hpp"
@@ -71,20 +70,20 @@ class linked {
     [[nodiscard]] std::vector<Piece> pieces() const { return nodes_.pieces(); }
 
     [[nodiscard]] auto all_vertices() const {
-        return LinkedList(loader_, Vertex{nodes_.first_vertex}, Field::vertex, [](Vertex v) { return v; });
+        return list(Vertex{nodes_.first_vertex}, Field::vertex, [](Vertex v) { return v; });
     }
     [[nodiscard]] auto all_faces() const {
-        return LinkedList(loader_, Face{nodes_.first_face}, Field::face_plane, [](Face f) { return f; });
+        return list(Face{nodes_.first_face}, Field::face_plane, [](Face f) { return f; });
     }
     [[nodiscard]] auto neighbours(Vertex v) const {
         const Spoke* const first = load(v->spokes, Field::neighbour);
-        return LinkedList(loader_, first, Field::neighbour,
-                          [this](const Spoke* s) { return load(s->neighbour, Field::neighbour); });
+        return list(first, Field::neighbour,
+                    [this](const Spoke* s) { return load(s->neighbour, Field::neighbour); });
     }
     [[nodiscard]] auto ring_of_vertex(Vertex v) const {
         assert(facts_.parts == Parts::features);
         const auto* const first = static_cast<const VertexCone*>(load(v->spokes, Field::vertex_ring));
-        return LinkedList(loader_, first, Field::vertex_ring, [this, v](const VertexCone* c) {
+        return list(first, Field::vertex_ring, [this, v](const VertexCone* c) {
             const Edge e = load(c->edge, Field::vertex_ring);
             return RingEdge<Edge>{e, head(e) == v};
         });
@@ -92,7 +91,7 @@ class linked {
     [[nodiscard]] auto ring_of_face(Face f) const {
         assert(f != no_face);
         const FaceCone* const first = load(f->cone, Field::face_ring);
-        return LinkedList(loader_, first, Field::face_ring, [this, f](const FaceCone* c) {
+        return list(first, Field::face_ring, [this, f](const FaceCone* c) {
             const Edge e = load(c->edge, Field::face_ring);
             return RingEdge<Edge>{e, right(e) == f};
         });
@@ -142,23 +141,22 @@ class linked {
     template <Precision, class>
     friend class linked;
 
+    /// From this node on; `item` is what a node stands for.
+    template <class Node, class Item>
+    [[nodiscard]] auto list(const Node* first, Field field, Item item) const {
+        return Chain(first, static_cast<const Node*>(nullptr), item, [this, field](const Node* at) {
+            return static_cast<const Node*>(load(at->next, field));
+        });
+    }
+
     void write_edges_of(typename Nodes::Vertex& tail, const Polyhedron& body, Index v) {
         Spoke* spoke = tail.spokes;
         for (const HalfEdge h : body.ring_of_vertex(v)) {
             const bool leaves = (h & 1) == 0;
-            if (leaves) write_edge(*static_cast<VertexCone*>(spoke)->edge, edge_geometry(body, h >> 1));
+            if (leaves) static_cast<VertexCone*>(spoke)->edge->write(edge_geometry(body, h >> 1));
             spoke = spoke->next;
         }
     }
-    static void write_edge(typename Nodes::Edge& edge, const EdgeGeometry& g) {
-        edge.direction = cast<Stored>(g.direction);
-        edge.length = static_cast<Stored>(g.length);
-        edge.vertex_cone[0]->plane = cast<Stored>(g.tail_plane);
-        edge.vertex_cone[1]->plane = cast<Stored>(g.head_plane);
-        if (edge.face_cone[0]) edge.face_cone[0]->plane = cast<Stored>(g.left_plane);
-        if (edge.face_cone[1]) edge.face_cone[1]->plane = cast<Stored>(g.right_plane);
-    }
-
     template <class Cone>
     Plane<Compute> plane(const Cone* c) const {
         return cast<Compute>(load(c->plane, Field::voronoi_plane));

@@ -13,7 +13,6 @@
 
 #include <cassert>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
@@ -117,8 +116,8 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
         assert(!(f == no_face));
         const Vec3<Compute> base = vertex(f.vertex);
         Vec3<Compute> normal = Vec3<Compute>::Zero(), before = Vec3<Compute>::Zero();
-        for (const HalfEdgeAt h : DerivedFaceRing<DerivedTable, HalfEdgeAt>{this, f}) {
-            const Vec3<Compute> corner = vertex(h.vertex) - base;
+        const auto corner_at = [&](const HalfEdgeAt& h) { return Vec3<Compute>(vertex(h.vertex) - base); };
+        for (const Vec3<Compute> corner : around(f, corner_at)) {
             normal += cross(before, corner);
             before = corner;
         }
@@ -126,30 +125,35 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     }
 
     [[nodiscard]] auto ring_of_face(const Face& f) const {
-        return DerivedFaceRing<DerivedTable, RingEdge<Edge>>{this, f};
+        return around(f, [this](const HalfEdgeAt& h) { return edge_at(h.vertex, h.at); });
     }
-    [[nodiscard]] auto all_faces() const { return DerivedFaces<DerivedTable>{this}; }
+    [[nodiscard]] auto all_faces() const {
+        const Index vertices = facts_.face_count == 0 ? 0 : facts_.vertex_count;
+        const auto from = [this, vertices](const HalfEdgeAt& start) {
+            return next_half_edge(
+                start, vertices, [this](Index v) { return rings_.last(loader_, v); },
+                [this](const HalfEdgeAt& h) { return face_of(h) == h; });
+        };
+        const auto after = [from](const Face& f) { return from({f.vertex, f.at + 1}); };
+        return Chain(
+            from({0, 0}), Face{vertices, 0}, [](const Face& f) { return f; }, after);
+    }
 
   private:
     template <class, Precision, class>
     friend class DerivedTable;
-    template <class, class>
-    friend class DerivedFaceRing;
-    template <class>
-    friend class DerivedFaces;
 
     using Base::facts_;
     using Base::loader_;
 
+    /// Half-edges of a face in order, from its first, each turned into an item.
     template <class Item>
-    [[nodiscard]] Item item(const HalfEdgeAt& h) const {
-        if constexpr (std::is_same_v<Item, HalfEdgeAt>) {
-            return h;
-        } else {
-            return edge_at(h.vertex, h.at);
-        }
+    [[nodiscard]] auto around(const Face& f, Item item) const {
+        using Place = DerivedRingPlace;
+        const auto after = [this](const Place& place) { return Place{next(place.at), true}; };
+        return Chain(
+            Place{f, false}, Place{f, true}, [item](const Place& place) { return item(place.at); }, after);
     }
-    [[nodiscard]] Index ring_end(Vertex v) const { return rings_.last(loader_, v); }
 
     [[nodiscard]] RingEdge<Edge> edge_at(Vertex v, Index at) const {
         const Index other = rings_.neighbour(loader_, at);

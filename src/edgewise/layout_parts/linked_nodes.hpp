@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The nodes of the layout `linked`, what their bytes are for, and lists of them as ranges.
+// The nodes of the layout `linked`, and what their bytes are for.
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 
 #include "edgewise/geometry/polyhedron.hpp"
-#include "edgewise/table/loader.hpp"
+#include "edgewise/layout_parts/voronoi.hpp"
 #include "edgewise/table/pieces.hpp"
 
 namespace edgewise {
@@ -51,6 +50,15 @@ struct LinkedNodes {
         static Shares shares() {
             return {{Component::edge_geometry, 4 * sizeof(Stored)}, {Component::topology, 8 * pointer}};
         }
+        /// Its planes are kept in the cones.
+        void write(const EdgeGeometry& g) {
+            direction = cast<Stored>(g.direction);
+            length = static_cast<Stored>(g.length);
+            vertex_cone[0]->plane = cast<Stored>(g.tail_plane);
+            vertex_cone[1]->plane = cast<Stored>(g.head_plane);
+            if (face_cone[0]) face_cone[0]->plane = cast<Stored>(g.left_plane);
+            if (face_cone[1]) face_cone[1]->plane = cast<Stored>(g.right_plane);
+        }
     };
     /// One way out of a vertex: all that a support table knows of an edge.
     struct Spoke {
@@ -71,33 +79,6 @@ struct LinkedNodes {
         FaceCone* next;
         static Shares shares() { return {plane_share, {Component::topology, 2 * pointer}}; }
     };
-};
-
-/// A list from one of its nodes on, each step a read through the loader; both range and iterator: `item` is
-/// what a node stands for.
-template <class Loader, class Node, class Item>
-class LinkedList {
-  public:
-    LinkedList(const Loader& loader, const Node* at, Field field, Item item)
-        : loader_(&loader), at_(at), field_(field), item_(item) {}
-    [[nodiscard]] LinkedList begin() const { return *this; }
-    [[nodiscard]] std::nullptr_t end() const { return nullptr; }
-    auto operator*() const {
-        assert(at_);
-        return item_(at_);
-    }
-    LinkedList& operator++() {
-        assert(at_);
-        at_ = static_cast<const Node*>(loader_->load(at_->next, field_));
-        return *this;
-    }
-    bool operator!=(std::nullptr_t) const { return at_ != nullptr; }
-
-  private:
-    const Loader* loader_;
-    const Node* at_;
-    Field field_;
-    Item item_;
 };
 
 }  // namespace edgewise
