@@ -87,15 +87,15 @@ std::vector<std::vector<HalfEdge>> canonical_rings(const FaceRings& input, const
 }
 
 Vec3d area_vector(std::span<const Vec3d> vertices, std::span<const Index> ring, double scale) {
-    DoubleDoubleVec sum;
+    DoubleDoubleVec sum = DoubleDoubleVec::Zero();
     const Vec3d& origin = vertices[ring[0]];
     DoubleDoubleVec previous = exact_difference(vertices[ring[1]], origin, scale);
     for (std::size_t k = 2; k < ring.size(); ++k) {
         const DoubleDoubleVec next = exact_difference(vertices[ring[k]], origin, scale);
-        sum = sum + cross(previous, next);
+        sum += cross(previous, next);
         previous = next;
     }
-    return sum.value();
+    return cast<double>(sum);
 }
 
 /// Minus the middle of <normal, v> over the ring. In two-fold precision: far from the origin the middle of
