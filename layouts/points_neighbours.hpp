@@ -82,7 +82,6 @@ class points_neighbours : public BlockTable<P, Loader> {
         write_body(body);
     }
 
-    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     points_neighbours(const points_neighbours<P, OtherLoader>& other, Loader loader)
         : Base(other, loader), end_(other.end_) {}

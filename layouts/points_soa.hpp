@@ -51,7 +51,6 @@ class points_soa : public BlockTable<P, Loader> {
         write_geometry(*this, body);
     }
 
-    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     points_soa(const points_soa<P, OtherLoader>& other, Loader loader)
         : Base(other, loader), coordinates_(other.coordinates_) {}

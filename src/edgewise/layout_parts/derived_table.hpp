@@ -54,7 +54,6 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
         write_body(body);
     }
 
-    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     DerivedTable(const DerivedTable<Points, P, OtherLoader>& other, Loader loader)
         : Base(other, loader), points_(other.points_), rings_(other.rings_) {}

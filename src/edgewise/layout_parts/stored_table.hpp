@@ -59,7 +59,6 @@ class StoredTable : public BlockTable<P, Loader> {
         write_geometry(*this, body, write);
     }
 
-    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     StoredTable(const StoredTable<Arrays, P, OtherLoader>& other, Loader loader)
         : Base(other, loader), at_(other.at_), rings_(other.rings_) {}

@@ -98,7 +98,7 @@ SubsetTrial<IntegerVec> line_between(ExactPair& bodies, const SimplexSeed& simpl
         found.point[i] = bodies.difference({on_a.vertices[pair.a], on_b.vertices[pair.b]});
     }
     SubsetTrial<IntegerVec> line = subset_of<IntegerVec>(found, ~0U, nullptr);
-    if (!settle(line))
+    if (!find_direction(line))
         throw std::logic_error("certificate: a simplex of exact_distance has no nearest point");
     line.point = {};  // they end with this function
     return line;
