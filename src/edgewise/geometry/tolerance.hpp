@@ -121,8 +121,8 @@ inline constexpr double rotation_rounding = 64 * std::numeric_limits<double>::ep
 /// Relative to the largest coordinate: the rounding of a plane's offset far from the origin.
 inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsilon();
 
-/// Relative to the largest coordinate: the rounding of a distance from a plane of unit normal and of how far a box
-/// reaches above it, together.
+/// Relative to the largest coordinate: the rounding of a distance from a plane of unit normal and of how far
+/// a box reaches above it, together.
 inline constexpr double box_rounding = 32 * std::numeric_limits<double>::epsilon();
 
 /// Pure number: how far the length of a unit normal may be from 1.
