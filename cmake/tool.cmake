@@ -20,7 +20,7 @@ edgewise_sources(sources src/edgewise/truth src/edgewise/scene src/edgewise/meas
     src/edgewise/bench src/edgewise/sweep src/edgewise/studies)
 if(NOT assimp_FOUND)
     edgewise_stand_in(sources scene/mesh/mesh_file)
-    list(FILTER sources EXCLUDE REGEX "scene/mesh/mesh_(parts|volume)[.]cpp$")
+    list(FILTER sources EXCLUDE REGEX "scene/mesh/mesh_parts[.]cpp$")
 endif()
 if(NOT CALLGRIND_INCLUDE_DIR)
     edgewise_stand_in(sources measure/process/callgrind_region)

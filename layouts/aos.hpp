@@ -61,7 +61,6 @@ class aos : public StoredTable<AosArrays<typename P::Stored>, P, Loader> {
     static constexpr std::string_view name = "aos";
     static constexpr std::string_view stores =
         "one struct per edge: four Voronoi planes, direction, length, ends";
-    static constexpr std::string_view derives = "nothing";
 
     using Base::Base;
 };

@@ -81,7 +81,6 @@ class aos_padded
   public:
     static constexpr std::string_view name = "aos_padded";
     static constexpr std::string_view stores = "the struct of aos in three parts, each within a cache line";
-    static constexpr std::string_view derives = "nothing";
 
     using Base::Base;
 };

@@ -103,7 +103,6 @@ class aosoa : public StoredTable<AosoaArrays<typename P::Stored>, P, Loader> {
     static constexpr std::string_view name = "aosoa";
     static constexpr std::string_view stores =
         "blocks of edges, a cache line per scalar: 8 in f64, 16 in f32";
-    static constexpr std::string_view derives = "nothing";
 
     using Base::Base;
 };

@@ -73,7 +73,6 @@ class hot_cold : public StoredTable<HotColdArrays<typename P::Stored>, P, Loader
     static constexpr std::string_view name = "hot_cold";
     static constexpr std::string_view stores =
         "two structs per edge: four Voronoi planes; and separately ends, direction, length";
-    static constexpr std::string_view derives = "nothing";
 
     using Base::Base;
 };

@@ -7,7 +7,7 @@
 //
 // The price: a bit per edge, read before every plane; the canonical body must live as long as the table,
 // since planes are made from it (it is the application's, and not counted in the table's bytes); and queries
-// write, so one table serves one thread at a time (table/queries_write.hpp).
+// write, so one table serves one thread at a time (table/contract.hpp).
 #pragma once
 
 #include <algorithm>

@@ -35,7 +35,6 @@ class lean : public DerivedTable<PlainPoints<typename P::Stored>, P, Loader> {
   public:
     static constexpr std::string_view name = "lean";
     static constexpr std::string_view stores = "vertex coordinates and neighbour rings of 8, 16 or 32 bits";
-    static constexpr std::string_view derives = "edges, faces and every plane";
 
     using Base::Base;
 };

@@ -21,7 +21,6 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/layout_parts/linked_body.hpp"
 #include "edgewise/layout_parts/linked_builder.hpp"
-#include "edgewise/layout_parts/linked_list.hpp"
 #include "edgewise/layout_parts/voronoi.hpp"
 #include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/contract.hpp"
@@ -51,7 +50,7 @@ class linked {
     static constexpr std::string_view derives = "nothing";
 
     linked(const Polyhedron& body, Parts parts, Loader loader = {})
-        : loader_(loader), facts_(facts_of(body, parts)), nodes_(parts) {
+        : loader_(loader), facts_(body, parts, Tolerance<Stored>::strict_turn), nodes_(parts) {
         LinkedBuilder<Stored>(body, parts == Parts::features, nodes_);
         write_body(body);
     }
@@ -71,20 +70,20 @@ class linked {
     [[nodiscard]] std::vector<Piece> pieces() const { return nodes_.pieces(); }
 
     [[nodiscard]] auto all_vertices() const {
-        return LinkedList(loader_, Vertex{nodes_.first_vertex}, Field::vertex, [](Vertex v) { return v; });
+        return list(Vertex{nodes_.first_vertex}, Field::vertex, [](Vertex v) { return v; });
     }
     [[nodiscard]] auto all_faces() const {
-        return LinkedList(loader_, Face{nodes_.first_face}, Field::face_plane, [](Face f) { return f; });
+        return list(Face{nodes_.first_face}, Field::face_plane, [](Face f) { return f; });
     }
     [[nodiscard]] auto neighbours(Vertex v) const {
         const Spoke* const first = load(v->spokes, Field::neighbour);
-        return LinkedList(loader_, first, Field::neighbour,
-                          [this](const Spoke* s) { return load(s->neighbour, Field::neighbour); });
+        return list(first, Field::neighbour,
+                    [this](const Spoke* s) { return load(s->neighbour, Field::neighbour); });
     }
     [[nodiscard]] auto ring_of_vertex(Vertex v) const {
         assert(facts_.parts == Parts::features);
         const auto* const first = static_cast<const VertexCone*>(load(v->spokes, Field::vertex_ring));
-        return LinkedList(loader_, first, Field::vertex_ring, [this, v](const VertexCone* c) {
+        return list(first, Field::vertex_ring, [this, v](const VertexCone* c) {
             const Edge e = load(c->edge, Field::vertex_ring);
             return RingEdge<Edge>{e, head(e) == v};
         });
@@ -92,7 +91,7 @@ class linked {
     [[nodiscard]] auto ring_of_face(Face f) const {
         assert(f != no_face);
         const FaceCone* const first = load(f->cone, Field::face_ring);
-        return LinkedList(loader_, first, Field::face_ring, [this, f](const FaceCone* c) {
+        return list(first, Field::face_ring, [this, f](const FaceCone* c) {
             const Edge e = load(c->edge, Field::face_ring);
             return RingEdge<Edge>{e, right(e) == f};
         });
@@ -125,11 +124,7 @@ class linked {
     /// The facts of a body of the same topology, and its numbers (write_geometry.hpp): lists run in the
     /// body's order, and an edge is met at its tail.
     void note_facts(const Polyhedron& body) {
-        assert(body.vertex_count() == facts_.vertex_count &&
-               body.vertex_ring.size() == facts_.neighbour_count);
-        const std::uint32_t identity = facts_.identity;
-        facts_ = facts_of(body, facts_.parts);
-        facts_.identity = identity;
+        facts_ = facts_.refitted(body, Tolerance<Stored>::strict_turn);
     }
     void write_body(const Polyhedron& body) {
         auto* vertex = nodes_.first_vertex;
@@ -146,26 +141,22 @@ class linked {
     template <Precision, class>
     friend class linked;
 
-    static BodyFacts facts_of(const Polyhedron& body, Parts parts) {
-        return {body, parts, Tolerance<Stored>::strict_turn};
+    /// From this node on; `item` is what a node stands for.
+    template <class Node, class Item>
+    [[nodiscard]] auto list(const Node* first, Field field, Item item) const {
+        return Chain(first, static_cast<const Node*>(nullptr), item, [this, field](const Node* at) {
+            return static_cast<const Node*>(load(at->next, field));
+        });
     }
+
     void write_edges_of(typename Nodes::Vertex& tail, const Polyhedron& body, Index v) {
         Spoke* spoke = tail.spokes;
         for (const HalfEdge h : body.ring_of_vertex(v)) {
             const bool leaves = (h & 1) == 0;
-            if (leaves) write_edge(*static_cast<VertexCone*>(spoke)->edge, edge_geometry(body, h >> 1));
+            if (leaves) static_cast<VertexCone*>(spoke)->edge->write(edge_geometry(body, h >> 1));
             spoke = spoke->next;
         }
     }
-    static void write_edge(typename Nodes::Edge& edge, const EdgeGeometry& g) {
-        edge.direction = cast<Stored>(g.direction);
-        edge.length = static_cast<Stored>(g.length);
-        edge.vertex_cone[0]->plane = cast<Stored>(g.tail_plane);
-        edge.vertex_cone[1]->plane = cast<Stored>(g.head_plane);
-        if (edge.face_cone[0]) edge.face_cone[0]->plane = cast<Stored>(g.left_plane);
-        if (edge.face_cone[1]) edge.face_cone[1]->plane = cast<Stored>(g.right_plane);
-    }
-
     template <class Cone>
     Plane<Compute> plane(const Cone* c) const {
         return cast<Compute>(load(c->plane, Field::voronoi_plane));

@@ -46,34 +46,6 @@ struct PointRecord {
     }
 };
 
-/// The records of a table one after another, by where they start.
-template <class Table>
-class RecordWalk {
-  public:
-    class Iterator {
-      public:
-        Iterator(const Table& table, Index record) : table_(&table), record_(record) {}
-        PointHandle operator*() const { return table_->own(record_); }
-        Iterator& operator++() {
-            record_ = table_->next(record_);
-            return *this;
-        }
-        bool operator!=(const Iterator& other) const { return record_ != other.record_; }
-
-      private:
-        const Table* table_;
-        Index record_;
-    };
-
-    RecordWalk(const Table& table, Index end) : table_(&table), end_(end) {}
-    [[nodiscard]] Iterator begin() const { return {*table_, 0}; }
-    [[nodiscard]] Iterator end() const { return {*table_, end_}; }
-
-  private:
-    const Table* table_;
-    Index end_;
-};
-
 template <Precision P, class Loader = Direct>
 class points_neighbours : public BlockTable<P, Loader> {
     using Base = BlockTable<P, Loader>;
@@ -110,7 +82,6 @@ class points_neighbours : public BlockTable<P, Loader> {
         write_body(body);
     }
 
-    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     points_neighbours(const points_neighbours<P, OtherLoader>& other, Loader loader)
         : Base(other, loader), end_(other.end_) {}
@@ -124,7 +95,11 @@ class points_neighbours : public BlockTable<P, Loader> {
 
     [[nodiscard]] Vertex first_vertex() const { return own(0); }
     [[nodiscard]] Index index_of(Vertex v) const { return load(record(v.record).index, Field::vertex); }
-    [[nodiscard]] auto all_vertices() const { return RecordWalk<points_neighbours>(*this, end_); }
+    [[nodiscard]] auto all_vertices() const {
+        const auto after = [this](Index start) { return next(start); };
+        return Chain(
+            Index{0}, end_, [](Index start) { return own(start); }, after);
+    }
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
         assert(v.record < end_ && v.at < block_.size());
         const auto* const point = reinterpret_cast<const Vec3<Stored>*>(block_.base() + v.at);
@@ -156,7 +131,6 @@ class points_neighbours : public BlockTable<P, Loader> {
   private:
     template <Precision, class>
     friend class points_neighbours;
-    friend class RecordWalk<points_neighbours>;
 
     using Record = PointRecord<Stored>;
 

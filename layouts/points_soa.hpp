@@ -18,11 +18,23 @@
 
 namespace edgewise {
 
+/// One array each of x, y and z.
+template <class Stored>
+struct PointArrays {
+    std::array<Stored*, 3> axis{};
+
+    void place(BlockPlan& plan, const BodyFacts& n) {
+        for (Stored*& array : axis)
+            plan.array(array, n.vertex_count, {{Component::vertex_coordinates, sizeof(Stored)}});
+    }
+};
+
 template <Precision P, class Loader = Direct>
 class points_soa : public BlockTable<P, Loader> {
     using Base = BlockTable<P, Loader>;
-    using Base::block_;
     using Base::load;
+
+    using Coordinates = PointArrays<typename Base::Stored>;
 
   public:
     using typename Base::Compute;
@@ -35,25 +47,19 @@ class points_soa : public BlockTable<P, Loader> {
 
     /// Both kinds of parts are the same here: there is nothing to leave out.
     points_soa(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
-        block_ = Block([this](BlockPlan& plan) { place(plan, coordinates_); });
+        this->make_block(coordinates_);
         write_geometry(*this, body);
     }
 
-    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     points_soa(const points_soa<P, OtherLoader>& other, Loader loader)
         : Base(other, loader), coordinates_(other.coordinates_) {}
 
-    [[nodiscard]] std::vector<Piece> pieces() const {
-        BlockPlan plan;
-        Coordinates nowhere{};
-        place(plan, nowhere);
-        return plan.pieces(block_.base());
-    }
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Coordinates()); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     void write_vertex(Index v, const Vec3d& point) {
-        for (int k = 0; k < 3; ++k) coordinates_[k][v] = static_cast<Stored>(point[k]);
+        for (int k = 0; k < 3; ++k) coordinates_.axis[k][v] = static_cast<Stored>(point[k]);
     }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
@@ -88,16 +94,10 @@ class points_soa : public BlockTable<P, Loader> {
     template <Precision, class>
     friend class points_soa;
 
-    using Coordinates = std::array<Stored*, 3>;
     static constexpr std::size_t chunk = 64;
 
-    void place(BlockPlan& plan, Coordinates& to) const {
-        for (Stored*& array : to)
-            plan.array(array, this->vertex_count(), {{Component::vertex_coordinates, sizeof(Stored)}});
-    }
-
     Compute coordinate(int k, std::size_t v) const {
-        return static_cast<Compute>(load(coordinates_[k][v], Field::vertex));
+        return static_cast<Compute>(load(coordinates_.axis[k][v], Field::vertex));
     }
 
     /// Heights of `count` vertices; what is left of the chunk can never win. Positions have 64 bits here: a
@@ -127,7 +127,7 @@ class points_soa : public BlockTable<P, Loader> {
         }
     }
 
-    Coordinates coordinates_{};
+    Coordinates coordinates_;
 };
 
 }  // namespace edgewise

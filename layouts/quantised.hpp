@@ -43,7 +43,6 @@ class quantised : public DerivedTable<GridPoints<typename P::Compute>, P, Loader
     static constexpr std::string_view name = "quantised";
     static constexpr std::string_view stores =
         "vertex coordinates of 16 bits on the body's grid, and neighbour rings of 8, 16 or 32 bits";
-    static constexpr std::string_view derives = "edges, faces and every plane";
 
     /// What the table holds of a body: the only bodies that it may be built from.
     [[nodiscard]] static Result<Polyhedron> stored_body(const Polyhedron& body) {

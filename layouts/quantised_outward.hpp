@@ -20,7 +20,6 @@ class quantised_outward : public DerivedTable<GridPoints<typename P::Compute>, P
     static constexpr std::string_view name = "quantised_outward";
     static constexpr std::string_view stores =
         "as quantised, of a body grown until it contains the given one";
-    static constexpr std::string_view derives = "edges, faces and every plane";
 
     /// What the table holds of a body: the only bodies that it may be built from.
     [[nodiscard]] static Result<Polyhedron> stored_body(const Polyhedron& body) {

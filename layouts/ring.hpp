@@ -100,7 +100,6 @@ class ring : public StoredTable<RingArrays<typename P::Stored>, P, Loader> {
     static constexpr std::string_view name = "ring";
     static constexpr std::string_view stores =
         "Voronoi planes in ring order; one struct per edge: ends, places of its planes, direction, length";
-    static constexpr std::string_view derives = "nothing";
 
     using Base::Base;
 

@@ -68,7 +68,6 @@ class soa : public StoredTable<SoaArrays<typename P::Stored, Spacing::back_to_ba
   public:
     static constexpr std::string_view name = "soa";
     static constexpr std::string_view stores = "the scalars of aos, each in an array of its own";
-    static constexpr std::string_view derives = "nothing";
 
     using Base::Base;
 };

@@ -30,7 +30,6 @@ class soa_stagger : public StoredTable<SoaArrays<typename P::Stored, Spacing::od
     static constexpr std::string_view name = "soa_stagger";
     static constexpr std::string_view stores =
         "the arrays of soa, an odd number of cache lines from start to start";
-    static constexpr std::string_view derives = "nothing";
 
     using Base::Base;
 };

@@ -15,7 +15,7 @@
 #include "counted_memory.hpp"
 #include "edgewise/algorithms/penetration.hpp"
 #include "edgewise/algorithms/penetration/start.hpp"
-#include "edgewise/table/queries_write.hpp"
+#include "edgewise/table/contract.hpp"
 #include "query_poses.hpp"
 #include "same_answers.hpp"
 #include "stored_bodies.hpp"

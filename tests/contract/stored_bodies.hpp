@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/geometry/hull/flat_hull.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/table/stored_body.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "allowed.hpp"
-#include "edgewise/geometry/hull/flat_hull.hpp"
+#include "edgewise/geometry/hull.hpp"
 #include "judged.hpp"
 #include "query_poses.hpp"
 #include "stored_bodies.hpp"

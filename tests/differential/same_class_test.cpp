@@ -14,7 +14,7 @@
 
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/geometry/hull/flat_hull.hpp"
+#include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "random_pairs.hpp"
 #include "representatives.hpp"

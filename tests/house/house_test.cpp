@@ -47,6 +47,8 @@ TEST(Files, AreShort) { EXPECT_EQ(to_text(long_files(tree())), ""); }
 
 TEST(Types, AreNamedOnce) { EXPECT_EQ(to_text(types_named_twice(tree())), ""); }
 
+TEST(Classes, AreShort) { EXPECT_EQ(to_text(long_classes(tree())), ""); }
+
 TEST(Functions, AreShort) { EXPECT_EQ(to_text(long_functions(tree())), ""); }
 
 TEST(Files, HoldNothingForeign) { EXPECT_EQ(to_text(foreign_matter(tree())), ""); }

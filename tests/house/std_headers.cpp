@@ -27,6 +27,7 @@ const std::vector<std::pair<std::string, std::string>> names_of_headers = {
     {"cstring", "memcmp memcpy"},
     {"functional", "function"},
     {"initializer_list", "initializer_list"},
+    {"iterator", "default_sentinel_t"},
     {"limits", "numeric_limits"},
     {"memory", "make_shared make_unique shared_ptr uninitialized_default_construct_n unique_ptr"},
     {"memory_resource", "pmr"},

@@ -7,11 +7,10 @@
 // the start of the next query. Departures: everything runs in A's frame with a relative pose; termination is
 // relative (the duality gap against the rounding noise of the support products) where Cameron's is an
 // absolute 1e-8 on the squared distance; a repeated support point ends the run, as does a step that gains
-// nothing (Nagle's problem), even in wider arithmetic: close, thin and undecided simplices are solved in it.
+// nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp).
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
@@ -19,14 +18,12 @@
 #include <type_traits>
 
 #include "edgewise/algorithms/distance.hpp"
-#include "edgewise/algorithms/johnson.hpp"
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/simplex.hpp"
+#include "edgewise/algorithms/sub_distance.hpp"
 #include "edgewise/algorithms/support.hpp"
-#include "edgewise/geometry/limits.hpp"
 #include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/geometry/wider.hpp"
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/loader.hpp"
 
@@ -54,9 +51,9 @@ class GjkRun {
         start(pair);
         while (steps_ < most_gjk_iterations) {
             ++steps_;
-            observer.iterate(closest_.members);
-            if (simplex_.count == 4) return finish(pair, Status::overlapping);
-            const Scalar squared = squared_norm(closest_.point);
+            observer.iterate(sub_.closest().members);
+            if (sub_.simplex().count == 4) return finish(pair, Status::overlapping);
+            const Scalar squared = squared_norm(sub_.closest().point);
             if (squared == 0) return finish(pair, Status::touching);
             if (squared <= contact_squared_ || !advance(squared)) return finish(pair, separated_or_contact());
         }
@@ -73,129 +70,61 @@ class GjkRun {
         } else {
             for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
         }
-        if (!still_inside()) solve(Johnson<Scalar>::none);
-        simplex_.keep(closest_);
-    }
-
-    /// A pair that overlapped most likely still does: four signs tell, where fourteen subsets would be tried.
-    [[nodiscard]] bool still_inside() {
-        Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
-        if (!johnson.holds_origin()) return false;
-        closest_ = johnson.inside();
-        return true;
+        sub_.solve_first();
     }
 
     void add(typename TableA::Vertex a, typename TableB::Vertex b) {
-        simplex_.push(a, b, a_.vertex(a), a_from_b_.point(b_.vertex(b)));
-    }
-
-    /// `known`: points that the closest one is known to rest on.
-    void solve(typename Johnson<Scalar>::Mask known) {
-        if (!careful_) {
-            Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
-            closest_ = johnson.closest(known);
-            if (closest_.members == Johnson<Scalar>::whole) return;
-            const Scalar close = Tolerance<Scalar>::close * simplex_.size;
-            const bool far = squared_norm(closest_.point) >= close * close;
-            if (far && !closest_.backup && !johnson.is_thin(closest_.members)) return;
-        }
-        solve_wide();
-    }
-
-    /// Near the origin the cofactors cancel: the direction of what is left is noise, or the wrong members are
-    /// chosen and the distance grows. So the same in wider arithmetic. The points stay as they are; their
-    /// rounding costs the distance no more than itself. Returns the squared distance, unrounded.
-    [[gnu::noinline]] Wider<Scalar> solve_wide() {
-        std::array<Vec3<Wider<Scalar>>, 4> points;
-        for (int i = 0; i < simplex_.count; ++i) points[i] = cast<Wider<Scalar>>(simplex_.difference[i]);
-        const auto wide = Johnson<Wider<Scalar>>(points, simplex_.count).closest();
-        closest_.members = wide.members;
-        closest_.backup = wide.backup;
-        closest_.point = cast<Scalar>(wide.point);
-        for (int i = 0; i < simplex_.count; ++i) closest_.weight[i] = static_cast<Scalar>(wide.weight[i]);
-        return squared_norm(wide.point);
+        sub_.add(a, b, a_.vertex(a), a_from_b_.point(b_.vertex(b)));
     }
 
     /// One support point further; false when nothing is left to gain.
     [[nodiscard]] bool advance(Scalar squared) {
-        const Vec3<Scalar>& v = closest_.point;
-        const auto a = support(a_, Vec3<Scalar>(-v), simplex_.vertex_a[simplex_.count - 1]);
-        const auto b = support(b_, a_from_b_.direction_back(v), simplex_.vertex_b[simplex_.count - 1]);
+        const auto& simplex = sub_.simplex();
+        const Vec3<Scalar>& v = sub_.closest().point;
+        const auto a = support(a_, Vec3<Scalar>(-v), simplex.vertex_a[simplex.count - 1]);
+        const auto b = support(b_, a_from_b_.direction_back(v), simplex.vertex_b[simplex.count - 1]);
         const Vec3<Scalar> on_b = a_from_b_.point(b.point);
-        const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex_.size;
+        const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
         if (separates_ && verdict_only_) return false;
-        if (simplex_.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
+        if (simplex.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
             return false;
-
-        const Simplex<TableA, TableB> before = simplex_;
-        const auto closest_before = closest_;
-        simplex_.push(a.vertex, b.vertex, a.point, on_b);
-        solve(Johnson<Scalar>::only(simplex_.count - 1));
-        if (!gains(squared) && !retry_in_wide_arithmetic(before)) {
-            simplex_ = before;
-            closest_ = closest_before;
-            return false;
-        }
-        simplex_.keep(closest_);
-        return true;
-    }
-
-    [[nodiscard]] bool gains(Scalar before) const {
-        if (closest_.members == Johnson<Scalar>::whole) return true;
-        return !careful_ && squared_norm(closest_.point) < before;
-    }
-
-    /// The duality gap is open but the distance did not fall: along a valley of nearly parallel sides it
-    /// falls by the square of the gap, and many steps that rounding hides add up. From here on only the
-    /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not computed again from
-    /// the simplex that is left: of a sliver that may come out larger, and the run would cycle.) False if
-    /// even so nothing is gained.
-    [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic(const Simplex<TableA, TableB>& before) {
-        if (!careful_) {
-            careful_ = true;
-            const Simplex<TableA, TableB> after = simplex_;
-            simplex_ = before;
-            unrounded_ = solve_wide();
-            simplex_ = after;
-        }
-        const Wider<Scalar> now = solve_wide();
-        if (closest_.members == Johnson<Scalar>::whole) return true;
-        if (!(now < unrounded_)) return false;
-        unrounded_ = now;
-        return true;
+        return sub_.extend(a.vertex, b.vertex, a.point, on_b, squared);
     }
 
     /// At the origin with a direction that separates nothing: contact as far as this precision can tell.
     [[nodiscard]] Status separated_or_contact() const {
-        const bool at_origin = max_abs(closest_.point) <= Tolerance<Scalar>::contact_noise * simplex_.size;
+        const bool at_origin =
+            max_abs(sub_.closest().point) <= Tolerance<Scalar>::contact_noise * sub_.simplex().size;
         return at_origin && !separates_ ? Status::touching : Status::separated;
     }
 
     [[nodiscard]] Distance finish(Pair& pair, Status status) const {
+        const auto& simplex = sub_.simplex();
+        const auto& closest = sub_.closest();
         Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
-        pair.count = static_cast<std::uint32_t>(simplex_.count) & 7U;
+        pair.count = static_cast<std::uint32_t>(simplex.count) & 7U;
         pair.belong_to(a_, b_);
-        for (int i = 0; i < simplex_.count; ++i) {
-            pair.vertex_a[i] = simplex_.vertex_a[i];
-            pair.vertex_b[i] = simplex_.vertex_b[i];
-            on_a += closest_.weight[i] * simplex_.on_a[i];
-            on_b += closest_.weight[i] * simplex_.on_b[i];
+        for (int i = 0; i < simplex.count; ++i) {
+            pair.vertex_a[i] = simplex.vertex_a[i];
+            pair.vertex_b[i] = simplex.vertex_b[i];
+            on_a += closest.weight[i] * simplex.on_a[i];
+            on_b += closest.weight[i] * simplex.on_b[i];
         }
         // Weights on a thin triangle are worse than its foot: share out the difference, so that the points
         // are separated by the distance that is reported.
         if (status == Status::separated) {
-            const Vec3<Scalar> excess = Scalar(0.5) * (on_a - on_b - closest_.point);
+            const Vec3<Scalar> excess = Scalar(0.5) * (on_a - on_b - closest.point);
             on_a -= excess;
             on_b += excess;
         }
         Distance answer;
         answer.status = status;
         if (status == Status::separated) {
-            const Scalar distance = norm(closest_.point);
+            const Scalar distance = norm(closest.point);
             answer.distance = distance;
-            answer.normal = Vec3<Scalar>(closest_.point * (-1 / distance)).template cast<double>();
+            answer.normal = Vec3<Scalar>(closest.point * (-1 / distance)).template cast<double>();
         }
         answer.point_a = on_a.template cast<double>();
         answer.point_b = on_b.template cast<double>();
@@ -206,15 +135,12 @@ class GjkRun {
     const TableA& a_;
     const TableB& b_;
     const Transform<Scalar>& a_from_b_;
-    Simplex<TableA, TableB> simplex_;
-    typename Johnson<Scalar>::Closest closest_;
+    SubDistance<TableA, TableB> sub_;
     Scalar contact_squared_, gap_;  ///< QueryOptions
     bool verdict_only_;
     Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
     int steps_ = 0;
-    bool separates_ = false;     ///< beyond rounding
-    bool careful_ = false;       ///< every sub-distance in wider arithmetic
-    Wider<Scalar> unrounded_{};  ///< squared distance, when careful
+    bool separates_ = false;  ///< beyond rounding
 };
 
 /// One run with everything inlined: calls cost a tenth of it. A symbol of its own, which a library of table

@@ -26,17 +26,73 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
 
 namespace edgewise {
 
+/// A subset of a simplex's points; bit i: point i belongs to it.
+using PointMask = std::uint8_t;
+
+/// Three points. (std::popcount is a call into a library where the machine may lack the instruction.)
+[[nodiscard]] constexpr bool is_triangle(PointMask mask) {
+    constexpr unsigned triangles = 1U << 7 | 1U << 11 | 1U << 13 | 1U << 14;
+    return (triangles >> mask & 1U) != 0;
+}
+
+[[nodiscard]] constexpr int lowest_point(PointMask mask) {
+    assert(mask != 0);
+    return std::countr_zero(mask);
+}
+
+/// A triangle by two of its sides, from one corner.
+template <class Scalar>
+struct TriangleSides {
+    Vec3<Scalar> p, q;
+
+    [[nodiscard]] bool is_thin() const {
+        const Scalar longest = squared_side();
+        return !(squared_norm(cross(p, q)) > Tolerance<Scalar>::thin * longest * longest);
+    }
+
+    /// The closest point to the origin, from the weighted sum of the corners: that, or its foot on the normal
+    /// through the origin. Where the triangle is long and low (length over height k) the weights are off by
+    /// k^2 rounding steps, the sum by k^2 times the length, and its direction, along which the next support
+    /// point is sought, by that over its own length; the normal's direction is off by k steps. The better
+    /// known one wins; of a sliver, whose normal is noise, the sum, which at least is a point of the
+    /// triangle.
+    [[nodiscard]] Vec3<Scalar> foot(const Vec3<Scalar>& weighted) const {
+        const Vec3<Scalar> normal = cross(p, q);
+        const Scalar squared = squared_norm(normal), longest = squared_side();
+        // Squared, as `longest` is: no product of more than four lengths.
+        const Scalar height = squared / longest;
+        const bool sliver = !(height > Tolerance<Scalar>::sliver * longest);
+        if (sliver || height * squared_norm(weighted) >= longest * longest) return weighted;
+        return (dot(normal, weighted) / squared) * normal;
+    }
+
+  private:
+    /// Of the longer one.
+    [[nodiscard]] Scalar squared_side() const { return std::max(squared_norm(p), squared_norm(q)); }
+};
+
+/// The triple product with every sign turned positive: what its rounding is relative to.
+template <class Scalar>
+[[nodiscard]] Scalar unsigned_volume(const Vec3<Scalar>& a, const Vec3<Scalar>& b, const Vec3<Scalar>& c) {
+    const auto size = [](const Scalar& s) {
+        using std::abs;
+        return abs(s);
+    };
+    return size(a.x()) * (size(b.y() * c.z()) + size(b.z() * c.y())) +
+           size(a.y()) * (size(b.z() * c.x()) + size(b.x() * c.z())) +
+           size(a.z()) * (size(b.x() * c.y()) + size(b.y() * c.x()));
+}
+
 template <class Scalar>
 class Johnson {
   public:
-    using Mask = std::uint8_t;  ///< bit i: point i belongs to the subset
+    using Mask = PointMask;
 
     static constexpr Mask none = 0, whole = 15;
     [[nodiscard]] static constexpr Mask only(int point) { return static_cast<Mask>(1 << point); }
@@ -72,12 +128,7 @@ class Johnson {
     }
 
     /// A triangle too long and low for its foot to be as good as its points are.
-    [[nodiscard]] bool is_thin(Mask mask) const {
-        if (!is_triangle(mask)) return false;
-        const auto [p, q] = sides(mask);
-        const Scalar longest = std::max(squared_norm(p), squared_norm(q));
-        return !(squared_norm(cross(p, q)) > Tolerance<Scalar>::thin * longest * longest);
-    }
+    [[nodiscard]] bool is_thin(Mask mask) const { return is_triangle(mask) && triangle(mask).is_thin(); }
 
   private:
     static constexpr std::array<Mask, 14> ascending = {1, 2, 4, 8, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14};
@@ -88,7 +139,7 @@ class Johnson {
         for (int k = 0; k < 4; ++k) {
             const auto &a = w_[(k + 1) & 3], &b = w_[(k + 2) & 3], &c = w_[(k + 3) & 3];
             const Scalar volume = dot(a, cross(b, c)) * (k & 1 ? -1 : 1);
-            const Scalar noise = Tolerance<Scalar>::volume_noise * permanent(a, b, c);
+            const Scalar noise = Tolerance<Scalar>::volume_noise * unsigned_volume(a, b, c);
             positive = positive && volume > noise;
             negative = negative && volume < -noise;
             cofactor_[whole][k] = volume;
@@ -96,34 +147,12 @@ class Johnson {
         return positive || negative;
     }
 
-    /// The triple product with every sign turned positive: what its rounding is relative to.
-    static Scalar permanent(const Vec3<Scalar>& a, const Vec3<Scalar>& b, const Vec3<Scalar>& c) {
-        const auto size = [](const Scalar& s) {
-            using std::abs;
-            return abs(s);
-        };
-        return size(a.x()) * (size(b.y() * c.z()) + size(b.z() * c.y())) +
-               size(a.y()) * (size(b.z() * c.x()) + size(b.x() * c.z())) +
-               size(a.z()) * (size(b.x() * c.y()) + size(b.y() * c.x()));
-    }
-
-    /// Three points. (std::popcount is a call into a library where the machine may lack the instruction.)
-    static constexpr bool is_triangle(Mask mask) {
-        constexpr unsigned triangles = 1U << 7 | 1U << 11 | 1U << 13 | 1U << 14;
-        return (triangles >> mask & 1U) != 0;
-    }
-
-    static constexpr int lowest(Mask mask) {
-        assert(mask != none);
-        return std::countr_zero(mask);
-    }
-
     /// <w_i, w_m - w_k>
     [[nodiscard]] Scalar slope(int i, int m, int k) const { return dot(w_[i], w_[m] - w_[k]); }
 
     /// D_k(X + {k}) for a subset whose own cofactors are known.
     [[nodiscard]] Scalar cofactor_of(Mask subset, int k) const {
-        const int m = lowest(subset);
+        const int m = lowest_point(subset);
         Scalar sum = 0;
         for (int i = m; i < count_; ++i) {
             if (subset >> i & 1) sum += cofactor_[subset][i] * slope(i, m, k);
@@ -134,7 +163,7 @@ class Johnson {
     /// Cofactors of every member, from the subsets one smaller; true when all are positive.
     bool cofactors(Mask mask) {
         if ((mask & (mask - 1)) == 0) {
-            cofactor_[mask][lowest(mask)] = 1;
+            cofactor_[mask][lowest_point(mask)] = 1;
             return true;
         }
         bool positive = true;
@@ -149,7 +178,7 @@ class Johnson {
 
     /// No other point lies nearer along the direction of this subset's closest point.
     [[nodiscard]] bool excludes_others(Mask mask, const Vec3<Scalar>& point) const {
-        const int m = lowest(mask);
+        const int m = lowest_point(mask);
         for (int k = 0; k < count_; ++k) {
             if (!(mask >> k & 1) && dot(point, w_[m] - w_[k]) > 0) return false;
         }
@@ -170,31 +199,14 @@ class Johnson {
             result.weight[i] = cofactor_[mask][i] / sum;
             result.point += result.weight[i] * w_[i];
         }
-        if (is_triangle(mask)) result.point = foot_on_triangle(mask, result.point);
+        if (is_triangle(mask)) result.point = triangle(mask).foot(result.point);
         return result;
     }
 
-    /// The closest point of a triangle: the weighted sum, or its foot on the normal through the origin. Where
-    /// the triangle is long and low (length over height k) the weights are off by k^2 rounding steps, the sum
-    /// by k^2 times the length, and its direction, along which the next support point is sought, by that over
-    /// its own length; the normal's direction is off by k steps. The better known one wins; of a sliver,
-    /// whose normal is noise, the sum, which at least is a point of the triangle.
-    [[nodiscard]] Vec3<Scalar> foot_on_triangle(Mask mask, const Vec3<Scalar>& weighted) const {
-        const auto [p, q] = sides(mask);
-        const Vec3<Scalar> normal = cross(p, q);
-        const Scalar squared = squared_norm(normal);
-        const Scalar longest = std::max(squared_norm(p), squared_norm(q));
-        // Squared, as `longest` is: no product of more than four lengths.
-        const Scalar height = squared / longest;
-        const bool sliver = !(height > Tolerance<Scalar>::sliver * longest);
-        if (sliver || height * squared_norm(weighted) >= longest * longest) return weighted;
-        return (dot(normal, weighted) / squared) * normal;
-    }
-
-    [[nodiscard]] std::pair<Vec3<Scalar>, Vec3<Scalar>> sides(Mask mask) const {
-        const int i = lowest(mask);
+    [[nodiscard]] TriangleSides<Scalar> triangle(Mask mask) const {
+        const int i = lowest_point(mask);
         assert(is_triangle(mask));
-        const int j = lowest(static_cast<Mask>(mask & (mask - 1)));
+        const int j = lowest_point(static_cast<Mask>(mask & (mask - 1)));
         const int k = std::bit_width(mask) - 1;
         return {w_[j] - w_[i], w_[k] - w_[i]};
     }

@@ -16,6 +16,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -47,12 +48,33 @@ struct NoTouches {
 
 class SweepAndPrune {
   public:
-    explicit SweepAndPrune(std::size_t body_count);
+    explicit SweepAndPrune(std::size_t body_count) {
+        for (std::vector<std::uint32_t>& order : order_) {
+            order.resize(body_count);
+            std::iota(order.begin(), order.end(), 0U);
+        }
+    }
 
     /// The overlapping pairs of one frame, sorted; valid until the next call. One box per body, none with
     /// NaN.
     template <class Touches = NoTouches>
-    [[nodiscard]] std::span<const BodyPair> update(std::span<const Aabb> boxes, Touches&& touches = {});
+    [[nodiscard]] std::span<const BodyPair> update(std::span<const Aabb> boxes, Touches&& touches = {}) {
+        assert(boxes.size() == order_[0].size());
+        moves_ = 0;
+        int widest = 0;
+        double most = -1;
+        for (int axis = 0; axis < 3; ++axis) {
+            sort_axis(axis, boxes, touches);
+            const double scatter = spread(axis, boxes, touches);
+            if (scatter > most) {
+                most = scatter;
+                widest = axis;
+            }
+        }
+        sweep_axis(widest, boxes, touches);
+        std::sort(pairs_.begin(), pairs_.end());
+        return pairs_;
+    }
 
     /// Places that insertion sort moved in the last update, over all axes: the cost of lost coherence.
     [[nodiscard]] std::size_t moves() const { return moves_; }
@@ -60,15 +82,6 @@ class SweepAndPrune {
     [[nodiscard]] std::size_t tests() const { return tests_; }
 
   private:
-    template <class Touches>
-    void sort_axis(int axis, std::span<const Aabb> boxes, Touches& touches);
-    template <class Touches>
-    void sweep_axis(int axis, std::span<const Aabb> boxes, Touches& touches);
-    /// How far the boxes' centres scatter along an axis (their variance, up to constants).
-    template <class Touches>
-    [[nodiscard]] static double spread(int axis, std::span<const Aabb> boxes, Touches& touches);
-    void sort_pairs();
-
     [[nodiscard]] static BroadPhaseArray order_array(int axis) {
         return static_cast<BroadPhaseArray>(static_cast<int>(BroadPhaseArray::order_x) + axis);
     }
@@ -81,102 +94,83 @@ class SweepAndPrune {
         return {static_cast<std::size_t>(axis + 3) * sizeof(double), sizeof(double)};
     }
 
+    /// How far the boxes' centres scatter along an axis (their variance, up to constants).
+    template <class Touches>
+    [[nodiscard]] static double spread(int axis, std::span<const Aabb> boxes, Touches& touches) {
+        const auto ends = [&](std::size_t i) {
+            touches.read(BroadPhaseArray::boxes, i, low_end(axis));
+            touches.read(BroadPhaseArray::boxes, i, high_end(axis));
+            assert(boxes[i].low[axis] <= boxes[i].high[axis] && "low ends first, and no NaN");
+            return boxes[i].low[axis] + boxes[i].high[axis];
+        };
+        const double count = static_cast<double>(boxes.size());
+        double mean = 0;
+        for (std::size_t i = 0; i < boxes.size(); ++i) mean += ends(i) / count;
+        double sum = 0;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const double off = ends(i) - mean;
+            sum += off * off;
+        }
+        return sum;
+    }
+
+    /// Ties go by body number, so the order never depends on the past.
+    template <class Touches>
+    void sort_axis(int axis, std::span<const Aabb> boxes, Touches& touches) {
+        std::vector<std::uint32_t>& order = order_[static_cast<std::size_t>(axis)];
+        const BroadPhaseArray array = order_array(axis);
+        const auto before = [&](std::uint32_t a, std::uint32_t b) {
+            touches.read(BroadPhaseArray::boxes, b, low_end(axis));
+            const double low_a = boxes[a].low[axis];
+            const double low_b = boxes[b].low[axis];
+            return low_a < low_b || (low_a == low_b && a < b);
+        };
+        for (std::size_t i = 1; i < order.size(); ++i) {
+            const std::uint32_t body = order[i];
+            touches.read(array, i, body_number);
+            touches.read(BroadPhaseArray::boxes, body, low_end(axis));
+            std::size_t place = i;
+            for (; place > 0; --place) {
+                touches.read(array, place - 1, body_number);
+                if (!before(body, order[place - 1])) break;
+                order[place] = order[place - 1];
+                touches.write(array, place, body_number);
+            }
+            if (place == i) continue;
+            order[place] = body;
+            touches.write(array, place, body_number);
+            moves_ += i - place;
+        }
+    }
+
+    template <class Touches>
+    void sweep_axis(int axis, std::span<const Aabb> boxes, Touches& touches) {
+        const std::vector<std::uint32_t>& order = order_[static_cast<std::size_t>(axis)];
+        const auto box_at = [&](std::size_t i, ElementPart part) -> const Aabb& {
+            touches.read(order_array(axis), i, body_number);
+            touches.read(BroadPhaseArray::boxes, order[i], part);
+            return boxes[order[i]];
+        };
+        pairs_.clear();
+        tests_ = 0;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const Aabb& box = box_at(i, whole_box);
+            for (std::size_t j = i + 1; j < order.size(); ++j) {
+                const Aabb& other = box_at(j, low_end(axis));
+                ++tests_;
+                if (other.low[axis] > box.high[axis]) break;
+                touches.read(BroadPhaseArray::boxes, order[j], whole_box);
+                assert(order[i] != order[j]);
+                if (!box.overlaps(other)) continue;
+                touches.write(BroadPhaseArray::pairs, pairs_.size(), whole_pair);
+                pairs_.push_back({std::min(order[i], order[j]), std::max(order[i], order[j])});
+            }
+        }
+    }
+
     std::array<std::vector<std::uint32_t>, 3> order_;  ///< bodies by low end, per axis
     std::vector<BodyPair> pairs_;
     std::size_t moves_ = 0, tests_ = 0;
 };
-
-template <class Touches>
-std::span<const BodyPair> SweepAndPrune::update(std::span<const Aabb> boxes, Touches&& touches) {
-    assert(boxes.size() == order_[0].size());
-    moves_ = 0;
-    int widest = 0;
-    double most = -1;
-    for (int axis = 0; axis < 3; ++axis) {
-        sort_axis(axis, boxes, touches);
-        const double scatter = spread(axis, boxes, touches);
-        if (scatter > most) {
-            most = scatter;
-            widest = axis;
-        }
-    }
-    sweep_axis(widest, boxes, touches);
-    sort_pairs();
-    return pairs_;
-}
-
-template <class Touches>
-double SweepAndPrune::spread(int axis, std::span<const Aabb> boxes, Touches& touches) {
-    const double count = static_cast<double>(boxes.size());
-    double mean = 0;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        touches.read(BroadPhaseArray::boxes, i, low_end(axis));
-        touches.read(BroadPhaseArray::boxes, i, high_end(axis));
-        mean += (boxes[i].low[axis] + boxes[i].high[axis]) / count;
-    }
-    double sum = 0;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        touches.read(BroadPhaseArray::boxes, i, low_end(axis));
-        touches.read(BroadPhaseArray::boxes, i, high_end(axis));
-        assert(boxes[i].low[axis] <= boxes[i].high[axis] && "low ends first, and no NaN");
-        const double off = boxes[i].low[axis] + boxes[i].high[axis] - mean;
-        sum += off * off;
-    }
-    return sum;
-}
-
-/// Ties go by body number, so the order never depends on the past.
-template <class Touches>
-void SweepAndPrune::sort_axis(int axis, std::span<const Aabb> boxes, Touches& touches) {
-    std::vector<std::uint32_t>& order = order_[static_cast<std::size_t>(axis)];
-    const BroadPhaseArray array = order_array(axis);
-    const auto before = [&](std::uint32_t a, std::uint32_t b) {
-        touches.read(BroadPhaseArray::boxes, b, low_end(axis));
-        const double low_a = boxes[a].low[axis];
-        const double low_b = boxes[b].low[axis];
-        return low_a < low_b || (low_a == low_b && a < b);
-    };
-    for (std::size_t i = 1; i < order.size(); ++i) {
-        const std::uint32_t body = order[i];
-        touches.read(array, i, body_number);
-        touches.read(BroadPhaseArray::boxes, body, low_end(axis));
-        std::size_t place = i;
-        for (; place > 0; --place) {
-            touches.read(array, place - 1, body_number);
-            if (!before(body, order[place - 1])) break;
-            order[place] = order[place - 1];
-            touches.write(array, place, body_number);
-        }
-        if (place == i) continue;
-        order[place] = body;
-        touches.write(array, place, body_number);
-        moves_ += i - place;
-    }
-}
-
-template <class Touches>
-void SweepAndPrune::sweep_axis(int axis, std::span<const Aabb> boxes, Touches& touches) {
-    const std::vector<std::uint32_t>& order = order_[static_cast<std::size_t>(axis)];
-    const auto box_at = [&](std::size_t i, ElementPart part) -> const Aabb& {
-        touches.read(order_array(axis), i, body_number);
-        touches.read(BroadPhaseArray::boxes, order[i], part);
-        return boxes[order[i]];
-    };
-    pairs_.clear();
-    tests_ = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const Aabb& box = box_at(i, whole_box);
-        for (std::size_t j = i + 1; j < order.size(); ++j) {
-            const Aabb& other = box_at(j, low_end(axis));
-            ++tests_;
-            if (other.low[axis] > box.high[axis]) break;
-            touches.read(BroadPhaseArray::boxes, order[j], whole_box);
-            assert(order[i] != order[j]);
-            if (!box.overlaps(other)) continue;
-            touches.write(BroadPhaseArray::pairs, pairs_.size(), whole_pair);
-            pairs_.push_back({std::min(order[i], order[j]), std::max(order[i], order[j])});
-        }
-    }
-}
 
 }  // namespace edgewise

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "edgewise/bench/runner.hpp"
-#include "edgewise/table/memory_map.hpp"
 #include "edgewise/table/needs.hpp"
+#include "edgewise/table/pieces.hpp"
 
 namespace edgewise::bench {
 

@@ -20,7 +20,7 @@
 #include "edgewise/measure/round.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/table/ledger.hpp"
-#include "edgewise/table/memory_map.hpp"
+#include "edgewise/table/pieces.hpp"
 
 namespace edgewise::bench {
 

@@ -9,7 +9,7 @@
 
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/bench/runner_for.hpp"
-#include "edgewise/table/memory_map.hpp"
+#include "edgewise/table/pieces.hpp"
 #include "edgewise/table/stored_body.hpp"
 
 namespace edgewise::bench {

@@ -11,7 +11,7 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/scene/hard/families.hpp"
-#include "edgewise/scene/scene_texts.hpp"
+#include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/vocabulary.hpp"

@@ -16,7 +16,7 @@
 #include "edgewise/cli/stop.hpp"
 #include "edgewise/cli/store_path.hpp"
 #include "edgewise/reports/page/report.hpp"
-#include "edgewise/scene/scene_texts.hpp"
+#include "edgewise/scene/scene_file.hpp"
 #include "edgewise/studies/paging_rows.hpp"
 #include "edgewise/sweep/run.hpp"
 

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <optional>
 
-#include "edgewise/geometry/check_topology.hpp"
 #include "edgewise/geometry/hull/face_shape.hpp"
 #include "edgewise/geometry/hull/vertex_boxes.hpp"
 #include "edgewise/geometry/message.hpp"
@@ -21,10 +20,8 @@ namespace {
 using Violations = std::vector<std::string>;
 
 bool all_finite(const Polyhedron& body) {
-    const auto finite = [](const Vec3d& v) {
-        return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-    };
-    return std::all_of(body.vertices.begin(), body.vertices.end(), finite);
+    return std::all_of(body.vertices.begin(), body.vertices.end(),
+                       [](const Vec3d& v) { return v.allFinite(); });
 }
 
 /// Unit length; the ring's vertices on the plane; no vertex above it.

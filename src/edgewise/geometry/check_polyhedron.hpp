@@ -12,6 +12,10 @@
 
 namespace edgewise {
 
+/// The part that needs no coordinates: arrays, Euler's formula, twins, rings, canonical order. Empty when the
+/// arrays describe a closed surface of sphere type.
+[[nodiscard]] std::vector<std::string> check_topology(const Polyhedron& body);
+
 /// One line for each violation; empty for a sound closed convex body.
 [[nodiscard]] std::vector<std::string> check_polyhedron(const Polyhedron& body,
                                                         double planarity = face_planarity);

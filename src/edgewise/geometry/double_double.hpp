@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "edgewise/geometry/vec.hpp"
 
@@ -20,6 +21,10 @@ struct DoubleDouble {
     [[nodiscard]] constexpr double value() const { return high + low; }
     [[nodiscard]] explicit constexpr operator double() const { return value(); }
 };
+
+/// The next wider arithmetic: double for single, sums of two doubles for double.
+template <class Scalar>
+using Wider = std::conditional_t<std::is_same_v<Scalar, float>, double, DoubleDouble>;
 
 [[nodiscard]] inline DoubleDouble exact_sum(double a, double b) {
     const double sum = a + b;
@@ -66,38 +71,6 @@ inline DoubleDouble& operator+=(DoubleDouble& a, const DoubleDouble& b) { return
 [[nodiscard]] inline bool operator>=(const DoubleDouble& a, const DoubleDouble& b) { return !(a < b); }
 [[nodiscard]] inline DoubleDouble abs(const DoubleDouble& a) { return a < DoubleDouble() ? -a : a; }
 
-struct DoubleDoubleVec {
-    DoubleDouble x, y, z;
-
-    [[nodiscard]] Vec3d value() const { return {x.value(), y.value(), z.value()}; }
-};
-
-/// (a - b) * scale without rounding, for a scale that is a power of two.
-[[nodiscard]] inline DoubleDoubleVec exact_difference(const Vec3d& a, const Vec3d& b, double scale) {
-    const auto component = [scale](double p, double q) {
-        const DoubleDouble d = exact_sum(p, -q);
-        return DoubleDouble{d.high * scale, d.low * scale};
-    };
-    return {component(a.x(), b.x()), component(a.y(), b.y()), component(a.z(), b.z())};
-}
-
-[[nodiscard]] inline DoubleDoubleVec operator+(const DoubleDoubleVec& a, const DoubleDoubleVec& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-[[nodiscard]] inline DoubleDouble dot(const DoubleDoubleVec& a, const DoubleDoubleVec& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-[[nodiscard]] inline DoubleDoubleVec cross(const DoubleDoubleVec& a, const DoubleDoubleVec& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/// <a, b> of plain doubles, rounded once or nearly so.
-[[nodiscard]] inline DoubleDouble accurate_dot(const Vec3d& a, const Vec3d& b) {
-    return exact_product(a.x(), b.x()) + exact_product(a.y(), b.y()) + exact_product(a.z(), b.z());
-}
-
 }  // namespace edgewise
 
 namespace Eigen {
@@ -117,3 +90,23 @@ struct NumTraits<edgewise::DoubleDouble> : GenericNumTraits<edgewise::DoubleDoub
 };
 
 }  // namespace Eigen
+
+namespace edgewise {
+
+using DoubleDoubleVec = Vec3<DoubleDouble>;
+
+/// (a - b) * scale without rounding, for a scale that is a power of two.
+[[nodiscard]] inline DoubleDoubleVec exact_difference(const Vec3d& a, const Vec3d& b, double scale) {
+    const auto component = [scale](double p, double q) {
+        const DoubleDouble d = exact_sum(p, -q);
+        return DoubleDouble{d.high * scale, d.low * scale};
+    };
+    return {component(a.x(), b.x()), component(a.y(), b.y()), component(a.z(), b.z())};
+}
+
+/// <a, b> of plain doubles, rounded once or nearly so.
+[[nodiscard]] inline DoubleDouble accurate_dot(const Vec3d& a, const Vec3d& b) {
+    return exact_product(a.x(), b.x()) + exact_product(a.y(), b.y()) + exact_product(a.z(), b.z());
+}
+
+}  // namespace edgewise

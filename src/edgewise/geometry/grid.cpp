@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/hull/face_shape.hpp"
-#include "edgewise/geometry/hull/flat_hull.hpp"
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
@@ -17,6 +17,9 @@ namespace {
 
 /// One less than places fit 16 bits: the box's low corner is rounded down.
 constexpr double most_steps = 65534;
+
+/// How far a body is grown at most before it is held by boxes, in steps of the grid along its longest side.
+constexpr int outward_steps = 64;
 
 std::vector<Vec3d> on_grid(std::span<const Vec3d> points, double eps) {
     const Grid grid(points, eps);
@@ -67,17 +70,11 @@ Result<Polyhedron> hull_of_boxes(const Polyhedron& body, double eps) {
 
 Grid::Grid(std::span<const Vec3d> points, double eps) {
     if (points.empty()) return;
-    Vec3d high = points[0];
-    low = points[0];
-    double reach = 0;
-    for (const Vec3d& p : points) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-        reach = std::max(reach, max_abs(p));
-    }
-    const double finest = std::max(max_abs(Vec3d(high - low)) / most_steps, 2 * eps * reach);
+    const Aabb box = box_of(points);
+    const double reach = std::max(max_abs(box.low), max_abs(box.high));
+    const double finest = std::max(max_abs(box.sides()) / most_steps, 2 * eps * reach);
     if (finest > 0) step = std::ldexp(1.0, std::ilogb(finest) + 1);
-    for (int i = 0; i < 3; ++i) low[i] = std::floor(low[i] / step) * step;
+    for (int i = 0; i < 3; ++i) low[i] = std::floor(box.low[i] / step) * step;
 }
 
 Grid::Place Grid::nearest(const Vec3d& point) const {

@@ -32,10 +32,6 @@ struct Grid {
     }
 };
 
-/// How far round_to_grid_outward grows a body at most before it takes boxes, in steps of the grid along its
-/// longest side.
-inline constexpr int outward_steps = 64;
-
 /// The body that a table on this grid really holds: the hull of its vertices moved to their nearest places.
 [[nodiscard]] Result<Polyhedron> round_to_grid(const Polyhedron& body, double eps);
 

@@ -19,7 +19,6 @@
 #include "edgewise/geometry/check_polyhedron.hpp"
 #include "edgewise/geometry/hull/extreme_frame.hpp"
 #include "edgewise/geometry/hull/face_shape.hpp"
-#include "edgewise/geometry/hull/flat_hull.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
 #include "edgewise/geometry/hull/qhull_facets.hpp"
 #include "edgewise/geometry/message.hpp"
@@ -45,26 +44,6 @@ void drop_middle_vertices(Rings& rings, std::size_t vertices) {
         }
         changed |= std::erase_if(rings, [](const std::vector<Index>& ring) { return ring.size() < 3; }) > 0;
     }
-}
-
-/// The rings with their vertices renumbered: only those in use, in the order of the input.
-FaceRings in_input_order(std::span<const Vec3d> points, std::span<const Index> distinct, const Rings& rings) {
-    FaceRings result;
-    for (const std::vector<Index>& ring : rings) {
-        for (const Index v : ring) result.input_index.push_back(distinct[v]);
-    }
-    std::vector<Index>& names = result.input_index;
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
-    for (const Index name : names) result.vertices.push_back(points[name]);
-    for (const std::vector<Index>& ring : rings) {
-        std::vector<Index>& renumbered = result.rings.emplace_back();
-        for (const Index v : ring) {
-            const auto at = std::lower_bound(names.begin(), names.end(), distinct[v]);
-            renumbered.push_back(static_cast<Index>(at - names.begin()));
-        }
-    }
-    return result;
 }
 
 std::vector<Index> blamed_vertices(const Polyhedron& body) {

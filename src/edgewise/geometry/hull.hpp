@@ -18,6 +18,14 @@ namespace edgewise {
 /// x extent), duplicates only, NaN or infinity, and coordinates out of range.
 [[nodiscard]] Result<Polyhedron> convex_hull(std::span<const Vec3d> points);
 
+/// The hull of points that are no solid: a polygon (with a front and a back), a segment, a point. One rule
+/// says what is flat, for all of Edgewise: what is thinner than flat_thickness (tolerance.hpp) of its extent.
+/// Fails, with a reason, on an empty set, NaN, infinity or coordinates out of range.
+[[nodiscard]] Result<Polyhedron> flat_hull(std::span<const Vec3d> points);
+
+/// The hull of any points: convex_hull of a solid, flat_hull of what is none.
+[[nodiscard]] Result<Polyhedron> hull_of_any(std::span<const Vec3d> points);
+
 /// A body whose faces are taken as given: each a counter-clockwise ring (seen from outside) of vertex
 /// indices. Coplanar neighbours are not merged; a body wound inward throughout is reversed; vertices in no
 /// face are left out, with a warning. Fails, with a reason, if the faces do not bound a closed convex solid,

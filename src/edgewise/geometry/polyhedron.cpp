@@ -5,20 +5,12 @@
 // a needle cancel.
 #include "edgewise/geometry/polyhedron.hpp"
 
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/double_double.hpp"
 
 namespace edgewise {
 
-double extent(std::span<const Vec3d> points) {
-    if (points.empty()) return 0;
-    Vec3d low = points.front();
-    Vec3d high = points.front();
-    for (const Vec3d& p : points) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    return norm(Vec3d(high - low));
-}
+double extent(std::span<const Vec3d> points) { return norm(box_of(points).sides()); }
 
 double volume(const Polyhedron& body) {
     if (body.vertices.empty()) return 0;

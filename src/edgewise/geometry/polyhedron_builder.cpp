@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "edgewise/geometry/hull/face_plane.hpp"
+#include "edgewise/geometry/double_double.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
 #include "edgewise/geometry/message.hpp"
 
@@ -84,6 +84,45 @@ std::vector<std::vector<HalfEdge>> canonical_rings(const FaceRings& input, const
     }
     std::sort(rings.begin(), rings.end());
     return rings;
+}
+
+Vec3d area_vector(std::span<const Vec3d> vertices, std::span<const Index> ring, double scale) {
+    DoubleDoubleVec sum = DoubleDoubleVec::Zero();
+    const Vec3d& origin = vertices[ring[0]];
+    DoubleDoubleVec previous = exact_difference(vertices[ring[1]], origin, scale);
+    for (std::size_t k = 2; k < ring.size(); ++k) {
+        const DoubleDoubleVec next = exact_difference(vertices[ring[k]], origin, scale);
+        sum += cross(previous, next);
+        previous = next;
+    }
+    return cast<double>(sum);
+}
+
+/// Minus the middle of <normal, v> over the ring. In two-fold precision: far from the origin the middle of
+/// rounded products would be off by more than the offset's own rounding.
+double middle_offset(std::span<const Vec3d> vertices, std::span<const Index> ring, const Vec3d& normal) {
+    DoubleDouble low = accurate_dot(normal, vertices[ring[0]]);
+    DoubleDouble high = low;
+    for (const Index v : ring.subspan(1)) {
+        const DoubleDouble height = accurate_dot(normal, vertices[v]);
+        if ((height - low).value() < 0) low = height;
+        if ((height - high).value() > 0) high = height;
+    }
+    return -((low + high).value() / 2);
+}
+
+/// The plane of a polygon. The normal is Newell's area vector (the sum over all corners, so no corner is
+/// favoured and a sliver has a plane wherever its area is not zero), summed in two-fold precision; unit, on
+/// the side from which the ring runs counter-clockwise; zero when the ring encloses no area. The offset lies
+/// halfway between the lowest and the highest vertex along the normal: the best plane with that normal.
+/// `scale`: a power of two that takes the body to about unit size.
+Plane<double> face_plane(std::span<const Vec3d> vertices, std::span<const Index> ring, double scale) {
+    const Vec3d area = area_vector(vertices, ring, scale);
+    const double largest = max_abs(area);
+    if (!(largest > 0)) return {Vec3d::Zero(), 0};
+    const Vec3d safe = area / largest;  // slivers: the square of the area may vanish
+    const Vec3d normal = safe / norm(safe);
+    return {normal, middle_offset(vertices, ring, normal)};
 }
 
 void fill_edges_and_faces(Polyhedron& body, const std::vector<Side>& sides,
@@ -165,6 +204,26 @@ bool looks_inward(const Polyhedron& body, Index f) {
 }
 
 }  // namespace
+
+FaceRings in_input_order(std::span<const Vec3d> points, std::span<const Index> distinct,
+                         std::span<const std::vector<Index>> rings) {
+    FaceRings result;
+    for (const std::vector<Index>& ring : rings) {
+        for (const Index v : ring) result.input_index.push_back(distinct[v]);
+    }
+    std::vector<Index>& names = result.input_index;
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    for (const Index name : names) result.vertices.push_back(points[name]);
+    for (const std::vector<Index>& ring : rings) {
+        std::vector<Index>& renumbered = result.rings.emplace_back();
+        for (const Index v : ring) {
+            const auto at = std::lower_bound(names.begin(), names.end(), distinct[v]);
+            renumbered.push_back(static_cast<Index>(at - names.begin()));
+        }
+    }
+    return result;
+}
 
 Result<Polyhedron> build_polyhedron(const FaceRings& input) {
     std::string error = ring_error(input);

@@ -20,6 +20,11 @@ struct FaceRings {
     std::vector<std::vector<Index>> rings;
 };
 
+/// Rings of positions in `chosen`, which are indices of points: only the vertices in use, in the order of the
+/// input, and named by it.
+[[nodiscard]] FaceRings in_input_order(std::span<const Vec3d> points, std::span<const Index> chosen,
+                                       std::span<const std::vector<Index>> rings);
+
 /// Fails, with a reason, if the rings are not a closed surface of consistent winding: every edge between two
 /// faces that run it in opposite directions, at least three faces around every vertex (of a polygon, two),
 /// all in one fan. Says nothing about convexity. Faces without area get a zero normal.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every epsilon of Edgewise, each with its unit and its reason. No other file holds a literal tolerance.
+// Every epsilon of Edgewise, and the one cap on a loop, each with its unit and its reason. No other file
+// holds a literal tolerance.
 #pragma once
 
 #include <limits>
@@ -120,8 +121,8 @@ inline constexpr double rotation_rounding = 64 * std::numeric_limits<double>::ep
 /// Relative to the largest coordinate: the rounding of a plane's offset far from the origin.
 inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsilon();
 
-/// Relative to the largest coordinate: the rounding of a distance from a plane of unit normal and of how far a box
-/// reaches above it, together.
+/// Relative to the largest coordinate: the rounding of a distance from a plane of unit normal and of how far
+/// a box reaches above it, together.
 inline constexpr double box_rounding = 32 * std::numeric_limits<double>::epsilon();
 
 /// Pure number: how far the length of a unit normal may be from 1.
@@ -141,6 +142,12 @@ inline constexpr double smallest_extent_single = 0x1p-30;
 /// EPA, where bodies are about 1: a coordinate below this counts as zero, so that every digit of a product of
 /// three differences stays in the range of double (3 x (200 + 53) < 1074 binary places).
 inline constexpr double smallest_coordinate = 0x1p-200;
+
+/// A cap on GJK's iterations per query, which ends by an argument: every one lowers the distance by more than
+/// rounding, or ends the run; spheres of 1538 vertices take up to some dozen. A thousandfold of that is a
+/// tenth of a second. Only a shape that breaks its contract meets it: an assertion in debug; in release the
+/// query says that it failed.
+inline constexpr int most_gjk_iterations = 1 << 14;
 
 /// Pure number: a mesh is called concave when its volume is below this share of its hull's. Mesh files hold
 /// about seven digits, so a convex mesh of thousands of faces is off by some 1e-6.

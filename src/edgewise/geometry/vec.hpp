@@ -58,6 +58,14 @@ template <class Scalar>
             m(2, 0) * v.x() + m(2, 1) * v.y() + m(2, 2) * v.z()};
 }
 
+/// a * b, column by column.
+template <class Scalar>
+[[nodiscard]] Mat3<Scalar> multiply(const Mat3<Scalar>& a, const Mat3<Scalar>& b) {
+    Mat3<Scalar> result;
+    for (int i = 0; i < 3; ++i) result.col(i) = multiply(a, Vec3<Scalar>(b.col(i)));
+    return result;
+}
+
 /// transpose(m) * v: for a rotation, its inverse.
 template <class Scalar>
 [[nodiscard]] Vec3<Scalar> multiply_transposed(const Mat3<Scalar>& m, const Vec3<Scalar>& v) {

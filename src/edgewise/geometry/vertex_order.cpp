@@ -8,6 +8,7 @@
 #include <array>
 #include <numeric>
 
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/polyhedron_builder.hpp"
 
 namespace edgewise {
@@ -51,18 +52,14 @@ std::uint32_t hilbert_index(Cell cell) {
 }
 
 std::vector<Index> along_curve(const Polyhedron& body) {
-    Vec3d low = body.vertices[0], high = low;
-    for (const Vec3d& v : body.vertices) {
-        low = low.cwiseMin(v);
-        high = high.cwiseMax(v);
-    }
-    const double side = max_abs(Vec3d(high - low));
+    const Aabb box = box_of(body.vertices);
+    const double side = max_abs(box.sides());
     const double cells = (1U << curve_bits) - 1;
     std::vector<std::uint32_t> place;
     for (const Vec3d& v : body.vertices) {
         Cell cell{};
         for (int k = 0; k < 3; ++k)
-            cell[k] = side > 0 ? static_cast<std::uint32_t>((v[k] - low[k]) / side * cells) : 0;
+            cell[k] = side > 0 ? static_cast<std::uint32_t>((v[k] - box.low[k]) / side * cells) : 0;
         place.push_back(hilbert_index(cell));
     }
     std::vector<Index> order(body.vertex_count());
@@ -86,6 +83,11 @@ std::vector<Index> breadth_first(const Polyhedron& body) {
     return order;
 }
 
+/// New index -> index in the body.
+std::vector<Index> order_of_vertices(const Polyhedron& body, VertexOrder order) {
+    return order == VertexOrder::bfs ? breadth_first(body) : along_curve(body);
+}
+
 }  // namespace
 
 std::string_view to_string(VertexOrder order) { return names[static_cast<std::size_t>(order)]; }
@@ -94,14 +96,6 @@ std::optional<VertexOrder> vertex_order_from(std::string_view name) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) return std::nullopt;
     return static_cast<VertexOrder>(found - names.begin());
-}
-
-std::vector<Index> order_of_vertices(const Polyhedron& body, VertexOrder order) {
-    if (order == VertexOrder::bfs) return breadth_first(body);
-    if (order == VertexOrder::spatial) return along_curve(body);
-    std::vector<Index> as_given(body.vertex_count());
-    std::iota(as_given.begin(), as_given.end(), 0U);
-    return as_given;
 }
 
 Result<Polyhedron> reordered(const Polyhedron& body, VertexOrder order) {

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/result.hpp"
@@ -23,9 +22,6 @@ enum class VertexOrder : std::uint8_t {
 [[nodiscard]] std::string_view to_string(VertexOrder order);
 /// Nothing for an unknown name.
 [[nodiscard]] std::optional<VertexOrder> vertex_order_from(std::string_view name);
-
-/// Vertices in their new order: new index -> index in the body.
-[[nodiscard]] std::vector<Index> order_of_vertices(const Polyhedron& body, VertexOrder order);
 
 /// The body with its vertices in this order; `input_index` still says which is which. Bodies without a volume
 /// stay as they are: a polygon's vertices lie in the order of its ring.

@@ -5,9 +5,9 @@
 // what is its own: how vertices, edges and planes are stored and read.
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/tolerance.hpp"
@@ -40,11 +40,7 @@ class BlockTable {
 
     /// The facts of a body of the same topology (write_geometry.hpp).
     void note_facts(const Polyhedron& body) {
-        assert(body.vertex_count() == facts_.vertex_count &&
-               body.vertex_ring.size() == facts_.neighbour_count);
-        const std::uint32_t identity = facts_.identity;
-        facts_ = facts_of(body, facts_.parts);
-        facts_.identity = identity;
+        facts_ = facts_.refitted(body, Tolerance<Strictness>::strict_turn);
     }
 
   protected:
@@ -52,12 +48,25 @@ class BlockTable {
     friend class BlockTable;
 
     BlockTable(const Polyhedron& body, Parts parts, Loader loader)
-        : loader_(loader), facts_(facts_of(body, parts)) {}
+        : loader_(loader), facts_(body, parts, Tolerance<Strictness>::strict_turn) {}
 
     /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     BlockTable(const BlockTable<P, OtherLoader, Strictness>& other, Loader loader)
         : loader_(loader), block_(other.block_.view()), facts_(other.facts_) {}
+
+    /// The block of these arrays, each of which names what it holds by place(plan, facts).
+    template <class... Arrays>
+    void make_block(Arrays&... arrays) {
+        block_ = Block([&](BlockPlan& plan) { (arrays.place(plan, facts_), ...); });
+    }
+    /// Of such a block, as they lie there.
+    template <class... Arrays>
+    [[nodiscard]] std::vector<Piece> pieces_of(Arrays... nowhere) const {
+        BlockPlan plan;
+        (nowhere.place(plan, facts_), ...);
+        return plan.pieces(block_.base());
+    }
 
     template <class Value>
     const Value& load(const Value& location, Field field) const {
@@ -67,11 +76,6 @@ class BlockTable {
     [[no_unique_address]] Loader loader_;
     Block block_;
     BodyFacts facts_;
-
-  private:
-    static BodyFacts facts_of(const Polyhedron& body, Parts parts) {
-        return {body, parts, Tolerance<Strictness>::strict_turn};
-    }
 };
 
 }  // namespace edgewise

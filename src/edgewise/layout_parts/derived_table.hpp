@@ -12,7 +12,7 @@
 #pragma once
 
 #include <cassert>
-#include <type_traits>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
@@ -44,31 +44,23 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     using Edge = DerivedEdge;
     using Face = DerivedFace;
 
+    static constexpr std::string_view derives = "edges, faces and every plane";
     static constexpr bool derives_planes = true;
     static constexpr Face no_face = {0xffffffff, 0xffffffff};
 
     DerivedTable(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
-        block_ = Block([this](BlockPlan& plan) {
-            points_.place(plan, facts_);
-            rings_.place(plan, facts_);
-        });
+        this->make_block(points_, rings_);
         rings_.fill(body);
         write_body(body);
     }
 
-    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     DerivedTable(const DerivedTable<Points, P, OtherLoader>& other, Loader loader)
         : Base(other, loader), points_(other.points_), rings_(other.rings_) {}
 
     void write_body(const Polyhedron& body) { points_.write(body); }
 
-    [[nodiscard]] std::vector<Piece> pieces() const {
-        BlockPlan plan;
-        Points().place(plan, facts_);
-        NarrowRings().place(plan, facts_);
-        return plan.pieces(block_.base());
-    }
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Points(), NarrowRings()); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
@@ -123,8 +115,8 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
         assert(!(f == no_face));
         const Vec3<Compute> base = vertex(f.vertex);
         Vec3<Compute> normal = Vec3<Compute>::Zero(), before = Vec3<Compute>::Zero();
-        for (const HalfEdgeAt h : DerivedFaceRing<DerivedTable, HalfEdgeAt>{this, f}) {
-            const Vec3<Compute> corner = vertex(h.vertex) - base;
+        const auto corner_at = [&](const HalfEdgeAt& h) { return Vec3<Compute>(vertex(h.vertex) - base); };
+        for (const Vec3<Compute> corner : around(f, corner_at)) {
             normal += cross(before, corner);
             before = corner;
         }
@@ -132,31 +124,35 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     }
 
     [[nodiscard]] auto ring_of_face(const Face& f) const {
-        return DerivedFaceRing<DerivedTable, RingEdge<Edge>>{this, f};
+        return around(f, [this](const HalfEdgeAt& h) { return edge_at(h.vertex, h.at); });
     }
-    [[nodiscard]] auto all_faces() const { return DerivedFaces<DerivedTable>{this}; }
+    [[nodiscard]] auto all_faces() const {
+        const Index vertices = facts_.face_count == 0 ? 0 : facts_.vertex_count;
+        const auto from = [this, vertices](const HalfEdgeAt& start) {
+            return next_half_edge(
+                start, vertices, [this](Index v) { return rings_.last(loader_, v); },
+                [this](const HalfEdgeAt& h) { return face_of(h) == h; });
+        };
+        const auto after = [from](const Face& f) { return from({f.vertex, f.at + 1}); };
+        return Chain(
+            from({0, 0}), Face{vertices, 0}, [](const Face& f) { return f; }, after);
+    }
 
   private:
     template <class, Precision, class>
     friend class DerivedTable;
-    template <class, class>
-    friend class DerivedFaceRing;
-    template <class>
-    friend class DerivedFaces;
 
-    using Base::block_;
     using Base::facts_;
     using Base::loader_;
 
+    /// Half-edges of a face in order, from its first, each turned into an item.
     template <class Item>
-    [[nodiscard]] Item item(const HalfEdgeAt& h) const {
-        if constexpr (std::is_same_v<Item, HalfEdgeAt>) {
-            return h;
-        } else {
-            return edge_at(h.vertex, h.at);
-        }
+    [[nodiscard]] auto around(const Face& f, Item item) const {
+        using Place = DerivedRingPlace;
+        const auto after = [this](const Place& place) { return Place{next(place.at), true}; };
+        return Chain(
+            Place{f, false}, Place{f, true}, [item](const Place& place) { return item(place.at); }, after);
     }
-    [[nodiscard]] Index ring_end(Vertex v) const { return rings_.last(loader_, v); }
 
     [[nodiscard]] RingEdge<Edge> edge_at(Vertex v, Index at) const {
         const Index other = rings_.neighbour(loader_, at);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Edges and faces of a table that stores neither, as ranges: around a face, and all faces of a body. Table
-// gives next(half-edge), face_of(half-edge) and item<Item>(half-edge).
+// Edges and faces of a table that stores neither, by their vertices and places in the rings.
 #pragma once
 
 #include <algorithm>
@@ -49,74 +48,23 @@ template <class Head, class Next>
     return best;
 }
 
-/// Half-edges of a face in order, from its first; as such, or as edges.
-template <class Table, class Item>
-class DerivedFaceRing {
-  public:
-    class Iterator {
-      public:
-        Iterator(const Table* table, const HalfEdgeAt& at, bool done) : table_(table), at_(at), done_(done) {}
-        Item operator*() const { return table_->template item<Item>(at_); }
-        Iterator& operator++() {
-            at_ = table_->next(at_);
-            done_ = true;
-            return *this;
+/// The first half-edge from here on that is wanted, at vertices below this number; last(v) is where the ring
+/// of v ends, and the places of all rings follow each other. Past the last: that number, place 0.
+template <class Last, class Wanted>
+[[nodiscard]] HalfEdgeAt next_half_edge(HalfEdgeAt h, Index vertices, Last last, Wanted wanted) {
+    for (; h.vertex < vertices; ++h.vertex) {
+        for (; h.at < last(h.vertex); ++h.at) {
+            if (wanted(h)) return h;
         }
-        /// Beside the end: back at the first half-edge, once under way.
-        bool operator!=(const Iterator& end) const { return !(done_ && at_ == end.at_); }
+    }
+    return {vertices, 0};
+}
 
-      private:
-        const Table* table_;
-        HalfEdgeAt at_;
-        bool done_;
-    };
-
-    DerivedFaceRing(const Table* table, const DerivedFace& f) : table_(table), face_(f) {}
-    [[nodiscard]] Iterator begin() const { return {table_, face_, false}; }
-    [[nodiscard]] Iterator end() const { return {table_, face_, true}; }
-
-  private:
-    const Table* table_;
-    DerivedFace face_;
-};
-
-/// Every half-edge that is the first of its face.
-template <class Table>
-class DerivedFaces {
-  public:
-    class Iterator {
-      public:
-        Iterator(const Table* table, Index vertex) : table_(table), at_{vertex, 0} { skip_to_first(); }
-        DerivedFace operator*() const { return at_; }
-        Iterator& operator++() {
-            ++at_.at;
-            skip_to_first();
-            return *this;
-        }
-        bool operator!=(const Iterator& end) const { return at_.vertex != end.at_.vertex; }
-
-      private:
-        /// On to the next first half-edge, this one included; the places of all rings follow each other.
-        void skip_to_first() {
-            const Index end = static_cast<Index>(table_->vertex_count());
-            if (table_->facts().face_count == 0) at_.vertex = end;
-            for (; at_.vertex < end; ++at_.vertex) {
-                for (; at_.at < table_->ring_end(at_.vertex); ++at_.at) {
-                    if (table_->face_of(at_) == at_) return;
-                }
-            }
-        }
-
-        const Table* table_;
-        HalfEdgeAt at_;
-    };
-
-    explicit DerivedFaces(const Table* table) : table_(table) {}
-    [[nodiscard]] Iterator begin() const { return {table_, 0}; }
-    [[nodiscard]] Iterator end() const { return {table_, static_cast<Index>(table_->vertex_count())}; }
-
-  private:
-    const Table* table_;
+/// Under way around a face: back at its first half-edge, it is done.
+struct DerivedRingPlace {
+    HalfEdgeAt at;
+    bool under_way;
+    [[nodiscard]] bool operator==(const DerivedRingPlace&) const = default;
 };
 
 }  // namespace edgewise

@@ -6,11 +6,11 @@
 #include <cstddef>
 
 #include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/layout_parts/voronoi.hpp"
 #include "edgewise/table/pieces.hpp"
 
 namespace edgewise {
 
-/// What the nodes are made of, and what their bytes are for.
 template <class Stored>
 struct LinkedNodes {
     struct Spoke;
@@ -49,6 +49,15 @@ struct LinkedNodes {
         FaceCone* face_cone[2];      // by Side
         static Shares shares() {
             return {{Component::edge_geometry, 4 * sizeof(Stored)}, {Component::topology, 8 * pointer}};
+        }
+        /// Its planes are kept in the cones.
+        void write(const EdgeGeometry& g) {
+            direction = cast<Stored>(g.direction);
+            length = static_cast<Stored>(g.length);
+            vertex_cone[0]->plane = cast<Stored>(g.tail_plane);
+            vertex_cone[1]->plane = cast<Stored>(g.head_plane);
+            if (face_cone[0]) face_cone[0]->plane = cast<Stored>(g.left_plane);
+            if (face_cone[1]) face_cone[1]->plane = cast<Stored>(g.right_plane);
         }
     };
     /// One way out of a vertex: all that a support table knows of an edge.

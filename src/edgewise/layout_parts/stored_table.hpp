@@ -22,6 +22,7 @@
 
 #include <cassert>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
@@ -35,7 +36,6 @@ class StoredTable : public BlockTable<P, Loader> {
     using Base = BlockTable<P, Loader>;
 
   protected:
-    using Base::block_;
     using Base::facts_;
     using Base::loader_;
 
@@ -46,13 +46,11 @@ class StoredTable : public BlockTable<P, Loader> {
     using Face = Index;
 
     static constexpr Face no_face = edgewise::no_face;
+    static constexpr std::string_view derives = "nothing";
 
     StoredTable(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
         : Base(body, parts, loader) {
-        block_ = Block([this](BlockPlan& plan) {
-            at_.place(plan, facts_);
-            rings_.place(plan, facts_);
-        });
+        this->make_block(at_, rings_);
         rings_.fill(body, parts);
         for (Index e = 0; e < facts_.edge_count; ++e) write_ends(at_.ends(e), body.edges[e]);
         if constexpr (requires { at_.link(body); }) {
@@ -61,17 +59,11 @@ class StoredTable : public BlockTable<P, Loader> {
         write_geometry(*this, body, write);
     }
 
-    /// The same memory seen through another loader: a view, which must not outlive the table.
     template <class OtherLoader>
     StoredTable(const StoredTable<Arrays, P, OtherLoader>& other, Loader loader)
         : Base(other, loader), at_(other.at_), rings_(other.rings_) {}
 
-    [[nodiscard]] std::vector<Piece> pieces() const {
-        BlockPlan plan;
-        Arrays().place(plan, facts_);
-        Rings().place(plan, facts_);
-        return plan.pieces(block_.base());
-    }
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Arrays(), Rings()); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/geometry/hull/flat_hull.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
 
 namespace edgewise::scene {
@@ -29,16 +28,21 @@ const Json& member(const Json& object, const char* key) {
     return found == object.end() ? absent : *found;
 }
 
-const Json& object_at(const Json& parent, const char* key, const std::string& field) {
+/// The member, which must be there.
+const Json& required(const Json& parent, const char* key, const std::string& field) {
     const Json& value = member(parent, key);
     if (value.is_null()) throw Fault{fmt::format("{} is missing", field)};
+    return value;
+}
+
+const Json& object_at(const Json& parent, const char* key, const std::string& field) {
+    const Json& value = required(parent, key, field);
     if (!value.is_object()) throw Fault{fmt::format("{} is not an object", field)};
     return value;
 }
 
 const Json& array_at(const Json& parent, const char* key, const std::string& field) {
-    const Json& value = member(parent, key);
-    if (value.is_null()) throw Fault{fmt::format("{} is missing", field)};
+    const Json& value = required(parent, key, field);
     if (!value.is_array()) throw Fault{fmt::format("{} is not an array", field)};
     return value;
 }
@@ -57,10 +61,7 @@ std::array<double, Count> numbers(const Json& list, const std::string& field) {
     return values;
 }
 
-Vec3d point(const Json& list, const std::string& field) {
-    const std::array<double, 3> x = numbers<3>(list, field);
-    return {x[0], x[1], x[2]};
-}
+Vec3d point(const Json& list, const std::string& field) { return Vec3d(numbers<3>(list, field).data()); }
 
 Index vertex_number(const Json& value, std::size_t vertex_count, const std::string& field) {
     if (!value.is_number_unsigned())
@@ -112,14 +113,7 @@ Pose pose_of(const Json& line, const char* key) {
     if (member(line, key).is_null()) return {};
     const Json& object = object_at(line, key, name);
     const std::array<double, 9> entries = numbers<9>(array_at(object, "R", name + ".R"), name + ".R");
-    Pose pose;
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            pose.rotation(row, column) = entries[static_cast<std::size_t>(3 * row + column)];
-        }
-    }
-    pose.translation = point(array_at(object, "t", name + ".t"), name + ".t");
-    return pose;
+    return {Eigen::Map<const Mat3d>(entries.data()), point(array_at(object, "t", name + ".t"), name + ".t")};
 }
 
 std::string id_of(const Json& line) {

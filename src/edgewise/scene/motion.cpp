@@ -14,7 +14,8 @@ Quaternion rotation_about(const Vec3d& axis, double angle) {
     return normalised({half.cosine, half.sine * axis.x(), half.sine * axis.y(), half.sine * axis.z()});
 }
 
-void reflect(double& coordinate, double& velocity, double half) {
+/// A coordinate folded back between the walls -half and half; each reflection flips the velocity.
+static void reflect(double& coordinate, double& velocity, double half) {
     assert(half > 0 && std::isfinite(coordinate));
     while (coordinate > half || coordinate < -half) {
         coordinate = (coordinate > half ? 2 * half : -2 * half) - coordinate;
@@ -26,6 +27,10 @@ void advance(MovingBody& body, double half) {
     body.centre += body.velocity;
     for (int axis = 0; axis < 3; ++axis) reflect(body.centre[axis], body.velocity[axis], half);
     body.orientation = normalised(body.turn * body.orientation);
+}
+
+Pose pose_of(const MovingBody& body, const Vec3d& centre) {
+    return pose_at(rotation_matrix(body.orientation), centre, body.centre);
 }
 
 Pose pose_at(const Mat3d& rotation, const Vec3d& centre, const Vec3d& place) {

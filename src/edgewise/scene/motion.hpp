@@ -19,14 +19,14 @@ struct MovingBody {
     Quaternion turn;  ///< rotation of one step
 };
 
+/// The pose of a body of this centre in its own frame.
+[[nodiscard]] Pose pose_of(const MovingBody& body, const Vec3d& centre);
+
 /// The rotation by `angle` radians about a unit axis; any angle up to 2^20 turns (angle.hpp).
 [[nodiscard]] Quaternion rotation_about(const Vec3d& axis, double angle);
 
 /// One step on: moved, turned, and reflected at the walls of [-half, half]^3.
 void advance(MovingBody& body, double half);
-
-/// A coordinate folded back between the walls -half and half; each reflection flips the velocity.
-void reflect(double& coordinate, double& velocity, double half);
 
 /// Pose that turns a body about `centre` (body frame) and then puts that point at `place` (world).
 [[nodiscard]] Pose pose_at(const Mat3d& rotation, const Vec3d& centre, const Vec3d& place);

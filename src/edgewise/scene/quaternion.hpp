@@ -38,15 +38,9 @@ struct Quaternion {
 /// The rotation of a unit quaternion; orthogonal to a few rounding steps.
 [[nodiscard]] inline Mat3d rotation_matrix(const Quaternion& q) {
     Mat3d r;
-    r(0, 0) = 1 - 2 * (q.y * q.y + q.z * q.z);
-    r(0, 1) = 2 * (q.x * q.y - q.w * q.z);
-    r(0, 2) = 2 * (q.x * q.z + q.w * q.y);
-    r(1, 0) = 2 * (q.x * q.y + q.w * q.z);
-    r(1, 1) = 1 - 2 * (q.x * q.x + q.z * q.z);
-    r(1, 2) = 2 * (q.y * q.z - q.w * q.x);
-    r(2, 0) = 2 * (q.x * q.z - q.w * q.y);
-    r(2, 1) = 2 * (q.y * q.z + q.w * q.x);
-    r(2, 2) = 1 - 2 * (q.x * q.x + q.y * q.y);
+    r.row(0) << 1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y - q.w * q.z), 2 * (q.x * q.z + q.w * q.y);
+    r.row(1) << 2 * (q.x * q.y + q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z - q.w * q.x);
+    r.row(2) << 2 * (q.x * q.z - q.w * q.y), 2 * (q.y * q.z + q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y);
     return r;
 }
 

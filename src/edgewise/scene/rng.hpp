@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <utility>
@@ -28,14 +29,14 @@ class Rng {
 
     /// 64 random bits.
     [[nodiscard]] std::uint64_t next() {
-        const std::uint64_t result = rotate_left(state_[1] * 5, 7) * 9;
+        const std::uint64_t result = std::rotl(state_[1] * 5, 7) * 9;
         const std::uint64_t shifted = state_[1] << 17;
         state_[2] ^= state_[0];
         state_[3] ^= state_[1];
         state_[1] ^= state_[2];
         state_[0] ^= state_[3];
         state_[2] ^= shifted;
-        state_[3] = rotate_left(state_[3], 45);
+        state_[3] = std::rotl(state_[3], 45);
         return result;
     }
 
@@ -103,8 +104,6 @@ class Rng {
     [[nodiscard]] Mat3d rotation() { return rotation_matrix(orientation()); }
 
   private:
-    static std::uint64_t rotate_left(std::uint64_t x, int by) { return (x << by) | (x >> (64 - by)); }
-
     std::array<std::uint64_t, 4> state_;
 };
 

@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "edgewise/scene/physical_motion.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 
@@ -34,6 +33,25 @@ constexpr std::array members = {"scene",      "shapes", "time_step", "needs", "s
 constexpr double usual_time_step = 1.0 / 60;  ///< s: a step per frame of a screen
 constexpr double longest_time_step = 1000;    ///< s
 constexpr double most_queries = 1e8;          ///< of one point: poses take 224 bytes each
+
+// Velocities in the units of scenes, which know steps alone: rad per step, and body sizes per step.
+constexpr std::string_view random_turn = "random";  ///< in place of a number
+
+struct MotionUnits {
+    double time_step;  ///< s
+    double size;       ///< of the body, m
+};
+
+/// Whether a parameter says how fast bodies turn.
+bool is_turn(std::string_view name) { return name == "angular_velocity" || name == "rotation_step"; }
+
+/// A parameter as scenes know it: angular_velocity (rad/s) as rotation_step, linear_velocity (m/s) as
+/// translation_step; all others as they are.
+std::pair<std::string, double> in_steps(const std::string& name, double value, const MotionUnits& units) {
+    if (name == "angular_velocity") return {"rotation_step", value * units.time_step};
+    if (name == "linear_velocity") return {"translation_step", value * units.time_step / units.size};
+    return {name, value};
+}
 
 /// The member as that type, or the standard value when it is absent.
 template <class Value>
@@ -180,6 +198,14 @@ Result<SceneFile> read_scene_file(const std::string& path) {
     std::ostringstream text;
     text << stream.rdbuf();
     return parse_scene_file(std::filesystem::path(path).stem().string(), text.str());
+}
+
+std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path) {
+    for (const SceneText& text : scene_texts()) {
+        if (text.name == name_or_path) return parse_scene_file(name_or_path, std::string(text.json));
+    }
+    if (name_or_path.ends_with(".json")) return read_scene_file(name_or_path);
+    return std::nullopt;
 }
 
 }  // namespace edgewise::scene

@@ -15,7 +15,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/geometry/result.hpp"
@@ -46,5 +49,17 @@ struct SceneFile {
 [[nodiscard]] Result<SceneFile> read_scene_file(const std::string& path);
 /// Likewise from its text, under a name.
 [[nodiscard]] Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text);
+
+struct SceneText {
+    std::string_view name, json;
+};
+
+/// The scene files that come with Edgewise: the scenes of "New Metrics for Evaluation of Collision Detection
+/// Techniques", one for each of its tests and figures (reports/paper/scenes). Sweeps and files name them like
+/// kinds of scenes.
+[[nodiscard]] std::span<const SceneText> scene_texts();
+
+/// The scene file of that name, or at that path if it ends in .json; nothing for any other name.
+[[nodiscard]] std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path);
 
 }  // namespace edgewise::scene

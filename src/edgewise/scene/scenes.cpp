@@ -10,24 +10,20 @@
 #include <cmath>
 
 #include "edgewise/scene/kinds/scene_setup.hpp"
-#include "edgewise/scene/scene_texts.hpp"
+#include "edgewise/scene/scene_file.hpp"
 
 namespace edgewise::scene {
 namespace {
 
-struct SceneEntry {
-    SceneInfo (*describe)();
-    Result<Workload> (*make)(const SceneSetup&);
-};
+const std::vector<SceneKind>& scenes() {
+    static const std::vector<SceneKind> all = {static_scene(), cold_scene(), tumble_scene(),
+                                               proximity_scene(), pressure_scene()};
+    return all;
+}
 
-constexpr SceneEntry scenes[] = {
-    {describe_static, make_static},       {describe_cold, make_cold},         {describe_tumble, make_tumble},
-    {describe_proximity, make_proximity}, {describe_pressure, make_pressure},
-};
-
-const SceneEntry* find_scene(std::string_view name) {
-    for (const SceneEntry& entry : scenes) {
-        if (entry.describe().name == name) return &entry;
+const SceneKind* find_scene(std::string_view name) {
+    for (const SceneKind& kind : scenes()) {
+        if (kind.info.name == name) return &kind;
     }
     return nullptr;
 }
@@ -62,15 +58,15 @@ std::string unknown_scene(std::string_view scene) {
 
 std::vector<SceneInfo> list_scenes() {
     std::vector<SceneInfo> infos;
-    for (const SceneEntry& entry : scenes) infos.push_back(entry.describe());
+    for (const SceneKind& kind : scenes()) infos.push_back(kind.info);
     return infos;
 }
 
 Result<SceneParameters> complete_parameters(std::string_view scene, const SceneParameters& given) {
     using Failure = Result<SceneParameters>;
-    const SceneEntry* entry = find_scene(scene);
-    if (!entry) return Failure::failure(unknown_scene(scene));
-    const SceneInfo info = entry->describe();
+    const SceneKind* kind = find_scene(scene);
+    if (!kind) return Failure::failure(unknown_scene(scene));
+    const SceneInfo& info = kind->info;
     SceneParameters complete;
     for (const ParameterInfo& parameter : info.parameters) complete[parameter.name] = parameter.standard;
     for (const auto& [name, value] : given) {
@@ -99,7 +95,12 @@ Result<Workload> make_scene(std::string_view scene, const Polyhedron& shape, con
         return Failure::failure(
             fmt::format("scene '{}': the shape encloses no volume; scenes need solids", scene));
     }
-    return find_scene(scene)->make({shape, *parameters, seed, query_count, distance});
+    const SceneKind& kind = *find_scene(scene);
+    if (kind.places_pairs && !distance) {
+        return Failure::failure(
+            fmt::format("scene '{}' places pairs by their distance: give it a distance function", scene));
+    }
+    return kind.make({shape, *parameters, seed, query_count, distance});
 }
 
 }  // namespace edgewise::scene

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The scenes by name: what each is for, its parameters with their defaults and bounds, and how to make one.
-//   static    random populations in a box, every pair cold (the paper's static test)
-//   cold      independent random pairs at chosen distances
-//   tumble    coherent motion, pairs followed through time (the paper's dynamic tests)
-//   proximity pairs a small gap apart that turn slowly in place (the paper's close proximity)
-//   pressure  more tables than caches hold, a table for every instance (the paper's many primitives)
+// The scenes by name (kinds/scene_*.cpp): what each is for, its parameters with their defaults and bounds,
+// and how to make one.
 //
 // A body's *size* is its extent (the diagonal of its axis-aligned box); its *centre* the mean of its
 // vertices, a point inside. Bodies turn about their centre, and boxes and walls hold the centres, so that a

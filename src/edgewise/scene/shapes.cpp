@@ -11,7 +11,6 @@
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/sphere_points.hpp"
-#include "edgewise/scene/uv_sphere.hpp"
 
 namespace edgewise::scene {
 namespace {

@@ -21,6 +21,13 @@ struct ShapeInfo {
     std::size_t vertices, edges, faces;
 };
 
+/// A body and where it came from.
+struct NamedShape {
+    std::string name, source;  ///< source: "built-in", or the mesh file's name
+    Polyhedron body;
+    std::string error;  ///< why there is no body; its cells are unavailable
+};
+
 /// The fixed shapes, then both sphere families in order of size.
 [[nodiscard]] std::vector<ShapeInfo> list_shapes();
 

@@ -2,12 +2,17 @@
 //
 // Grid nodes on the octahedron or the cube, pushed out to a slightly uneven sphere. Nodes are listed slice by
 // slice (x, then y, then z), so that neighbours on the body are mostly near one another in memory.
+//
+// Angles by scene/angle.hpp, the same on every machine; the radius noise of meridians and parallels is a
+// sixteenth of the squared spacing next to the poles, where points are nearest to each other.
 #include "edgewise/scene/sphere_points.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
+#include "edgewise/scene/angle.hpp"
 #include "edgewise/scene/rng.hpp"
 
 namespace edgewise::scene {
@@ -24,6 +29,12 @@ std::vector<Vec3d> octahedral_nodes(int k) {
         }
     }
     return nodes;
+}
+
+/// To the nearest point whose coordinates are whole multiples of 2^-21.
+Vec3d on_grid(const Vec3d& point) {
+    const auto to_grid = [](double x) { return std::floor(x * 0x1p21 + 0.5) * 0x1p-21; };
+    return {to_grid(point.x()), to_grid(point.y()), to_grid(point.z())};
 }
 
 /// Takes a point of the cube [-1, 1]^3's surface to the unit sphere, nodes closer to evenly spaced than along
@@ -49,11 +60,6 @@ std::vector<Vec3d> cubic_nodes(int k) {
 
 }  // namespace
 
-Vec3d on_sphere_grid(const Vec3d& point) {
-    const auto to_grid = [](double x) { return std::floor(x * 0x1p21 + 0.5) * 0x1p-21; };
-    return {to_grid(point.x()), to_grid(point.y()), to_grid(point.z())};
-}
-
 std::vector<SphereSize> sphere_sizes() {
     std::vector<SphereSize> sizes;
     for (const SphereFamily family : {SphereFamily::octahedral, SphereFamily::cubic}) {
@@ -73,8 +79,28 @@ std::vector<Vec3d> sphere_points(SphereSize size) {
     for (Vec3d& point : points) {
         const double radius = 1 + rng.uniform(-noise, noise);
         const double factor = radius / norm(point);
-        point = on_sphere_grid(point * factor);
+        point = on_grid(point * factor);
     }
+    return points;
+}
+
+std::vector<Vec3d> uv_sphere_points() {
+    constexpr int parallels = 24, meridians = 16;
+    const double step = std::numbers::pi / (parallels + 1);
+    const double spacing = sine_cosine(step).sine * 2 * std::numbers::pi / meridians;
+    const double noise = spacing * spacing / 16;
+    Rng rng(parallels * meridians + 2);
+    std::vector<Vec3d> points = {{0, 0, -1}};
+    for (int i = 1; i <= parallels; ++i) {
+        const SineCosine polar = sine_cosine(step * i);
+        for (int k = 0; k < meridians; ++k) {
+            const SineCosine around = sine_cosine(2 * std::numbers::pi * k / meridians);
+            const double radius = 1 + rng.uniform(-noise, noise);
+            points.push_back(
+                on_grid(radius * Vec3d(polar.sine * around.cosine, polar.sine * around.sine, -polar.cosine)));
+        }
+    }
+    points.emplace_back(0, 0, 1);
     return points;
 }
 

@@ -23,9 +23,6 @@
 
 namespace edgewise::scene {
 
-/// To the nearest point whose coordinates are whole multiples of 2^-21.
-[[nodiscard]] Vec3d on_sphere_grid(const Vec3d& point);
-
 enum class SphereFamily : std::uint8_t { octahedral, cubic };
 
 struct SphereSize {
@@ -45,5 +42,11 @@ inline constexpr std::size_t largest_sphere = 100000;
 [[nodiscard]] std::vector<SphereSize> sphere_sizes();
 
 [[nodiscard]] std::vector<Vec3d> sphere_points(SphereSize size);
+
+/// A sphere of meridians and parallels with 386 vertices: two poles and 24 parallels of 16 points, on the
+/// same grid of coordinates, radii moved a little so that no quad is flat. Given ring by ring, neighbours
+/// across rings are 16 vertices apart in memory, and the poles have 16 neighbours each; the other spheres are
+/// given slice by slice, with few neighbours everywhere.
+[[nodiscard]] std::vector<Vec3d> uv_sphere_points();
 
 }  // namespace edgewise::scene

@@ -2,8 +2,8 @@
 #include "edgewise/studies/stability_cases.hpp"
 
 #include "edgewise/truth/depth/exact_depth.hpp"
+#include "edgewise/truth/exact_body.hpp"
 #include "edgewise/truth/moore_wilhelms.hpp"
-#include "edgewise/truth/pair_error.hpp"
 
 namespace edgewise::studies {
 

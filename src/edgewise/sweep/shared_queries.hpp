@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/scene/named_shape.hpp"
+#include "edgewise/scene/shapes.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/sweep/plan.hpp"
 #include "edgewise/truth/exact_distance.hpp"

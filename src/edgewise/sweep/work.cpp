@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "edgewise/scene/scene_texts.hpp"
+#include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 

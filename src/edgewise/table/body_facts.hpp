@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 
 #include "edgewise/geometry/polyhedron.hpp"
@@ -35,6 +36,14 @@ struct BodyFacts {
         edge_count = static_cast<Index>(body.edge_count());
         face_count = static_cast<Index>(body.face_count());
         face_ring_count = static_cast<Index>(body.face_ring.size());
+    }
+
+    /// Of another body of the same topology, in the same table.
+    [[nodiscard]] BodyFacts refitted(const Polyhedron& body, double strict_turn) const {
+        BodyFacts facts(body, parts, strict_turn);
+        assert(facts.vertex_count == vertex_count && facts.neighbour_count == neighbour_count);
+        facts.identity = identity;
+        return facts;
     }
 };
 

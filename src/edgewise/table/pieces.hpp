@@ -4,11 +4,13 @@
 // a drawing paints them, and a contract test holds every traced read against them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
 #include <initializer_list>
 #include <span>
+#include <vector>
 
 #include "edgewise/table/ledger.hpp"
 
@@ -78,6 +80,26 @@ struct Piece {
     Ledger ledger;
     for (const Piece& piece : pieces) piece.add_to(ledger);
     return ledger;
+}
+
+/// A piece without its memory.
+struct MappedPiece {
+    std::size_t offset = 0, stride = 0, count = 0;
+    Shares shares;
+};
+
+/// A table's memory from the lowest address up, by offset, so that it outlives the table: from `base` or else
+/// from the lowest address; gaps between pieces belong to nobody.
+[[nodiscard]] inline std::vector<MappedPiece> memory_map(std::vector<Piece> pieces,
+                                                         const std::byte* base = nullptr) {
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.at < b.at; });
+    std::vector<MappedPiece> map;
+    for (const Piece& piece : pieces) {
+        const std::byte* const from = base ? base : pieces.front().at;
+        assert(from <= piece.at);
+        map.push_back({static_cast<std::size_t>(piece.at - from), piece.stride, piece.count, piece.shares});
+    }
+    return map;
 }
 
 }  // namespace edgewise

@@ -5,6 +5,7 @@
 
 #include <cassert>
 #include <cstdint>
+#include <iterator>
 
 namespace edgewise {
 
@@ -51,6 +52,31 @@ class IndexedRing {
 
 template <class Reader>
 IndexedRing(std::uint32_t, std::uint32_t, Reader) -> IndexedRing<Reader>;
+
+/// From one place to the next until the end is reached, both range and iterator: `item` is what stands at a
+/// place, `next` where it goes on.
+template <class Place, class Item, class Next>
+class Chain {
+  public:
+    Chain(Place at, Place end, Item item, Next next) : at_(at), end_(end), item_(item), next_(next) {}
+    [[nodiscard]] Chain begin() const { return *this; }
+    [[nodiscard]] std::default_sentinel_t end() const { return {}; }
+    auto operator*() const {
+        assert(!(at_ == end_));
+        return item_(at_);
+    }
+    Chain& operator++() {
+        assert(!(at_ == end_));
+        at_ = next_(at_);
+        return *this;
+    }
+    bool operator!=(std::default_sentinel_t) const { return !(at_ == end_); }
+
+  private:
+    Place at_, end_;
+    Item item_;
+    Next next_;
+};
 
 /// 0 .. count-1, for layouts whose handles are plain positions.
 [[nodiscard]] inline auto index_range(std::uint32_t count) {

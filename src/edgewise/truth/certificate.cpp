@@ -12,7 +12,6 @@
 
 #include "edgewise/truth/dyadic.hpp"
 #include "edgewise/truth/exact_distance.hpp"
-#include "edgewise/truth/pair_error.hpp"
 
 namespace edgewise::truth {
 
@@ -28,12 +27,10 @@ struct Mean {
 
 /// Weights in units of the smallest power of two among them.
 void set_weights(Mean& mean, const std::vector<double>& weights) {
-    long unit = exponent_of_zero;
-    for (const double w : weights) unit = std::min(unit, dyadic(w).exponent);
-    mean.weights.resize(weights.size());
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        set_scaled(mean.weights[i], weights[i], unit);
-        mean.total += mean.weights[i];
+    const long unit = least_exponent(weights);
+    for (const double w : weights) {
+        mean.weights.push_back(scaled(w, unit));
+        mean.total += mean.weights.back();
     }
 }
 
@@ -81,14 +78,8 @@ double gap_along(ExactPair& bodies, const IntegerVec& direction) {
 }
 
 IntegerVec whole_direction(const Vec3d& direction) {
-    IntegerVec whole;
-    if (!direction.allFinite()) return whole;
-    long unit = exponent_of_zero;
-    for (int i = 0; i < 3; ++i) unit = std::min(unit, dyadic(direction[i]).exponent);
-    set_scaled(whole.x, direction.x(), unit);
-    set_scaled(whole.y, direction.y(), unit);
-    set_scaled(whole.z, direction.z(), unit);
-    return whole;
+    if (!direction.allFinite()) return {};
+    return scaled(direction, least_exponent(direction));
 }
 
 std::vector<Vec3d> chosen(std::span<const Vec3d> vertices, const Mean& mean) {
@@ -107,7 +98,7 @@ SubsetTrial<IntegerVec> line_between(ExactPair& bodies, const SimplexSeed& simpl
         found.point[i] = bodies.difference({on_a.vertices[pair.a], on_b.vertices[pair.b]});
     }
     SubsetTrial<IntegerVec> line = subset_of<IntegerVec>(found, ~0U, nullptr);
-    if (!settle(line))
+    if (!find_direction(line))
         throw std::logic_error("certificate: a simplex of exact_distance has no nearest point");
     line.point = {};  // they end with this function
     return line;

@@ -79,10 +79,11 @@ Dyadic dyadic(double value) {
     return {std::signbit(value) ? -mantissa : mantissa, std::max(biased, 1L) - 1075 + zeros};
 }
 
-void set_scaled(mpz_class& out, double value, long unit) {
+mpz_class scaled(double value, long unit) {
     const Dyadic d = dyadic(value);
-    out = d.mantissa;
-    if (d.mantissa != 0) out <<= static_cast<mp_bitcnt_t>(d.exponent - unit);
+    mpz_class whole = d.mantissa;
+    if (d.mantissa != 0) whole <<= static_cast<mp_bitcnt_t>(d.exponent - unit);
+    return whole;
 }
 
 double rounded_quotient(const mpz_class& numerator, const mpz_class& denominator, long exponent) {

@@ -7,6 +7,10 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
+
+#include "edgewise/truth/integer_vector.hpp"
+
 namespace edgewise::truth {
 
 /// value = mantissa * 2^exponent, mantissa odd or zero.
@@ -20,8 +24,19 @@ inline constexpr long exponent_of_zero = 1L << 20;
 
 [[nodiscard]] Dyadic dyadic(double value);
 
-/// out = value / 2^unit; unit must be at most the exponent of the value.
-void set_scaled(mpz_class& out, double value, long unit);
+/// The least exponent among these numbers.
+template <class Numbers>
+[[nodiscard]] long least_exponent(const Numbers& numbers) {
+    long least = exponent_of_zero;
+    for (const double x : numbers) least = std::min(least, dyadic(x).exponent);
+    return least;
+}
+
+/// value / 2^unit; unit must be at most the exponent of the value.
+[[nodiscard]] mpz_class scaled(double value, long unit);
+[[nodiscard]] inline IntegerVec scaled(const Vec3d& v, long unit) {
+    return {scaled(v.x(), unit), scaled(v.y(), unit), scaled(v.z(), unit)};
+}
 
 /// The double nearest to (numerator / denominator) * 2^exponent; denominator positive.
 [[nodiscard]] double rounded_quotient(const mpz_class& numerator, const mpz_class& denominator,

@@ -12,50 +12,52 @@ namespace edgewise::truth {
 
 namespace {
 
-long least_exponent(std::span<const Vec3d> points) {
+long least_exponent_of(std::span<const Vec3d> points) {
     long least = exponent_of_zero;
-    for (const Vec3d& p : points) {
-        for (int i = 0; i < 3; ++i) least = std::min(least, dyadic(p[i]).exponent);
-    }
+    for (const Vec3d& p : points) least = std::min(least, least_exponent(p));
     return least;
 }
 
-long least_exponent(const Mat3d& matrix) {
-    long least = exponent_of_zero;
-    for (const double entry : matrix.reshaped()) least = std::min(least, dyadic(entry).exponent);
-    return least;
+/// Names the body and what to give instead.
+std::string body_error(std::span<const Vec3d> vertices, const Pose& pose, const char* body) {
+    const std::string where = std::string("body ") + body + ": ";
+    if (vertices.empty()) return where + "no vertices; give at least one point";
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (vertices[i].allFinite()) continue;
+        return where + "vertex " + std::to_string(i) + " is not finite; give finite coordinates";
+    }
+    if (!pose.rotation.allFinite()) return where + "rotation is not finite; give nine finite numbers";
+    if (!pose.translation.allFinite()) return where + "translation is not finite; give three finite numbers";
+    return {};
 }
 
 }  // namespace
 
+std::string pair_error(std::span<const Vec3d> a, const Pose& pose_a, std::span<const Vec3d> b,
+                       const Pose& pose_b) {
+    const std::string error = body_error(a, pose_a, "A");
+    return error.empty() ? body_error(b, pose_b, "B") : error;
+}
+
 long ExactBody::unit_exponent(std::span<const Vec3d> vertices, const Pose& pose) {
-    const long product = least_exponent(pose.rotation) + least_exponent(vertices);
-    return std::min(product, least_exponent(std::span(&pose.translation, 1)));
+    const long product = least_exponent(pose.rotation.reshaped()) + least_exponent_of(vertices);
+    return std::min(product, least_exponent(pose.translation));
 }
 
 ExactBody::ExactBody(std::span<const Vec3d> vertices, const Pose& pose, long unit)
     : vertices_(vertices), filter_(vertices, pose.rotation), slot_(vertices.size(), not_yet) {
     // All-zero vertices or an all-zero matrix have no exponent of their own; any that fits will do.
-    const long rotation_unit = least_exponent(pose.rotation);
-    vertex_unit_ = least_exponent(vertices);
+    const long rotation_unit = least_exponent(pose.rotation.reshaped());
+    vertex_unit_ = least_exponent_of(vertices);
     if (vertex_unit_ == exponent_of_zero) vertex_unit_ = unit - std::min(rotation_unit, 0L);
-    for (int i = 0; i < 3; ++i) {
-        set_scaled(row_[i].x, pose.rotation(i, 0), unit - vertex_unit_);
-        set_scaled(row_[i].y, pose.rotation(i, 1), unit - vertex_unit_);
-        set_scaled(row_[i].z, pose.rotation(i, 2), unit - vertex_unit_);
-    }
-    set_scaled(translation_.x, pose.translation.x(), unit);
-    set_scaled(translation_.y, pose.translation.y(), unit);
-    set_scaled(translation_.z, pose.translation.z(), unit);
+    for (int i = 0; i < 3; ++i) row_[i] = scaled(Vec3d(pose.rotation.row(i)), unit - vertex_unit_);
+    translation_ = scaled(pose.translation, unit);
 }
 
 const IntegerVec& ExactBody::world(std::uint32_t i) {
     if (slot_[i] != not_yet) return world_[slot_[i]];
     slot_[i] = static_cast<std::uint32_t>(world_.size());
-    IntegerVec vertex;
-    set_scaled(vertex.x, vertices_[i].x(), vertex_unit_);
-    set_scaled(vertex.y, vertices_[i].y(), vertex_unit_);
-    set_scaled(vertex.z, vertices_[i].z(), vertex_unit_);
+    const IntegerVec vertex = scaled(vertices_[i], vertex_unit_);
     IntegerVec result{dot(row_[0], vertex), dot(row_[1], vertex), dot(row_[2], vertex)};
     result += translation_;
     world_.push_back(std::move(result));

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "edgewise/geometry/pose.hpp"
@@ -16,6 +17,11 @@
 #include "edgewise/truth/support_filter.hpp"
 
 namespace edgewise::truth {
+
+/// One line that says what exact arithmetic cannot take of a pair of bodies: none, NaN, infinity; empty if
+/// nothing is wrong.
+[[nodiscard]] std::string pair_error(std::span<const Vec3d> a, const Pose& pose_a, std::span<const Vec3d> b,
+                                     const Pose& pose_b);
 
 class ExactBody {
   public:

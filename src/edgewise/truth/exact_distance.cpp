@@ -10,7 +10,6 @@
 #include "edgewise/truth/depth/common_interior.hpp"
 #include "edgewise/truth/dyadic.hpp"
 #include "edgewise/truth/optimality.hpp"
-#include "edgewise/truth/pair_error.hpp"
 
 namespace edgewise::truth {
 
@@ -22,7 +21,7 @@ bool adopt(ExactPair& bodies, const SimplexSeed& seed, MinimumSimplex<IntegerVec
     simplex.pair = seed.pair;
     simplex.size = seed.size;
     SubsetTrial<IntegerVec> trial = subset_of<IntegerVec>(simplex, ~0U, nullptr);
-    if (!settle(trial)) return false;
+    if (!find_direction(trial)) return false;
     simplex.direction = std::move(trial.direction);
     simplex.height = std::move(trial.height);
     return true;

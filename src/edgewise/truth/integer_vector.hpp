@@ -6,6 +6,8 @@
 
 #include <gmpxx.h>
 
+#include <array>
+
 #include "edgewise/geometry/vec.hpp"
 
 namespace edgewise::truth {
@@ -48,6 +50,14 @@ inline IntegerVec& operator+=(IntegerVec& a, const IntegerVec& b) {
     return sum;
 }
 
+/// Each entry as a mantissa in [0.5, 1), with its exponent; zero with the exponent 0.
+[[nodiscard]] inline Vec3d mantissas(const IntegerVec& v, std::array<long, 3>& exponents) {
+    const auto entry = [&](const mpz_class& x, int i) {
+        return mpz_get_d_2exp(&exponents[i], x.get_mpz_t());
+    };
+    return {entry(v.x, 0), entry(v.y, 1), entry(v.z, 2)};
+}
+
 /// p q - r s
 [[nodiscard]] inline mpz_class minor_of(const mpz_class& p, const mpz_class& q, const mpz_class& r,
                                         const mpz_class& s) {
@@ -59,6 +69,12 @@ inline IntegerVec& operator+=(IntegerVec& a, const IntegerVec& b) {
 
 [[nodiscard]] inline IntegerVec cross(const IntegerVec& a, const IntegerVec& b) {
     return {minor_of(a.y, b.z, a.z, b.y), minor_of(a.z, b.x, a.x, b.z), minor_of(a.x, b.y, a.y, b.x)};
+}
+
+/// Some vector perpendicular to this one, which is not zero.
+[[nodiscard]] inline IntegerVec perpendicular_to(const IntegerVec& a) {
+    const IntegerVec normal = cross(a, IntegerVec{1, 0, 0});
+    return normal.is_zero() ? cross(a, IntegerVec{0, 1, 0}) : normal;
 }
 
 /// The sign of a number as -1, 0 or 1; the double twin lets one text serve both number types.

@@ -51,7 +51,7 @@ struct SubsetTrial {
 };
 
 template <class Vec>
-[[nodiscard]] bool settle_edge(SubsetTrial<Vec>& t) {
+[[nodiscard]] bool find_edge_direction(SubsetTrial<Vec>& t) {
     const Vec& p = *t.point[0];
     const Vec& q = *t.point[1];
     const Vec along = q - p;
@@ -63,7 +63,7 @@ template <class Vec>
 }
 
 template <class Vec>
-[[nodiscard]] bool settle_triangle(SubsetTrial<Vec>& t) {
+[[nodiscard]] bool find_triangle_direction(SubsetTrial<Vec>& t) {
     const Vec& p = *t.point[0];
     const Vec& q = *t.point[1];
     const Vec& r = *t.point[2];
@@ -95,11 +95,11 @@ template <class Vec>
 /// Whether the nearest point of the subset's affine hull lies strictly inside the subset; sets direction and
 /// height. False for affinely dependent points.
 template <class Vec>
-[[nodiscard]] bool settle(SubsetTrial<Vec>& t) {
+[[nodiscard]] bool find_direction(SubsetTrial<Vec>& t) {
     t.height = 0;
     if (t.size == 4) return encloses_origin(t);
-    if (t.size == 3) return settle_triangle(t);
-    if (t.size == 2) return settle_edge(t);
+    if (t.size == 3) return find_triangle_direction(t);
+    if (t.size == 2) return find_edge_direction(t);
     t.direction = *t.point[0];
     t.height = dot(t.direction, t.direction);
     return true;
@@ -137,7 +137,7 @@ template <class Vec>
     for (const unsigned mask : order) {
         if (mask >> simplex.size) continue;
         SubsetTrial<Vec> t = subset_of(simplex, mask, &point);
-        if (!settle(t) || !is_lowest(simplex, mask, t)) continue;
+        if (!find_direction(t) || !is_lowest(simplex, mask, t)) continue;
         int kept = 0;
         for (int i = 0; i < simplex.size; ++i) {
             if (!(mask >> i & 1U)) continue;

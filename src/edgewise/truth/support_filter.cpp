@@ -9,6 +9,7 @@
 #include "edgewise/truth/support_filter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -87,12 +88,10 @@ std::span<const std::uint32_t> SupportFilter::candidates(const Vec3d& direction)
 }
 
 Vec3d rounded_direction(const IntegerVec& direction) {
-    const mpz_class* entries[] = {&direction.x, &direction.y, &direction.z};
-    Vec3d mantissa;
-    long exponent[3] = {};
+    std::array<long, 3> exponent{};
+    Vec3d mantissa = mantissas(direction, exponent);
     long top = std::numeric_limits<long>::min();
     for (int i = 0; i < 3; ++i) {
-        mantissa[i] = mpz_get_d_2exp(&exponent[i], entries[i]->get_mpz_t());
         if (mantissa[i] != 0) top = std::max(top, exponent[i]);
     }
     for (int i = 0; i < 3; ++i) {

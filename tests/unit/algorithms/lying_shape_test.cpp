@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "edgewise/algorithms/gjk.hpp"
-#include "edgewise/geometry/limits.hpp"
+#include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "edgewise/geometry/hull/flat_hull.hpp"
+#include "edgewise/geometry/hull.hpp"
 #include "geometry_bodies.hpp"
 
 namespace edgewise {

@@ -11,7 +11,7 @@
 #include <cstdlib>
 
 #include "edgewise/geometry/check_polyhedron.hpp"
-#include "edgewise/geometry/hull/flat_hull.hpp"
+#include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/shapes.hpp"
 
 namespace edgewise {

@@ -22,7 +22,7 @@
 #include "edgewise/layouts/soa_stagger.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/table/queries_write.hpp"
+#include "edgewise/table/contract.hpp"
 #include "edgewise/table/stored_body.hpp"
 
 namespace edgewise {

@@ -5,9 +5,9 @@
 
 #include <set>
 
+#include "brute_force.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/truth/brute_force.hpp"
 
 namespace edgewise::scene {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <cstdio>
 
+#include "brute_force.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/truth/brute_force.hpp"
 
 namespace edgewise::scene {
 namespace {

@@ -10,10 +10,9 @@
 #include <cstdio>
 #include <set>
 
-#include "edgewise/scene/scene_texts.hpp"
+#include "brute_force.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/truth/brute_force.hpp"
 
 namespace edgewise::scene {
 namespace {

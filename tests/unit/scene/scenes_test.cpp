@@ -13,9 +13,9 @@
 #include <map>
 #include <set>
 
+#include "brute_force.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/truth/brute_force.hpp"
 
 namespace edgewise::scene {
 namespace {

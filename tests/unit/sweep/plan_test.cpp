@@ -15,7 +15,7 @@
 #include <tuple>
 
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/scene/scene_texts.hpp"
+#include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 

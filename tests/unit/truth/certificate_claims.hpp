@@ -63,7 +63,7 @@ struct Truth {
         truth.claim.on_b.push_back(exact->simplex.pair[i].b);
     }
     SubsetTrial<IntegerVec> nearest = subset_of<IntegerVec>(simplex, ~0U, nullptr);
-    EXPECT_TRUE(settle(nearest));
+    EXPECT_TRUE(find_direction(nearest));
     const std::array<mpz_class, 4> weights = simplex_weights(simplex);
     const mpz_class total = weights[0] + weights[1] + weights[2] + weights[3];
     for (int i = 0; i < simplex.size; ++i) {

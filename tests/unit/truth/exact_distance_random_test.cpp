@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "brute_force.hpp"
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/truth/brute_force.hpp"
 #include "edgewise/truth/dyadic.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 #include "exact_bodies.hpp"
@@ -174,9 +174,7 @@ TEST(Dyadic, rounds_like_the_processor) {
     for (int i = 0; i < 20000; ++i) {
         const double p = std::ldexp(static_cast<double>(random.bits()() >> 11), 0);
         const double q = static_cast<double>((random.bits()() >> (11 + i % 40)) + 1);
-        mpz_class n, d;
-        set_scaled(n, p, 0);
-        set_scaled(d, q, 0);
+        const mpz_class n = scaled(p, 0), d = scaled(q, 0);
         EXPECT_EQ(rounded_quotient(n, d, 0), p / q);
         EXPECT_EQ(rounded_quotient(-n, d, 3), -8 * (p / q));
         EXPECT_EQ(rounded_root(n, 1, 0), std::sqrt(p));

@@ -19,12 +19,12 @@ namespace edgewise::epa {
     const DoubleDoubleVec p = exact_difference(b, a, 1), q = exact_difference(c, a, 1);
     const DoubleDoubleVec r = exact_difference(point, a, 1);
     Expansion determinant;
-    determinant.add_product(r.x, p.y, q.z);
-    determinant.add_product(-r.x, p.z, q.y);
-    determinant.add_product(r.y, p.z, q.x);
-    determinant.add_product(-r.y, p.x, q.z);
-    determinant.add_product(r.z, p.x, q.y);
-    determinant.add_product(-r.z, p.y, q.x);
+    determinant.add_product(r.x(), p.y(), q.z());
+    determinant.add_product(-r.x(), p.z(), q.y());
+    determinant.add_product(r.y(), p.z(), q.x());
+    determinant.add_product(-r.y(), p.x(), q.z());
+    determinant.add_product(r.z(), p.x(), q.y());
+    determinant.add_product(-r.z(), p.y(), q.x());
     return determinant.sign();
 }
 

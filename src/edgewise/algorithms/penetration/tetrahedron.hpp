@@ -58,8 +58,6 @@ class Tetrahedron {
     [[nodiscard]] Vec3d across() const { return across(0); }
 
   private:
-    using Directions = std::array<Vec3d, 3>;
-
     /// The start may lie about both bodies' origin and tell nothing of their size, so the box is asked too.
     void choose_scale(const std::array<CornerType, 4>& given, int count) {
         double size = 0;

@@ -23,7 +23,8 @@ namespace edgewise::epa {
         sum.add_product(-p2, q1);
         return sum.value();
     };
-    return {minor(p.y, q.z, p.z, q.y), minor(p.z, q.x, p.x, q.z), minor(p.x, q.y, p.y, q.x)};
+    return {minor(p.y(), q.z(), p.z(), q.y()), minor(p.z(), q.x(), p.x(), q.z()),
+            minor(p.x(), q.y(), p.y(), q.x())};
 }
 
 /// Unit, for corners that are not on a line.

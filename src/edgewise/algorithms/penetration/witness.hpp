@@ -56,7 +56,7 @@ class WitnessSearch {
         for (int i = 0; i < 3; ++i) spoke[i] = exact_difference(polytope_.point(face.vertex[i]), foot_, 1);
         std::array<double, 3> area;
         for (int i = 0; i < 3; ++i) {
-            area[i] = dot(face.normal, cross(spoke[(i + 1) % 3], spoke[(i + 2) % 3]).value());
+            area[i] = dot(face.normal, cast<double>(cross(spoke[(i + 1) % 3], spoke[(i + 2) % 3])));
         }
         return area;
     }

@@ -10,7 +10,6 @@
 
 #include "edgewise/algorithms/vclip/body.hpp"
 #include "edgewise/algorithms/vclip/clip.hpp"
-#include "edgewise/algorithms/vclip/slope.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise::vclip {

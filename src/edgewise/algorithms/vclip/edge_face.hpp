@@ -17,7 +17,6 @@
 #include "edgewise/algorithms/vclip/body.hpp"
 #include "edgewise/algorithms/vclip/clip.hpp"
 #include "edgewise/algorithms/vclip/closest_points.hpp"
-#include "edgewise/algorithms/vclip/slope.hpp"
 
 namespace edgewise::vclip {
 

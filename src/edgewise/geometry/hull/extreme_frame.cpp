@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/double_double.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
 
@@ -24,20 +25,8 @@ std::pair<Index, double> farthest(std::span<const Index> chosen, const Measure& 
     return best;
 }
 
-int longest_axis(std::span<const Vec3d> points) {
-    int best = 0;
-    double length = -1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const CoordinateRange range = range_of_axis(points, axis);
-        if (range.high - range.low <= length) continue;
-        length = range.high - range.low;
-        best = axis;
-    }
-    return best;
-}
-
 Vec3d unit(const DoubleDoubleVec& v) {
-    const Vec3d rounded = v.value();
+    const Vec3d rounded = cast<double>(v);
     const double largest = max_abs(rounded);
     if (!(largest > 0)) return Vec3d::Zero();
     const Vec3d safe = rounded / largest;  // the square of a sliver's area may vanish
@@ -47,7 +36,8 @@ Vec3d unit(const DoubleDoubleVec& v) {
 }  // namespace
 
 ExtremeFrame extreme_frame(std::span<const Vec3d> points, std::span<const Index> chosen) {
-    const int axis = longest_axis(points);
+    Eigen::Index axis = 0;
+    box_of(points).sides().maxCoeff(&axis);
     const double scale = unit_scale(points);
     const auto along_axis = [&](Index i, Index j) { return points[i][axis] < points[j][axis]; };
     const auto [first, last] = std::minmax_element(chosen.begin(), chosen.end(), along_axis);
@@ -55,7 +45,7 @@ ExtremeFrame extreme_frame(std::span<const Vec3d> points, std::span<const Index>
     const auto from_origin = [&](Index i) { return exact_difference(points[i], origin, scale); };
 
     const DoubleDoubleVec line = from_origin(*last);
-    const auto area_with = [&](Index i) { return norm(cross(line, from_origin(i)).value()); };
+    const auto area_with = [&](Index i) { return norm(cast<double>(cross(line, from_origin(i)))); };
     const auto [third, area] = farthest(chosen, area_with);
     const DoubleDoubleVec normal = cross(line, from_origin(third));
     const auto volume_with = [&](Index i) { return std::abs(dot(normal, from_origin(i)).value()); };
@@ -63,7 +53,7 @@ ExtremeFrame extreme_frame(std::span<const Vec3d> points, std::span<const Index>
 
     ExtremeFrame frame;
     frame.origin = origin;
-    const double length = norm(line.value());
+    const double length = norm(cast<double>(line));
     frame.across_line = area / (length * length);
     frame.across_plane = area > 0 ? content / area / length : 0;
     const Vec3d along = unit(line);
@@ -80,12 +70,11 @@ std::vector<Vec3d> in_own_axes(std::span<const Vec3d> points, std::span<const In
         const Vec3d axis = frame.axes.row(row);
         for (std::size_t k = 0; k < chosen.size(); ++k) {
             const DoubleDoubleVec p = exact_difference(points[chosen[k]], frame.origin, scale);
-            result[k][row] = dot(DoubleDoubleVec{{axis.x(), 0}, {axis.y(), 0}, {axis.z(), 0}}, p).value();
+            result[k][row] = dot(cast<DoubleDouble>(axis), p).value();
         }
-        const CoordinateRange range = range_of_axis(result, row);
-        const double factor = scale_to_unit(range.high - range.low);
-        for (Vec3d& p : result) p[row] *= factor;
     }
+    const Vec3d factor = box_of(result).sides().unaryExpr(&scale_to_unit);
+    for (Vec3d& p : result) p = p.cwiseProduct(factor);
     return result;
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
-// Convexity of rings, measured in the face's plane; see the header.
 #include "edgewise/geometry/hull/face_shape.hpp"
 
 #include <algorithm>

@@ -3,8 +3,6 @@
 // The vertices keep the input's coordinates. The corners of a polygon are found in its own plane, where each
 // axis is scaled to about 1 (extreme_frame.hpp), by Andrew's monotone chain ("Another efficient algorithm for
 // convex hulls in two dimensions", 1979). A corner that rounding cannot tell from a straight side is none.
-#include "edgewise/geometry/hull/flat_hull.hpp"
-
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -81,20 +79,9 @@ std::vector<Index> polygon_ring(const std::vector<Vec3d>& flat) {
 
 /// The polygon with both its faces; the back is the front's plane reversed, to the bit.
 Result<Polyhedron> polygon_of(std::span<const Vec3d> points, std::span<const Index> distinct) {
-    std::vector<Index> corners;
-    for (const Index i : polygon_ring(in_own_axes(points, distinct))) corners.push_back(distinct[i]);
-    FaceRings rings;
-    std::vector<Index>& names = rings.input_index;
-    names = corners;
-    std::sort(names.begin(), names.end());
-    for (const Index name : names) rings.vertices.push_back(points[name]);
-    std::vector<Index> front;
-    for (const Index name : corners) {
-        front.push_back(
-            static_cast<Index>(std::lower_bound(names.begin(), names.end(), name) - names.begin()));
-    }
-    rings.rings = {front, {front.rbegin(), front.rend()}};
-    Result<Polyhedron> body = build_polyhedron(rings);
+    const std::vector<Index> front = polygon_ring(in_own_axes(points, distinct));
+    const std::vector<std::vector<Index>> rings = {front, {front.rbegin(), front.rend()}};
+    Result<Polyhedron> body = build_polyhedron(in_input_order(points, distinct, rings));
     if (body) {
         const Plane<double>& plane = body->face_planes[0];
         (*body).face_planes[1] = {-plane.normal, -plane.offset};

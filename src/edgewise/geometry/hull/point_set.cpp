@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/hull/extreme_frame.hpp"
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/tolerance.hpp"
@@ -39,25 +40,18 @@ std::string value_error(double value) {
     return message(" is beyond ", largest_coordinate, "; scale the body down");
 }
 
-/// A point to subtract without rounding from every coordinate in the range; 0 when there is none.
-double exact_centre(const CoordinateRange& range) {
-    const bool one_sign = range.low > 0 || range.high < 0;
-    const double small = std::min(std::abs(range.low), std::abs(range.high));
-    const double large = std::max(std::abs(range.low), std::abs(range.high));
+/// A number to subtract without rounding from all from low to high; 0 when there is none.
+double exact_centre(double low, double high) {
+    const bool one_sign = low > 0 || high < 0;
+    const double small = std::min(std::abs(low), std::abs(high));
+    const double large = std::max(std::abs(low), std::abs(high));
     if (!one_sign || large > 2 * small) return 0;
-    return range.low + (range.high - range.low) / 2;
+    return low + (high - low) / 2;
 }
 
 }  // namespace
 
-double widest_extent(std::span<const Vec3d> points) {
-    double widest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const CoordinateRange range = range_of_axis(points, axis);
-        widest = std::max(widest, range.high - range.low);
-    }
-    return widest;
-}
+double widest_extent(std::span<const Vec3d> points) { return max_abs(box_of(points).sides()); }
 
 std::string coordinate_error(std::span<const Vec3d> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -93,15 +87,6 @@ std::vector<Index> distinct_points(std::span<const Vec3d> points) {
     return order;
 }
 
-CoordinateRange range_of_axis(std::span<const Vec3d> points, int axis) {
-    CoordinateRange range;
-    for (const Vec3d& p : points) {
-        range.low = std::min(range.low, p[axis]);
-        range.high = std::max(range.high, p[axis]);
-    }
-    return range;
-}
-
 double scale_to_unit(double size) {
     if (!(size > 0)) return 1;
     int exponent = 0;
@@ -112,11 +97,11 @@ double scale_to_unit(double size) {
 double unit_scale(std::span<const Vec3d> points) { return scale_to_unit(widest_extent(points)); }
 
 std::vector<Vec3d> normalised(std::span<const Vec3d> points, std::span<const Index> chosen) {
+    const Aabb box = box_of(points);
     Vec3d centre, scale;
     for (int axis = 0; axis < 3; ++axis) {
-        const CoordinateRange range = range_of_axis(points, axis);
-        centre[axis] = exact_centre(range);
-        scale[axis] = scale_to_unit(range.high - range.low);
+        centre[axis] = exact_centre(box.low[axis], box.high[axis]);
+        scale[axis] = scale_to_unit(box.sides()[axis]);
     }
     std::vector<Vec3d> result;
     result.reserve(chosen.size());

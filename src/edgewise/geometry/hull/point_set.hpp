@@ -5,7 +5,6 @@
 // on where a body lies or how large it is.
 #pragma once
 
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,13 +25,6 @@ namespace edgewise {
 /// One index for each distinct point, in the order of their coordinates (so that a hull does not depend on
 /// the order of the input).
 [[nodiscard]] std::vector<Index> distinct_points(std::span<const Vec3d> points);
-
-struct CoordinateRange {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-};
-
-[[nodiscard]] CoordinateRange range_of_axis(std::span<const Vec3d> points, int axis);
 
 /// The power of two that takes a positive size to [1/2, 1); 1 for size 0.
 [[nodiscard]] double scale_to_unit(double size);

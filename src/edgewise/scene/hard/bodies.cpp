@@ -37,18 +37,11 @@ CaseBody studded_cube(Maker& maker) {
 }
 
 std::vector<Vec3d> flat_points(Maker& maker) {
-    switch (maker.rng.below(5)) {
-        case 0:
-            return {maker.rng.in_cube(1)};
-        case 1:
-            return {maker.rng.in_cube(1), maker.rng.in_cube(1)};
-        case 2:
-            return {{0, 0, 0}, {0.5, 0.25, 0.125}, {1, 0.5, 0.25}};
-        case 3:
-            return {maker.rng.in_cube(1), maker.rng.in_cube(1), maker.rng.in_cube(1)};
-        default:
-            break;
-    }
+    const auto kind = maker.rng.below(5);
+    if (kind == 0) return {maker.rng.in_cube(1)};
+    if (kind == 1) return {maker.rng.in_cube(1), maker.rng.in_cube(1)};
+    if (kind == 2) return {{0, 0, 0}, {0.5, 0.25, 0.125}, {1, 0.5, 0.25}};
+    if (kind == 3) return {maker.rng.in_cube(1), maker.rng.in_cube(1), maker.rng.in_cube(1)};
     std::vector<Vec3d> polygon = Maker::prism(3 + static_cast<int>(maker.rng.below(8)), 0);
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
     return polygon;
@@ -68,7 +61,7 @@ Pair duplicates(Maker& maker) {
     if (maker.rng.below(4) == 0) {  // a body on itself, or a rounding step beside
         const Mat3d common = maker.rng.rotation();
         const Vec3d step = maker.rng.on_sphere() * maker.pick({0.0, 0x1p-52});
-        return {a, a, {{Pose{common, Vec3d::Zero()}, Pose{common, step}}}};
+        return at(a, a, common, common, step);
     }
     return at_some_gap(maker, std::move(a), std::move(b), -30, 1);
 }
@@ -82,7 +75,7 @@ Pair near_coplanar_vertices(Maker& maker) {
     if (maker.rng.below(2) == 0) return at_some_gap(maker, std::move(a), std::move(b), -30, 1);
     const double gap = maker.either_sign(maker.spread(-30, 0));
     const Mat3d common = maker.common_rotation();
-    return at_gap(maker, std::move(a), std::move(b), common, product(common, maker.quarter_turn()), gap);
+    return at_gap(maker, std::move(a), std::move(b), common, multiply(common, maker.quarter_turn()), gap);
 }
 
 Pair flat_bodies(Maker& maker) {
@@ -95,9 +88,7 @@ Pair flat_bodies(Maker& maker) {
         }
         const Mat3d common = maker.common_rotation();
         const Vec3d place(maker.pick({0.0, 0.5, 1.0, 2.5}), maker.pick({0.0, 0.25}), 0);
-        return {std::move(a),
-                std::move(b),
-                {{Pose{common, Vec3d::Zero()}, Pose{common, multiply(common, place)}}}};
+        return at(std::move(a), std::move(b), common, common, multiply(common, place));
     }
     return at_some_gap(maker, std::move(a), std::move(b), -30, 1);
 }
@@ -118,24 +109,16 @@ Pair thin_beams(Maker& maker) {
 Pair random_fuzz(Maker& maker) {
     const auto body = [&]() -> std::vector<Vec3d> {
         const double thin = maker.spread(-7, -2);
-        switch (maker.rng.below(5)) {
-            case 0:
-                return Maker::box(1, 1, 1);
-            case 1:
-                return Maker::box(1, 1, thin);
-            case 2:
-                return Maker::box(1, thin, thin);
-            case 3:
-                return maker.random_points(8 + maker.rng.below(25), Vec3d(1, thin, 1));
-            default:
-                return maker.random_points(8 + maker.rng.below(25), Vec3d(1, 1, 1));
-        }
+        const auto kind = maker.rng.below(5);
+        if (kind == 0) return Maker::box(1, 1, 1);
+        if (kind == 1) return Maker::box(1, 1, thin);
+        if (kind == 2) return Maker::box(1, thin, thin);
+        return maker.random_points(8 + maker.rng.below(25), Vec3d(1, kind == 3 ? thin : 1, 1));
     };
     CaseBody a{"a", body(), {}}, b{"b", body(), {}};
-    return {std::move(a),
-            std::move(b),
-            {{Pose{maker.rng.rotation(), maker.rng.in_cube(1.15)},
-              Pose{maker.rng.rotation(), maker.rng.in_cube(1.15)}}}};
+    const Pose pose_a{maker.rng.rotation(), maker.rng.in_cube(1.15)};
+    const Pose pose_b{maker.rng.rotation(), maker.rng.in_cube(1.15)};
+    return {std::move(a), std::move(b), {{pose_a, pose_b}}};
 }
 
 /// Of the bodies at hand; without any there is no pair (the caller says so).

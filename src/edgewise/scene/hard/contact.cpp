@@ -36,7 +36,7 @@ Pair exact_touch(Maker& maker) {
     const int axis = static_cast<int>(maker.rng.below(3));
     offset[axis] = maker.either_sign(half_a[axis] + half_b[axis]);
     const Mat3d turn = maker.quarter_turn();
-    return {std::move(a), std::move(b), {{Pose{turn, Vec3d::Zero()}, Pose{turn, multiply(turn, offset)}}}};
+    return at(std::move(a), std::move(b), turn, turn, multiply(turn, offset));
 }
 
 Pair deep_and_concentric(Maker& maker) {
@@ -47,32 +47,23 @@ Pair deep_and_concentric(Maker& maker) {
     const double off = maker.rng.below(3) == 0 ? 0 : maker.spread(-53, -4);
     const Mat3d common = maker.common_rotation();
     const Mat3d turned = maker.rng.below(2) == 0 ? common : maker.rng.rotation();
-    return {std::move(a),
-            std::move(b),
-            {{Pose{common, Vec3d::Zero()}, Pose{turned, Vec3d(maker.rng.on_sphere() * off)}}}};
+    return at(std::move(a), std::move(b), common, turned, maker.rng.on_sphere() * off);
 }
 
 Pair tie_rich_solids(Maker& maker) {
     const auto solid = [&]() -> std::vector<Vec3d> {
-        switch (maker.rng.below(4)) {
-            case 0:
-                return Maker::box(1, 1, 1);
-            case 1:
-                return Maker::octahedron();
-            case 2:
-                return Maker::icosahedron();
-            default:
-                return Maker::prism(4 * (1 + static_cast<int>(maker.rng.below(8))), 1);
-        }
+        const auto kind = maker.rng.below(4);
+        if (kind == 0) return Maker::box(1, 1, 1);
+        if (kind == 1) return Maker::octahedron();
+        if (kind == 2) return Maker::icosahedron();
+        return Maker::prism(4 * (1 + static_cast<int>(maker.rng.below(8))), 1);
     };
     CaseBody a{"a", solid(), {}}, b{"b", solid(), {}};
     const Vec3d lateral(maker.pick({0.0, 1.0, 0.5}), maker.pick({0.0, 1.0, 0.5}), 0);
     const double height = maker.pick({1.5, 2.0, 2.25, 3.0, 4.0});
     const Mat3d common = maker.rng.below(2) == 0 ? maker.quarter_turn() : maker.rng.rotation();
     const Vec3d place = multiply(common, Vec3d(lateral + Vec3d(0, 0, height)));
-    return {std::move(a),
-            std::move(b),
-            {{Pose{common, Vec3d::Zero()}, Pose{product(common, maker.quarter_turn()), place}}}};
+    return at(std::move(a), std::move(b), common, multiply(common, maker.quarter_turn()), place);
 }
 
 }  // namespace edgewise::scene::hard

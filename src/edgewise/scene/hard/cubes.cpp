@@ -2,6 +2,8 @@
 //
 // Six rows of poses of a cube (half extent 1) over another, on which the original V-Clip was measured with
 // 10^6 poses each: cycles on lattices and at identical poses, false verdicts on quarter turns.
+#include <numbers>
+
 #include "edgewise/scene/hard/families.hpp"
 
 namespace edgewise::scene::hard {
@@ -30,7 +32,7 @@ Pair cubes_random(Maker& maker) {
 Pair cubes_near_parallel(Maker& maker) {
     const Mat3d rotation = maker.rng.rotation();
     const Mat3d tilt = Maker::turn(maker.rng.on_sphere(), maker.spread(-29, -1));
-    return cubes({rotation, Vec3d::Zero()}, {product(rotation, tilt), maker.rng.in_cube(2.5)});
+    return cubes({rotation, Vec3d::Zero()}, {multiply(rotation, tilt), maker.rng.in_cube(2.5)});
 }
 
 Pair cubes_half_lattice(Maker& maker) { return cubes({}, {Mat3d::Identity(), on_lattice(maker, 0.5, 5)}); }
@@ -41,8 +43,7 @@ Pair cubes_identical_pose(Maker& maker) {
 }
 
 Pair cubes_45_degrees(Maker& maker) {
-    constexpr double eighth = 0x1.921fb54442d18p-1;  // pi / 4
-    return cubes({}, {Maker::turn(Vec3d(0, 0, 1), eighth), on_lattice(maker, 0.5, 5)});
+    return cubes({}, {Maker::turn(Vec3d(0, 0, 1), std::numbers::pi / 4), on_lattice(maker, 0.5, 5)});
 }
 
 Pair cubes_quarter_turns(Maker& maker) {

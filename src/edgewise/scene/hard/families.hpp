@@ -18,8 +18,8 @@ struct HardFamily {
     std::string name;
     std::string varies;  ///< one line
     std::string breaks;  ///< what such pairs broke elsewhere
-    bool warm = false;   ///< the poses of a pair follow each other, and its cache is kept
     std::function<hard::Pair(hard::Maker&)> make;
+    bool warm = false;  ///< the poses of a pair follow each other, and its cache is kept
 };
 
 /// In the order of the report.
@@ -27,41 +27,15 @@ struct HardFamily {
 
 namespace hard {
 
-// parallel.cpp
-[[nodiscard]] Pair parallel_faces(Maker& maker);
-[[nodiscard]] Pair near_parallel_faces(Maker& maker);
-[[nodiscard]] Pair near_parallel_edges(Maker& maker);
-[[nodiscard]] Pair voronoi_straddle(Maker& maker);
-[[nodiscard]] Pair noisy_rotation(Maker& maker);
-// contact.cpp
-[[nodiscard]] Pair grazing(Maker& maker);
-[[nodiscard]] Pair exact_touch(Maker& maker);
-[[nodiscard]] Pair deep_and_concentric(Maker& maker);
-[[nodiscard]] Pair tie_rich_solids(Maker& maker);
-// size.cpp
-[[nodiscard]] Pair slivers_and_needles(Maker& maker);
-[[nodiscard]] Pair scale_disparity(Maker& maker);
-[[nodiscard]] Pair absolute_scale(Maker& maker);
-[[nodiscard]] Pair large_offset(Maker& maker);
-[[nodiscard]] Pair far_apart(Maker& maker);
-[[nodiscard]] Pair extreme_numbers(Maker& maker);
-// bodies.cpp
-[[nodiscard]] Pair duplicates(Maker& maker);
-[[nodiscard]] Pair near_coplanar_vertices(Maker& maker);
-[[nodiscard]] Pair flat_bodies(Maker& maker);
-[[nodiscard]] Pair thin_beams(Maker& maker);
-[[nodiscard]] Pair random_fuzz(Maker& maker);
-[[nodiscard]] Pair real_hulls_at_gaps(Maker& maker);
-// sequences.cpp
-[[nodiscard]] Pair coherent_motion(Maker& maker);
-[[nodiscard]] Pair bad_warm_start(Maker& maker);
-// cubes.cpp
-[[nodiscard]] Pair cubes_random(Maker& maker);
-[[nodiscard]] Pair cubes_near_parallel(Maker& maker);
-[[nodiscard]] Pair cubes_half_lattice(Maker& maker);
-[[nodiscard]] Pair cubes_identical_pose(Maker& maker);
-[[nodiscard]] Pair cubes_45_degrees(Maker& maker);
-[[nodiscard]] Pair cubes_quarter_turns(Maker& maker);
+using Family = Pair(Maker&);
+
+Family parallel_faces, near_parallel_faces, near_parallel_edges, voronoi_straddle, noisy_rotation;
+Family grazing, exact_touch, deep_and_concentric, tie_rich_solids;
+Family slivers_and_needles, scale_disparity, absolute_scale, large_offset, far_apart, extreme_numbers;
+Family duplicates, near_coplanar_vertices, flat_bodies, thin_beams, random_fuzz, real_hulls_at_gaps;
+Family coherent_motion, bad_warm_start;
+Family cubes_random, cubes_near_parallel, cubes_half_lattice, cubes_identical_pose, cubes_45_degrees,
+    cubes_quarter_turns;
 
 }  // namespace hard
 

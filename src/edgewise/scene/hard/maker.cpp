@@ -2,6 +2,7 @@
 #include "edgewise/scene/hard/maker.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "edgewise/scene/angle.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
@@ -40,15 +41,10 @@ Mat3d Maker::turn(const Vec3d& axis, double angle) {
 }
 
 Mat3d Maker::common_rotation() {
-    constexpr double eighth = 0x1.921fb54442d18p-1;  // pi / 4
-    switch (rng.below(3)) {
-        case 0:
-            return Mat3d::Identity();
-        case 1:
-            return turn(Vec3d(Vec3d::Unit(static_cast<Eigen::Index>(rng.below(3)))), eighth);
-        default:
-            return rng.rotation();
-    }
+    const auto kind = rng.below(3);
+    if (kind == 0) return Mat3d::Identity();
+    if (kind == 2) return rng.rotation();
+    return turn(Vec3d(Vec3d::Unit(static_cast<Eigen::Index>(rng.below(3)))), std::numbers::pi / 4);
 }
 
 std::vector<Vec3d> Maker::box(double x, double y, double z) {
@@ -58,10 +54,9 @@ std::vector<Vec3d> Maker::box(double x, double y, double z) {
 }
 
 std::vector<Vec3d> Maker::prism(int corners, double half_height) {
-    constexpr double whole = 0x1.921fb54442d18p+2;  // 2 pi
     std::vector<Vec3d> points;
     for (int i = 0; i < corners; ++i) {
-        const SineCosine at = sine_cosine(whole * i / corners);
+        const SineCosine at = sine_cosine(2 * std::numbers::pi * i / corners);
         points.push_back({at.cosine, at.sine, half_height});
         points.push_back({at.cosine, at.sine, -half_height});
     }
@@ -91,22 +86,10 @@ std::vector<Vec3d> Maker::random_points(std::size_t count, const Vec3d& half) {
 }
 
 std::vector<Vec3d> Maker::any_solid() {
-    switch (rng.below(3)) {
-        case 0:
-            return box(rng.uniform(0.2, 1), rng.uniform(0.2, 1), rng.uniform(0.2, 1));
-        case 1:
-            return prism(3 + static_cast<int>(rng.below(10)), rng.uniform(0.2, 1));
-        default:
-            return random_points(4 + rng.below(29), Vec3d(1, 1, 1));
-    }
-}
-
-Mat3d product(const Mat3d& a, const Mat3d& b) {
-    Mat3d result;
-    for (int column = 0; column < 3; ++column) {
-        result.col(column) = multiply(a, Vec3d(b.col(column)));
-    }
-    return result;
+    const auto kind = rng.below(3);
+    if (kind == 0) return box(rng.uniform(0.2, 1), rng.uniform(0.2, 1), rng.uniform(0.2, 1));
+    if (kind == 1) return prism(3 + static_cast<int>(rng.below(10)), rng.uniform(0.2, 1));
+    return random_points(4 + rng.below(29), Vec3d(1, 1, 1));
 }
 
 void set_gap(const CaseBody& a, const Pose& pose_a, const CaseBody& b, Pose& pose_b, const Vec3d& away,

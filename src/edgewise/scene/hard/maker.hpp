@@ -62,7 +62,11 @@ class Maker {
     std::span<const Polyhedron> real_;
 };
 
-[[nodiscard]] Mat3d product(const Mat3d& a, const Mat3d& b);
+/// One pose of both, A at the origin.
+[[nodiscard]] inline Pair at(CaseBody a, CaseBody b, const Mat3d& rotation_a, const Mat3d& rotation_b,
+                             const Vec3d& place_b) {
+    return {std::move(a), std::move(b), {{Pose{rotation_a, Vec3d::Zero()}, Pose{rotation_b, place_b}}}};
+}
 
 /// Moves B along the line of closest approach until the gap is as wanted, to rounding; negative gaps overlap
 /// by about as much. B must be separated from A, else it is first moved off along `away`.

@@ -2,6 +2,7 @@
 //
 // Families 1 to 3, 16 and 19: sides that are parallel or nearly, and frames that are not quite frames.
 #include <cmath>
+#include <numbers>
 
 #include "edgewise/scene/hard/families.hpp"
 
@@ -17,9 +18,7 @@ std::vector<Vec3d> box_or_prism(Maker& maker) {
 /// B on top of A (both half a unit high) in A's frame, then both turned.
 Pair stacked(Maker& maker, CaseBody a, CaseBody b, const Mat3d& common, const Mat3d& tilt, double gap) {
     const Vec3d lateral(maker.pick({0.0, 0.5, 1.0, 0.75}), maker.pick({0.0, 0.5, 1.0, -0.25}), 1 + gap);
-    return {std::move(a),
-            std::move(b),
-            {{Pose{common, Vec3d::Zero()}, Pose{product(common, tilt), multiply(common, lateral)}}}};
+    return at(std::move(a), std::move(b), common, multiply(common, tilt), multiply(common, lateral));
 }
 
 Vec3d tilt_axis(Maker& maker) {
@@ -43,22 +42,19 @@ Pair near_parallel_faces(Maker& maker) {
     const Mat3d common = maker.common_rotation();
     const double gap = (maker.rng.below(3) == 0 ? -1 : 1) * maker.spread(-40, -4);
     return at_gap(maker, std::move(a), std::move(b), common,
-                  product(common, Maker::turn(tilt_axis(maker), tilt)), gap);
+                  multiply(common, Maker::turn(tilt_axis(maker), tilt)), gap);
 }
 
 Pair near_parallel_edges(Maker& maker) {
-    constexpr double eighth = 0x1.921fb54442d18p-1;
     CaseBody a{"a", Maker::box(1.5, 0.1, 0.1), {}}, b{"b", Maker::box(1.5, 0.1, 0.1), {}};
     const double cross = maker.rng.below(6) == 0 ? 0 : maker.spread(finest(maker) + 20, -2);
     const double gap = maker.either_sign(maker.spread(-40, -5));
-    const Mat3d roll = Maker::turn(Vec3d(1, 0, 0), eighth);
-    const Mat3d turned = product(Maker::turn(Vec3d(0, 0, 1), cross), roll);
+    const Mat3d roll = Maker::turn(Vec3d(1, 0, 0), std::numbers::pi / 4);
+    const Mat3d turned = multiply(Maker::turn(Vec3d(0, 0, 1), cross), roll);
     const Vec3d along(maker.pick({0.0, 0.7, 3.0, 1.5}), 0, 0.2 * std::sqrt(2.0) + gap);
     const Mat3d common = maker.common_rotation();
-    return {std::move(a),
-            std::move(b),
-            {{Pose{product(common, roll), Vec3d::Zero()},
-              Pose{product(common, turned), multiply(common, along)}}}};
+    return at(std::move(a), std::move(b), multiply(common, roll), multiply(common, turned),
+              multiply(common, along));
 }
 
 /// A tetrahedron's tip over a box, beside the plane between the regions of its top and of its side or edge.
@@ -71,7 +67,7 @@ Pair voronoi_straddle(Maker& maker) {
     Vec3d tip(0.5 + shift, maker.pick({0.0, 0.5, 0.25}), 0.5 + height);
     if (maker.rng.below(2) == 0) tip.z() = 0.5 + maker.either_sign(maker.pick({0.0, ulp, 1e-7}));
     const Mat3d common = maker.common_rotation();
-    return {std::move(a), std::move(b), {{Pose{common, Vec3d::Zero()}, Pose{common, multiply(common, tip)}}}};
+    return at(std::move(a), std::move(b), common, common, multiply(common, tip));
 }
 
 Pair noisy_rotation(Maker& maker) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Families 17 and 18: many poses of one pair, asked in order with the pair's cache kept.
+#include <array>
+
 #include "edgewise/scene/hard/families.hpp"
 
 namespace edgewise::scene::hard {
@@ -28,7 +30,7 @@ void roll(Maker& maker, Pair& pair, const Mat3d& common) {
     for (int i = 0; i < steps; ++i) {
         const Vec3d place(0.25, 0.125, 1.25);
         pair.poses.push_back({Pose{common, Vec3d::Zero()}, Pose{turned, multiply(common, place)}});
-        turned = product(turned, once);
+        turned = multiply(turned, once);
     }
 }
 
@@ -49,16 +51,8 @@ Pair coherent_motion(Maker& maker) {
     if (maker.rng.below(2) == 0)
         pair.b.vertices = Maker::prism(3 + static_cast<int>(maker.rng.below(8)), 0.5);
     const Mat3d common = maker.common_rotation();
-    switch (maker.rng.below(3)) {
-        case 0:
-            slide(maker, pair, common);
-            break;
-        case 1:
-            roll(maker, pair, common);
-            break;
-        default:
-            approach(maker, pair, common);
-    }
+    constexpr std::array ways = {slide, roll, approach};
+    ways[maker.rng.below(ways.size())](maker, pair, common);
     return pair;
 }
 

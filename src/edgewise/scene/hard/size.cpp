@@ -15,16 +15,11 @@ void scale(CaseBody& body, double factor) {
 
 std::vector<Vec3d> thin(Maker& maker) {
     const double small = maker.spread(maker.single() ? -12 : -27, -1);
-    switch (maker.rng.below(4)) {
-        case 0:
-            return {{0, 0, 0}, {1, 0, 0}, {0.5, small, 0}};
-        case 1:
-            return Maker::box(1, 1, small);
-        case 2:
-            return Maker::box(1, small, small);
-        default:
-            return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, small}};
-    }
+    const auto kind = maker.rng.below(4);
+    if (kind == 0) return {{0, 0, 0}, {1, 0, 0}, {0.5, small, 0}};
+    if (kind == 1) return Maker::box(1, 1, small);
+    if (kind == 2) return Maker::box(1, small, small);
+    return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, small}};
 }
 
 }  // namespace

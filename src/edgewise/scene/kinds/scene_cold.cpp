@@ -6,7 +6,6 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/motion.hpp"
-#include "edgewise/scene/place_pair.hpp"
 #include "edgewise/scene/rng.hpp"
 
 namespace edgewise::scene {
@@ -38,23 +37,7 @@ struct PairMaker {
     }
 };
 
-}  // namespace
-
-SceneInfo describe_cold() {
-    return {
-        "cold",
-        "independent random pairs, distance uniform in 0 to 1 body size, some overlapping, every pair cold",
-        false,
-        {{"distance", "body sizes", "largest distance of a separated pair", 1, 0, 100, false},
-         {"overlapping", "1", "share of overlapping pairs", 0.1, 0, 1, false},
-         {"deepest", "1", "centre distance over that at contact, in the deepest overlap", 0.5, 0, 1, false}}};
-}
-
 Result<Workload> make_cold(const SceneSetup& setup) {
-    if (!setup.distance) {
-        return Result<Workload>::failure(
-            "scene 'cold' places pairs by their distance: give it a distance function");
-    }
     Workload workload;
     workload.bodies.push_back(setup.shape);
     workload.instances = {0, 0};
@@ -66,6 +49,21 @@ Result<Workload> make_cold(const SceneSetup& setup) {
         workload.queries.back().instance_b = 1;
     }
     return Result<Workload>::success(std::move(workload));
+}
+
+}  // namespace
+
+SceneKind cold_scene() {
+    return {
+        {"cold",
+         "independent random pairs, distance uniform in 0 to 1 body size, some overlapping, every pair cold",
+         false,
+         {{"distance", "body sizes", "largest distance of a separated pair", 1, 0, 100, false},
+          {"overlapping", "1", "share of overlapping pairs", 0.1, 0, 1, false},
+          {"deepest", "1", "centre distance over that at contact, in the deepest overlap", 0.5, 0, 1,
+           false}}},
+        make_cold,
+        true};
 }
 
 }  // namespace edgewise::scene

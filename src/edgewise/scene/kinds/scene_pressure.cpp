@@ -50,19 +50,6 @@ std::vector<std::uint32_t> any_order(std::uint32_t count, Rng& rng) {
     return order;
 }
 
-}  // namespace
-
-SceneInfo describe_pressure() {
-    return {
-        "pressure",
-        "many bodies, a table per body, every body against the next in turn: more tables than caches hold",
-        true,
-        {{"bodies", "1", "bodies, and tables", 600, 2, 100000, true},
-         {"rotation_step", "rad", "turn of every body per step", 0.1, 0, 100, false},
-         {"gap", "reaches", "between the spheres around neighbours", 0.1, 0.001, 100, false},
-         {"new_order", "1", "1: pairs in another order each step; 0: always in the same", 0, 0, 1, true}}};
-}
-
 Result<Workload> make_pressure(const SceneSetup& setup) {
     Workload workload;
     workload.warm = true;
@@ -78,8 +65,7 @@ Result<Workload> make_pressure(const SceneSetup& setup) {
     while (workload.queries.size() < setup.query_count) {
         workload.frames.push_back({workload.queries.size(), false, {}});
         std::vector<Pose> poses;
-        for (const MovingBody& body : bodies)
-            poses.push_back(pose_at(rotation_matrix(body.orientation), middle, body.centre));
+        for (const MovingBody& body : bodies) poses.push_back(pose_of(body, middle));
         for (const std::uint32_t pair : order) {
             if (workload.queries.size() == setup.query_count) break;
             workload.queries.push_back({0, 0, pair, poses[pair], poses[pair + 1], pair, pair + 1});
@@ -88,6 +74,20 @@ Result<Workload> make_pressure(const SceneSetup& setup) {
         if (setup.count("new_order") == 1) rng.shuffle(order);
     }
     return Result<Workload>::success(std::move(workload));
+}
+
+}  // namespace
+
+SceneKind pressure_scene() {
+    return {
+        {"pressure",
+         "many bodies, a table per body, every body against the next in turn: more tables than caches hold",
+         true,
+         {{"bodies", "1", "bodies, and tables", 600, 2, 100000, true},
+          {"rotation_step", "rad", "turn of every body per step", 0.1, 0, 100, false},
+          {"gap", "reaches", "between the spheres around neighbours", 0.1, 0.001, 100, false},
+          {"new_order", "1", "1: pairs in another order each step; 0: always in the same", 0, 0, 1, true}}},
+        make_pressure};
 }
 
 }  // namespace edgewise::scene

@@ -13,7 +13,6 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/motion.hpp"
-#include "edgewise/scene/place_pair.hpp"
 #include "edgewise/scene/rng.hpp"
 
 namespace edgewise::scene {
@@ -32,7 +31,7 @@ void add_pair(const SceneSetup& setup, const Vec3d& middle, Rng& rng, std::vecto
     const MovingBody a = body_at(rng.in_cube(size));
     MovingBody b = body_at(a.centre);
     const Vec3d direction = rng.on_sphere();
-    const Pose pose_a = pose_at(rotation_matrix(a.orientation), middle, a.centre);
+    const Pose pose_a = pose_of(a, middle);
     const auto place_b = [&](double s) { return Vec3d(a.centre + direction * s); };
     const auto distance_at = [&](double s) {
         return setup.distance(setup.shape, pose_a, setup.shape,
@@ -43,23 +42,7 @@ void add_pair(const SceneSetup& setup, const Vec3d& middle, Rng& rng, std::vecto
     bodies.push_back(b);
 }
 
-}  // namespace
-
-SceneInfo describe_proximity() {
-    return {"proximity",
-            "pairs a small gap apart, turning slowly in place: contacts that last",
-            true,
-            {{"pairs", "1", "pairs of bodies", 30, 1, 100000, true},
-             {"gap", "body sizes", "between the bodies of a pair at the start", 0.001, 0, 10, false},
-             {"rotation_step", "rad", "turn of every body per step: 1/4 rad/s at 60 steps per second",
-              0.25 / steps_a_second, 0, 100, false}}};
-}
-
 Result<Workload> make_proximity(const SceneSetup& setup) {
-    if (!setup.distance) {
-        return Result<Workload>::failure(
-            "scene 'proximity' places pairs by their distance: give it a distance function");
-    }
     Workload workload;
     workload.warm = true;
     workload.bodies.push_back(setup.shape);
@@ -74,13 +57,26 @@ Result<Workload> make_proximity(const SceneSetup& setup) {
         for (std::uint32_t pair = 0; pair < workload.pair_count; ++pair) {
             if (workload.queries.size() == setup.query_count) break;
             const MovingBody &a = bodies[2 * pair], &b = bodies[2 * pair + 1];
-            workload.queries.push_back({0, 0, pair, pose_at(rotation_matrix(a.orientation), middle, a.centre),
-                                        pose_at(rotation_matrix(b.orientation), middle, b.centre), 2 * pair,
-                                        2 * pair + 1});
+            workload.queries.push_back(
+                {0, 0, pair, pose_of(a, middle), pose_of(b, middle), 2 * pair, 2 * pair + 1});
         }
         for (MovingBody& body : bodies) advance(body, std::numeric_limits<double>::infinity());
     }
     return Result<Workload>::success(std::move(workload));
+}
+
+}  // namespace
+
+SceneKind proximity_scene() {
+    return {{"proximity",
+             "pairs a small gap apart, turning slowly in place: contacts that last",
+             true,
+             {{"pairs", "1", "pairs of bodies", 30, 1, 100000, true},
+              {"gap", "body sizes", "between the bodies of a pair at the start", 0.001, 0, 10, false},
+              {"rotation_step", "rad", "turn of every body per step: 1/4 rad/s at 60 steps per second",
+               0.25 / steps_a_second, 0, 100, false}}},
+            make_proximity,
+            true};
 }
 
 }  // namespace edgewise::scene

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace edgewise::scene {
 
@@ -23,27 +22,12 @@ double reach(std::span<const Vec3d> vertices, const Vec3d& from) {
     return most;
 }
 
-double smallest_dimension(std::span<const Vec3d> vertices) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto [low, high] =
-            std::minmax_element(vertices.begin(), vertices.end(),
-                                [axis](const Vec3d& a, const Vec3d& b) { return a[axis] < b[axis]; });
-        least = std::min(least, (*high)[axis] - (*low)[axis]);
-    }
-    return least;
-}
+double smallest_dimension(std::span<const Vec3d> vertices) { return box_of(vertices).sides().minCoeff(); }
 
 Aabb world_box(const Polyhedron& body, const Pose& pose) {
     const Vec3d first = pose.apply(body.vertices.front());
     Aabb box{first, first};
-    for (const Vec3d& vertex : body.vertices) {
-        const Vec3d point = pose.apply(vertex);
-        for (int axis = 0; axis < 3; ++axis) {
-            box.low[axis] = std::min(box.low[axis], point[axis]);
-            box.high[axis] = std::max(box.high[axis], point[axis]);
-        }
-    }
+    for (const Vec3d& vertex : body.vertices) box.include(pose.apply(vertex));
     return box;
 }
 
@@ -53,7 +37,6 @@ double coarse(double x) {
     return std::ldexp(std::floor(mantissa * 0x1p24 + 0.5), exponent - 24);
 }
 
-/// By Newton's method.
 double cube_root(double x) {
     assert(x > 0);
     int exponent = 0;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What the scenes are made from and share: the checked request, a body's middle and reach, its box in the
-// world, and the box of a given occupancy. One `describe_` and one `make_` function per scene; scenes.cpp
-// lists them.
+// world, and the box of a given occupancy. One function per scene; scenes.cpp lists them.
 #pragma once
 
 #include <cstddef>
@@ -45,21 +44,47 @@ struct SceneSetup {
 /// algorithm go through this, so that their last bits cannot move a pose.
 [[nodiscard]] double coarse(double x);
 
-/// Of a positive number, in IEEE + - * / only: libm's is not the same everywhere.
+/// Of a positive number, by Newton's method in IEEE + - * / only: libm's is not the same everywhere.
 [[nodiscard]] double cube_root(double x);
 
 /// Half the side of the cube in which bodies of this total volume have this occupancy.
 [[nodiscard]] double box_half(double total_volume, double occupancy);
 
-[[nodiscard]] SceneInfo describe_static();
-[[nodiscard]] Result<Workload> make_static(const SceneSetup& setup);
-[[nodiscard]] SceneInfo describe_cold();
-[[nodiscard]] Result<Workload> make_cold(const SceneSetup& setup);
-[[nodiscard]] SceneInfo describe_tumble();
-[[nodiscard]] Result<Workload> make_tumble(const SceneSetup& setup);
-[[nodiscard]] SceneInfo describe_proximity();
-[[nodiscard]] Result<Workload> make_proximity(const SceneSetup& setup);
-[[nodiscard]] SceneInfo describe_pressure();
-[[nodiscard]] Result<Workload> make_pressure(const SceneSetup& setup);
+/// Where a body must stand to be at a wanted distance from another: the place s on a ray through both centres
+/// where distance_at(s) is `target`, to a tolerance. `far`: a place where the bodies surely are farther from
+/// each other than that.
+///
+/// Along the ray the distance f(s) of convex bodies is convex, its slope at most 1. So s - (f - target) never
+/// passes the root, and neither does a secant through two points beyond it: the search comes down from far
+/// off, needs no bracket, and takes about five evaluations.
+template <class DistanceAt>
+[[nodiscard]] double find_offset(const DistanceAt& distance_at, double target, double far, double tolerance) {
+    constexpr int most_evaluations = 40;
+    double s = far;
+    double excess = distance_at(s) - target;
+    double slope = 1;
+    for (int i = 1; i < most_evaluations && excess > tolerance; ++i) {
+        const double next = s - excess / slope;
+        const double next_excess = distance_at(next) - target;
+        if (next_excess < -tolerance) break;  // a step too far, by rounding or by a wrong distance: keep s
+        slope = (excess - next_excess) / (s - next);
+        s = next;
+        excess = next_excess;
+        if (!(slope > 0)) break;  // the distance does not fall any more: only rounding is left
+    }
+    return s;
+}
+
+struct SceneKind {
+    SceneInfo info;
+    Result<Workload> (*make)(const SceneSetup&);
+    bool places_pairs = false;  ///< by their distance: needs the function
+};
+
+[[nodiscard]] SceneKind static_scene();
+[[nodiscard]] SceneKind cold_scene();
+[[nodiscard]] SceneKind tumble_scene();
+[[nodiscard]] SceneKind proximity_scene();
+[[nodiscard]] SceneKind pressure_scene();
 
 }  // namespace edgewise::scene

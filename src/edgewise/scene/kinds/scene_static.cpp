@@ -52,17 +52,6 @@ void add_queries(const Placement& placement, std::span<const BodyPair> pairs, st
     }
 }
 
-}  // namespace
-
-SceneInfo describe_static() {
-    return {
-        "static",
-        "random populations in a box, sizes varying, pairs from sweep and prune, every pair cold",
-        false,
-        {{"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
-         {"bodies", "1", "bodies in one population", 64, 2, 10000, true}}};
-}
-
 Result<Workload> make_static(const SceneSetup& setup) {
     Workload workload;
     for (const double factor : size_classes) workload.bodies.push_back(scaled(setup.shape, factor));
@@ -89,6 +78,18 @@ Result<Workload> make_static(const SceneSetup& setup) {
         }
     }
     return Result<Workload>::success(std::move(workload));
+}
+
+}  // namespace
+
+SceneKind static_scene() {
+    return {
+        {"static",
+         "random populations in a box, sizes varying, pairs from sweep and prune, every pair cold",
+         false,
+         {{"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
+          {"bodies", "1", "bodies in one population", 64, 2, 10000, true}}},
+        make_static};
 }
 
 }  // namespace edgewise::scene

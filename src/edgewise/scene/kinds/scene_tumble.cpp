@@ -61,7 +61,7 @@ class Population {
         begun_ = true;
         std::vector<Pose>& poses = frame.poses;
         for (const MovingBody& body : bodies_) {
-            poses.push_back(pose_at(rotation_matrix(body.orientation), centre_, body.centre));
+            poses.push_back(pose_of(body, centre_));
             frame.boxes.push_back(world_box(shape_, poses.back()).enlarged(margin_));
         }
         std::map<BodyPair, std::uint32_t> near;
@@ -121,29 +121,6 @@ void group_by_pair(Workload& workload) {
                      [](const Query& a, const Query& b) { return a.pair < b.pair; });
 }
 
-}  // namespace
-
-SceneInfo describe_tumble() {
-    return {
-        "tumble",
-        "bodies drift and turn in a box, near pairs are followed through time with their caches",
-        true,
-        {{"rotation_step", "rad", "turn of every body per step", 0.01, 0, 100, false},
-         {"translation_step", "body sizes", "way of every body per step", 0.001, 0, 10, false},
-         {"bodies", "1", "bodies in one population", 12, 2, 10000, true},
-         {"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
-         {"margin", "body sizes", "by which a body's box is enlarged on all sides", 0.2, 0, 10, false},
-         {"steps", "1", "steps before a new population begins", 100, 1, 1000000, true},
-         {"in_time_order", "1", "1: frame after frame, as an engine asks; 0: pair after pair", 0, 0, 1, true},
-         {"step_in_dimensions", "smallest dimensions",
-          "way of every body per step; 0: as translation_step says", 0, 0, 10, false},
-         {"random_orientation", "1", "1: every body turned at random in every step", 0, 0, 1, true},
-         {"random_velocities", "1", "1: turn and way drawn for each body, up to those given", 0, 0, 1, true},
-         {"own_tables", "1", "1: a table for each body; 0: all share one", 0, 0, 1, true},
-         {"box_of_bodies", "1", "the box of so many bodies, others shrink or grow; 0: the box does", 0, 0,
-          10000, true}}};
-}
-
 Result<Workload> make_tumble(const SceneSetup& setup) {
     Workload workload;
     workload.warm = true;
@@ -170,6 +147,31 @@ Result<Workload> make_tumble(const SceneSetup& setup) {
     cut(setup.query_count, workload);
     if (setup.count("in_time_order") == 0) group_by_pair(workload);
     return Result<Workload>::success(std::move(workload));
+}
+
+}  // namespace
+
+SceneKind tumble_scene() {
+    return {
+        {"tumble",
+         "bodies drift and turn in a box, near pairs are followed through time with their caches",
+         true,
+         {{"rotation_step", "rad", "turn of every body per step", 0.01, 0, 100, false},
+          {"translation_step", "body sizes", "way of every body per step", 0.001, 0, 10, false},
+          {"bodies", "1", "bodies in one population", 12, 2, 10000, true},
+          {"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
+          {"margin", "body sizes", "by which a body's box is enlarged on all sides", 0.2, 0, 10, false},
+          {"steps", "1", "steps before a new population begins", 100, 1, 1000000, true},
+          {"in_time_order", "1", "1: frame after frame, as an engine asks; 0: pair after pair", 0, 0, 1,
+           true},
+          {"step_in_dimensions", "smallest dimensions",
+           "way of every body per step; 0: as translation_step says", 0, 0, 10, false},
+          {"random_orientation", "1", "1: every body turned at random in every step", 0, 0, 1, true},
+          {"random_velocities", "1", "1: turn and way drawn for each body, up to those given", 0, 0, 1, true},
+          {"own_tables", "1", "1: a table for each body; 0: all share one", 0, 0, 1, true},
+          {"box_of_bodies", "1", "the box of so many bodies, others shrink or grow; 0: the box does", 0, 0,
+           10000, true}}},
+        make_tumble};
 }
 
 }  // namespace edgewise::scene

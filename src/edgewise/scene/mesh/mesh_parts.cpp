@@ -12,41 +12,30 @@
 #include <fstream>
 
 #include "edgewise/geometry/message.hpp"
+#include "edgewise/geometry/pose.hpp"
 
 namespace edgewise::scene {
 namespace {
 
 using Parts = Result<std::vector<MeshPart>>;
 
-/// x -> linear x + shift.
-struct AffineMap {
-    Mat3d linear = Mat3d::Identity();
-    Vec3d shift = Vec3d::Zero();
-
-    [[nodiscard]] Vec3d operator()(const Vec3d& p) const { return multiply(linear, p) + shift; }
-};
-
-AffineMap from_assimp(const aiMatrix4x4& m) {
-    AffineMap map;
-    map.linear << double{m.a1}, double{m.a2}, double{m.a3}, double{m.b1}, double{m.b2}, double{m.b3},
+/// A node's map, whose matrix need not be a rotation.
+Pose from_assimp(const aiMatrix4x4& m) {
+    Pose map;
+    map.rotation << double{m.a1}, double{m.a2}, double{m.a3}, double{m.b1}, double{m.b2}, double{m.b3},
         double{m.c1}, double{m.c2}, double{m.c3};
-    map.shift = Vec3d(double{m.a4}, double{m.b4}, double{m.c4});
+    map.translation = Vec3d(double{m.a4}, double{m.b4}, double{m.c4});
     return map;
 }
 
-AffineMap after(const AffineMap& outer, const AffineMap& inner) {
-    AffineMap map;
-    for (int column = 0; column < 3; ++column) {
-        map.linear.col(column) = multiply(outer.linear, Vec3d(inner.linear.col(column)));
-    }
-    map.shift = outer(inner.shift);
-    return map;
+Pose after(const Pose& outer, const Pose& inner) {
+    return {multiply(outer.rotation, inner.rotation), outer.apply(inner.translation)};
 }
 
-bool mirrors(const AffineMap& map) {
-    const Vec3d x = map.linear.col(0);
-    const Vec3d y = map.linear.col(1);
-    return dot(cross(x, y), map.linear.col(2)) < 0;
+bool mirrors(const Pose& map) {
+    const Vec3d x = map.rotation.col(0);
+    const Vec3d y = map.rotation.col(1);
+    return dot(cross(x, y), map.rotation.col(2)) < 0;
 }
 
 /// Adds the triangles of one face; false if it names a vertex that does not exist.
@@ -63,12 +52,12 @@ bool add_fan(const aiFace& face, bool mirrored, MeshPart& part) {
 }
 
 /// False if the mesh contradicts itself.
-bool add_part(const aiMesh& mesh, const AffineMap& map, std::vector<MeshPart>& parts) {
+bool add_part(const aiMesh& mesh, const Pose& map, std::vector<MeshPart>& parts) {
     MeshPart part{mesh.mName.C_Str(), {}, {}};
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
         const aiVector3D& p = mesh.mVertices[v];
         const Vec3d raw(double{p.x}, double{p.y}, double{p.z});
-        part.points.push_back(raw.array().isFinite().all() ? map(raw)
+        part.points.push_back(raw.array().isFinite().all() ? map.apply(raw)
                                                            : raw);  // for the error line: Inf * 0 is NaN
     }
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
@@ -78,9 +67,8 @@ bool add_part(const aiMesh& mesh, const AffineMap& map, std::vector<MeshPart>& p
     return true;
 }
 
-bool add_node(const aiScene& scene, const aiNode& node, const AffineMap& above,
-              std::vector<MeshPart>& parts) {
-    const AffineMap map = after(above, from_assimp(node.mTransformation));
+bool add_node(const aiScene& scene, const aiNode& node, const Pose& above, std::vector<MeshPart>& parts) {
+    const Pose map = after(above, from_assimp(node.mTransformation));
     for (unsigned k = 0; k < node.mNumMeshes; ++k) {
         if (node.mMeshes[k] >= scene.mNumMeshes) return false;
         if (!add_part(*scene.mMeshes[node.mMeshes[k]], map, parts)) return false;

@@ -56,9 +56,7 @@ class NormalCone {
 /// A normal perpendicular to up to two independent vectors.
 IntegerVec normal_to(const std::vector<IntegerVec>& basis) {
     if (basis.empty()) return {1, 0, 0};
-    if (basis.size() == 2) return cross(basis[0], basis[1]);
-    IntegerVec normal = cross(basis[0], IntegerVec{1, 0, 0});
-    return normal.is_zero() ? cross(basis[0], IntegerVec{0, 1, 0}) : normal;
+    return basis.size() == 2 ? cross(basis[0], basis[1]) : perpendicular_to(basis[0]);
 }
 
 /// Adds points of A - B on both sides of the normal's plane; false if there is a side without.

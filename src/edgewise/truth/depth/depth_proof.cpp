@@ -21,15 +21,15 @@ void require(bool holds, const char* otherwise) {
 
 /// Every vertex of both bodies, without the filter that the search relies on.
 void require_supporting(ExactPair& bodies, const IntegerVec& normal, const mpz_class& height) {
-    mpz_class highest_a = dot(normal, bodies.a.world(0));
-    for (std::uint32_t i = 1; i < bodies.a.size(); ++i) {
-        highest_a = std::max(highest_a, dot(normal, bodies.a.world(i)));
-    }
-    mpz_class lowest_b = dot(normal, bodies.b.world(0));
-    for (std::uint32_t i = 1; i < bodies.b.size(); ++i) {
-        lowest_b = std::min(lowest_b, dot(normal, bodies.b.world(i)));
-    }
-    require(highest_a - lowest_b == height, "the plane does not bound A - B");
+    const auto highest = [](ExactBody& body, const IntegerVec& direction) {
+        mpz_class most = dot(direction, body.world(0));
+        for (std::uint32_t i = 1; i < body.size(); ++i) {
+            most = std::max(most, dot(direction, body.world(i)));
+        }
+        return most;
+    };
+    require(highest(bodies.a, normal) + highest(bodies.b, -normal) == height,
+            "the plane does not bound A - B");
 }
 
 class Surface {

@@ -21,9 +21,7 @@ namespace {
 IntegerVec normal_of(const std::vector<DifferencePoint>& points) {
     if (points.size() == 1) return {1, 0, 0};
     const IntegerVec edge = points[1].point - points[0].point;
-    if (points.size() == 3) return cross(edge, points[2].point - points[0].point);
-    IntegerVec normal = cross(edge, IntegerVec{1, 0, 0});
-    return normal.is_zero() ? cross(edge, IntegerVec{0, 1, 0}) : normal;
+    return points.size() == 3 ? cross(edge, points[2].point - points[0].point) : perpendicular_to(edge);
 }
 
 /// Adds points until there are four that span space; or gives the normal of a plane that holds all of A - B.

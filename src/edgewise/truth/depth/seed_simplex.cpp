@@ -18,18 +18,16 @@ constexpr int iteration_limit = 64;  // a cap on wasted time only: exact iterati
 class RoundedDifference {
   public:
     explicit RoundedDifference(ExactPair& bodies) : a_(bodies.a.filter()), b_(bodies.b.filter()) {
-        const IntegerVec apart = bodies.difference({0, 0});
         std::array<long, 3> exponents{};
-        const mpz_class* entries[] = {&apart.x, &apart.y, &apart.z};
+        offset_ = mantissas(bodies.difference({0, 0}), exponents);
         long unit = std::max(a_.exponent(), b_.exponent());
         for (int i = 0; i < 3; ++i) {
-            offset_[i] = mpz_get_d_2exp(&exponents[i], entries[i]->get_mpz_t());
             exponents[i] += bodies.unit;
             if (offset_[i] != 0) unit = std::max(unit, exponents[i]);
         }
-        for (int i = 0; i < 3; ++i) offset_[i] = scaled(offset_[i], exponents[i] - unit);
-        scale_a_ = scaled(1, a_.exponent() - unit);
-        scale_b_ = scaled(1, b_.exponent() - unit);
+        for (int i = 0; i < 3; ++i) offset_[i] = shifted(offset_[i], exponents[i] - unit);
+        scale_a_ = shifted(1, a_.exponent() - unit);
+        scale_b_ = shifted(1, b_.exponent() - unit);
     }
 
     [[nodiscard]] Vec3d point(VertexPair pair) const {
@@ -41,7 +39,7 @@ class RoundedDifference {
     }
 
   private:
-    static double scaled(double x, long exponent) {
+    static double shifted(double x, long exponent) {
         return std::ldexp(x, static_cast<int>(std::max(exponent, -4000L)));
     }
 

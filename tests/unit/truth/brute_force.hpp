@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// Exhaustive feature pairs in world coordinates. The nearest points of two separated bodies are on a vertex
-// and a face or on two edges (ends included), so the least over both kinds is the distance.
-#include "edgewise/truth/brute_force.hpp"
+// A second opinion on distances, with nothing in common with GJK or V-Clip: every face normal and edge pair
+// as a separating axis, then every vertex against every face and every edge against every edge. Plain double,
+// slow, and good to rounding only. The nearest points of two separated bodies are on a vertex and a face or on
+// two edges (ends included), so the least over both kinds is the distance.
+#pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/geometry/pose.hpp"
+
 namespace edgewise::truth {
 
-namespace {
+namespace brute {
 
 struct WorldBody {
     const Polyhedron& body;
@@ -41,18 +46,18 @@ struct WorldBody {
 };
 
 /// Largest product with the direction over the vertices.
-double highest(const WorldBody& body, const Vec3d& direction) {
+inline double highest(const WorldBody& body, const Vec3d& direction) {
     double best = -std::numeric_limits<double>::infinity();
     for (const Vec3d& v : body.vertices) best = std::max(best, dot(direction, v));
     return best;
 }
 
 /// Whether B lies beyond A along the direction.
-bool separates(const WorldBody& a, const WorldBody& b, const Vec3d& direction) {
+inline bool separates(const WorldBody& a, const WorldBody& b, const Vec3d& direction) {
     return highest(a, direction) + highest(b, -direction) < 0;
 }
 
-bool any_axis_separates(const WorldBody& a, const WorldBody& b) {
+inline bool any_axis_separates(const WorldBody& a, const WorldBody& b) {
     for (const Vec3d& n : a.normals) {
         if (separates(a, b, n)) return true;
     }
@@ -68,13 +73,13 @@ bool any_axis_separates(const WorldBody& a, const WorldBody& b) {
     return false;
 }
 
-double point_to_segment(const Vec3d& p, const Vec3d& tail, const Vec3d& along) {
+inline double point_to_segment(const Vec3d& p, const Vec3d& tail, const Vec3d& along) {
     const double t = std::clamp(dot(Vec3d(p - tail), along) / squared_norm(along), 0.0, 1.0);
     return norm(Vec3d(p - tail - t * along));
 }
 
 /// Crossing segments by their common normal; else an end of one is nearest.
-double segment_to_segment(const WorldBody& a, Index i, const WorldBody& b, Index j) {
+inline double segment_to_segment(const WorldBody& a, Index i, const WorldBody& b, Index j) {
     const Vec3d& p = a.vertices[a.body.edges[i].tail];
     const Vec3d& q = b.vertices[b.body.edges[j].tail];
     const Vec3d u = a.edge(i);
@@ -92,7 +97,7 @@ double segment_to_segment(const WorldBody& a, Index i, const WorldBody& b, Index
 }
 
 /// Infinity if the point does not project into the face from outside: then an edge or a vertex is nearer.
-double point_to_face(const Vec3d& point, const WorldBody& body, Index f) {
+inline double point_to_face(const Vec3d& point, const WorldBody& body, Index f) {
     const Vec3d& n = body.normals[f];
     for (const HalfEdge h : body.body.ring_of_face(f)) {
         const Vec3d& tail = body.vertices[body.body.tail(h)];
@@ -103,7 +108,7 @@ double point_to_face(const Vec3d& point, const WorldBody& body, Index f) {
     return std::abs(dot(n, Vec3d(point - corner))) / norm(n);
 }
 
-double vertices_to_faces(const WorldBody& a, const WorldBody& b) {
+inline double vertices_to_faces(const WorldBody& a, const WorldBody& b) {
     double best = std::numeric_limits<double>::infinity();
     for (const Vec3d& p : a.vertices) {
         for (Index f = 0; f < b.body.face_count(); ++f) best = std::min(best, point_to_face(p, b, f));
@@ -111,7 +116,7 @@ double vertices_to_faces(const WorldBody& a, const WorldBody& b) {
     return best;
 }
 
-double edges_to_edges(const WorldBody& a, const WorldBody& b) {
+inline double edges_to_edges(const WorldBody& a, const WorldBody& b) {
     double best = std::numeric_limits<double>::infinity();
     for (Index i = 0; i < a.body.edge_count(); ++i) {
         for (Index j = 0; j < b.body.edge_count(); ++j) best = std::min(best, segment_to_segment(a, i, b, j));
@@ -119,10 +124,12 @@ double edges_to_edges(const WorldBody& a, const WorldBody& b) {
     return best;
 }
 
-}  // namespace
+}  // namespace brute
 
-double brute_force_distance(const Polyhedron& a, const Pose& pose_a, const Polyhedron& b,
-                            const Pose& pose_b) {
+/// Distance between two solid bodies; 0 when no axis separates them.
+[[nodiscard]] inline double brute_force_distance(const Polyhedron& a, const Pose& pose_a, const Polyhedron& b,
+                                                 const Pose& pose_b) {
+    using namespace brute;
     const WorldBody world_a(a, pose_a);
     const WorldBody world_b(b, pose_b);
     if (!any_axis_separates(world_a, world_b)) return 0;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// GJK's sub-distance: the simplex while a query runs, and its point nearest to the origin, in as wide an
+// arithmetic as it takes. Close, thin and undecided simplices are solved in wider arithmetic, and so is every
+// one from where rounding hides a gain on.
+#pragma once
+
+#include <array>
+
+#include "edgewise/algorithms/johnson.hpp"
+#include "edgewise/algorithms/simplex.hpp"
+#include "edgewise/geometry/double_double.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/table/contract.hpp"
+
+namespace edgewise {
+
+template <SupportTable TableA, SupportTable TableB>
+class SubDistance {
+  public:
+    using Scalar = ComputeOf<TableA>;
+    using Points = Simplex<TableA, TableB>;
+    using Closest = typename Johnson<Scalar>::Closest;
+
+    /// Points from which nothing was dropped that the closest point rests on.
+    [[nodiscard]] const Points& simplex() const { return simplex_; }
+    [[nodiscard]] const Closest& closest() const { return closest_; }
+
+    /// One of a query's first points, up to four; then solve_first().
+    void add(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& on_a,
+             const Vec3<Scalar>& on_b) {
+        simplex_.push(a, b, on_a, on_b);
+    }
+    void solve_first() {
+        if (!still_inside()) solve(Johnson<Scalar>::none);
+        simplex_.keep(closest_);
+    }
+
+    /// Takes in a point of the difference; false, and nothing changed, if the closest point, at this squared
+    /// distance, comes no nearer to the origin.
+    [[nodiscard]] bool extend(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& on_a,
+                              const Vec3<Scalar>& on_b, Scalar squared) {
+        const Points before = simplex_;
+        const Closest closest_before = closest_;
+        add(a, b, on_a, on_b);
+        solve(Johnson<Scalar>::only(simplex_.count - 1));
+        if (!gains(squared) && !retry_in_wide_arithmetic(before)) {
+            simplex_ = before;
+            closest_ = closest_before;
+            return false;
+        }
+        simplex_.keep(closest_);
+        return true;
+    }
+
+  private:
+    /// A pair that overlapped most likely still does: four signs tell, where fourteen subsets would be tried.
+    [[nodiscard]] bool still_inside() {
+        Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
+        if (!johnson.holds_origin()) return false;
+        closest_ = johnson.inside();
+        return true;
+    }
+
+    /// `known`: points that the closest one is known to rest on.
+    void solve(typename Johnson<Scalar>::Mask known) {
+        if (!careful_) {
+            Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
+            closest_ = johnson.closest(known);
+            if (closest_.members == Johnson<Scalar>::whole) return;
+            const Scalar close = Tolerance<Scalar>::close * simplex_.size;
+            const bool far = squared_norm(closest_.point) >= close * close;
+            if (far && !closest_.backup && !johnson.is_thin(closest_.members)) return;
+        }
+        solve_wide();
+    }
+
+    /// Near the origin the cofactors cancel: the direction of what is left is noise, or the wrong members are
+    /// chosen and the distance grows. So the same in wider arithmetic. The points stay as they are; their
+    /// rounding costs the distance no more than itself. Returns the squared distance, unrounded.
+    [[gnu::noinline]] Wider<Scalar> solve_wide() {
+        std::array<Vec3<Wider<Scalar>>, 4> points;
+        for (int i = 0; i < simplex_.count; ++i) points[i] = cast<Wider<Scalar>>(simplex_.difference[i]);
+        const auto wide = Johnson<Wider<Scalar>>(points, simplex_.count).closest();
+        closest_.members = wide.members;
+        closest_.backup = wide.backup;
+        closest_.point = cast<Scalar>(wide.point);
+        for (int i = 0; i < simplex_.count; ++i) closest_.weight[i] = static_cast<Scalar>(wide.weight[i]);
+        return squared_norm(wide.point);
+    }
+
+    [[nodiscard]] bool gains(Scalar before) const {
+        if (closest_.members == Johnson<Scalar>::whole) return true;
+        return !careful_ && squared_norm(closest_.point) < before;
+    }
+
+    /// The duality gap is open but the distance did not fall: along a valley of nearly parallel sides it
+    /// falls by the square of the gap, and many steps that rounding hides add up. From here on only the
+    /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not computed again from
+    /// the simplex that is left: of a sliver that may come out larger, and the run would cycle.) False if
+    /// even so nothing is gained.
+    [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic(const Points& before) {
+        if (!careful_) {
+            careful_ = true;
+            const Points after = simplex_;
+            simplex_ = before;
+            unrounded_ = solve_wide();
+            simplex_ = after;
+        }
+        const Wider<Scalar> now = solve_wide();
+        if (closest_.members == Johnson<Scalar>::whole) return true;
+        if (!(now < unrounded_)) return false;
+        unrounded_ = now;
+        return true;
+    }
+
+    Points simplex_;
+    Closest closest_;
+    bool careful_ = false;       ///< every sub-distance in wider arithmetic
+    Wider<Scalar> unrounded_{};  ///< squared distance, when careful
+};
+
+}  // namespace edgewise
