@@ -15,7 +15,7 @@
 namespace edgewise::bench {
 namespace {
 
-constexpr std::array<std::string_view, 4> names = {"arena", "jemalloc", "libc", "file"};
+constexpr std::array<std::string_view, 4> allocator_names = {"arena", "jemalloc", "libc", "file"};
 
 class ArenaAllocator final : public TableAllocator {
   public:
@@ -86,20 +86,20 @@ class JemallocAllocator final : public TableAllocator {
 
 }  // namespace
 
-std::string_view to_string(AllocatorKind kind) { return names[static_cast<std::size_t>(kind)]; }
+std::string_view to_string(AllocatorKind kind) { return allocator_names[static_cast<std::size_t>(kind)]; }
 
 std::optional<AllocatorKind> allocator_from(std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<AllocatorKind>(found - names.begin());
+    const auto found = std::find(allocator_names.begin(), allocator_names.end(), name);
+    if (found == allocator_names.end()) return std::nullopt;
+    return static_cast<AllocatorKind>(found - allocator_names.begin());
 }
 
 const std::vector<AllocatorInfo>& allocators_known() {
     static const std::vector<AllocatorInfo> known = {
-        {names[0], "tables one behind the other from a multiple of 2 MiB"},
-        {names[1], "jemalloc's size classes, in a jemalloc arena of its own"},
-        {names[2], "the C library's malloc"},
-        {names[3], "as arena, in a temporary file on a disk: pages can leave memory and come back"},
+        {allocator_names[0], "tables one behind the other from a multiple of 2 MiB"},
+        {allocator_names[1], "jemalloc's size classes, in a jemalloc arena of its own"},
+        {allocator_names[2], "the C library's malloc"},
+        {allocator_names[3], "as arena, in a temporary file on a disk: pages can leave memory and come back"},
     };
     return known;
 }
