@@ -64,14 +64,6 @@ void expect_equal(const FigureRow& a, const FigureRow& b) {
     EXPECT_EQ(a.remedy, b.remedy);
 }
 
-/// What `meta` holds under a key.
-std::optional<std::string> find_meta(const std::string& path, const std::string& key) {
-    const sqlite::Database database = sqlite::Database::for_reading(path);
-    sqlite::Statement select(database, "select value from meta where key = ?");
-    if (!select.bind(key).step()) return std::nullopt;
-    return select.text(0);
-}
-
 /// Runs SQL past the store, as a foreign program would.
 void run_sql(const std::string& path, const std::string& sql) {
     sqlite3* database = nullptr;
