@@ -12,6 +12,11 @@ add_custom_target(edgewise_build_info BYPRODUCTS ${build_info}
             -D BUILD_TYPE=${CMAKE_BUILD_TYPE} -D CHARTS=${EDGEWISE_CHARTS_DIR}
             -P ${PROJECT_SOURCE_DIR}/cmake/write_build_info.cmake)
 
+set(store_schema ${PROJECT_SOURCE_DIR}/src/edgewise/store/schema.sql)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${store_schema})
+file(READ ${store_schema} STORE_SCHEMA)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/store_schema.cpp.in ${PROJECT_BINARY_DIR}/registry/store_schema.cpp @ONLY)
+
 include(jemalloc)
 include(libpfm)
 find_path(CALLGRIND_INCLUDE_DIR valgrind/callgrind.h)
@@ -35,7 +40,8 @@ endif()
 get_property(probe_units GLOBAL PROPERTY EDGEWISE_PROBE_UNITS)
 add_library(edgewise_core STATIC
     ${sources} ${probe_units} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info} ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp
-    ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp)
+    ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp
+    ${PROJECT_BINARY_DIR}/registry/store_schema.cpp)
 add_dependencies(edgewise_core edgewise_build_info)
 target_link_libraries(edgewise_core
     PUBLIC edgewise_library nlohmann_json::nlohmann_json fmt::fmt ${GMPXX_LIBRARY} ${GMP_LIBRARY}

@@ -11,14 +11,12 @@
 
 namespace edgewise::probes {
 
-class build final : public bench::Probe {
+class build {
   public:
-    [[nodiscard]] std::string_view name() const override { return "build"; }
-    [[nodiscard]] std::string_view summary() const override {
-        return "median time to build a table, and to refit it in place to the body deformed";
-    }
+    static constexpr std::string_view summary =
+        "median time to build a table, and to refit it in place to the body deformed";
 
-    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+    [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(cell.runner.build_times(repetitions))};
     }
 
@@ -27,19 +25,15 @@ class build final : public bench::Probe {
         const std::vector<double> ratios = times.refit_ns.empty()
                                                ? std::vector<double>{}
                                                : measure::paired_ratios(times.refit_ns, times.build_ns);
-        return {of("build.build_ns", times.build_ns, "no table was built", "run the sweep again"),
-                of("build.refit_ns", times.refit_ns, no_refit, "build a new table"),
-                of("build.refit_over_build", ratios, no_refit, "build a new table")};
+        return {
+            store::figure("build.build_ns", measure::median(times.build_ns), "no table was built",
+                          "run the sweep again"),
+            store::figure("build.refit_ns", measure::median(times.refit_ns), no_refit, "build a new table"),
+            store::figure("build.refit_over_build", measure::median(ratios), no_refit, "build a new table")};
     }
 
   private:
     static constexpr int repetitions = 15;  ///< an odd number, for a median that was measured
-
-    static measure::Figure of(const store::FigureName& name, const std::vector<double>& sample,
-                              const char* reason, const char* remedy) {
-        if (const auto middle = measure::median(sample)) return store::figure(name, middle);
-        return store::no_figure(name, reason, remedy);
-    }
 };
 
 }  // namespace edgewise::probes

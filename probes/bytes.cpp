@@ -2,35 +2,19 @@
 #include "edgewise/probes/bytes.hpp"
 
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 #include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::probes {
 
-TableBytes table_bytes(const Ledger& ledger, const Polyhedron& body) {
-    TableBytes result;
-    result.vertices = body.vertex_count();
-    result.edges = body.edge_count();
-    for (std::size_t i = 0; i < component_names.size(); ++i) {
-        result.components.push_back({std::string(component_names[i]), static_cast<double>(ledger.bytes[i])});
-    }
-    result.paper_subtotal = static_cast<double>(ledger.paper_subtotal());
-    result.total = static_cast<double>(ledger.total());
-    return result;
-}
-
 namespace {
 
 std::vector<Polyhedron> growing_spheres() {
     std::vector<Polyhedron> bodies;
-    for (const char* name : {"sphere8", "sphere18", "sphere38", "sphere66", "sphere102", "sphere218",
-                             "sphere386", "sphere1538"}) {
-        auto body = scene::make_shape(name);
-        if (!body) throw std::logic_error(body.error);
-        bodies.push_back(std::move(*body));
-    }
+    for (const char* name :
+         {"sphere8", "sphere18", "sphere38", "sphere66", "sphere102", "sphere218", "sphere386", "sphere1538"})
+        bodies.push_back(scene::make_shape(name).or_throw());
     return bodies;
 }
 
@@ -42,9 +26,8 @@ std::span<const TableBytes> size_family(const bench::TableType& type, Parts part
     auto [place, is_new] = known.try_emplace({type.name, parts});
     if (is_new) {
         for (const Polyhedron& body : bodies) {
-            const auto stored = type.stored_body(body);
-            if (!stored) throw std::logic_error(stored.error);
-            place->second.push_back(table_bytes(type.ledger(*stored, parts), *stored));
+            const Polyhedron stored = type.stored_body(body).or_throw();
+            place->second.push_back({stored.vertex_count(), stored.edge_count(), type.ledger(stored, parts)});
         }
     }
     return place->second;

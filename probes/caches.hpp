@@ -13,19 +13,16 @@
 
 namespace edgewise::probes {
 
-class caches final : public bench::Probe {
+class caches {
   public:
-    [[nodiscard]] std::string_view name() const override { return "caches"; }
-    [[nodiscard]] std::string_view summary() const override {
-        return "modelled misses by machine, level, cause, field and step; bytes brought in vain; memory time";
-    }
+    static constexpr std::string_view summary =
+        "modelled misses by machine, level, cause, field and step; bytes brought in vain; memory time";
+    static constexpr bool beside_others = true;
 
-    [[nodiscard]] bool beside_others() const override { return true; }
-
-    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+    [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         const measure::SceneTrace& trace = bench::scene_trace(cell);
-        const std::size_t edges = cell.runner.stored_bodies()[0].edge_count();
-        bench::Findings found{figures(trace, static_cast<double>(edges))};
+        const auto edges = static_cast<double>(cell.runner.stored_bodies()[0].edge_count());
+        bench::Findings found{figures(trace, edges)};
         if (!cell.caches.machines.empty())
             found.figures.push_back(store::figure("caches.identity", cell.caches.identity()));
         if (trace.traced()) found.passed = bench::PassSum{trace.answered, trace.distances};
@@ -36,96 +33,86 @@ class caches final : public bench::Probe {
     [[nodiscard]] static std::vector<measure::Figure> figures(const measure::SceneTrace& trace,
                                                               double edges) {
         if (!trace.traced()) return {store::no_figure("caches.misses_per_query", trace.reason, trace.remedy)};
-        std::vector<measure::Figure> all;
-        for (const measure::ModelledMachine& machine : trace.machines)
-            add_machine(machine, trace, edges, all);
+        caches found(trace, edges);
+        for (const measure::ModelledMachine& machine : trace.machines) found.add_machine(machine);
         for (const measure::ModelledMachine& machine : trace.policies) {
             for (const measure::LevelMisses& level : machine.steady.caches)
-                add(all, trace, store::level_misses.of(machine.name, level.level), level.misses.all());
+                found.add(store::level_misses.of(machine.name, level.level), level.misses.all());
         }
-        return all;
+        return found.all_;
     }
 
   private:
-    static void add(std::vector<measure::Figure>& all, const measure::SceneTrace& trace,
-                    const store::FigureName& name, std::uint64_t count) {
-        all.push_back(store::figure(name, static_cast<double>(count) / static_cast<double>(trace.queries)));
+    caches(const measure::SceneTrace& trace, double edges) : trace_(trace), edges_(edges) {}
+
+    void add(const store::FigureName& name, std::uint64_t count) {
+        all_.push_back(store::mean_figure(name, count, trace_.queries));
     }
 
-    static void add_machine(const measure::ModelledMachine& machine, const measure::SceneTrace& trace,
-                            double edges, std::vector<measure::Figure>& all) {
+    void add_machine(const measure::ModelledMachine& machine) {
         if (!machine.reason.empty()) {
             for (const store::FigureName& name :
                  {store::level_misses.of(machine.name, "L1D"), store::memory_time.of(machine.name)})
-                all.push_back(store::no_figure(
+                all_.push_back(store::no_figure(
                     name, machine.reason, "describe the machine in a JSON file and name it with --machines"));
             return;
         }
+        const auto of = [&](const store::FigureName& name) { return name.of(machine.name); };
         for (std::size_t i = 0; i < machine.steady.caches.size(); ++i)
-            add_level(machine, machine.steady.caches[i], machine.first.caches[i], trace, edges, all);
+            add_level(machine, machine.steady.caches[i], machine.first.caches[i]);
         for (std::size_t i = 0; i < machine.steady.tlbs.size(); ++i)
-            add_level(machine, machine.steady.tlbs[i], machine.first.tlbs[i], trace, edges, all);
+            add_level(machine, machine.steady.tlbs[i], machine.first.tlbs[i]);
         for (std::size_t i = 0; i < machine.cold.size(); ++i)
-            add(all, trace,
-                store::FigureName("caches.{machine}.{level}.cold_misses_per_query")
+            add(store::FigureName("caches.{machine}.{level}.cold_misses_per_query")
                     .of(machine.name, machine.steady.caches[i].level),
                 machine.cold[i]);
-        for (const measure::LevelMisses& level : machine.steady.caches)
-            add_breakdown(machine.name, level, trace, all);
-        add(all, trace, store::FigureName("caches.{machine}.fetched_bytes_per_query").of(machine.name),
-            machine.steady.fetched.bytes);
-        add(all, trace, store::FigureName("caches.{machine}.unused_bytes_per_query").of(machine.name),
-            machine.steady.fetched.unused);
-        all.push_back(memory_time(machine, trace));
+        for (const measure::LevelMisses& level : machine.steady.caches) add_breakdown(machine.name, level);
+        add(of("caches.{machine}.fetched_bytes_per_query"), machine.steady.fetched.bytes);
+        add(of("caches.{machine}.unused_bytes_per_query"), machine.steady.fetched.unused);
+        add_memory_time(machine);
     }
 
-    static void add_level(const measure::ModelledMachine& machine, const measure::LevelMisses& steady,
-                          const measure::LevelMisses& warm, const measure::SceneTrace& trace, double edges,
-                          std::vector<measure::Figure>& all) {
+    void add_level(const measure::ModelledMachine& machine, const measure::LevelMisses& steady,
+                   const measure::LevelMisses& warm) {
         const auto at = [&](const store::FigureName& name) { return name.of(machine.name, steady.level); };
-        add(all, trace, at(store::level_misses), steady.misses.all());
-        add(all, trace, at("caches.{machine}.{level}.capacity_per_query"), steady.misses.capacity);
-        add(all, trace, at("caches.{machine}.{level}.conflict_per_query"), steady.misses.conflict);
-        add(all, trace, at("caches.{machine}.{level}.warm_misses_per_query"), warm.misses.all());
-        add(all, trace, at("caches.{machine}.{level}.compulsory_per_query"), warm.misses.compulsory);
-        all.push_back(store::figure(
-            at("caches.{machine}.{level}.misses_per_edge"),
-            static_cast<double>(steady.misses.all()) / static_cast<double>(trace.queries) / edges));
-        const double verified = static_cast<double>(warm.misses.compulsory) /
-                                static_cast<double>(std::max<std::uint64_t>(warm.first_touches, 1));
-        all.push_back(store::figure(at("caches.{machine}.{level}.cold_verified"), verified));
+        add(at(store::level_misses), steady.misses.all());
+        add(at("caches.{machine}.{level}.capacity_per_query"), steady.misses.capacity);
+        add(at("caches.{machine}.{level}.conflict_per_query"), steady.misses.conflict);
+        add(at("caches.{machine}.{level}.warm_misses_per_query"), warm.misses.all());
+        add(at("caches.{machine}.{level}.compulsory_per_query"), warm.misses.compulsory);
+        all_.push_back(store::mean_figure(at("caches.{machine}.{level}.misses_per_edge"), steady.misses.all(),
+                                          trace_.queries));
+        *all_.back().value /= edges_;
+        all_.push_back(store::mean_figure(at("caches.{machine}.{level}.cold_verified"),
+                                          warm.misses.compulsory,
+                                          std::max<std::uint64_t>(warm.first_touches, 1)));
     }
 
     /// By what was read and by what read it; what was never accessed is left out.
-    static void add_breakdown(const std::string& machine, const measure::LevelMisses& level,
-                              const measure::SceneTrace& trace, std::vector<measure::Figure>& all) {
-        for (std::size_t i = 0; i < trace.fields.size(); ++i) {
-            if (trace.heat.by_field[i] == 0) continue;
-            add(all, trace,
-                store::FigureName("caches.{machine}.{level}.field.{field}")
-                    .of(machine, level.level, trace.fields[i]),
-                level.by_field[i]);
-        }
-        for (std::size_t i = 0; i < trace.steps.size(); ++i) {
-            if (trace.heat.by_step[i] == 0) continue;
-            add(all, trace,
-                store::FigureName("caches.{machine}.{level}.step.{step}")
-                    .of(machine, level.level, trace.steps[i]),
-                level.by_step[i]);
-        }
+    void add_breakdown(const std::string& machine, const measure::LevelMisses& level) {
+        const auto add_all = [&](const store::FigureName& name, const auto& parts, const auto& accesses,
+                                 const auto& misses) {
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                if (accesses[i] > 0) add(name.of(machine, level.level, parts[i]), misses[i]);
+        };
+        add_all("caches.{machine}.{level}.field.{field}", trace_.fields, trace_.heat.by_field,
+                level.by_field);
+        add_all("caches.{machine}.{level}.step.{step}", trace_.steps, trace_.heat.by_step, level.by_step);
     }
 
-    static measure::Figure memory_time(const measure::ModelledMachine& machine,
-                                       const measure::SceneTrace& trace) {
+    void add_memory_time(const measure::ModelledMachine& machine) {
         const auto& ns = machine.steady.memory_ns;
-        measure::Figure figure =
-            ns ? store::figure(store::memory_time.of(machine.name), *ns / static_cast<double>(trace.queries))
-               : store::no_figure(store::memory_time.of(machine.name),
-                                  "the latencies of this machine are not known",
-                                  "give latency_cycles of every level in a machine file");
-        if (!machine.steady.proved) figure.unit += " of unverified latencies";
-        return figure;
+        const auto queries = static_cast<double>(trace_.queries);
+        all_.push_back(store::figure(store::memory_time.of(machine.name),
+                                     ns ? std::optional(*ns / queries) : std::nullopt,
+                                     "the latencies of this machine are not known",
+                                     "give latency_cycles of every level in a machine file"));
+        if (!machine.steady.proved) all_.back().unit += " of unverified latencies";
     }
+
+    const measure::SceneTrace& trace_;
+    double edges_;
+    std::vector<measure::Figure> all_;
 };
 
 }  // namespace edgewise::probes

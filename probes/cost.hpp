@@ -33,21 +33,19 @@ struct StepCosts {
 /// not counted.
 [[nodiscard]] StepCosts step_costs(const bench::Runner& runner, const scene::Workload& workload);
 
-class cost final : public bench::Probe {
+class cost {
   public:
-    [[nodiscard]] std::string_view name() const override { return "cost"; }
-    [[nodiscard]] std::string_view summary() const override {
-        return "a step's tests and times by part, and the paper's cost functions beside the whole";
-    }
+    static constexpr std::string_view summary =
+        "a step's tests and times by part, and the paper's cost functions beside the whole";
 
-    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+    [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(costs_of(cell))};
     }
 
     [[nodiscard]] static std::vector<measure::Figure> figures(const StepCosts& costs) {
         if (costs.steps == 0) return {store::no_figure("cost.step_ns", costs.reason, costs.remedy)};
         return {
-            store::figure("cost.steps", static_cast<double>(costs.steps)),
+            store::figure("cost.steps", costs.steps),
             store::figure("cost.bodies", costs.bodies),
             store::figure("cost.pairs_per_step", costs.pairs),
             store::figure("cost.all_pairs", costs.bodies * (costs.bodies - 1) / 2),

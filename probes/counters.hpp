@@ -12,15 +12,12 @@
 
 namespace edgewise::probes {
 
-class counters final : public bench::Probe {
-  public:
-    [[nodiscard]] std::string_view name() const override { return "counters"; }
-    [[nodiscard]] std::string_view summary() const override {
-        return "hardware counters per query, or why not; page faults, context switches, migrations per query";
-    }
+struct counters {
+    static constexpr std::string_view summary =
+        "hardware counters per query, or why not; page faults, context switches, migrations per query";
 
     /// In the steady state: tables and pairs were all used before.
-    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+    [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         if (!cell.verified) return {figures({})};
         static const measure::Cpu cpu = measure::read_machine().cpu;
         const std::function<bench::PassSum()> pass = cell.runner.prepared_pass();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Error: the answers beside the exact ones. Two errors, kept apart: against the exact answer of the bodies
+// Error: the answers beside the exact ones. Two separate errors: against the exact answer of the bodies
 // that the table holds (the algorithm's own error) and of the bodies as given (with the rounding of storage
 // on top). Verdicts are wrong only outside the band where rounding decides; cases inside it are counted and
-// shown apart.
+// shown separately.
 #pragma once
 
 #include <algorithm>
@@ -14,17 +14,15 @@
 
 namespace edgewise::probes {
 
-class error final : public bench::Probe {
+class error {
   public:
     using Answers = std::span<const measure::CheckedAnswer>;
 
-    [[nodiscard]] std::string_view name() const override { return "error"; }
-    [[nodiscard]] std::string_view summary() const override {
-        return "worst error and wrong verdicts against exact arithmetic; steps, escapes, cycles, "
-               "fallbacks and refinements";
-    }
+    static constexpr std::string_view summary =
+        "worst error and wrong verdicts against exact arithmetic; steps, escapes, cycles, "
+        "fallbacks and refinements";
 
-    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+    [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(cell.checked, cell.counts)};
     }
 
@@ -48,12 +46,13 @@ class error final : public bench::Probe {
             store::figure("error.separated", separated),
             store::figure("error.touching", touching),
             store::figure("error.overlapping", checked - separated - touching),
-            store::figure("error.fallbacks", static_cast<double>(counts.fallbacks)),
-            store::figure("error.refinements", static_cast<double>(counts.refinements)),
-            store::figure("error.escapes", static_cast<double>(counts.escapes)),
-            store::figure("error.cycles", static_cast<double>(counts.cycles)),
-            mean_steps(counts),
-            store::figure("error.max_steps", static_cast<double>(counts.max_steps)),
+            store::figure("error.fallbacks", counts.fallbacks),
+            store::figure("error.refinements", counts.refinements),
+            store::figure("error.escapes", counts.escapes),
+            store::figure("error.cycles", counts.cycles),
+            counts.queries == 0 ? store::no_figure("error.mean_steps", "no query was asked", "")
+                                : store::mean_figure("error.mean_steps", counts.steps, counts.queries),
+            store::figure("error.max_steps", counts.max_steps),
         };
         add_control(answers, all);
         return all;
@@ -92,15 +91,8 @@ class error final : public bench::Probe {
 
     static measure::Figure at_quantile(const store::FigureName& name, Answers answers,
                                        double measure::CheckedAnswer::*error, double p) {
-        const auto value = measure::quantile(column(answers, error), p);
-        if (value) return store::figure(name, value);
-        return store::no_figure(name, "no query was checked", "check more queries");
-    }
-
-    static measure::Figure mean_steps(const measure::AnswerCounts& counts) {
-        constexpr store::FigureName name("error.mean_steps");
-        if (counts.queries == 0) return store::no_figure(name, "no query was asked", "");
-        return store::figure(name, static_cast<double>(counts.steps) / static_cast<double>(counts.queries));
+        return store::figure(name, measure::quantile(column(answers, error), p), "no query was checked",
+                             "check more queries");
     }
 };
 

@@ -7,26 +7,36 @@
 
 #include "edgewise/bench/memory/allocators.hpp"
 #include "edgewise/bench/trace/trace_places.hpp"
+#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/table/table_memory.hpp"
 
 namespace edgewise::probes {
 
 namespace {
 
+using Figures = std::vector<measure::Figure>;
+
 /// What `build` allocates; what it returns is kept until it was measured.
-HeapStructure measured(const std::string& name,
-                       const std::function<std::shared_ptr<const void>(bench::TableAllocator&)>& build) {
+void add(Figures& figures, const std::string& structure,
+         const std::function<std::shared_ptr<const void>(bench::TableAllocator&)>& build) {
     const auto allocator = bench::make_allocator(bench::AllocatorKind::jemalloc);
     const std::shared_ptr<const void> kept = build(*allocator);
     const std::size_t classes = allocator->by_its_statistics().value_or(0);
     if (classes != allocator->taken())
-        throw std::logic_error(name + ": jemalloc's statistics are not the sum of its size classes");
-    return {name, allocator->requested(), classes, allocator->resident().value_or(0)};
+        throw std::logic_error(structure + ": jemalloc's statistics are not the sum of its size classes");
+    const auto add_bytes = [&](const store::FigureName& name, std::size_t bytes) {
+        figures.push_back(store::figure(name.of(structure), bytes));
+    };
+    add_bytes("heap.{structure}.requested_bytes", allocator->requested());
+    add_bytes("heap.{structure}.size_class_bytes", classes);
+    add_bytes("heap.{structure}.slack_bytes", classes - allocator->requested());
+    // The arena's own books included.
+    add_bytes("heap.{structure}.resident_bytes", allocator->resident().value_or(0));
 }
 
 /// Blocks of such sizes, written to as their owner would.
-HeapStructure blocks(const std::string& name, const std::vector<std::size_t>& sizes) {
-    return measured(name, [&](bench::TableAllocator& allocator) {
+void add_blocks(Figures& figures, const std::string& structure, const std::vector<std::size_t>& sizes) {
+    add(figures, structure, [&](bench::TableAllocator& allocator) {
         auto owned = std::make_shared<std::vector<std::pmr::vector<std::byte>>>();
         for (const std::size_t size : sizes)
             if (size > 0) owned->emplace_back(size, std::byte{1}, &allocator);
@@ -51,25 +61,26 @@ std::vector<std::size_t> broad_phase_sizes(const scene::Workload& workload) {
 
 }  // namespace
 
-HeapUse heap_of(const bench::ProbedCell& cell) {
+bench::Findings heap::measure(const bench::ProbedCell& cell) {
     const scene::Workload& workload = cell.workload;
-    HeapUse use;
+    Figures figures;
     try {
-        use.structures.push_back(measured("table", [&](bench::TableAllocator& allocator) {
+        add(figures, "table", [&](bench::TableAllocator& allocator) {
             const TablesIn placed(allocator);
             return cell.type.make_table(cell.runner.stored_bodies()[0], cell.algorithm.parts);
-        }));
+        });
         if (workload.warm)
-            use.structures.push_back(blocks("pair_caches", {workload.pair_count * cell.runner.pair_bytes()}));
+            add_blocks(figures, "pair_caches", {workload.pair_count * cell.runner.pair_bytes()});
         if (!workload.frames.empty() && !workload.frames.front().boxes.empty())
-            use.structures.push_back(blocks("broad_phase", broad_phase_sizes(workload)));
+            add_blocks(figures, "broad_phase", broad_phase_sizes(workload));
     } catch (const std::exception& problem) {
-        use.structures.clear();
-        use.reason = problem.what();
-        use.remedy = bench::make_jemalloc() ? "see the reason"
-                                            : "install libjemalloc-dev and build again, without sanitizers";
+        const char* const remedy = bench::make_jemalloc()
+                                       ? "see the reason"
+                                       : "install libjemalloc-dev and build again, without sanitizers";
+        return {{store::no_figure(store::FigureName("heap.{structure}.requested_bytes").of("table"),
+                                  problem.what(), remedy)}};
     }
-    return use;
+    return {figures};
 }
 
 }  // namespace edgewise::probes

@@ -10,16 +10,13 @@
 
 namespace edgewise::probes {
 
-class heat final : public bench::Probe {
+class heat {
   public:
-    [[nodiscard]] std::string_view name() const override { return "heat"; }
-    [[nodiscard]] std::string_view summary() const override {
-        return "accesses by field, hottest lines, and the part of tables and features ever touched";
-    }
+    static constexpr std::string_view summary =
+        "accesses by field, hottest lines, and the part of tables and features ever touched";
+    static constexpr bool beside_others = true;
 
-    [[nodiscard]] bool beside_others() const override { return true; }
-
-    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+    [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(bench::scene_trace(cell))};
     }
 
@@ -28,12 +25,11 @@ class heat final : public bench::Probe {
         const measure::SceneHeat& found = trace.heat;
         const measure::TouchedTables& tables = found.tables;
         std::vector<measure::Figure> all = {
-            store::figure("heat.touched_part",
-                          static_cast<double>(tables.bytes) / static_cast<double>(tables.of_bytes)),
-            store::figure("heat.touched_bytes", static_cast<double>(tables.bytes)),
-            store::figure("heat.lines_of_half_the_accesses", static_cast<double>(found.lines_of_half)),
-            store::figure("heat.lines_of_most_accesses", static_cast<double>(found.lines_of_most)),
-            store::figure("heat.lines", static_cast<double>(found.lines)),
+            store::mean_figure("heat.touched_part", tables.bytes, tables.of_bytes),
+            store::figure("heat.touched_bytes", tables.bytes),
+            store::figure("heat.lines_of_half_the_accesses", found.lines_of_half),
+            store::figure("heat.lines_of_most_accesses", found.lines_of_most),
+            store::figure("heat.lines", found.lines),
             feature("heat.touched_vertices", tables.vertices, "vertices"),
             feature("heat.touched_edges", tables.edges, "edges"),
             feature("heat.touched_faces", tables.faces, "faces")};
@@ -41,9 +37,8 @@ class heat final : public bench::Probe {
             all.push_back(store::figure(store::FigureName("heat.touched_{component}").of(component), part));
         for (std::size_t i = 0; i < trace.fields.size(); ++i) {
             if (found.by_field[i] == 0) continue;
-            all.push_back(
-                store::figure(store::FigureName("heat.accesses.{field}").of(trace.fields[i]),
-                              static_cast<double>(found.by_field[i]) / static_cast<double>(found.queries)));
+            all.push_back(store::mean_figure(store::FigureName("heat.accesses.{field}").of(trace.fields[i]),
+                                             found.by_field[i], found.queries));
         }
         return all;
     }
@@ -51,9 +46,8 @@ class heat final : public bench::Probe {
   private:
     static measure::Figure feature(const store::FigureName& name, const std::optional<double>& part,
                                    const std::string& features) {
-        if (part) return store::figure(name, part);
-        return store::no_figure(name, "the layout stores nothing for " + features + " one by one",
-                                "a layout that does");
+        return store::figure(name, part, "the layout stores nothing for " + features + " one by one",
+                             "a layout that does");
     }
 };
 

@@ -9,26 +9,20 @@
 
 namespace edgewise::probes {
 
-class memory final : public bench::Probe {
-  public:
-    [[nodiscard]] std::string_view name() const override { return "memory"; }
-    [[nodiscard]] std::string_view summary() const override {
-        return "bytes of all tables: asked for, taken by the allocator, resident; part ever materialised";
-    }
+struct memory {
+    static constexpr std::string_view summary =
+        "bytes of all tables: asked for, taken by the allocator, resident; part ever materialised";
 
-    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+    [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(cell.runner.memory())};
     }
 
     [[nodiscard]] static std::vector<measure::Figure> figures(const measure::MemoryUse& use) {
-        const measure::Figure resident =
-            use.resident ? store::figure("memory.resident_bytes", use.resident)
-                         : store::no_figure("memory.resident_bytes",
-                                            "this allocator's pages cannot be told from other memory",
-                                            "allocator=arena");
-        return {store::figure("memory.tables", static_cast<double>(use.tables)),
+        return {store::figure("memory.tables", use.tables),
                 store::figure("memory.requested_bytes", use.requested),
-                store::figure("memory.taken_bytes", use.taken), resident,
+                store::figure("memory.taken_bytes", use.taken),
+                store::figure("memory.resident_bytes", use.resident,
+                              "this allocator's pages cannot be told from other memory", "allocator=arena"),
                 store::figure("memory.materialised", use.materialised)};
     }
 };

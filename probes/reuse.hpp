@@ -11,16 +11,13 @@
 
 namespace edgewise::probes {
 
-class reuse final : public bench::Probe {
+class reuse {
   public:
-    [[nodiscard]] std::string_view name() const override { return "reuse"; }
-    [[nodiscard]] std::string_view summary() const override {
-        return "lines and pages: touched, working sets, misses in caches of every size, and the knee";
-    }
+    static constexpr std::string_view summary =
+        "lines and pages: touched, working sets, misses in caches of every size, and the knee";
+    static constexpr bool beside_others = true;
 
-    [[nodiscard]] bool beside_others() const override { return true; }
-
-    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+    [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(bench::scene_trace(cell))};
     }
 
@@ -37,28 +34,20 @@ class reuse final : public bench::Probe {
     static void add_unit(const measure::SceneTrace& trace, const measure::ReuseOf& unit,
                          const store::ReuseNames& names, int least, int most,
                          std::vector<measure::Figure>& all) {
-        const auto bytes = static_cast<double>(unit.unit_bytes);
-        const auto queries = static_cast<double>(trace.queries), tables = static_cast<double>(trace.tables);
-        all.push_back(store::figure(names.per_query, static_cast<double>(unit.touched) / queries));
-        all.push_back(store::figure(names.of_scene, static_cast<double>(unit.distinct)));
-        all.push_back(store::figure(names.of_body, static_cast<double>(unit.of_tables) / tables));
-        all.push_back(of_frame(trace, unit, names.of_frame));
-        all.push_back(store::figure(
-            names.knee, static_cast<double>(measure::knee(unit.steady, unit.with_scene)) * bytes));
+        all.push_back(store::mean_figure(names.per_query, unit.touched, trace.queries));
+        all.push_back(store::figure(names.of_scene, unit.distinct));
+        all.push_back(store::mean_figure(names.of_body, unit.of_tables, trace.tables));
+        all.push_back(trace.frames > 0
+                          ? store::mean_figure(names.of_frame, unit.in_frames, trace.frames)
+                          : store::no_figure(names.of_frame, "the scene is not asked frame after frame",
+                                             "tumble with in_time_order=1, or pressure"));
+        all.push_back(
+            store::figure(names.knee, measure::knee(unit.steady, unit.with_scene) * unit.unit_bytes));
         for (int power = least; power <= most; power += 1) {
             const std::uint64_t size = (std::uint64_t{1} << power) / unit.unit_bytes;
-            all.push_back(store::figure(names.misses.of(std::to_string(power)),
-                                        static_cast<double>(unit.steady.misses(size)) / queries));
+            all.push_back(store::mean_figure(names.misses.of(std::to_string(power)), unit.steady.misses(size),
+                                             trace.queries));
         }
-    }
-
-    static measure::Figure of_frame(const measure::SceneTrace& trace, const measure::ReuseOf& unit,
-                                    const store::FigureName& name) {
-        if (trace.frames > 0)
-            return store::figure(name,
-                                 static_cast<double>(unit.in_frames) / static_cast<double>(trace.frames));
-        return store::no_figure(name, "the scene is not asked frame after frame",
-                                "tumble with in_time_order=1, or pressure");
     }
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Time: nanoseconds per query, separated and contact pairs apart; medians over the interleaved rounds with a
-// bootstrap interval; and the headline, the median ratio to the baseline cell timed in the same round.
+// Time: nanoseconds per query, of separated pairs and of pairs in contact; medians over the interleaved
+// rounds with a bootstrap interval; and the headline, the median ratio to the baseline cell timed in the same
+// round.
 #pragma once
 
 #include "edgewise/bench/probe.hpp"
@@ -10,14 +11,12 @@
 
 namespace edgewise::probes {
 
-class time final : public bench::Probe {
+class time {
   public:
-    [[nodiscard]] std::string_view name() const override { return "time"; }
-    [[nodiscard]] std::string_view summary() const override {
-        return "median ns per query with 95 % interval, and ratio to the baseline of the same rounds";
-    }
+    static constexpr std::string_view summary =
+        "median ns per query with 95 % interval, and ratio to the baseline of the same rounds";
 
-    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+    [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(cell.rounds)};
     }
 
@@ -28,7 +27,7 @@ class time final : public bench::Probe {
         add(result, store::overlapping_time, rounds, &measure::Timing::overlapping,
             "the cell has no overlapping pair");
         add(result, store::all_time, rounds, &measure::Timing::all, "no query was timed");
-        result.push_back(store::figure("time.rounds", static_cast<double>(rounds.size())));
+        result.push_back(store::figure("time.rounds", rounds.size()));
         return result;
     }
 
@@ -49,7 +48,7 @@ class time final : public bench::Probe {
         const std::string remedy =
             each.empty() ? "ask for more queries, or run the sweep again: it resumes" : "ask for more rounds";
         const auto figure = [&](const store::FigureName& name, std::optional<double> value) {
-            result.push_back(value ? store::figure(name, value) : store::no_figure(name, reason, remedy));
+            result.push_back(store::figure(name, value, reason, remedy));
         };
         const auto interval = measure::bootstrap_median(each);
         figure(names.ns, measure::median(each));

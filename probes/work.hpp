@@ -33,14 +33,12 @@ struct AlgorithmWork {
 [[nodiscard]] AlgorithmWork gjk_work(const bench::TableType& type, const scene::Workload& workload,
                                      std::span<const std::size_t> checked_positions);
 
-class work final : public bench::Probe {
+class work {
   public:
-    [[nodiscard]] std::string_view name() const override { return "work"; }
-    [[nodiscard]] std::string_view summary() const override {
-        return "unchanged answers; of GJK: support points kept, hops of a climb, subsets tried";
-    }
+    static constexpr std::string_view summary =
+        "unchanged answers; of GJK: support points kept, hops of a climb, subsets tried";
 
-    [[nodiscard]] bench::Findings measure(const bench::ProbedCell& cell) const override {
+    [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(work_of(cell), cell.counts)};
     }
 
@@ -90,7 +88,7 @@ class work final : public bench::Probe {
     static measure::Figure share(const store::FigureName& name, std::uint64_t part, std::uint64_t whole,
                                  const char* reason) {
         if (whole == 0) return store::no_figure(name, reason, "another scene");
-        return store::figure(name, static_cast<double>(part) / static_cast<double>(whole));
+        return store::mean_figure(name, part, whole);
     }
 };
 

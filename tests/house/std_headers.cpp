@@ -35,6 +35,7 @@ const std::vector<std::pair<std::string, std::string>> names_of_headers = {
     {"numeric", "accumulate iota"},
     {"optional", "nullopt optional"},
     {"span", "span"},
+    {"stdexcept", "invalid_argument"},
     {"string", "string to_string"},
     {"string_view", "string_view"},
     {"tuple", "tuple"},

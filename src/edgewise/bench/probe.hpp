@@ -66,24 +66,22 @@ struct Findings {
     std::optional<PassSum> passed = {};
 };
 
-class Probe {
-  public:
-    Probe() = default;
-    Probe(const Probe&) = delete;
-    Probe& operator=(const Probe&) = delete;
-    virtual ~Probe() = default;
-
-    [[nodiscard]] virtual std::string_view name() const = 0;
-    [[nodiscard]] virtual std::string_view summary() const = 0;
-
-    /// Whether it may measure while others do: nothing of it is a time. To be measured first.
-    [[nodiscard]] virtual bool beside_others() const { return false; }
-
+struct Probe {
+    std::string_view name, summary;
     /// Every figure is a number, or none with a reason and a remedy.
-    [[nodiscard]] virtual Findings measure(const ProbedCell& cell) const = 0;
+    Findings (*measure)(const ProbedCell& cell);
+    /// Whether it may measure while others do: nothing of it is a time. To be measured first.
+    bool beside_others;
 };
 
+/// The probe of a type with a summary, measure and, if it is true, beside_others.
+template <class Measuring>
+constexpr Probe probe_of(std::string_view name) {
+    constexpr bool beside_others = requires { Measuring::beside_others; };
+    return {name, Measuring::summary, Measuring::measure, beside_others};
+}
+
 /// Every probe of this program, in the order of the manifest probes/CMakeLists.txt.
-[[nodiscard]] std::span<const std::unique_ptr<Probe>> registered_probes();
+[[nodiscard]] std::span<const Probe> registered_probes();
 
 }  // namespace edgewise::bench

@@ -4,11 +4,43 @@
 // its action. Exit codes: 0 done, 1 a check failed, 2 usage or bad input.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <filesystem>
 #include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace edgewise::cli {
+
+/// Where a sweep leaves its store when nobody says otherwise.
+inline constexpr const char* default_store = "reports/out/edgewise.db";
+
+/// Where its report goes then.
+[[nodiscard]] inline std::string folder_of(const std::string& store) {
+    const auto folder = std::filesystem::path(store).parent_path();
+    return folder.empty() ? "." : folder.string();
+}
+
+/// Ctrl-C or SIGTERM: long work ends after the piece in hand.
+inline std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+inline const std::atomic<bool>& stop_on_signals() {
+    std::signal(SIGINT, [](int) { stop_requested = true; });
+    std::signal(SIGTERM, [](int) { stop_requested = true; });
+    return stop_requested;
+}
+
+/// A non-fatal problem.
+inline void warn(const std::string& line) { fmt::print(stderr, "edgewise: {}\n", line); }
 
 inline constexpr int exit_done = 0, exit_check_failed = 1, exit_bad_input = 2;
 
@@ -17,12 +49,32 @@ struct Context {
     std::function<int()> action;
 };
 
-/// Adds a subcommand with the option that all have, --json.
-inline CLI::App* add_command(CLI::App& app, Context& context, const std::string& name,
-                             const std::string& does) {
+/// Adds a subcommand with the option that all have, --json; `run` is what it does with its other options,
+/// which the caller adds.
+template <class Options>
+std::pair<CLI::App*, Options&> add_command(CLI::App& app, Context& context, const std::string& name,
+                                           const std::string& does,
+                                           int (*run)(const Options& options, bool json)) {
     CLI::App* command = app.add_subcommand(name, does);
     command->add_flag("--json", context.json, "machine-readable output on stdout");
-    return command;
+    auto options = std::make_shared<Options>();
+    command->callback([options, run, &context] {
+        context.action = [options, run, &context] { return run(*options, context.json); };
+    });
+    return {command, *options};
+}
+
+/// An option of several names, which commas may separate as well as blanks.
+inline void add_names(CLI::App& command, const char* option, std::vector<std::string>& to, const char* what) {
+    command.add_option(option, to, what)->delimiter(',');
+}
+
+template <class Value>
+[[nodiscard]] nlohmann::json or_null(const std::optional<Value>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+}
+[[nodiscard]] inline nlohmann::json or_null(const std::string& text) {
+    return text.empty() ? nlohmann::json() : nlohmann::json(text);
 }
 
 void add_additions(CLI::App& app, Context& context);

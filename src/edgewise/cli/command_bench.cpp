@@ -3,8 +3,6 @@
 // `edgewise bench`: how fast Edgewise's own measuring is.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "edgewise/cli/cell_options.hpp"
 #include "edgewise/studies/model_speed.hpp"
 
@@ -38,16 +36,13 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_bench(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command =
-        add_command(app, context, "bench", "How fast the cache model and the reuse distances are");
-    add_cell_options(*command, options->cell);
+    auto [command, options] =
+        add_command(app, context, "bench", "How fast the cache model and the reuse distances are", run);
+    add_cell_options(*command, options.cell);
     command
-        ->add_option("--repetitions", options->repetitions,
+        ->add_option("--repetitions", options.repetitions,
                      "repetitions of each measurement; the median is printed")
         ->check(CLI::Range(1, 1000));
-    command->callback(
-        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
 }
 
 }  // namespace edgewise::cli

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -28,38 +27,18 @@ struct Options {
     bool slopes = false;
 };
 
-struct NamedBody {
-    std::string name;
-    Polyhedron body;
-};
-
-NamedBody chosen_body(const Options& options) {
-    if (options.mesh.empty()) {
-        auto body = scene::make_shape(options.shape);
-        if (!body) throw std::invalid_argument(body.error);
-        return {options.shape, std::move(*body)};
-    }
+scene::MeshBody chosen_body(const Options& options) {
+    if (options.mesh.empty()) return {options.shape, scene::make_shape(options.shape).or_throw()};
     auto bodies = scene::read_mesh_file(options.mesh, scene::MeshGrouping::one_hull);
-    if (!bodies) throw std::invalid_argument(bodies.error);
-    if (!bodies.warning.empty()) fmt::print(stderr, "edgewise: {}\n", bodies.warning);
-    return {(*bodies)[0].name, std::move((*bodies)[0].body)};
+    if (bodies && !bodies.warning.empty()) warn(bodies.warning);
+    return std::move(bodies).or_throw().front();
 }
 
 const bench::Probe& bytes_probe() {
-    for (const auto& probe : bench::registered_probes()) {
-        if (probe->name() == "bytes") return *probe;
+    for (const bench::Probe& probe : bench::registered_probes()) {
+        if (probe.name == "bytes") return probe;
     }
     throw std::runtime_error("this program was built without the bytes probe (see probes/CMakeLists.txt)");
-}
-
-Polyhedron as_stored(const bench::TableType& type, const Polyhedron& body) {
-    auto stored = type.stored_body(body);
-    if (!stored) throw std::invalid_argument(stored.error);
-    return std::move(*stored);
-}
-
-nlohmann::json number_or_null(const std::optional<std::size_t>& value) {
-    return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
 /// Beside the table's own bytes: allocators, pages, and lines that queries touch.
@@ -67,9 +46,9 @@ void add_costs(const bench::TableType& type, const Polyhedron& body, Parts parts
     row["allocators"] = nlohmann::json::array();
     for (const studies::AllocatorCost& cost : studies::allocator_costs(type, body, parts)) {
         nlohmann::json entry = {{"name", cost.allocator},
-                                {"taken_bytes", number_or_null(cost.taken)},
-                                {"by_its_statistics", number_or_null(cost.by_statistics)},
-                                {"resident_bytes", number_or_null(cost.resident)}};
+                                {"taken_bytes", or_null(cost.taken)},
+                                {"by_its_statistics", or_null(cost.by_statistics)},
+                                {"resident_bytes", or_null(cost.resident)}};
         if (!cost.reason.empty()) entry["reason"] = cost.reason;
         row["allocators"].push_back(std::move(entry));
     }
@@ -115,8 +94,8 @@ std::vector<measure::Figure> bytes_of(const bench::TableType& type, const Polyhe
         .figures;
 }
 
-nlohmann::json row_of(const bench::TableType& type, const NamedBody& shape, bool slopes) {
-    const Polyhedron body = as_stored(type, shape.body);
+nlohmann::json row_of(const bench::TableType& type, const scene::MeshBody& shape, bool slopes) {
+    const Polyhedron body = type.stored_body(shape.body).or_throw();
     const Parts parts = type.all_parts();
     nlohmann::json row = {
         {"layout", type.layout}, {"precision", type.precision},     {"table", type.name},
@@ -124,8 +103,7 @@ nlohmann::json row_of(const bench::TableType& type, const NamedBody& shape, bool
     for (const measure::Figure& figure : bytes_of(type, body)) {
         const bool component =
             std::find(component_names.begin(), component_names.end(), figure.name) != component_names.end();
-        (component ? row["components"] : row)[figure.name] =
-            figure.value ? nlohmann::json(*figure.value) : nlohmann::json();
+        (component ? row["components"] : row)[figure.name] = or_null(figure.value);
     }
     row["bytes_per_vertex"] = row["table_bytes"].get<double>() / static_cast<double>(body.vertex_count());
     add_costs(type, body, parts, row);
@@ -191,7 +169,7 @@ void print_slopes(const nlohmann::json& rows) {
 }
 
 int run(const Options& options, bool json) {
-    const NamedBody shape = chosen_body(options);
+    const scene::MeshBody shape = chosen_body(options);
     nlohmann::json rows = nlohmann::json::array();
     for (const bench::TableType* type : bench::select_table_types(options.layouts))
         rows.push_back(row_of(*type, shape, options.slopes));
@@ -216,17 +194,14 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_bytes(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = add_command(app, context, "bytes", "The bytes-per-edge ledger");
-    auto* shape = command->add_option("--shape", options->shape, "built-in shape")->capture_default_str();
-    command->add_option("--mesh", options->mesh, "mesh file instead of a built-in shape")->excludes(shape);
-    command->add_option("--layouts", options->layouts, "layouts or table types, e.g. aos soa_f32")
+    auto [command, options] = add_command(app, context, "bytes", "The bytes-per-edge ledger", run);
+    auto* shape = command->add_option("--shape", options.shape, "built-in shape")->capture_default_str();
+    command->add_option("--mesh", options.mesh, "mesh file instead of a built-in shape")->excludes(shape);
+    command->add_option("--layouts", options.layouts, "layouts or table types, e.g. aos soa_f32")
         ->delimiter(',');
     command->add_flag(
-        "--slopes", options->slopes,
+        "--slopes", options.slopes,
         "also the slope at every index width, over bodies of 8 to 100 000 vertices; takes a while");
-    command->callback(
-        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
 }
 
 }  // namespace edgewise::cli

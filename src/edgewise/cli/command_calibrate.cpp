@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
@@ -23,18 +22,11 @@ std::optional<double> ratio(const measure::CalibrationRow& row) {
 }
 
 nlohmann::json json_of(const measure::CalibrationRow& row) {
-    const auto value = [](const std::optional<double>& number) {
-        return number ? nlohmann::json(*number) : nlohmann::json();
-    };
-    return {{"level", row.level},
-            {"times", row.times},
-            {"bytes", row.bytes},
-            {"modelled_per_load", row.modelled},
-            {"event", row.event},
-            {"counted_per_load", value(row.counted)},
-            {"ratio", value(ratio(row))},
-            {"ns_per_load", row.ns},
-            {"reason", row.reason.empty() ? nlohmann::json() : nlohmann::json(row.reason)}};
+    return {{"level", row.level},           {"times", row.times},
+            {"bytes", row.bytes},           {"modelled_per_load", row.modelled},
+            {"event", row.event},           {"counted_per_load", or_null(row.counted)},
+            {"ratio", or_null(ratio(row))}, {"ns_per_load", row.ns},
+            {"reason", or_null(row.reason)}};
 }
 
 void print(const std::vector<measure::CalibrationRow>& rows) {
@@ -70,15 +62,12 @@ int run(const measure::CalibrationOptions& options, bool json) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, Context& context) {
-    auto options = std::make_shared<measure::CalibrationOptions>();
-    CLI::App* command = add_command(app, context, "calibrate",
-                                    "Misses of random loads, modelled and counted, by level and size");
-    command->add_option("--times", options->times, "memory sizes, as multiples of each level's size")
+    auto [command, options] = add_command(
+        app, context, "calibrate", "Misses of random loads, modelled and counted, by level and size", run);
+    command->add_option("--times", options.times, "memory sizes, as multiples of each level's size")
         ->delimiter(',')
         ->check(CLI::Range(0.01, 1000.0));
-    command->add_option("--loads", options->loads, "loads per pass")->check(CLI::Range(1000, 1'000'000'000));
-    command->callback(
-        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+    command->add_option("--loads", options.loads, "loads per pass")->check(CLI::Range(1000, 1'000'000'000));
 }
 
 }  // namespace edgewise::cli

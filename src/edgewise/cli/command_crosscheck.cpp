@@ -4,8 +4,6 @@
 // and beside the processor's own counters where there are any.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "edgewise/cli/cell_options.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/machine/machine.hpp"
@@ -22,68 +20,58 @@ struct Options {
 
 /// The model and Callgrind on one machine's first two levels.
 struct Compared {
-    std::string machine, reason;  ///< reason: why there is nothing to compare
-    studies::ModelledPass model, with_poses;
-    measure::CallgrindCounts tool;
+    measure::CallgrindCounts model, with_poses, tool;
 };
 
-Compared compare(const measure::MachineChoice& choice, const Options& options,
-                 const studies::SingleCell& cell, const measure::Expected<std::string>& program) {
-    Compared row{choice.name, {}, {}, {}, {}};
-    const measure::Expected<measure::CacheGeometry> geometry =
-        choice.machine.value ? measure::callgrind_geometry(*choice.machine.value)
-                             : measure::Expected<measure::CacheGeometry>::none(choice.machine.reason);
-    if (!geometry.value || !program.value) {
-        row.reason = geometry.value ? program.reason : geometry.reason;
-        return row;
-    }
-    row.model = studies::model_pass(cell, *geometry.value, false);
-    row.with_poses = studies::model_pass(cell, *geometry.value, true);
-    const measure::Expected<measure::CallgrindCounts> counts =
-        studies::callgrind_pass(options.cell, *geometry.value, *program.value);
-    if (!counts.value) {
-        row.reason = counts.reason;
-        return row;
-    }
-    row.tool = *counts.value;
-    return row;
+measure::Expected<Compared> compare(const measure::MachineChoice& choice, const Options& options,
+                                    const studies::SingleCell& cell,
+                                    const measure::Expected<std::string>& program) {
+    using Answer = measure::Expected<Compared>;
+    if (!choice.machine.value) return Answer::none(choice.machine.reason);
+    const auto geometry = measure::callgrind_geometry(*choice.machine.value);
+    if (!geometry.value) return Answer::none(geometry.reason);
+    if (!program.value) return Answer::none(program.reason);
+    const auto counts = studies::callgrind_pass(options.cell, *geometry.value, *program.value);
+    if (!counts.value) return Answer::none(counts.reason);
+    return {Compared{studies::model_pass(cell, *geometry.value, false),
+                     studies::model_pass(cell, *geometry.value, true), *counts.value}};
 }
 
-void print(const Compared& row, double queries) {
-    if (!row.reason.empty()) {
-        fmt::print("{:<20} not compared: {}\n", row.machine, row.reason);
+void print(const std::string& machine, const measure::Expected<Compared>& compared, double queries) {
+    if (!compared.value) {
+        fmt::print("{:<20} not compared: {}\n", machine, compared.reason);
         return;
     }
-    const double residual = row.tool.d1_misses - row.with_poses.d1_misses;
-    fmt::print("{:<20} {:>8.1f} {:>9.1f} {:>9.2f} {:>10.2f} {:>9.2f} {:>8.3f} {:>9.3f} {:>9.3f}\n",
-               row.machine, row.model.accesses / queries, row.tool.accesses / queries,
-               row.model.d1_misses / queries, row.with_poses.d1_misses / queries,
-               row.tool.d1_misses / queries, residual / queries, row.with_poses.ll_misses / queries,
-               row.tool.ll_misses / queries);
+    const auto& [model, with_poses, tool] = *compared.value;
+    const double residual = tool.d1_misses - with_poses.d1_misses;
+    fmt::print("{:<20} {:>8.1f} {:>9.1f} {:>9.2f} {:>10.2f} {:>9.2f} {:>8.3f} {:>9.3f} {:>9.3f}\n", machine,
+               model.accesses / queries, tool.accesses / queries, model.d1_misses / queries,
+               with_poses.d1_misses / queries, tool.d1_misses / queries, residual / queries,
+               with_poses.ll_misses / queries, tool.ll_misses / queries);
 }
 
-nlohmann::json json_of(const Compared& row, double queries) {
-    if (!row.reason.empty()) return {{"machine", row.machine}, {"reason", row.reason}};
-    const auto counts = [&](double accesses, double d1, double ll) {
-        return nlohmann::json{{"accesses_per_query", accesses / queries},
-                              {"d1_misses_per_query", d1 / queries},
-                              {"ll_misses_per_query", ll / queries}};
+nlohmann::json json_of(const std::string& machine, const measure::Expected<Compared>& compared,
+                       double queries) {
+    if (!compared.value) return {{"machine", machine}, {"reason", compared.reason}};
+    const auto counts = [&](const measure::CallgrindCounts& of) {
+        return nlohmann::json{{"accesses_per_query", of.accesses / queries},
+                              {"d1_misses_per_query", of.d1_misses / queries},
+                              {"ll_misses_per_query", of.ll_misses / queries}};
     };
-    return {{"machine", row.machine},
+    return {{"machine", machine},
             {"reason", nullptr},
-            {"model", counts(row.model.accesses, row.model.d1_misses, row.model.ll_misses)},
-            {"model_with_poses",
-             counts(row.with_poses.accesses, row.with_poses.d1_misses, row.with_poses.ll_misses)},
-            {"callgrind", counts(row.tool.accesses, row.tool.d1_misses, row.tool.ll_misses)}};
+            {"model", counts(compared.value->model)},
+            {"model_with_poses", counts(compared.value->with_poses)},
+            {"callgrind", counts(compared.value->tool)}};
 }
 
 nlohmann::json json_of(const studies::PerfCount& perf, double queries) {
-    const bool counted = perf.count.value.has_value();
+    const std::optional<double>& count = perf.count.value;
     return {{"event", perf.event},
             {"encoding", perf.encoding},
-            {"level", perf.level ? nlohmann::json(*perf.level) : nlohmann::json()},
-            {"value", counted ? nlohmann::json(*perf.count.value / queries) : nlohmann::json()},
-            {"reason", counted ? nlohmann::json() : nlohmann::json(perf.count.reason)}};
+            {"level", or_null(perf.level)},
+            {"value", count ? nlohmann::json(*count / queries) : nlohmann::json()},
+            {"reason", count ? nlohmann::json() : nlohmann::json(perf.count.reason)}};
 }
 
 void print(const studies::PerfCount& perf, double queries) {
@@ -111,11 +99,11 @@ int run(const Options& options, bool json) {
         fmt::print("{:<20} {:>8} {:>9} {:>9} {:>10} {:>9} {:>8} {:>9} {:>9}\n", "per query", "accesses",
                    "callgrind", "D1 model", "with poses", "callgrind", "residual", "LL model", "callgrind");
     for (const measure::MachineChoice& machine : machines) {
-        const Compared row = compare(machine, options, cell, program);
+        const measure::Expected<Compared> compared = compare(machine, options, cell, program);
         if (json) {
-            rows.push_back(json_of(row, queries));
+            rows.push_back(json_of(machine.name, compared, queries));
         } else {
-            print(row, queries);
+            print(machine.name, compared, queries);
         }
     }
     nlohmann::json counted = nlohmann::json::array();
@@ -136,14 +124,11 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_crosscheck(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = add_command(app, context, "crosscheck",
-                                    "One cell's modelled misses compared with Callgrind's and perf's");
-    add_cell_options(*command, options->cell);
-    command->add_option("--machines", options->machines, "whose first two levels: names, or your NAME.json")
+    auto [command, options] = add_command(
+        app, context, "crosscheck", "One cell's modelled misses compared with Callgrind's and perf's", run);
+    add_cell_options(*command, options.cell);
+    command->add_option("--machines", options.machines, "whose first two levels: names, or your NAME.json")
         ->delimiter(',');
-    command->callback(
-        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
 }
 
 }  // namespace edgewise::cli

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "edgewise/bench/drawings.hpp"
 #include "edgewise/cli/command.hpp"
@@ -21,12 +19,11 @@ struct Options {
 };
 
 int run(const Options& options, bool json) {
-    auto body = scene::make_shape(options.shape);
-    if (!body) throw std::invalid_argument(body.error);
+    const Polyhedron body = scene::make_shape(options.shape).or_throw();
     nlohmann::json drawings = nlohmann::json::array();
     const std::string names[] = {options.layout};
     for (const bench::TableType* type : bench::select_table_types(names)) {
-        const std::string svg = bench::draw_layout(*type, options.shape, *body);
+        const std::string svg = bench::draw_layout(*type, options.shape, body);
         if (!json) {
             fmt::print("{}", svg);
             return exit_done;
@@ -40,18 +37,15 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_draw(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
     CLI::App* draw = app.add_subcommand("draw", "Pictures: draw layout NAME");
     draw->require_subcommand(1);
-    CLI::App* command = add_command(*draw, context, "layout",
-                                    "One body's table to scale: cache lines, bytes coloured by component");
+    auto [command, options] = add_command(
+        *draw, context, "layout", "One body's table to scale: cache lines, bytes coloured by component", run);
     command
-        ->add_option("name", options->layout,
+        ->add_option("name", options.layout,
                      "layout or table type; of a layout its first precision, with --json all")
         ->required();
-    command->add_option("--shape", options->shape, "built-in shape")->capture_default_str();
-    command->callback(
-        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+    command->add_option("--shape", options.shape, "built-in shape")->capture_default_str();
 }
 
 }  // namespace edgewise::cli

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/trace/touched_tables.hpp"
@@ -35,8 +34,7 @@ nlohmann::json features(const bench::TableMap& map, const measure::TouchedBytes&
     const std::pair<const char*, FeatureKind> kinds[] = {
         {"vertices", FeatureKind::vertex}, {"edges", FeatureKind::edge}, {"faces", FeatureKind::face}};
     for (const auto& [name, kind] : kinds) {
-        const auto elements = bench::touched_features(map, touched, kind);
-        json[name] = elements ? nlohmann::json(*elements) : nlohmann::json();
+        json[name] = or_null(bench::touched_features(map, touched, kind));
     }
     return json;
 }
@@ -63,23 +61,21 @@ void print(const measure::HeatMap& heat, const measure::TouchedTables& tables) {
 
 nlohmann::json json_of(const measure::HeatMap& heat, const measure::TouchedTables& tables,
                        const studies::SingleCell& cell) {
-    const auto part = [](const std::optional<double>& value) {
-        return value ? nlohmann::json(*value) : nlohmann::json();
-    };
     nlohmann::json fields = nlohmann::json::object();
     for (std::size_t i = 0; i < bench::field_names().size(); ++i)
         if (const auto count = heat.accesses_by_field()[i]; count > 0)
             fields[std::string(bench::field_names()[i])] = count;
-    return {
-        {"queries", heat.queries()},
-        {"accesses_by_field", fields},
-        {"accesses_by_line", lines_of_tables(heat, cell)},
-        {"touched_bytes", tables.bytes},
-        {"table_bytes", tables.of_bytes},
-        {"touched_by_component", tables.by_component},
-        {"touched_parts",
-         {{"vertices", part(tables.vertices)}, {"edges", part(tables.edges)}, {"faces", part(tables.faces)}}},
-        {"touched_of_first_table", features(cell.runner().memory_maps().front(), heat.touched())}};
+    return {{"queries", heat.queries()},
+            {"accesses_by_field", fields},
+            {"accesses_by_line", lines_of_tables(heat, cell)},
+            {"touched_bytes", tables.bytes},
+            {"table_bytes", tables.of_bytes},
+            {"touched_by_component", tables.by_component},
+            {"touched_parts",
+             {{"vertices", or_null(tables.vertices)},
+              {"edges", or_null(tables.edges)},
+              {"faces", or_null(tables.faces)}}},
+            {"touched_of_first_table", features(cell.runner().memory_maps().front(), heat.touched())}};
 }
 
 int run(const Options& options, bool json) {
@@ -103,13 +99,10 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_heat(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command =
-        add_command(app, context, "heat", "What one cell's queries touch of its tables, and how often");
-    add_cell_options(*command, options->cell);
-    command->add_flag("--svg", options->svg, "a picture of the tables' lines, on stdout");
-    command->callback(
-        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+    auto [command, options] =
+        add_command(app, context, "heat", "What one cell's queries touch of its tables, and how often", run);
+    add_cell_options(*command, options.cell);
+    command->add_flag("--svg", options.svg, "a picture of the tables' lines, on stdout");
 }
 
 }  // namespace edgewise::cli

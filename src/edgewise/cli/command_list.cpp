@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/bench/registry.hpp"
@@ -40,63 +39,57 @@ json list_layouts() {
     return result;
 }
 
-json list_probes() {
+template <class Items, class Row>
+json rows_of(const Items& items, Row row) {
     json result = json::array();
-    for (const auto& probe : bench::registered_probes())
-        result.push_back({{"name", probe->name()}, {"summary", probe->summary()}});
+    for (const auto& item : items) result.push_back(row(item));
     return result;
+}
+
+json list_probes() {
+    return rows_of(bench::registered_probes(), [](const bench::Probe& probe) {
+        return json{{"name", probe.name}, {"summary", probe.summary}};
+    });
 }
 
 json list_algorithms() {
-    json result = json::array();
-    for (const bench::AlgorithmInfo& info : bench::algorithms()) {
-        result.push_back(
-            {{"name", info.name},
-             {"summary", info.summary},
-             {"needs", info.parts == Parts::support ? "vertices and neighbours" : "all features"}});
-    }
-    return result;
+    return rows_of(bench::algorithms(), [](const bench::AlgorithmInfo& info) {
+        return json{{"name", info.name},
+                    {"summary", info.summary},
+                    {"needs", info.parts == Parts::support ? "vertices and neighbours" : "all features"}};
+    });
 }
 
 json list_of_scenes() {
-    json result = json::array();
-    for (const scene::SceneInfo& scene : scene::list_scenes()) {
-        json parameters = json::array();
-        for (const scene::ParameterInfo& p : scene.parameters) {
-            parameters.push_back(
-                {{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"default", p.standard}});
-        }
-        result.push_back({{"name", scene.name}, {"meaning", scene.meaning}, {"parameters", parameters}});
-    }
-    return result;
+    return rows_of(scene::list_scenes(), [](const scene::SceneInfo& scene) {
+        const json parameters = rows_of(scene.parameters, [](const scene::ParameterInfo& p) {
+            return json{{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"default", p.standard}};
+        });
+        return json{{"name", scene.name}, {"meaning", scene.meaning}, {"parameters", parameters}};
+    });
 }
 
 /// Those that come along, each with its text: to start one's own from.
 json list_scene_files() {
-    json result = json::array();
-    for (const scene::SceneText& text : scene::scene_texts()) {
-        json file = json::parse(text.json);
-        result.push_back({{"name", text.name}, {"note", file.value("note", "")}, {"file", file}});
-    }
-    return result;
+    return rows_of(scene::scene_texts(), [](const scene::SceneText& text) {
+        const json file = json::parse(text.json);
+        return json{{"name", text.name}, {"note", file.value("note", "")}, {"file", file}};
+    });
 }
 
 json list_of_shapes() {
-    json result = json::array();
-    for (const scene::ShapeInfo& shape : scene::list_shapes()) {
-        result.push_back({{"name", shape.name},
-                          {"vertices", shape.vertices},
-                          {"edges", shape.edges},
-                          {"faces", shape.faces}});
-    }
-    return result;
+    return rows_of(scene::list_shapes(), [](const scene::ShapeInfo& shape) {
+        return json{{"name", shape.name},
+                    {"vertices", shape.vertices},
+                    {"edges", shape.edges},
+                    {"faces", shape.faces}};
+    });
 }
 
 json list_families() {
-    json result = json::array();
-    for (const scene::HardFamily& family : scene::hard_families())
-        result.push_back({{"name", family.name}, {"varies", family.varies}, {"breaks", family.breaks}});
-    return result;
+    return rows_of(scene::hard_families(), [](const scene::HardFamily& family) {
+        return json{{"name", family.name}, {"varies", family.varies}, {"breaks", family.breaks}};
+    });
 }
 
 /// Each level as size, ways and latency, with what its source does not prove.
@@ -107,45 +100,40 @@ json level_json(const measure::LevelGeometry& level, const measure::LevelOrigin&
 }
 
 json list_machines() {
-    json result = json::array();
-    for (const measure::CacheMachine& machine : measure::cache_machines()) {
+    return rows_of(measure::cache_machines(), [](const measure::CacheMachine& machine) {
         json levels = json::array();
         for (std::size_t i = 0; i < machine.origins.size(); ++i)
             levels.push_back(
                 level_json(machine.caches.levels[i], machine.origins[i], machine.caches.line_bytes));
-        result.push_back({{"name", machine.name},
-                          {"what", machine.what},
-                          {"line_bytes", machine.caches.line_bytes},
-                          {"levels", levels}});
-    }
-    return result;
+        return json{{"name", machine.name},
+                    {"what", machine.what},
+                    {"line_bytes", machine.caches.line_bytes},
+                    {"levels", levels}};
+    });
 }
 
 json list_axes() {
-    json result = json::array();
-    for (const sweep::AxisInfo& axis : sweep::axes_known())
-        result.push_back({{"name", axis.name}, {"values", axis.values}, {"meaning", axis.summary}});
-    return result;
+    return rows_of(sweep::axes_known(), [](const sweep::AxisInfo& axis) {
+        return json{{"name", axis.name}, {"values", axis.values}, {"meaning", axis.summary}};
+    });
 }
 
 json list_plans() {
-    json result = json::array();
-    for (const std::string& name : sweep::plan_names()) {
+    return rows_of(sweep::plan_names(), [](const std::string& name) {
         const sweep::Plan plan = sweep::make_plan(name);
-        json scenes = json::array();
-        for (const sweep::SceneChoice& scene : plan.scenes)
-            scenes.push_back(scene.name + " " + json(scene.parameters).dump());
-        result.push_back({{"name", name},
-                          {"queries", plan.queries},
-                          {"checked", plan.checked},
-                          {"rounds", plan.rounds},
-                          {"stability", plan.stability},
-                          {"layouts", plan.layouts},
-                          {"axes", plan.axes},
-                          {"scenes", scenes},
-                          {"shapes", plan.shapes}});
-    }
-    return result;
+        const json scenes = rows_of(plan.scenes, [](const sweep::SceneChoice& scene) {
+            return scene.name + " " + json(scene.parameters).dump();
+        });
+        return json{{"name", name},
+                    {"queries", plan.queries},
+                    {"checked", plan.checked},
+                    {"rounds", plan.rounds},
+                    {"stability", plan.stability},
+                    {"layouts", plan.layouts},
+                    {"axes", plan.axes},
+                    {"scenes", scenes},
+                    {"shapes", plan.shapes}};
+    });
 }
 
 /// What stands in braces differs from figure to figure of a family.
@@ -189,13 +177,10 @@ int run(const std::string& what, bool as_json) {
 }  // namespace
 
 void add_list(CLI::App& app, Context& context) {
-    auto what = std::make_shared<std::string>();
-    CLI::App* command = add_command(app, context, "list", "The names that other commands take");
+    auto [command, what] = add_command(app, context, "list", "The names that other commands take", run);
     std::vector<std::string> names;
     for (const auto& [name, list] : lists()) names.push_back(name);
-    command->add_option("what", *what, "what to list")->required()->check(CLI::IsMember(names));
-    command->callback(
-        [what, &context] { context.action = [=, &context] { return run(*what, context.json); }; });
+    command->add_option("what", what, "what to list")->required()->check(CLI::IsMember(names));
 }
 
 }  // namespace edgewise::cli

@@ -3,8 +3,6 @@
 // `edgewise machine`: what this machine is, which counters it has, and why not.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "edgewise/cli/command.hpp"
 #include "edgewise/measure/machine/machine_json.hpp"
 
@@ -28,7 +26,9 @@ void print_counter(const nlohmann::json& counter) {
     }
 }
 
-int run(bool json) {
+struct Options {};
+
+int run(const Options& /*none*/, bool json) {
     nlohmann::json machine = measure::machine_json();
     if (json) {
         fmt::print("{}\n", machine.dump());
@@ -45,9 +45,8 @@ int run(bool json) {
 }  // namespace
 
 void add_machine(CLI::App& app, Context& context) {
-    CLI::App* command = add_command(app, context, "machine",
-                                    "What this machine is, and which counters it has, or why one is missing");
-    command->callback([&context] { context.action = [&context] { return run(context.json); }; });
+    add_command(app, context, "machine",
+                "What this machine is, and which counters it has, or why one is missing", run);
 }
 
 }  // namespace edgewise::cli

@@ -2,9 +2,7 @@
 //
 // `edgewise paging`: major page faults per query under memory limits, measured, beside their prediction.
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
@@ -30,14 +28,11 @@ scene::Workload pressure(const Options& options) {
     const auto parameters =
         scene::complete_parameters("pressure", {{"bodies", static_cast<double>(options.bodies)},
                                                 {"rotation_step", options.rotation_step},
-                                                {"new_order", options.same_order ? 0 : 1}});
-    if (!parameters) throw std::invalid_argument(parameters.error);
-    const auto body = scene::make_shape(options.shape);
-    if (!body) throw std::invalid_argument(body.error);
-    auto workload = scene::make_scene("pressure", *body, *parameters, options.seed,
-                                      options.steps * (options.bodies - 1), {});
-    if (!workload) throw std::invalid_argument(workload.error);
-    return std::move(*workload);
+                                                {"new_order", options.same_order ? 0 : 1}})
+            .or_throw();
+    return scene::make_scene("pressure", scene::make_shape(options.shape).or_throw(), parameters,
+                             options.seed, options.steps * (options.bodies - 1), {})
+        .or_throw();
 }
 
 nlohmann::json json_of(const studies::PagingResult& result) {
@@ -53,7 +48,7 @@ nlohmann::json json_of(const studies::PagingResult& result) {
                         {"predicted_at_held", value(row.predicted_at_held)},
                         {"faults_per_query", value(row.faults_per_query)},
                         {"ns_per_query", value(row.ns_per_query)},
-                        {"reason", measured ? nlohmann::json() : nlohmann::json(row.reason)}});
+                        {"reason", or_null(row.reason)}});
     }
     return {{"table", result.table},
             {"algorithm", result.algorithm},
@@ -62,11 +57,11 @@ nlohmann::json json_of(const studies::PagingResult& result) {
             {"queries", result.queries},
             {"keeps_recency", result.keeps_recency},
             {"rows", rows},
-            {"reason", result.reason.empty() ? nlohmann::json() : nlohmann::json(result.reason)}};
+            {"reason", or_null(result.reason)}};
 }
 
 void print(const studies::PagingResult& result) {
-    const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+    const auto page = static_cast<double>(studies::page_bytes());
     fmt::print("{} {}: tables {:.1f} MiB, pages touched {:.1f} MiB\n", result.table, result.algorithm,
                static_cast<double>(result.table_bytes) / (1 << 20),
                static_cast<double>(result.pages_touched) * page / (1 << 20));
@@ -113,26 +108,24 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_paging(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command =
+    auto [command, options] =
         add_command(app, context, "paging",
                     "Page faults of many bodies' queries under memory limits, and their prediction; "
-                    "turns a disk's read-ahead off while it opens a file");
-    command->add_option("--layouts", options->layouts, "table types; every body has a table")->delimiter(',');
-    command->add_option("--algorithm", options->algorithm, "vclip or gjk")->capture_default_str();
-    command->add_option("--shape", options->shape, "built-in shape of all bodies")->capture_default_str();
-    command->add_option("--bodies", options->bodies, "number of bodies")->check(CLI::Range(2, 100000));
-    command->add_option("--steps", options->steps, "steps of the scene in each pass")
+                    "turns a disk's read-ahead off while it opens a file",
+                    run);
+    command->add_option("--layouts", options.layouts, "table types; every body has a table")->delimiter(',');
+    command->add_option("--algorithm", options.algorithm, "vclip or gjk")->capture_default_str();
+    command->add_option("--shape", options.shape, "built-in shape of all bodies")->capture_default_str();
+    command->add_option("--bodies", options.bodies, "number of bodies")->check(CLI::Range(2, 100000));
+    command->add_option("--steps", options.steps, "steps of the scene in each pass")
         ->check(CLI::Range(1, 1000));
-    command->add_option("--rotation-step", options->rotation_step, "turn of every body per step, rad");
-    command->add_flag("--same-order", options->same_order,
+    command->add_option("--rotation-step", options.rotation_step, "turn of every body per step, rad");
+    command->add_flag("--same-order", options.same_order,
                       "ask the pairs in the same order every step, instead of in a new one");
-    command->add_option("--limits", options->limits, "memory limits, MiB; 0: no limit")
+    command->add_option("--limits", options.limits, "memory limits, MiB; 0: no limit")
         ->delimiter(',')
         ->check(CLI::Range(0.0, 1e6));
-    command->add_option("--seed", options->seed, "seed of the scene");
-    command->callback(
-        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+    command->add_option("--seed", options.seed, "seed of the scene");
 }
 
 }  // namespace edgewise::cli

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "edgewise/bench/certificates.hpp"
@@ -132,7 +131,7 @@ std::unique_ptr<bench::Runner> chosen_runner(const Options& options) {
     return runner;
 }
 
-int run(const Options& options) {
+int run(const Options& options, bool /*json*/) {
     static_cast<void>(chosen_needs(options));
     const auto runner = chosen_runner(options);
     std::ifstream file;
@@ -153,9 +152,7 @@ int run(const Options& options) {
             answer = failed_answer(reader.id(), line->error);
             ++unreadable;
         }
-        if (!answer["error"].is_null()) {
-            fmt::print(stderr, "edgewise: {}\n", answer["error"].get<std::string>());
-        }
+        if (!answer["error"].is_null()) warn(answer["error"].get<std::string>());
         fmt::print("{}\n", answer.dump());
     }
     return unreadable > 0 ? exit_bad_input : failed > 0 ? exit_check_failed : exit_done;
@@ -164,25 +161,24 @@ int run(const Options& options) {
 }  // namespace
 
 void add_query(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
-    CLI::App* command = add_command(app, context, "query", "Answers for given pairs, one JSON line each");
-    command->add_option("cases", options->cases, "case file, one JSON object per line; - reads stdin")
+    auto [command, options] =
+        add_command(app, context, "query", "Answers for given pairs, one JSON line each", run);
+    command->add_option("cases", options.cases, "case file, one JSON object per line; - reads stdin")
         ->required();
-    command->add_option("--algorithm", options->algorithm, "vclip or gjk")->capture_default_str();
-    command->add_option("--layout", options->layout, "table type, such as aos_f64")->capture_default_str();
-    command->add_option("--needs", options->needs, fmt::format("{}", fmt::join(needs_names, ", ")))
+    command->add_option("--algorithm", options.algorithm, "vclip or gjk")->capture_default_str();
+    command->add_option("--layout", options.layout, "table type, such as aos_f64")->capture_default_str();
+    command->add_option("--needs", options.needs, fmt::format("{}", fmt::join(needs_names, ", ")))
         ->capture_default_str();
     command
-        ->add_option("--contact-tolerance", options->query.contact_tolerance,
+        ->add_option("--contact-tolerance", options.query.contact_tolerance,
                      "bodies as near as this or nearer are touching, in the bodies' own unit")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command
-        ->add_option("--gap-tolerance", options->query.gap_tolerance,
+        ->add_option("--gap-tolerance", options.query.gap_tolerance,
                      "GJK ends when the squared distance is known to this relative width")
         ->check(CLI::Range(0.0, 0.999))
         ->capture_default_str();
-    command->callback([options, &context] { context.action = [options] { return run(*options); }; });
 }
 
 }  // namespace edgewise::cli

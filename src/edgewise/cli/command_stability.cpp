@@ -6,14 +6,12 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/stability_run.hpp"
-#include "edgewise/cli/store_path.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/store/vocabulary.hpp"
-#include "edgewise/sweep/plan.hpp"
+#include "edgewise/sweep/work.hpp"
 
 namespace edgewise::cli {
 
@@ -26,6 +24,21 @@ struct Options {
     std::uint64_t seed = 1;
 };
 
+/// Hulls of these mesh files, or of the usual ones, of which those that cannot be read are passed over.
+std::vector<Polyhedron> real_bodies(const std::vector<std::string>& meshes) {
+    sweep::Plan plan = sweep::make_plan("quick");
+    plan.shapes.clear();
+    if (!meshes.empty()) {
+        plan.meshes = meshes;
+        plan.meshes_required = true;
+    }
+    std::vector<Polyhedron> bodies;
+    for (scene::NamedShape& shape : sweep::shapes_of(plan, warn)) {
+        if (shape.error.empty()) bodies.push_back(std::move(shape.body));
+    }
+    return bodies;
+}
+
 studies::StabilityPlan chosen_plan(const Options& options) {
     studies::StabilityPlan plan;
     plan.families = options.families;
@@ -34,13 +47,7 @@ studies::StabilityPlan chosen_plan(const Options& options) {
     plan.seed = options.seed;
     plan.types = bench::select_table_types(options.layouts);
     plan.algorithms = bench::select_algorithms(options.algorithms);
-    sweep::Plan bodies = sweep::make_plan("quick");
-    bodies.shapes.clear();
-    if (!options.meshes.empty()) {
-        bodies.meshes = options.meshes;
-        bodies.meshes_required = true;
-    }
-    plan.real = real_bodies(bodies);
+    plan.real = real_bodies(options.meshes);
     return plan;
 }
 
@@ -78,12 +85,11 @@ void print_row(const studies::StabilityRow& row) {
 
 int run(const Options& options, bool json) {
     const studies::StabilityPlan plan = chosen_plan(options);
-    const std::size_t rows = studies::stability_rows(plan);
-    const auto folder = std::filesystem::path(options.store).parent_path();
-    if (!folder.empty()) std::filesystem::create_directories(folder);
+    static_cast<void>(studies::stability_rows(plan));  // refuses unknown families before a store is made
+    std::filesystem::create_directories(folder_of(options.store));
     store::Store store(options.store);
     if (!json) print_heading();
-    const studies::StabilitySummary summary = store_stability(plan, store, rows, json ? nullptr : print_row);
+    const studies::StabilitySummary summary = store_stability(plan, store, json ? nullptr : print_row);
     if (json) {
         const nlohmann::json line = {{"rows", summary.rows},
                                      {"verified", summary.rows - summary.failed - summary.unavailable},
@@ -97,34 +103,27 @@ int run(const Options& options, bool json) {
             summary.rows, summary.rows - summary.failed - summary.unavailable, summary.failed,
             summary.unavailable, options.store, options.store);
     }
-    return summary.failed > 0 || summary.rows < rows ? exit_check_failed : exit_done;
+    return summary.failed > 0 || summary.stopped ? exit_check_failed : exit_done;
 }
 
 }  // namespace
 
 void add_stability(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
     const CLI::Range at_least_one(1, 1'000'000'000);
-    CLI::App* command = add_command(app, context, "stability",
-                                    "Hard cases through every algorithm and table type, judged exactly");
-    const auto list = [&](const char* name, std::vector<std::string>& to, const char* what) {
-        command->add_option(name, to, what)->delimiter(',');
-    };
-    list("--families", options->families, "only these families (edgewise list families)");
-    list("--layouts", options->layouts, "only these layouts or table types");
-    list("--algorithms", options->algorithms, "only these algorithms");
-    command->add_option("--mesh", options->meshes, "mesh files for the family of real hulls");
-    command->add_option("--count", options->count, "poses per family")
+    auto [command, options] = add_command(
+        app, context, "stability", "Hard cases through every algorithm and table type, judged exactly", run);
+    add_names(*command, "--families", options.families, "only these families (edgewise list families)");
+    add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
+    add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
+    command->add_option("--mesh", options.meshes, "mesh files for the family of real hulls");
+    command->add_option("--count", options.count, "poses per family")
         ->check(at_least_one)
         ->capture_default_str();
     command
-        ->add_option("--proofs", options->proofs,
-                     "poses per family with depth, certificate and time, at most")
+        ->add_option("--proofs", options.proofs, "poses per family with depth, certificate and time, at most")
         ->capture_default_str();
-    command->add_option("--seed", options->seed, "seed of the generators")->capture_default_str();
-    command->add_option("--store", options->store, "SQLite file to write into")->capture_default_str();
-    command->callback(
-        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+    command->add_option("--seed", options.seed, "seed of the generators")->capture_default_str();
+    command->add_option("--store", options.store, "SQLite file to write into")->capture_default_str();
 }
 
 }  // namespace edgewise::cli

@@ -6,15 +6,12 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/progress.hpp"
 #include "edgewise/cli/stability_run.hpp"
-#include "edgewise/cli/stop.hpp"
-#include "edgewise/cli/store_path.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/studies/paging_rows.hpp"
@@ -99,13 +96,13 @@ sweep::SweepSummary run_with_progress(const sweep::SweepWork& work, store::Store
     listener.on_done = [&](std::size_t cells, const std::string& what) { progress->advance(cells, what); };
     listener.on_warning = [&](const std::string& line) {
         if (progress) progress->clear();
-        fmt::print(stderr, "edgewise: {}\n", line);
+        warn(line);
     };
     return sweep::run_sweep(work, store, listener, stop_on_signals());
 }
 
 /// The hard families, if the plan has them, over the sweep's table types and algorithms.
-studies::StabilitySummary run_stability_of(const sweep::SweepWork& work, store::Store& store, bool& stopped) {
+studies::StabilitySummary run_stability_of(const sweep::SweepWork& work, store::Store& store) {
     if (work.plan.stability == 0) return {};
     studies::StabilityPlan plan;
     plan.count = plan.proofs = work.plan.stability;
@@ -115,10 +112,7 @@ studies::StabilitySummary run_stability_of(const sweep::SweepWork& work, store::
     for (const scene::NamedShape& shape : work.shapes) {
         if (shape.error.empty() && shape.source != "built-in") plan.real.push_back(shape.body);
     }
-    const std::size_t rows = studies::stability_rows(plan);
-    const studies::StabilitySummary summary = store_stability(plan, store, rows, {});
-    stopped = summary.rows < rows;
-    return summary;
+    return store_stability(plan, store, {});
 }
 
 /// Under memory limits, if the plan has it.
@@ -128,11 +122,10 @@ void run_paging_of(const sweep::Plan& of, store::Store& store, bool& stopped) {
     plan.bodies = of.paging;
     plan.seed = of.seed;
     Progress progress("paging", studies::paging_rows());
-    stopped = studies::run_paging(
-                  plan, bench::this_build().id, store,
-                  [&](const store::CellRow& row) { progress.advance(1, row.shape + " " + row.table); },
-                  stop_on_signals())
-                  .stopped;
+    stopped = !studies::run_paging(
+        plan, bench::this_build().id, store,
+        [&](const store::CellRow& row) { progress.advance(1, row.shape + " " + row.table); },
+        stop_on_signals());
 }
 
 void print_summary(const sweep::SweepSummary& summary, const studies::StabilitySummary& stability,
@@ -158,27 +151,25 @@ void print_summary(const sweep::SweepSummary& summary, const studies::StabilityS
 }
 
 int run(const Options& options, bool json) {
-    const sweep::SweepWork work = sweep::prepare_sweep(
-        chosen_plan(options), [](const std::string& line) { fmt::print(stderr, "edgewise: {}\n", line); });
-    const auto folder = std::filesystem::path(options.store).parent_path();
-    if (!folder.empty()) std::filesystem::create_directories(folder);
+    const sweep::SweepWork work = sweep::prepare_sweep(chosen_plan(options), warn);
+    std::filesystem::create_directories(folder_of(options.store));
     sweep::SweepSummary summary;
     studies::StabilitySummary stability;
     {
         store::Store store(options.store);
         summary = run_with_progress(work, store);
-        if (!summary.stopped) stability = run_stability_of(work, store, summary.stopped);
+        if (!summary.stopped) stability = run_stability_of(work, store);
+        summary.stopped = summary.stopped || stability.stopped;
         if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
     }
     if (summary.stopped) {
-        fmt::print(stderr,
-                   "edgewise: stopped; what was measured is in {}, and the same command resumes there\n",
-                   options.store);
+        warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there",
+                         options.store));
         return exit_check_failed;
     }
-    const std::string out = !options.out.empty() ? options.out : folder.empty() ? "." : folder.string();
+    const std::string out = options.out.empty() ? folder_of(options.store) : options.out;
     const reports::ReportSummary report = reports::write_report(options.store, out, bench::charts_folder());
-    if (!report.note.empty()) fmt::print(stderr, "edgewise: {}\n", report.note);
+    if (!report.note.empty()) warn(report.note);
     print_summary(summary, stability, options.store, report.page, json);
     return summary.failed + stability.failed > 0 ? exit_check_failed : exit_done;
 }
@@ -186,34 +177,30 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_sweep(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
     const CLI::Range at_least_one(1, 1'000'000'000);
-    CLI::App* command =
-        add_command(app, context, "sweep", "Verifies and measures every cell of a plan, then reports");
-    command->add_option("--plan", options->plan, "quick, paper, full, or a JSON file")->capture_default_str();
-    command->add_option("--store", options->store, "SQLite file to fill or to resume")->capture_default_str();
-    command->add_option("--out", options->out, "folder for the report; beside the store if not given");
-    const auto list = [&](const char* name, std::vector<std::string>& to, const char* what) {
-        command->add_option(name, to, what)->delimiter(',');
-    };
-    list("--layouts", options->layouts, "only these layouts or table types");
-    list("--algorithms", options->algorithms, "only these algorithms");
-    list("--axes", options->axes, "these axes beside the plain cells, such as gap_tolerance=1e-06");
-    list("--scenes", options->scenes, "only these scenes: kinds, scene files, or your own NAME.json");
-    list("--shapes", options->shapes, "these built-in shapes instead of the plan's bodies");
-    list("--caches", options->caches, "model caches for cells of these shapes, or all");
-    list("--machines", options->machines, "whose caches: names, host, or your own NAME.json");
-    command->add_option("--mesh", options->meshes, "these mesh files instead of the plan's bodies");
-    command->add_flag("--each-mesh", options->each_mesh,
+    auto [command, options] =
+        add_command(app, context, "sweep", "Verifies and measures every cell of a plan, then reports", run);
+    command->add_option("--plan", options.plan, "quick, paper, full, or a JSON file")->capture_default_str();
+    command->add_option("--store", options.store, "SQLite file to fill or to resume")->capture_default_str();
+    command->add_option("--out", options.out, "folder for the report; beside the store if not given");
+    add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
+    add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
+    add_names(*command, "--axes", options.axes,
+              "these axes beside the plain cells, such as gap_tolerance=1e-06");
+    add_names(*command, "--scenes", options.scenes,
+              "only these scenes: kinds, scene files, or your own NAME.json");
+    add_names(*command, "--shapes", options.shapes, "these built-in shapes instead of the plan's bodies");
+    add_names(*command, "--caches", options.caches, "model caches for cells of these shapes, or all");
+    add_names(*command, "--machines", options.machines, "whose caches: names, host, or your own NAME.json");
+    command->add_option("--mesh", options.meshes, "these mesh files instead of the plan's bodies");
+    command->add_flag("--each-mesh", options.each_mesh,
                       "one body for each mesh of a file, not one for the file");
-    command->add_option("--queries", options->queries, "queries per cell and round")->check(at_least_one);
-    command->add_option("--checked", options->checked, "queries checked exactly per cell")
+    command->add_option("--queries", options.queries, "queries per cell and round")->check(at_least_one);
+    command->add_option("--checked", options.checked, "queries checked exactly per cell")
         ->check(at_least_one);
-    command->add_option("--rounds", options->rounds, "timed rounds per cell")->check(at_least_one);
-    command->add_option("--stability", options->stability, "hard cases per family; 0: no stability run");
-    command->add_option("--seed", options->seed, "seed of scenes and orders");
-    command->callback(
-        [options, &context] { context.action = [=, &context] { return run(*options, context.json); }; });
+    command->add_option("--rounds", options.rounds, "timed rounds per cell")->check(at_least_one);
+    command->add_option("--stability", options.stability, "hard cases per family; 0: no stability run");
+    command->add_option("--seed", options.seed, "seed of scenes and orders");
 }
 
 }  // namespace edgewise::cli

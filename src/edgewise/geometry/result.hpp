@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -19,6 +20,12 @@ struct Result {
     [[nodiscard]] const Value& operator*() const { return *value; }
     [[nodiscard]] Value& operator*() { return *value; }
     [[nodiscard]] const Value* operator->() const { return &*value; }
+
+    /// The value; without one throws std::invalid_argument with the error: for files and the command line.
+    [[nodiscard]] Value or_throw() && {
+        if (!value) throw std::invalid_argument(error);
+        return std::move(*value);
+    }
 
     [[nodiscard]] static Result failure(std::string why) { return {std::nullopt, std::move(why), {}}; }
     [[nodiscard]] static Result success(Value v, std::string warning = {}) {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 #include "edgewise/store/read_rows.hpp"
@@ -41,46 +40,13 @@ std::string latest_build(const sqlite::Database& database) {
         fmt::format("the results store {} holds no cell: run a sweep first", database.path()));
 }
 
-/// Calls `use(cell, row)` for each row of a table, in this order, whose cell there is. The hash of the cell
-/// is the last of the columns.
-template <class Row, class Use>
-void read_into(std::vector<StoredCell>& cells, const sqlite::Database& database, const std::string& build,
-               const std::string& table, const std::string& order, int hash_column, Use use) {
-    std::map<std::string, StoredCell*> by_hash;
-    for (StoredCell& cell : cells) by_hash[cell.hash] = &cell;
-    sqlite::Statement row(database, fmt::format("select {}, hash from {} where build = ? order by hash, {}",
-                                                columns_of<Row>, table, order));
-    row.bind(build);
-    while (row.step()) {
-        const auto found = by_hash.find(row.text(hash_column));
-        if (found != by_hash.end()) use(*found->second, row);
-    }
-}
-
 /// Files that another program wrote may hold what a store never does.
-FigureRow checked(FigureRow figure) {
+void check(FigureRow& figure) {
     if (figure.value && !std::isfinite(*figure.value)) {
         figure.value.reset();
         figure.reason = "the stored value is not finite";
     }
     if (!figure.value && figure.reason.empty()) figure.reason = "the probe gave no reason";
-    return figure;
-}
-
-std::vector<StoredCell> read_cells(const sqlite::Database& database, const std::string& build) {
-    std::vector<StoredCell> cells;
-    sqlite::Statement row(
-        database, fmt::format("select {} from cell where build = ? order by hash", columns_of<CellRow>));
-    row.bind(build);
-    while (row.step()) cells.push_back({read_cell(row)});
-    read_into<FigureRow>(cells, database, build, "figure", "probe, name", 6,
-                         [](StoredCell& cell, const sqlite::Statement& figure) {
-                             cell.figures.push_back(checked(read_figure(figure)));
-                         });
-    read_into<measure::Round>(
-        cells, database, build, "round", "number", 9,
-        [](StoredCell& cell, const sqlite::Statement& round) { cell.rounds.push_back(read_round(round)); });
-    return cells;
 }
 
 }  // namespace
@@ -107,7 +73,12 @@ StoredBuild read_build(const std::string& store, const std::string& id) {
     sqlite::Statement others(database, "select id from build where id <> ? order by id");
     others.bind(wanted);
     while (others.step()) read.other_builds.push_back(others.text(0));
-    read.cells = read_cells(database, wanted);
+    for (CellRow& row : cells_of(database, wanted)) {
+        StoredCell& cell = read.cells.emplace_back(StoredCell{std::move(row)});
+        cell.figures = figures_of(database, wanted, cell.hash);
+        for (FigureRow& figure : cell.figures) check(figure);
+        cell.rounds = rounds_of(database, wanted, cell.hash);
+    }
     return read;
 }
 

@@ -100,25 +100,22 @@ bool Statement::step() {
 
 void Statement::reset() { sqlite3_reset(handle_); }
 
-void Statement::bind_null(int index) {
-    if (sqlite3_bind_null(handle_, index) != SQLITE_OK) database_.fail("binding");
-}
-
 void Statement::bind_integer(int index, std::int64_t value) {
-    if (sqlite3_bind_int64(handle_, index, value) != SQLITE_OK) database_.fail("binding");
+    check_bound(sqlite3_bind_int64(handle_, index, value));
 }
 
-void Statement::bind_real(int index, double value) {
-    if (sqlite3_bind_double(handle_, index, value) != SQLITE_OK) database_.fail("binding");
+void Statement::bind_real(int index, const std::optional<double>& value) {
+    check_bound(value ? sqlite3_bind_double(handle_, index, *value) : sqlite3_bind_null(handle_, index));
 }
 
 void Statement::bind_text(int index, std::string_view value) {
     // A null pointer would bind NULL; an empty text is not null.
     const char* data = value.data() != nullptr ? value.data() : "";
-    const auto size = static_cast<sqlite3_uint64>(value.size());
-    if (sqlite3_bind_text64(handle_, index, data, size, SQLITE_TRANSIENT, SQLITE_UTF8) != SQLITE_OK) {
-        database_.fail("binding");
-    }
+    check_bound(sqlite3_bind_text64(handle_, index, data, value.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+}
+
+void Statement::check_bound(int code) const {
+    if (code != SQLITE_OK) database_.fail("binding");
 }
 
 std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_, column); }

@@ -2,7 +2,7 @@
 //
 // SQLite's C interface with owners: a connection, a statement, a transaction. Only what the store needs.
 // Every failure is a std::runtime_error of one line that names the file, what was being done and SQLite's own
-// words. One thread a connection; a connection does not survive fork().
+// words. One thread per connection; a connection does not survive fork().
 #pragma once
 
 #include <cstdint>
@@ -78,21 +78,19 @@ class Statement {
 
   private:
     void reset();
-    void bind_null(int index);
     void bind_integer(int index, std::int64_t value);
-    void bind_real(int index, double value);
+    void bind_real(int index, const std::optional<double>& value);
     void bind_text(int index, std::string_view value);
+    void check_bound(int code) const;
 
     template <class Value>
     void bind_value(int index, const Value& value) {
         if constexpr (std::is_integral_v<Value>) {
             bind_integer(index, static_cast<std::int64_t>(value));
-        } else if constexpr (std::is_floating_point_v<Value>) {
-            bind_real(index, value);
-        } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
-            value ? bind_real(index, *value) : bind_null(index);
-        } else {
+        } else if constexpr (std::is_convertible_v<Value, std::string_view>) {
             bind_text(index, value);
+        } else {
+            bind_real(index, value);
         }
     }
 

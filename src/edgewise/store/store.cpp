@@ -19,48 +19,35 @@
 
 #include "edgewise/store/read_rows.hpp"
 #include "edgewise/store/schema.hpp"
-#include "edgewise/store/sqlite.hpp"
 
 namespace edgewise::store {
 
-struct Store::Implementation {
-    explicit Implementation(const std::string& path) : database(path) {}
-    sqlite::Database database;
-};
-
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
-    throw std::runtime_error(fmt::format("store {}: {}; it was not touched", path, why));
+[[noreturn]] void refuse(const sqlite::Database& database, const std::string& why) {
+    throw std::runtime_error(fmt::format("store {}: {}; it was not touched", database.path(), why));
 }
 
 /// True for an empty file that is to become a store, false for a store of ours, otherwise throws.
-bool is_new(const sqlite::Database& database, const std::string& path) {
+bool is_new(const sqlite::Database& database) {
     const std::int64_t version = database.number("pragma user_version");
     const std::int64_t owner = database.number("pragma application_id");
     const std::int64_t objects = database.number("select count(*) from sqlite_schema");
     if (version == 0 && owner == 0 && objects == 0) return true;
-    if (owner != store_application_id) {
-        refuse(path, "an SQLite file, but not an Edgewise store: name another store");
-    }
-    if (version > store_schema_version) {
-        refuse(path,
-               fmt::format("schema version {}, but this program knows only up to {}: use a newer program "
-                           "or name another store",
-                           version, store_schema_version));
-    }
-    if (version < store_schema_version) {
-        refuse(path,
-               fmt::format("schema version {}, too old for this program, which writes {}: name another store",
-                           version, store_schema_version));
-    }
-    return false;
+    if (owner != store_application_id)
+        refuse(database, "an SQLite file, but not an Edgewise store: name another store");
+    if (version == store_schema_version) return false;
+    refuse(database, fmt::format("schema version {}, {} {}: {}name another store", version,
+                                 version > store_schema_version ? "but this program knows only up to"
+                                                                : "too old for this program, which writes",
+                                 store_schema_version,
+                                 version > store_schema_version ? "use a newer program or " : ""));
 }
 
-void create_schema(const sqlite::Database& database, const std::string& path) {
+void create_schema(const sqlite::Database& database) {
     sqlite::Transaction transaction(database);
     // Another program may have been first between our look and our lock.
-    if (is_new(database, path)) {
+    if (is_new(database)) {
         database.execute(store_schema);
         database.execute(fmt::format("pragma application_id = {}; pragma user_version = {}",
                                      store_application_id, store_schema_version)
@@ -95,21 +82,17 @@ void put_figures(const sqlite::Database& database, const std::string& build, con
 
 }  // namespace
 
-Store::Store(const std::string& path) : implementation_(std::make_unique<Implementation>(path)) {
-    const sqlite::Database& database = implementation_->database;
-    const bool fresh = is_new(database, path);
+Store::Store(const std::string& path) : database_(path) {
+    const bool fresh = is_new(database_);
     // A write-protected file opens, and would only fail at the first round.
-    if (sqlite3_db_readonly(database.handle(), "main") == 1) {
-        refuse(path, "write-protected: make it writable or name another store");
-    }
-    database.execute("pragma journal_mode = wal; pragma synchronous = full; pragma foreign_keys = on");
-    if (fresh) create_schema(database, path);
+    if (sqlite3_db_readonly(database_.handle(), "main") == 1)
+        refuse(database_, "write-protected: make it writable or name another store");
+    database_.execute("pragma journal_mode = wal; pragma synchronous = full; pragma foreign_keys = on");
+    if (fresh) create_schema(database_);
 }
 
-Store::~Store() = default;
-
 void Store::put_build(const BuildRow& b) {
-    sqlite::Statement(implementation_->database,
+    sqlite::Statement(database_,
                       "insert into build values(?,?,?,?,?,?) on conflict(id) do update set "
                       "git_revision = excluded.git_revision, compiler = excluded.compiler, "
                       "flags = excluded.flags, build_type = excluded.build_type, "
@@ -119,22 +102,20 @@ void Store::put_build(const BuildRow& b) {
 }
 
 void Store::put_cell(const std::string& build, const CellRow& c, std::span<const FigureRow> figures) {
-    const sqlite::Database& database = implementation_->database;
-    sqlite::Transaction transaction(database);
-    sqlite::Statement(database, "insert or replace into cell values(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")
+    sqlite::Transaction transaction(database_);
+    sqlite::Statement(database_, "insert or replace into cell values(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")
         .bind(build, c.hash, c.scene, c.scene_parameters, c.shape, c.shape_source, c.algorithm, c.layout,
               c.precision, c.table, c.vertices, c.edges, c.faces, c.seed, c.queries, c.status, c.reason,
               c.axes)
         .run();
-    put_figures(database, build, c.hash, figures);
+    put_figures(database_, build, c.hash, figures);
     transaction.commit();
 }
 
 void Store::put_round(const std::string& build,
                       std::span<const std::pair<std::string, measure::Round>> rounds) {
-    const sqlite::Database& database = implementation_->database;
-    sqlite::Transaction transaction(database);
-    sqlite::Statement insert(database, "insert or replace into round values(?,?,?,?,?,?,?,?,?,?,?)");
+    sqlite::Transaction transaction(database_);
+    sqlite::Statement insert(database_, "insert or replace into round values(?,?,?,?,?,?,?,?,?,?,?)");
     for (const auto& [hash, round] : rounds) {
         const measure::Timing& t = round.timing;
         const measure::Timing& b = round.baseline;
@@ -148,54 +129,27 @@ void Store::put_round(const std::string& build,
 }
 
 std::optional<CellRow> Store::find_cell(const std::string& build, const std::string& hash) const {
-    sqlite::Statement s(implementation_->database,
-                        fmt::format("select {} from cell where build = ? and hash = ?", columns_of<CellRow>));
-    if (!s.bind(build, hash).step()) return std::nullopt;
-    return read_cell(s);
+    return store::find_cell(database_, build, hash);
 }
 
 std::vector<FigureRow> Store::figures(const std::string& build, const std::string& hash) const {
-    sqlite::Statement s(implementation_->database,
-                        fmt::format("select {} from figure where build = ? and hash = ? order by probe, name",
-                                    columns_of<FigureRow>));
-    s.bind(build, hash);
-    std::vector<FigureRow> rows;
-    while (s.step()) rows.push_back(read_figure(s));
-    return rows;
+    return figures_of(database_, build, hash);
 }
 
-std::optional<BuildRow> Store::find_build(const std::string& id) const {
-    return store::find_build(implementation_->database, id);
+std::vector<measure::Round> Store::rounds(const std::string& build, const std::string& hash) const {
+    return rounds_of(database_, build, hash);
 }
 
 std::set<int> Store::rounds_done(const std::string& build, const std::string& hash) const {
-    sqlite::Statement s(implementation_->database, "select number from round where build = ? and hash = ?");
+    sqlite::Statement s(database_, "select number from round where build = ? and hash = ?");
     s.bind(build, hash);
     std::set<int> numbers;
     while (s.step()) numbers.insert(static_cast<int>(s.integer(0)));
     return numbers;
 }
 
-std::vector<measure::Round> Store::rounds(const std::string& build, const std::string& hash) const {
-    sqlite::Statement s(implementation_->database,
-                        fmt::format("select {} from round where build = ? and hash = ? order by number",
-                                    columns_of<measure::Round>));
-    s.bind(build, hash);
-    std::vector<measure::Round> rounds;
-    while (s.step()) rounds.push_back(read_round(s));
-    return rounds;
-}
-
 void Store::set_meta(const std::string& key, const std::string& value) {
-    sqlite::Statement(implementation_->database, "insert or replace into meta values(?,?)")
-        .bind(key, value)
-        .run();
-}
-
-std::optional<std::string> Store::find_meta(const std::string& key) const {
-    sqlite::Statement s(implementation_->database, "select value from meta where key = ?");
-    if (!s.bind(key).step()) return std::nullopt;
-    return s.text(0);
+    sqlite::Statement(database_, "insert or replace into meta values(?,?)").bind(key, value).run();
 }
 
 }  // namespace edgewise::store

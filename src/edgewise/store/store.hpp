@@ -6,7 +6,6 @@
 // programs may share a store and wait for each other.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -16,6 +15,7 @@
 
 #include "edgewise/measure/round.hpp"
 #include "edgewise/store/rows.hpp"
+#include "edgewise/store/sqlite.hpp"
 
 namespace edgewise::store {
 
@@ -25,9 +25,6 @@ class Store {
     /// foreign or newer. A file that is not ours is left as it was. Every other call throws likewise when it
     /// fails.
     explicit Store(const std::string& path);
-    ~Store();
-    Store(const Store&) = delete;
-    Store& operator=(const Store&) = delete;
 
     /// Before the cells of that build; replaces an earlier row of the same id.
     void put_build(const BuildRow& build);
@@ -41,18 +38,15 @@ class Store {
     [[nodiscard]] std::optional<CellRow> find_cell(const std::string& build, const std::string& hash) const;
     /// By probe, then by name.
     [[nodiscard]] std::vector<FigureRow> figures(const std::string& build, const std::string& hash) const;
-    [[nodiscard]] std::optional<BuildRow> find_build(const std::string& id) const;
     [[nodiscard]] std::set<int> rounds_done(const std::string& build, const std::string& hash) const;
     /// By number.
     [[nodiscard]] std::vector<measure::Round> rounds(const std::string& build, const std::string& hash) const;
 
     /// Plan name, start time, command line ...
     void set_meta(const std::string& key, const std::string& value);
-    [[nodiscard]] std::optional<std::string> find_meta(const std::string& key) const;
 
   private:
-    struct Implementation;
-    std::unique_ptr<Implementation> implementation_;
+    sqlite::Database database_;
 };
 
 }  // namespace edgewise::store

@@ -67,8 +67,11 @@ class FigureName {
     return figure(name, std::nullopt, std::move(reason), std::move(remedy));
 }
 
-/// The entry that a stored figure belongs to; null when the vocabulary has none.
-[[nodiscard]] const FigureInfo* find_figure(std::string_view probe, std::string_view name);
+/// A mean: a sum divided by how many there were, of which there is one at least.
+[[nodiscard]] inline measure::Figure mean_figure(const FigureName& name, std::uint64_t sum,
+                                                 std::uint64_t count) {
+    return figure(name, static_cast<double>(sum) / static_cast<double>(count));
+}
 
 /// The time of queries of one kind.
 struct QueryTime {

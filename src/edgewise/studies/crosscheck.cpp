@@ -22,6 +22,8 @@ namespace edgewise::studies {
 namespace {
 
 namespace fs = std::filesystem;
+using Count = measure::Expected<double>;
+using Text = measure::Expected<std::string>;
 
 class ModelListener final : public measure::TraceListener {
   public:
@@ -89,7 +91,7 @@ std::optional<std::string> perf_name(const measure::ChosenEvent& event) {
 }
 
 /// The count in one line of `perf stat -x,`: value, unit, event, time, part of the time in per cent.
-measure::Expected<double> perf_count(const std::string& output, const std::string& event) {
+Count perf_count(const std::string& output, const std::string& event) {
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
@@ -98,55 +100,52 @@ measure::Expected<double> perf_count(const std::string& output, const std::strin
         if (name.substr(0, name.find(':')) != event) continue;
         char* end = nullptr;
         const double number = std::strtod(value.c_str(), &end);
-        if (end == value.c_str() || *end != '\0')
-            return measure::Expected<double>::none("perf says: " + value);
+        if (end == value.c_str() || *end != '\0') return Count::none("perf says: " + value);
         if (std::strtod(part.c_str(), nullptr) < 100)
-            return measure::Expected<double>::none("it shared a counter: perf's count is a guess");
+            return Count::none("it shared a counter: perf's count is a guess");
         return {number};
     }
-    return measure::Expected<double>::none("perf said nothing of it");
+    return Count::none("perf said nothing of it");
 }
 
-measure::Expected<std::string> perf_output(const CellChoice& choice, const std::string& program,
-                                           const std::string& event, int passes) {
+Text perf_output(const CellChoice& choice, const std::string& program, const std::string& event, int passes) {
     std::vector<std::string> command = {"perf", "stat", "-x,", "-e", event + ":u"};
     const auto words = pass_command(choice, program, passes);
     command.insert(command.end(), words.begin(), words.end());
     const auto outcome = measure::run_program(command);
-    if (!outcome.value) return measure::Expected<std::string>::none(outcome.reason + "; install linux-perf");
-    if (outcome.value->exit_code != 0)
-        return measure::Expected<std::string>::none("perf failed: " + outcome.value->err.substr(0, 200));
+    if (!outcome.value) return Text::none(outcome.reason + "; install linux-perf");
+    if (outcome.value->exit_code != 0) return Text::none("perf failed: " + outcome.value->err.substr(0, 200));
     return {outcome.value->err};
 }
 
-measure::Expected<double> count_by_perf(const CellChoice& choice, const std::string& program,
-                                        const measure::ChosenEvent& event) {
+Count count_by_perf(const CellChoice& choice, const std::string& program, const measure::ChosenEvent& event) {
     constexpr int passes = 20;
-    if (!event.refusal.reason.empty()) return measure::Expected<double>::none(event.refusal.reason);
+    if (!event.refusal.reason.empty()) return Count::none(event.refusal.reason);
     const std::optional<std::string> name = perf_name(event);
-    if (!name) return measure::Expected<double>::none("perf has no plain name for it");
+    if (!name) return Count::none("perf has no plain name for it");
     double counts[2] = {};
     for (int k = 0; k < 2; ++k) {
-        const measure::Expected<std::string> output = perf_output(choice, program, *name, 1 + k * passes);
-        if (!output.value) return measure::Expected<double>::none(output.reason);
-        const measure::Expected<double> count = perf_count(*output.value, *name);
+        const Text output = perf_output(choice, program, *name, 1 + k * passes);
+        if (!output.value) return Count::none(output.reason);
+        const Count count = perf_count(*output.value, *name);
         if (!count.value) return count;
         counts[k] = *count.value;
     }
-    if (counts[1] <= counts[0]) return measure::Expected<double>::none("lost in what else the program does");
+    if (counts[1] <= counts[0]) return Count::none("lost in what else the program does");
     return {(counts[1] - counts[0]) / passes};
 }
 
 }  // namespace
 
-ModelledPass model_pass(const SingleCell& cell, const measure::CacheGeometry& geometry, bool with_poses) {
+measure::CallgrindCounts model_pass(const SingleCell& cell, const measure::CacheGeometry& geometry,
+                                    bool with_poses) {
     ModelListener listener(geometry, with_poses);
     constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
     cell.runner().trace(all, listener);
     listener.start_pass();
     cell.runner().trace(all, listener);
     const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
-    return {count(listener.model().counts(0).accesses), count(listener.model().counts(0).misses),
+    return {0, count(listener.model().counts(0).accesses), count(listener.model().counts(0).misses),
             count(listener.model().counts(1).misses)};
 }
 
@@ -189,7 +188,7 @@ measure::Expected<std::string> program_for_valgrind() {
         return {self.string()};
     const fs::path sim = self.parent_path() / "edgewise_sim";
     if (fs::exists(sim)) return {sim.string()};
-    return measure::Expected<std::string>::none(fmt::format(
+    return Text::none(fmt::format(
         "this program may use instructions that Valgrind does not know, and {} is not there; make it with "
         "sh cmake/build_preset.sh release edgewise_sim",
         sim.string()));

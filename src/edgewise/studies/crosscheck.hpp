@@ -17,14 +17,10 @@
 
 namespace edgewise::studies {
 
-/// Of one pass over the cell's queries, after another one.
-struct ModelledPass {
-    double accesses = 0, d1_misses = 0, ll_misses = 0;
-};
-
-/// with_poses: the list of queries is memory too.
-[[nodiscard]] ModelledPass model_pass(const SingleCell& cell, const measure::CacheGeometry& geometry,
-                                      bool with_poses);
+/// One pass over the cell's queries, after another one; it knows no instructions. with_poses: the list of
+/// queries is memory too.
+[[nodiscard]] measure::CallgrindCounts model_pass(const SingleCell& cell,
+                                                  const measure::CacheGeometry& geometry, bool with_poses);
 
 /// The same under Callgrind. `program`: Edgewise, built for a processor that Valgrind knows.
 [[nodiscard]] measure::Expected<measure::CallgrindCounts> callgrind_pass(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How fast the measuring itself is: accesses a second through the cache model and the reuse distances.
+// How fast the measuring itself is: accesses per second through the cache model and the reuse distances.
 #pragma once
 
 #include <string>

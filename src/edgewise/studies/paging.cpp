@@ -18,8 +18,6 @@ namespace edgewise::studies {
 
 namespace {
 
-std::uint64_t page_bytes() { return static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)); }
-
 /// What the process under the limit tells.
 struct Counted {
     std::uint64_t major = 0;
@@ -119,6 +117,8 @@ void trace_pages(const bench::Runner& runner, measure::PageReuse& reuse) {
 }
 
 }  // namespace
+
+std::uint64_t page_bytes() { return static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)); }
 
 PagingResult measure_paging(const bench::TableType& type, const std::string& algorithm,
                             const scene::Workload& workload, const PagingLimits& limits) {

@@ -38,6 +38,9 @@ struct PagingResult {
     std::string reason;  ///< why there are none
 };
 
+/// Of a page of this system.
+[[nodiscard]] std::uint64_t page_bytes();
+
 /// Limits in bytes, for tables of which so many bytes are touched; 0: none.
 using PagingLimits = std::function<std::vector<std::uint64_t>(std::uint64_t touched_bytes)>;
 

@@ -2,10 +2,8 @@
 #include "edgewise/studies/paging_rows.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -84,46 +82,37 @@ store::CellRow row_of(const PagedCell& cell, const PagingPlan& plan, const Polyh
 
 /// Of limit i.
 void add_limit(const PagingRow& limit, std::size_t i, std::vector<store::FigureRow>& figures) {
-    const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
     const auto add = [&](const store::FigureName& name, double value, bool measured) {
-        measure::Figure figure = store::figure(name.of(std::to_string(i)), value);
-        if (measured && !limit.reason.empty()) {
-            figure.value.reset();
-            figure.reason = limit.reason;
-            figure.remedy = "run as root, where memory control groups may be made";
-        }
-        figures.push_back({std::move(figure), "paging"});
+        const bool there = !measured || limit.reason.empty();
+        figures.push_back(
+            {store::figure(name.of(std::to_string(i)), there ? std::optional(value) : std::nullopt,
+                           limit.reason, "run as root, where memory control groups may be made"),
+             "paging"});
     };
     add("paging.limit_bytes.{limit}", static_cast<double>(limit.limit_bytes), false);
     add("paging.predicted_at_limit.{limit}", limit.predicted_at_limit, false);
-    add("paging.held_bytes.{limit}", static_cast<double>(limit.table_pages_held.value_or(0)) * page, true);
+    add("paging.held_bytes.{limit}", static_cast<double>(limit.table_pages_held.value_or(0) * page_bytes()),
+        true);
     add("paging.predicted_at_held.{limit}", limit.predicted_at_held, true);
     add("paging.faults_per_query.{limit}", limit.faults_per_query, true);
     add("paging.us_per_query.{limit}", limit.ns_per_query / 1000, true);
 }
 
 std::vector<store::FigureRow> figures_of(const PagingResult& result) {
-    const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
     std::vector<store::FigureRow> figures = {
-        {store::figure("paging.table_bytes", static_cast<double>(result.table_bytes)), "paging"},
-        {store::figure("paging.touched_bytes", static_cast<double>(result.pages_touched) * page), "paging"},
+        {store::figure("paging.table_bytes", result.table_bytes), "paging"},
+        {store::figure("paging.touched_bytes", result.pages_touched * page_bytes()), "paging"},
         {store::figure("paging.keeps_recency", result.keeps_recency ? 1.0 : 0.0), "paging"}};
     for (std::size_t i = 0; i < result.rows.size(); ++i) add_limit(result.rows[i], i, figures);
     return figures;
 }
 
-/// Throws std::logic_error when a built-in scene cannot be made.
-scene::Workload workload_of(const PagingPlan& plan, const Polyhedron& body) {
-    auto made = scene::make_scene("pressure", body, parameters_of(plan), plan.seed,
-                                  plan.steps * (plan.bodies - 1), {});
-    if (!made) throw std::logic_error(made.error);
-    return std::move(*made);
-}
-
 void run_cell(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& body, const std::string& build,
               store::Store& store, store::CellRow& row) {
-    const PagingResult result =
-        measure_paging(*find_type(cell.table), cell.algorithm, workload_of(plan, body), limits_for);
+    const scene::Workload workload = scene::make_scene("pressure", body, parameters_of(plan), plan.seed,
+                                                       plan.steps * (plan.bodies - 1), {})
+                                         .or_throw();
+    const PagingResult result = measure_paging(*find_type(cell.table), cell.algorithm, workload, limits_for);
     row.status = result.reason.empty() ? "verified" : "unavailable";
     row.reason = result.reason;
     store.put_cell(build, row, result.reason.empty() ? figures_of(result) : std::vector<store::FigureRow>{});
@@ -133,21 +122,16 @@ void run_cell(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& b
 
 std::size_t paging_rows() { return cells_of_this_program().size(); }
 
-PagingSummary run_paging(const PagingPlan& plan, const std::string& build, store::Store& store,
-                         const std::function<void(const store::CellRow&)>& on_row,
-                         const std::atomic<bool>& stop) {
-    PagingSummary summary;
+bool run_paging(const PagingPlan& plan, const std::string& build, store::Store& store,
+                const std::function<void(const store::CellRow&)>& on_row, const std::atomic<bool>& stop) {
     for (const PagedCell& cell : cells_of_this_program()) {
-        summary.stopped = stop;
-        if (stop) break;
-        const auto body = scene::make_shape(cell.shape);
-        if (!body) throw std::logic_error(body.error);
-        store::CellRow row = row_of(cell, plan, *body);
-        if (!store.find_cell(build, row.hash)) run_cell(cell, plan, *body, build, store, row);
-        ++summary.rows;
+        if (stop) return false;
+        const Polyhedron body = scene::make_shape(cell.shape).or_throw();
+        store::CellRow row = row_of(cell, plan, body);
+        if (!store.find_cell(build, row.hash)) run_cell(cell, plan, body, build, store, row);
         on_row(row);
     }
-    return summary;
+    return true;
 }
 
 }  // namespace edgewise::studies

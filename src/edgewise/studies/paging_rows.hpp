@@ -23,16 +23,12 @@ struct PagingPlan {
     std::uint64_t seed = 1;
 };
 
-struct PagingSummary {
-    std::size_t rows = 0;
-    bool stopped = false;
-};
-
 /// What the paper ran, V-Clip on its own layout, beside GJK, a lean layout and a smaller body, as far as this
-/// program has them. Rows already stored for the build are kept. `on_row` is notified of each.
-PagingSummary run_paging(const PagingPlan& plan, const std::string& build, store::Store& store,
-                         const std::function<void(const store::CellRow&)>& on_row,
-                         const std::atomic<bool>& stop);
+/// program has them. Rows already stored for the build are kept. `on_row` is notified of each. False when it
+/// was stopped before the last.
+[[nodiscard]] bool run_paging(const PagingPlan& plan, const std::string& build, store::Store& store,
+                              const std::function<void(const store::CellRow&)>& on_row,
+                              const std::atomic<bool>& stop);
 
 /// How many rows that makes.
 [[nodiscard]] std::size_t paging_rows();

@@ -21,9 +21,7 @@ const bench::TableType& table_type(const std::string& name) {
 }
 
 std::unique_ptr<sweep::SharedQueries> shared_queries(const CellChoice& choice) {
-    auto body = scene::make_shape(choice.shape);
-    if (!body) throw std::invalid_argument(body.error);
-    const scene::NamedShape shape{choice.shape, "built-in", std::move(*body), {}};
+    const scene::NamedShape shape{choice.shape, "built-in", scene::make_shape(choice.shape).or_throw(), {}};
     sweep::Plan plan;
     plan.queries = choice.queries;
     plan.seed = choice.seed;

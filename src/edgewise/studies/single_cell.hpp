@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One cell made ready apart from any sweep: for commands that look at one closely.
+// One cell made ready outside any sweep: for commands that look at one closely.
 #pragma once
 
 #include <memory>

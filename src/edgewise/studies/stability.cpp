@@ -2,11 +2,11 @@
 #include "edgewise/studies/stability.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <stdexcept>
 
 #include "edgewise/bench/cell.hpp"
@@ -19,18 +19,16 @@ namespace {
 
 std::vector<const scene::HardFamily*> chosen_families(const StabilityPlan& plan) {
     std::vector<const scene::HardFamily*> result;
-    std::string known;
+    std::vector<std::string> names;
     for (const scene::HardFamily& family : scene::hard_families()) {
-        known += (known.empty() ? "" : ", ") + family.name;
+        names.push_back(family.name);
         if (plan.families.empty()) result.push_back(&family);
     }
     for (const std::string& name : plan.families) {
-        const auto all = scene::hard_families();
-        const auto is_named = [&](const scene::HardFamily& family) { return family.name == name; };
-        const auto found = std::find_if(all.begin(), all.end(), is_named);
-        if (found == all.end()) {
-            throw std::invalid_argument(fmt::format("unknown family '{}'; known: {}", name, known));
-        }
+        const auto found = std::ranges::find(scene::hard_families(), name, &scene::HardFamily::name);
+        if (found == scene::hard_families().end())
+            throw std::invalid_argument(
+                fmt::format("unknown family '{}'; known: {}", name, fmt::join(names, ", ")));
         result.push_back(&*found);
     }
     return result;
@@ -61,25 +59,6 @@ StabilityTally tally_for(const bench::TableType& type, const std::string& algori
             single ? verified_error_single : verified_depth_error_double};
 }
 
-/// The cases of one family, for each storage of the bodies: their exact answers are shared.
-class CasesOf {
-  public:
-    CasesOf(const StabilityPlan& plan, const scene::HardFamily& family) : plan_(plan), family_(family) {}
-
-    [[nodiscard]] StabilityCases& of(const bench::TableType& type) {
-        auto& place = known_[type.storage];
-        if (!place)
-            place = std::make_unique<StabilityCases>(family_, plan_.count, plan_.seed, type.single_storage,
-                                                     plan_.real);
-        return *place;
-    }
-
-  private:
-    const StabilityPlan& plan_;
-    const scene::HardFamily& family_;
-    std::map<std::string, std::unique_ptr<StabilityCases>> known_;
-};
-
 }  // namespace
 
 std::size_t stability_rows(const StabilityPlan& plan) {
@@ -96,15 +75,19 @@ StabilitySummary run_stability(const StabilityPlan& plan,
     StabilitySummary summary;
     for (const scene::HardFamily* family : chosen_families(plan)) {
         const bool possible = family->name != "real_hulls_at_gaps" || !plan.real.empty();
-        CasesOf cases(plan, *family);
+        std::map<std::string, StabilityCases> cases;  // by storage of the bodies: exact answers are shared
         for (const bench::TableType* type : plan.types) {
             for (const std::string& algorithm : plan.algorithms) {
-                if (stop) return summary;
+                summary.stopped = stop;
+                if (summary.stopped) return summary;
                 if (!type->serves(algorithm)) continue;
                 StabilityRow row = row_for(plan, *family, *type, algorithm);
                 StabilityTally tally = tally_for(*type, algorithm);
                 if (possible) {
-                    StabilitySubject(*type, algorithm, family->warm, cases.of(*type), plan.proofs).run(tally);
+                    const auto of_storage = cases.try_emplace(type->storage, *family, plan.count, plan.seed,
+                                                              type->single_storage, plan.real);
+                    StabilitySubject(*type, algorithm, family->warm, of_storage.first->second, plan.proofs)
+                        .run(tally);
                     for (measure::Figure& figure : tally.figures())
                         row.figures.push_back({std::move(figure), "stability"});
                 }

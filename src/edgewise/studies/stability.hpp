@@ -22,7 +22,7 @@ inline constexpr const char* stability_scene = "stability";
 
 struct StabilityPlan {
     std::vector<std::string> families;  ///< empty: all
-    std::size_t count = 200;            ///< poses a family
+    std::size_t count = 200;            ///< poses per family
     std::size_t proofs = 200;           ///< of these with depth, certificate and time, at most
     std::uint64_t seed = 1;
     std::vector<const bench::TableType*> types;
@@ -37,6 +37,7 @@ struct StabilityRow {
 
 struct StabilitySummary {
     std::size_t rows = 0, failed = 0, unavailable = 0;
+    bool stopped = false;  ///< before the last row
 };
 
 /// Throws std::invalid_argument that lists the known names when a family is unknown. `on_row` is called with

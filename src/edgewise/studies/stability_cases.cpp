@@ -46,35 +46,28 @@ StabilityCases::StabilityCases(const scene::HardFamily& family, std::size_t coun
     }
 }
 
-const truth::ExactDistance& StabilityCases::exact(std::size_t index, std::size_t pose,
-                                                  const Polyhedron& stored_a, const Polyhedron& stored_b) {
-    Truth& truth = truths_[index][pose];
-    if (!truth.distance) {
-        const auto& [pose_a, pose_b] = cases_[index].poses[pose];
-        truth.distance = *truth::exact_distance(stored_a.vertices, pose_a, stored_b.vertices, pose_b);
-    }
-    return *truth.distance;
+const truth::ExactDistance& StabilityCases::exact(StabilityPose at, std::span<const Polyhedron> stored) {
+    std::optional<truth::ExactDistance>& known = truth_of(at).distance;
+    const auto& [pose_a, pose_b] = poses_of(at);
+    if (!known) known = *truth::exact_distance(stored[0].vertices, pose_a, stored[1].vertices, pose_b);
+    return *known;
 }
 
-double StabilityCases::depth(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
-                             const Polyhedron& stored_b) {
-    Truth& truth = truths_[index][pose];
-    if (!truth.depth) {
-        const auto& [pose_a, pose_b] = cases_[index].poses[pose];
-        const truth::SimplexSeed& seed = exact(index, pose, stored_a, stored_b).simplex;
-        truth.depth = truth::exact_depth(stored_a.vertices, pose_a, stored_b.vertices, pose_b, seed)->depth;
-    }
-    return *truth.depth;
+double StabilityCases::depth(StabilityPose at, std::span<const Polyhedron> stored) {
+    std::optional<double>& known = truth_of(at).depth;
+    const auto& [pose_a, pose_b] = poses_of(at);
+    if (!known)
+        known = truth::exact_depth(stored[0].vertices, pose_a, stored[1].vertices, pose_b,
+                                   exact(at, stored).simplex)
+                    ->depth;
+    return *known;
 }
 
-std::optional<bool> StabilityCases::control(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
-                                            const Polyhedron& stored_b) {
-    Truth& truth = truths_[index][pose];
-    if (!truth.control) {
-        const auto& [pose_a, pose_b] = cases_[index].poses[pose];
-        truth.control = truth::moore_wilhelms(stored_a, stored_b, relative_pose(pose_a, pose_b));
-    }
-    return *truth.control;
+std::optional<bool> StabilityCases::control(StabilityPose at, std::span<const Polyhedron> stored) {
+    std::optional<std::optional<bool>>& known = truth_of(at).control;
+    const auto& [pose_a, pose_b] = poses_of(at);
+    if (!known) known = truth::moore_wilhelms(stored[0], stored[1], relative_pose(pose_a, pose_b));
+    return *known;
 }
 
 }  // namespace edgewise::studies

@@ -21,6 +21,10 @@ struct StabilityCase {
     std::vector<std::pair<Pose, Pose>> poses;
 };
 
+struct StabilityPose {
+    std::size_t index, pose;  ///< of the case, and of its poses
+};
+
 class StabilityCases {
   public:
     /// About `count` poses. `single`: for tables that store in single precision.
@@ -31,17 +35,13 @@ class StabilityCases {
     [[nodiscard]] std::size_t refused() const { return refused_; }
     [[nodiscard]] const std::string& first_refusal() const { return first_refusal_; }
 
-    /// Of pose `pose` of case `index` between the bodies that the tables hold: as given, or rounded to
-    /// single.
-    [[nodiscard]] const truth::ExactDistance& exact(std::size_t index, std::size_t pose,
-                                                    const Polyhedron& stored_a, const Polyhedron& stored_b);
-    /// Likewise; for pairs in contact. Worked out when first asked for.
-    [[nodiscard]] double depth(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
-                               const Polyhedron& stored_b);
-
+    /// Of a pose between the two bodies that the tables hold: as given, or rounded to single. Each answer is
+    /// computed when first asked for.
+    [[nodiscard]] const truth::ExactDistance& exact(StabilityPose at, std::span<const Polyhedron> stored);
+    /// For pairs in contact.
+    [[nodiscard]] double depth(StabilityPose at, std::span<const Polyhedron> stored);
     /// The paper's control, in double on the same bodies; nothing where a body is flat.
-    [[nodiscard]] std::optional<bool> control(std::size_t index, std::size_t pose, const Polyhedron& stored_a,
-                                              const Polyhedron& stored_b);
+    [[nodiscard]] std::optional<bool> control(StabilityPose at, std::span<const Polyhedron> stored);
 
   private:
     struct Truth {
@@ -49,6 +49,11 @@ class StabilityCases {
         std::optional<double> depth;
         std::optional<std::optional<bool>> control;
     };
+
+    [[nodiscard]] Truth& truth_of(StabilityPose at) { return truths_[at.index][at.pose]; }
+    [[nodiscard]] const std::pair<Pose, Pose>& poses_of(StabilityPose at) const {
+        return cases_[at.index].poses[at.pose];
+    }
 
     std::vector<StabilityCase> cases_;
     std::vector<std::vector<Truth>> truths_;

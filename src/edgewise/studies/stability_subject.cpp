@@ -57,57 +57,53 @@ void StabilitySubject::run(StabilityTally& tally) {
 void StabilitySubject::ask(std::size_t index, StabilityTally& tally) {
     const scene::Workload workload = workload_of(index);
     const std::string error = runner_->load(workload);
-    if (!error.empty()) {
-        tally.add_refusal(workload.queries.size(), error);
-        return;
-    }
+    if (!error.empty()) return tally.add_refusal(workload.queries.size(), error);
     const auto answers = runner_->answer();
     for (std::size_t pose = 0; pose < answers.size(); ++pose) {
-        judge_pose(index, pose, answers[pose], tally);
-        if (proven_ < proofs_) prove_pose(index, pose, tally);
+        judge_pose({index, pose}, answers[pose], tally);
+        if (proven_ < proofs_) prove_pose({index, pose}, tally);
     }
 }
 
-void StabilitySubject::judge_pose(std::size_t index, std::size_t pose, const Distance& answer,
-                                  StabilityTally& tally) {
+truth::AccuracyBand StabilitySubject::band_of(const Pose& pose_a, const Pose& pose_b) const {
     const auto stored = runner_->stored_bodies();
-    const auto& [pose_a, pose_b] = cases_.all()[index].poses[pose];
-    const truth::ExactDistance& exact = cases_.exact(index, pose, stored[0], stored[1]);
-    const truth::AccuracyBand band =
-        truth::accuracy_band(stored[0].vertices, pose_a, stored[1].vertices, pose_b, type_.eps);
-    const bool apart = answer.status == Status::separated;
-    std::optional<double> depth;
-    if (apart && exact.verdict != truth::ExactVerdict::separated)
-        depth = cases_.depth(index, pose, stored[0], stored[1]);
-    tally.add({truth::judge({apart, answer.distance}, exact, band, depth), band, answer, &exact,
-               cases_.control(index, pose, stored[0], stored[1])});
+    return truth::accuracy_band(stored[0].vertices, pose_a, stored[1].vertices, pose_b, type_.eps);
 }
 
-void StabilitySubject::prove_pose(std::size_t index, std::size_t pose, StabilityTally& tally) {
-    ++proven_;
-    const StabilityCase& given = cases_.all()[index];
+void StabilitySubject::judge_pose(StabilityPose at, const Distance& answer, StabilityTally& tally) {
     const auto stored = runner_->stored_bodies();
-    const scene::Query query{0, 1, 0, given.poses[pose].first, given.poses[pose].second};
+    const auto& [pose_a, pose_b] = cases_.all()[at.index].poses[at.pose];
+    const truth::ExactDistance& exact = cases_.exact(at, stored);
+    const truth::AccuracyBand band = band_of(pose_a, pose_b);
+    const bool separated = answer.status == Status::separated;
+    std::optional<double> depth;
+    if (separated && exact.verdict != truth::ExactVerdict::separated) depth = cases_.depth(at, stored);
+    tally.add({truth::judge({separated, answer.distance}, exact, band, depth), band, answer, &exact,
+               cases_.control(at, stored)});
+}
+
+void StabilitySubject::prove_pose(StabilityPose at, StabilityTally& tally) {
+    ++proven_;
+    const StabilityCase& given = cases_.all()[at.index];
+    const auto& [pose_a, pose_b] = given.poses[at.pose];
+    const auto stored = runner_->stored_bodies();
+    const scene::Query query{0, 1, 0, pose_a, pose_b};
     const bench::NamedAnswer answer = runner_->answer(query);
     const std::vector<Polyhedron> bodies = {given.a, given.b};
     const auto certificates = bench::certificates_of(answer, query, bodies, stored);
-    const truth::ExactDistance& exact = cases_.exact(index, pose, stored[0], stored[1]);
-    const truth::AccuracyBand band =
-        truth::accuracy_band(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b, type_.eps);
+    const truth::ExactDistance& exact = cases_.exact(at, stored);
+    const truth::AccuracyBand band = band_of(pose_a, pose_b);
     StabilityProof proof;
     proof.certificate_missed = true;
     proof.depth_cut_short = answer.depth_cut_short;
     if (certificates) {
-        const auto of_given =
-            truth::exact_distance(given.a.vertices, query.pose_a, given.b.vertices, query.pose_b);
+        const auto of_given = truth::exact_distance(given.a.vertices, pose_a, given.b.vertices, pose_b);
         proof.certificate_width = certificates->stored.width() / (band.scale > 0 ? band.scale : 1);
         proof.certificate_missed =
             !holds(certificates->stored, exact) || !of_given || !holds(certificates->given, *of_given);
     }
-    if (exact.verdict != truth::ExactVerdict::separated && answer.distance.status != Status::separated) {
-        const double off = std::abs(answer.depth - cases_.depth(index, pose, stored[0], stored[1]));
-        proof.depth_error = error_beyond(off, band);
-    }
+    if (exact.verdict != truth::ExactVerdict::separated && answer.distance.status != Status::separated)
+        proof.depth_error = error_beyond(std::abs(answer.depth - cases_.depth(at, stored)), band);
     tally.add(proof);
 }
 
@@ -121,13 +117,11 @@ std::map<std::string, scene::Workload> StabilitySubject::by_gap() {
         const auto stored = runner_->stored_bodies();
         std::map<std::string, std::uint32_t> first;  // of the case's bodies in a bin
         for (std::size_t pose = 0; pose < one.queries.size() && taken < proofs_; ++pose, ++taken) {
-            const truth::ExactDistance& exact = cases_.exact(i, pose, stored[0], stored[1]);
+            const truth::ExactDistance& exact = cases_.exact({i, pose}, stored);
             const auto& query = one.queries[pose];
-            const double scale = truth::accuracy_band(stored[0].vertices, query.pose_a, stored[1].vertices,
-                                                      query.pose_b, type_.eps)
-                                     .scale;
-            const bool apart = exact.verdict == truth::ExactVerdict::separated;
-            const double gap = apart ? exact.distance : -cases_.depth(i, pose, stored[0], stored[1]);
+            const double scale = band_of(query.pose_a, query.pose_b).scale;
+            const bool separated = exact.verdict == truth::ExactVerdict::separated;
+            const double gap = separated ? exact.distance : -cases_.depth({i, pose}, stored);
             const std::string bin = bin_of(gap / (scale > 0 ? scale : 1));
             auto& bodies = bins[bin].bodies;
             const auto [place, is_new] = first.try_emplace(bin, static_cast<std::uint32_t>(bodies.size()));

@@ -15,18 +15,14 @@ namespace {
 
 double witness_error(const StabilityJudgement& judged) {
     if (judged.answer.status != Status::separated) return 0;
-    const double apart = norm(Vec3d(judged.answer.point_a - judged.answer.point_b));
-    return error_beyond(std::abs(apart - judged.answer.distance), judged.band);
+    const double between = norm(Vec3d(judged.answer.point_a - judged.answer.point_b));
+    return error_beyond(std::abs(between - judged.answer.distance), judged.band);
 }
 
 measure::Figure at_quantile(const store::FigureName& name, const std::vector<double>& sample, double p,
                             const std::string& none) {
     const auto value = measure::quantile(sample, p);
-    return store::figure(name, value, value ? "" : sample.empty() ? none : "an error is not a number");
-}
-
-measure::Figure count(const store::FigureName& name, std::uint64_t n) {
-    return store::figure(name, static_cast<double>(n));
+    return store::figure(name, value, sample.empty() ? none : "an error is not a number");
 }
 
 measure::Figure worst(const store::FigureName& name, const std::vector<double>& sample,
@@ -41,66 +37,78 @@ double error_beyond(double error, const truth::AccuracyBand& band) {
     return beyond <= 0 ? 0 : beyond / (band.scale > 0 ? band.scale : 1);
 }
 
+StabilityTally::StabilityTally(double error_allowed, double depth_error_allowed)
+    : error_allowed_(error_allowed), depth_error_allowed_(depth_error_allowed) {
+    for (const store::FigureInfo& info : store::vocabulary::answers) {
+        const bool counts = info.unit == "queries" || info.unit == "escapes";
+        if (info.probe() == "stability" && counts && info.key.find('{') == info.key.npos) counts_[&info] = 0;
+    }
+}
+
 void StabilityTally::note(const char* what, const StabilityJudgement& judged) {
     if (!first_wrong_.empty()) return;
-    first_wrong_ = fmt::format("case {}: {}, {} at {:.6g}, exact {:.6g}, scale {:.3g}", asked_ - 1, what,
-                               to_string(judged.answer.status), judged.answer.distance,
-                               judged.exact->distance, judged.band.scale);
+    first_wrong_ = fmt::format("case {}: {}, {} at {:.6g}, exact {:.6g}, scale {:.3g}",
+                               counted("stability.cases") - 1, what, to_string(judged.answer.status),
+                               judged.answer.distance, judged.exact->distance, judged.band.scale);
 }
 
 void StabilityTally::add(const StabilityJudgement& judged) {
-    ++asked_;
     const Distance& answer = judged.answer;
-    const bool apart = judged.exact->verdict == truth::ExactVerdict::separated;
-    separated_ += apart;
-    touching_ += judged.exact->verdict == truth::ExactVerdict::touching;
-    overlapping_ += judged.exact->verdict == truth::ExactVerdict::overlapping;
-    const bool disagrees = (answer.status == Status::separated) != apart;
-    const bool near = judged.judgement.in_band || (apart && judged.exact->distance <= judged.band.band);
-    in_band_ += near;
-    compare_with_control(judged, apart, near);
-    wrong_outside_ += judged.judgement.verdict_wrong;
-    wrong_inside_ += disagrees && !judged.judgement.verdict_wrong;
+    const bool separated = judged.exact->verdict == truth::ExactVerdict::separated;
+    count("stability.separated") += separated;
+    count("stability.touching") += judged.exact->verdict == truth::ExactVerdict::touching;
+    count("stability.overlapping") += judged.exact->verdict == truth::ExactVerdict::overlapping;
+    const bool disagrees = (answer.status == Status::separated) != separated;
+    const bool near = judged.judgement.in_band || (separated && judged.exact->distance <= judged.band.band);
+    count("stability.in_band") += near;
+    compare_with_control(judged, separated, near);
+    count("stability.wrong_outside_band") += judged.judgement.verdict_wrong;
+    count("stability.wrong_inside_band") += disagrees && !judged.judgement.verdict_wrong;
     errors_.push_back(error_beyond(judged.judgement.error, judged.band));
     witness_errors_.push_back(witness_error(judged));
     const bool beyond = !(errors_.back() <= error_allowed_) || !(witness_errors_.back() <= error_allowed_);
-    beyond_ += beyond;
+    count("stability.errors_beyond") += beyond;
+    count_answer(answer);
     if (judged.judgement.verdict_wrong) note("wrong verdict", judged);
     if (beyond) note("wrong distance", judged);
     for (std::size_t i = 0; i < failures_.size(); ++i) {
         const bool contact = answer.distance <= stability_tolerances[i] * judged.band.scale;
-        failures_[i] += contact == apart;
+        failures_[i] += contact == separated;
     }
+}
+
+void StabilityTally::count_answer(const Distance& answer) {
+    ++count("stability.cases");
+    count("stability.cycles") += static_cast<std::uint64_t>(answer.cycles);
+    count("stability.fallbacks") += static_cast<std::uint64_t>(answer.fallbacks);
+    count("stability.refinements") += static_cast<std::uint64_t>(answer.refinements);
+    count("stability.escapes") += static_cast<std::uint64_t>(answer.escapes);
     steps_ += static_cast<std::uint64_t>(answer.steps);
-    cycles_ += static_cast<std::uint64_t>(answer.cycles);
-    fallbacks_ += static_cast<std::uint64_t>(answer.fallbacks);
-    refinements_ += static_cast<std::uint64_t>(answer.refinements);
-    escapes_ += static_cast<std::uint64_t>(answer.escapes);
     max_steps_ = std::max(max_steps_, answer.steps);
 }
 
 /// The paper's robustness metric, with the exact referee beside it.
-void StabilityTally::compare_with_control(const StabilityJudgement& judged, bool apart, bool near) {
+void StabilityTally::compare_with_control(const StabilityJudgement& judged, bool separated, bool near) {
     if (!judged.control) return;
-    ++control_asked_;
     const bool touching = judged.exact->verdict == truth::ExactVerdict::touching;
     const bool disagrees = *judged.control != (judged.answer.status != Status::separated);
-    control_disagrees_ += disagrees;
-    control_outside_ += disagrees && !near && !touching;
-    control_wrong_ += *judged.control == apart && !near && !touching;
+    ++count("stability.control_asked");
+    count("stability.control_disagrees") += disagrees;
+    count("stability.control_disagrees_outside_band") += disagrees && !near && !touching;
+    count("stability.control_wrong") += *judged.control == separated && !near && !touching;
 }
 
 void StabilityTally::add(const StabilityProof& proof) {
-    ++proofs_;
+    ++count("stability.certificates");
     depth_errors_.push_back(proof.depth_error);
     widths_.push_back(proof.certificate_width);
-    depths_beyond_ += !(proof.depth_error <= depth_error_allowed_);
-    missed_ += proof.certificate_missed;
-    cap_hits_ += proof.depth_cut_short;
+    count("stability.depths_beyond") += !(proof.depth_error <= depth_error_allowed_);
+    count("stability.certificates_missed") += proof.certificate_missed;
+    count("stability.cap_hits") += proof.depth_cut_short;
 }
 
 void StabilityTally::add_refusal(std::size_t poses, const std::string& reason) {
-    refused_ += poses;
+    count("stability.refused") += poses;
     if (first_refusal_.empty()) first_refusal_ = reason;
 }
 
@@ -109,62 +117,42 @@ void StabilityTally::add_time(const std::string& bin, std::optional<double> ns) 
 }
 
 std::vector<measure::Figure> StabilityTally::figures() const {
-    const std::string none = asked_ > 0 ? "not asked for" : "every case was refused: " + first_refusal_;
-    const double asked = static_cast<double>(std::max<std::size_t>(asked_, 1));
+    const std::uint64_t asked = counted("stability.cases");
+    const std::string none = asked > 0 ? "not asked for" : "every case was refused: " + first_refusal_;
     std::vector<measure::Figure> result = {
-        count("stability.cases", asked_),
-        count("stability.refused", refused_),
-        count("stability.separated", separated_),
-        count("stability.touching", touching_),
-        count("stability.overlapping", overlapping_),
-        count("stability.in_band", in_band_),
-        count("stability.wrong_outside_band", wrong_outside_),
-        count("stability.wrong_inside_band", wrong_inside_),
-        count("stability.errors_beyond", beyond_),
         worst("stability.worst_error", errors_, none),
         at_quantile("stability.p999_error", errors_, 0.999, none),
         worst("stability.worst_witness_error", witness_errors_, none),
         worst("stability.worst_depth_error", depth_errors_, none),
-        count("stability.depths_beyond", depths_beyond_),
-        count("stability.cap_hits", cap_hits_),
         worst("stability.worst_certificate_width", widths_, none),
-        count("stability.certificates", proofs_),
-        count("stability.certificates_missed", missed_),
-        count("stability.control_asked", control_asked_),
-        count("stability.control_disagrees", control_disagrees_),
-        count("stability.control_disagrees_outside_band", control_outside_),
-        count("stability.control_wrong", control_wrong_),
-        store::figure("stability.escapes", static_cast<double>(escapes_)),
-        count("stability.cycles", cycles_),
-        count("stability.fallbacks", fallbacks_),
-        count("stability.refinements", refinements_),
-        store::figure("stability.mean_steps", static_cast<double>(steps_) / asked),
-        store::figure("stability.max_steps", static_cast<double>(max_steps_))};
-    add_curves(result);
+        store::mean_figure("stability.mean_steps", steps_, std::max<std::uint64_t>(asked, 1)),
+        store::figure("stability.max_steps", max_steps_)};
+    for (const auto& [info, number] : counts_)
+        result.push_back({std::string(info->name()), static_cast<double>(number), std::string(info->unit)});
+    for (std::size_t i = 0; i < failures_.size(); ++i) {
+        result.push_back(store::figure(store::FigureName("stability.failures_at_{tolerance}")
+                                           .of(fmt::format("{:.0e}", stability_tolerances[i])),
+                                       failures_[i]));
+    }
+    for (const auto& [bin, ns] : times_) {
+        result.push_back(store::figure(store::FigureName("stability.ns_at_{gap}").of(bin), ns,
+                                       "no case of this family has such a gap"));
+    }
     return result;
 }
 
-void StabilityTally::add_curves(std::vector<measure::Figure>& to) const {
-    for (std::size_t i = 0; i < failures_.size(); ++i) {
-        to.push_back(count(store::FigureName("stability.failures_at_{tolerance}")
-                               .of(fmt::format("{:.0e}", stability_tolerances[i])),
-                           failures_[i]));
-    }
-    for (const auto& [bin, ns] : times_) {
-        to.push_back(store::figure(store::FigureName("stability.ns_at_{gap}").of(bin), ns,
-                                   ns ? "" : "no case of this family has such a gap"));
-    }
-}
-
 std::string StabilityTally::what_is_wrong() const {
-    if (asked_ == 0) return "no case was answered; first refusal: " + first_refusal_;
-    if (wrong_outside_ + beyond_ + depths_beyond_ + missed_ == 0) return {};
+    if (counted("stability.cases") == 0) return "no case was answered; first refusal: " + first_refusal_;
+    const std::uint64_t verdicts = counted("stability.wrong_outside_band"),
+                        distances = counted("stability.errors_beyond"),
+                        depths = counted("stability.depths_beyond"),
+                        certificates = counted("stability.certificates_missed");
+    if (verdicts + distances + depths + certificates == 0) return {};
     return fmt::format(
         "{} of {} verdicts and {} distances are wrong; of {} proven answers {} depths are wrong and {} "
-        "certificates "
-        "miss{}",
-        wrong_outside_, asked_, beyond_, proofs_, depths_beyond_, missed_,
-        first_wrong_.empty() ? "" : "; first: " + first_wrong_);
+        "certificates miss{}",
+        verdicts, counted("stability.cases"), distances, counted("stability.certificates"), depths,
+        certificates, first_wrong_.empty() ? "" : "; first: " + first_wrong_);
 }
 
 }  // namespace edgewise::studies

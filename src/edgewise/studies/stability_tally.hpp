@@ -5,12 +5,13 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "edgewise/algorithms/distance.hpp"
-#include "edgewise/measure/figure.hpp"
+#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/truth/accuracy_band.hpp"
 
 namespace edgewise::studies {
@@ -45,8 +46,7 @@ struct StabilityProof {
 class StabilityTally {
   public:
     /// Over scale, beyond the band: errors allowed of distances and witness points, and of depths.
-    StabilityTally(double error_allowed, double depth_error_allowed)
-        : error_allowed_(error_allowed), depth_error_allowed_(depth_error_allowed) {}
+    StabilityTally(double error_allowed, double depth_error_allowed);
 
     void add(const StabilityJudgement& judged);
     void add(const StabilityProof& proof);
@@ -59,16 +59,18 @@ class StabilityTally {
     [[nodiscard]] std::string what_is_wrong() const;
 
   private:
-    void compare_with_control(const StabilityJudgement& judged, bool apart, bool near);
-    void add_curves(std::vector<measure::Figure>& to) const;
+    std::uint64_t& count(const store::FigureName& name) { return counts_.at(&name.info()); }
+    [[nodiscard]] std::uint64_t counted(const store::FigureName& name) const {
+        return counts_.at(&name.info());
+    }
+    void count_answer(const Distance& answer);
+    void compare_with_control(const StabilityJudgement& judged, bool separated, bool near);
     void note(const char* what, const StabilityJudgement& judged);
 
     double error_allowed_, depth_error_allowed_;
-    std::size_t asked_ = 0, refused_ = 0, separated_ = 0, touching_ = 0, overlapping_ = 0;
-    std::size_t in_band_ = 0, wrong_outside_ = 0, wrong_inside_ = 0, beyond_ = 0, depths_beyond_ = 0,
-                missed_ = 0, cap_hits_ = 0, proofs_ = 0;
-    std::uint64_t steps_ = 0, cycles_ = 0, fallbacks_ = 0, refinements_ = 0, escapes_ = 0;
-    std::size_t control_asked_ = 0, control_disagrees_ = 0, control_outside_ = 0, control_wrong_ = 0;
+    std::map<const store::FigureInfo*, std::uint64_t>
+        counts_;  ///< of each figure that counts queries or escapes
+    std::uint64_t steps_ = 0;
     int max_steps_ = 0;
     std::array<std::size_t, stability_tolerances.size()> failures_{};
     std::vector<double> errors_, witness_errors_, depth_errors_, widths_;

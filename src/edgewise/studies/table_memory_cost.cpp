@@ -32,9 +32,8 @@ const Polyhedron& sphere(std::size_t vertices) {
     static std::map<std::size_t, Polyhedron> known;
     const auto found = known.find(vertices);
     if (found != known.end()) return found->second;
-    auto body = scene::make_shape(fmt::format("sphere{}", vertices));
-    if (!body) throw std::logic_error(body.error);
-    return known.emplace(vertices, std::move(*body)).first->second;
+    return known.emplace(vertices, scene::make_shape(fmt::format("sphere{}", vertices)).or_throw())
+        .first->second;
 }
 
 }  // namespace
@@ -64,9 +63,8 @@ std::vector<AllocatorCost> allocator_costs(const bench::TableType& type, const P
 Result<measure::LinesTouched> lines_in_tumble(const bench::TableType& type, const std::string& algorithm,
                                               const Polyhedron& body) {
     using Answer = Result<measure::LinesTouched>;
-    const auto parameters = scene::complete_parameters("tumble", {{"rotation_step", 0.1}});
-    if (!parameters) return Answer::failure(parameters.error);
-    const auto workload = scene::make_scene("tumble", body, *parameters, 1, 4 * measure::traced_queries, {});
+    const auto parameters = scene::complete_parameters("tumble", {{"rotation_step", 0.1}}).or_throw();
+    const auto workload = scene::make_scene("tumble", body, parameters, 1, 4 * measure::traced_queries, {});
     if (!workload) return Answer::failure(workload.error);
     const auto runner = type.make_runner(algorithm);
     if (const std::string error = runner->load(*workload); !error.empty()) return Answer::failure(error);
@@ -83,10 +81,9 @@ std::vector<WidthSlope> slopes_by_width(const bench::TableType& type, Parts part
     for (const WidthRange& range : width_ranges) {
         std::vector<double> edges, bytes;
         for (const std::size_t vertices : range.vertices) {
-            const auto stored = type.stored_body(sphere(vertices));
-            if (!stored) throw std::invalid_argument(stored.error);
-            edges.push_back(static_cast<double>(stored->edge_count()));
-            bytes.push_back(static_cast<double>(type.ledger(*stored, parts).total()));
+            const Polyhedron stored = type.stored_body(sphere(vertices)).or_throw();
+            edges.push_back(static_cast<double>(stored.edge_count()));
+            bytes.push_back(static_cast<double>(type.ledger(stored, parts).total()));
         }
         const auto line = measure::least_squares(edges, bytes);
         if (!line) throw std::logic_error("three sizes make a line");

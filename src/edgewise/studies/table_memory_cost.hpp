@@ -26,7 +26,7 @@ struct AllocatorCost {
 [[nodiscard]] std::vector<AllocatorCost> allocator_costs(const bench::TableType& type, const Polyhedron& body,
                                                          Parts parts);
 
-/// What this algorithm's queries read in the scene `tumble` at 0.1 rad a step, bodies of this shape: the
+/// What this algorithm's queries read in the scene `tumble` at 0.1 rad per step, bodies of this shape: the
 /// first warm ones. Fails where the scene does: for bodies without a volume.
 [[nodiscard]] Result<measure::LinesTouched> lines_in_tumble(const bench::TableType& type,
                                                             const std::string& algorithm,
@@ -40,7 +40,7 @@ struct WidthSlope {
     double bytes_per_edge;
 };
 
-/// Fitted over spheres of 8 to 100 000 vertices, range by range; takes seconds a table type.
+/// Fitted over spheres of 8 to 100 000 vertices, range by range; takes seconds per table type.
 [[nodiscard]] std::vector<WidthSlope> slopes_by_width(const bench::TableType& type, Parts parts);
 
 }  // namespace edgewise::studies

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
+#include <optional>
 #include <stdexcept>
 
 namespace edgewise::sweep {
@@ -28,28 +29,16 @@ constexpr std::string_view order_values = "given|bfs|spatial", sharing_values = 
                            allocator_values = "arena|jemalloc|libc",
                            needs_values = "verdict|distance|witnesses|features|depth|certificate";
 
-VertexOrder read_order(std::string_view entry, std::string_view value) {
-    const auto order = vertex_order_from(value);
-    if (!order) refuse(entry, fmt::format("wants {}", order_values));
-    return *order;
+std::optional<bench::Sharing> sharing_from(std::string_view name) {
+    if (name == "shared") return bench::Sharing::shared;
+    if (name == "per_instance") return bench::Sharing::per_instance;
+    return std::nullopt;
 }
 
-bench::Sharing read_sharing(std::string_view entry, std::string_view value) {
-    if (value == "shared") return bench::Sharing::shared;
-    if (value != "per_instance") refuse(entry, fmt::format("wants {}", sharing_values));
-    return bench::Sharing::per_instance;
-}
-
-bench::AllocatorKind read_allocator(std::string_view entry, std::string_view value) {
-    const auto allocator = bench::allocator_from(value);
-    if (!allocator) refuse(entry, fmt::format("wants {}", allocator_values));
-    return *allocator;
-}
-
-Needs read_needs(std::string_view entry, std::string_view value) {
-    const auto needs = needs_from(value);
-    if (!needs) refuse(entry, fmt::format("wants {}", needs_values));
-    return *needs;
+template <class Value>
+Value known(std::string_view entry, const std::optional<Value>& value, std::string_view values) {
+    if (!value) refuse(entry, fmt::format("wants {}", values));
+    return *value;
 }
 
 void take(Axes& axes, std::string_view entry) {
@@ -61,33 +50,33 @@ void take(Axes& axes, std::string_view entry) {
     } else if (name == "gap_tolerance") {
         axes.query.gap_tolerance = read_tolerance(entry, value, 1);
     } else if (name == "order") {
-        axes.tables.order = read_order(entry, value);
+        axes.tables.order = known(entry, vertex_order_from(value), order_values);
     } else if (name == "sharing") {
-        axes.tables.sharing = read_sharing(entry, value);
+        axes.tables.sharing = known(entry, sharing_from(value), sharing_values);
     } else if (name == "allocator") {
-        axes.tables.allocator = read_allocator(entry, value);
+        axes.tables.allocator = known(entry, bench::allocator_from(value), allocator_values);
     } else if (name == "needs") {
-        axes.set_needs(read_needs(entry, value));
+        axes.set_needs(known(entry, needs_from(value), needs_values));
     } else {
-        std::vector<std::string> known;
+        std::vector<std::string> names;
         for (const AxisInfo& axis : axes_known())
-            known.push_back(fmt::format("{}={}", axis.name, axis.values));
-        refuse(entry, fmt::format("unknown; known: {}", fmt::join(known, ", ")));
+            names.push_back(fmt::format("{}={}", axis.name, axis.values));
+        refuse(entry, fmt::format("unknown; known: {}", fmt::join(names, ", ")));
     }
 }
 
 }  // namespace
 
 const std::vector<AxisInfo>& axes_known() {
-    static const std::vector<AxisInfo> known = {
+    static const std::vector<AxisInfo> axes = {
         {"contact_tolerance", "LENGTH", "bodies as near as this or nearer are touching"},
         {"gap_tolerance", "RATIO", "GJK ends when the squared distance is known to this relative width"},
         {"order", order_values, "how a body's vertices are numbered, and so what lies side by side"},
-        {"sharing", sharing_values, "one table a body, or one for each instance in the scene"},
+        {"sharing", sharing_values, "one table per body, or one for each instance in the scene"},
         {"allocator", allocator_values, "where tables take their memory from"},
         {"needs", needs_values, "what the scene asks of every answer, and pays for"},
     };
-    return known;
+    return axes;
 }
 
 std::string Axes::text() const {

@@ -62,12 +62,12 @@ void CellRun::measure(Stage stage, std::span<const measure::Round> rounds) {
                                  .counts = counts_,
                                  .rounds = rounds,
                                  .caches = caches_};
-    for (const auto& probe : bench::registered_probes()) {
-        if (probe->beside_others() != (stage == Stage::beside_others)) continue;
-        bench::Findings found = probe->measure(cell);
-        if (found.passed) hold_against_answers(*found.passed, probe->name());
+    for (const bench::Probe& probe : bench::registered_probes()) {
+        if (probe.beside_others != (stage == Stage::beside_others)) continue;
+        bench::Findings found = probe.measure(cell);
+        if (found.passed) hold_against_answers(*found.passed, probe.name);
         for (measure::Figure& figure : found.figures)
-            figures_.push_back({std::move(figure), std::string(probe->name())});
+            figures_.push_back({std::move(figure), std::string(probe.name)});
     }
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What a sweep is to do: scenes x shapes x algorithms x table types, and how thoroughly. Named plans are
-// written in code or come as JSON with what they are about (plan_json.hpp); a plan file is the same as JSON.
+// What a sweep is to do: scenes x shapes x algorithms x table types, and how thoroughly. Plans are JSON:
+// those that come with Edgewise (plans/, and reports/paper/plan.json) and a user's own files.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/scene/workload.hpp"
@@ -41,10 +43,16 @@ struct Plan {
     bool control = false;               ///< of these, against Moore and Wilhelms too, the paper's control
     std::size_t paging = 0;             ///< bodies of the paging run; 0: none
     int rounds = 0;                     ///< timed, interleaved
-    std::size_t stability = 0;          ///< hard cases a family; 0: no stability run
+    std::size_t stability = 0;          ///< hard cases per family; 0: no stability run
     std::size_t traced = 0;             ///< queries per cell whose caches are modelled; 0: all
     std::vector<std::string> machines;  ///< to model the caches of; as for choose_machines
 };
+
+/// A plan in the program; its file is found wherever the program is installed.
+struct PlanText {
+    std::string_view name, json;
+};
+[[nodiscard]] std::span<const PlanText> plan_texts();
 
 /// Names of the plans that come with Edgewise.
 [[nodiscard]] std::vector<std::string> plan_names();
@@ -52,8 +60,5 @@ struct Plan {
 /// A named plan, of the layouts that the program was built with, or a JSON file with the members of Plan
 /// (missing ones as in `quick`). Throws std::invalid_argument: what, where, what to do.
 [[nodiscard]] Plan make_plan(const std::string& name_or_file);
-
-/// Mesh files of real objects that the set-up unpacked; may be empty.
-[[nodiscard]] std::vector<std::string> default_meshes();
 
 }  // namespace edgewise::sweep

@@ -4,17 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/parallel.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"
+#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/sweep/cell_run.hpp"
-#include "edgewise/sweep/rounds.hpp"
-#include "edgewise/sweep/stored_cells.hpp"
 
 namespace edgewise::sweep {
 
@@ -41,13 +44,12 @@ std::string baseline_algorithm_on(const bench::TableType& type) {
 
 /// One picture per layout, of its first precision.
 void store_drawings(const SweepWork& work, store::Store& store) {
-    auto body = scene::make_shape(drawn_shape);
-    if (!body) throw std::logic_error(body.error);
+    const Polyhedron body = scene::make_shape(drawn_shape).or_throw();
     std::string last;
     for (const bench::TableType* type : work.types) {
         if (type->layout == last) continue;
         last = type->layout;
-        store.set_meta(store::drawing_key + type->name, bench::draw_layout(*type, drawn_shape, *body));
+        store.set_meta(store::drawing_key + type->name, bench::draw_layout(*type, drawn_shape, body));
     }
 }
 
@@ -66,6 +68,93 @@ void store_sweep(const SweepWork& work, const store::BuildRow& build, store::Sto
         if (!scene.json.empty()) store.set_meta(store::scene_file_key + scene.choice.name, scene.json);
     }
     store_drawings(work, store);
+}
+
+/// What a store already has of a sweep, of one build: a sweep that was stopped goes on from there.
+class StoredCells {
+  public:
+    /// rounds: how many the plan asks for.
+    StoredCells(store::Store& store, std::string build, int rounds)
+        : store_(store), build_(std::move(build)), rounds_(rounds) {}
+
+    /// The status of a cell of which everything is there: figures, rounds, and caches as ordered now.
+    [[nodiscard]] std::optional<std::string> status_of(const CellRun& cell) const {
+        const auto row = store_.find_cell(build_, cell.row().hash);
+        if (!row) return std::nullopt;
+        if (row->verified() && (!rounds_missing(cell).empty() || lacks_caches(cell))) return std::nullopt;
+        return row->status;
+    }
+
+    /// Numbers of the rounds that the cell has not been timed in.
+    [[nodiscard]] std::set<int> rounds_missing(const CellRun& cell) const {
+        const auto done = store_.rounds_done(build_, cell.row().hash);
+        std::set<int> missing;
+        for (int round = 0; round < rounds_; ++round)
+            if (!done.contains(round)) missing.insert(round);
+        return missing;
+    }
+
+    [[nodiscard]] std::vector<measure::Round> rounds_of(const CellRun& cell) const {
+        return store_.rounds(build_, cell.row().hash);
+    }
+
+    void put(const CellRun& cell) { store_.put_cell(build_, cell.row(), cell.figures()); }
+    void put(std::span<const std::pair<std::string, measure::Round>> round) {
+        store_.put_round(build_, round);
+    }
+
+  private:
+    /// An earlier run may not have modelled these machines, or fewer queries.
+    [[nodiscard]] bool lacks_caches(const CellRun& cell) const {
+        if (cell.caches().machines.empty()) return false;
+        constexpr store::FigureName identity("caches.identity");
+        const double wanted = cell.caches().identity();
+        const std::vector<store::FigureRow> stored = store_.figures(build_, cell.row().hash);
+        return std::none_of(stored.begin(), stored.end(), [&](const store::FigureRow& row) {
+            return row.probe == identity.probe() && row.name == identity.name() && row.value == wanted;
+        });
+    }
+
+    store::Store& store_;
+    std::string build_;
+    int rounds_;
+};
+
+using StoredRound = std::vector<std::pair<std::string, measure::Round>>;
+
+StoredRound time_round(const Plan& plan, int number, std::vector<const CellRun*> in_order,
+                       const CellRun& baseline, double clock_cost_ns) {
+    in_order.push_back(&baseline);
+    scene::Rng rng(plan.seed + static_cast<std::uint64_t>(number));
+    rng.shuffle(in_order);
+    StoredRound rounds;
+    measure::Timing baseline_timing;
+    for (const CellRun* cell : in_order) {
+        const measure::Timing timing = cell->time(clock_cost_ns);
+        if (cell == &baseline) {
+            baseline_timing = timing;
+        } else {
+            rounds.emplace_back(cell->row().hash, measure::Round{number, timing, {}});
+        }
+    }
+    for (auto& [hash, round] : rounds) round.baseline = baseline_timing;
+    return rounds;
+}
+
+/// Every round that a verified cell is missing: each such cell once, in an order of its own each round, the
+/// baseline somewhere among them. A round is stored when it is done, and `stop` looked at before the next.
+void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun& baseline,
+                 StoredCells& stored, const std::atomic<bool>& stop) {
+    const double clock_cost_ns = measure::calibrate();
+    std::vector<std::set<int>> missing;
+    for (const CellRun& cell : cells) missing.push_back(stored.rounds_missing(cell));
+    for (int round = 0; round < plan.rounds && !stop; ++round) {
+        std::vector<const CellRun*> lacking;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (cells[i].verified() && missing[i].contains(round)) lacking.push_back(&cells[i]);
+        }
+        if (!lacking.empty()) stored.put(time_round(plan, round, lacking, baseline, clock_cost_ns));
+    }
 }
 
 class Sweep {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/bench/cell.hpp"
@@ -22,7 +21,7 @@ double placing_distance(const Polyhedron& a, const Pose& pose_a, const Polyhedro
     return Gjk::query(Canonical(a), Canonical(b), relative_pose(pose_a, pose_b), cold).distance;
 }
 
-/// The control holds every vertex and edge against every face: seconds a pair of the largest bodies. All
+/// The control holds every vertex and edge against every face: seconds per pair of the largest bodies. All
 /// checked queries up to some 400 vertices, then as many as take as long.
 std::size_t control_stride(const Polyhedron& body, std::size_t checked) {
     constexpr double most_work = 2000.0 * 386 * 768;  // vertices x faces
@@ -41,13 +40,10 @@ std::string print_of(std::span<const Polyhedron> bodies) {
 
 SharedQueries::SharedQueries(const Plan& plan, const SceneChoice& scene, const scene::NamedShape& shape)
     : asks_control_(plan.control) {
-    auto parameters = scene::complete_parameters(scene.name, scene.parameters);
-    if (!parameters) throw std::invalid_argument(parameters.error);
-    parameters_ = std::move(*parameters);
-    auto workload =
-        scene::make_scene(scene.name, shape.body, parameters_, plan.seed, plan.queries, placing_distance);
-    if (!workload) throw std::invalid_argument(workload.error);
-    workload_ = std::move(*workload);
+    const auto parameters = scene::complete_parameters(scene.name, scene.parameters).or_throw();
+    workload_ =
+        scene::make_scene(scene.name, shape.body, parameters, plan.seed, plan.queries, placing_distance)
+            .or_throw();
     const std::size_t wanted = std::min(plan.checked, workload_.queries.size());
     for (std::size_t k = 0; k < wanted; ++k) checked_.push_back(k * workload_.queries.size() / wanted);
 }
@@ -62,10 +58,9 @@ std::vector<truth::ExactDistance> SharedQueries::compute_exact(std::span<const P
     std::vector<truth::ExactDistance> answers(checked_.size());
     bench::for_each_index(checked_.size(), [&](std::size_t k) {
         const scene::Query& query = workload_.queries[checked_[k]];
-        const auto answer = truth::exact_distance(bodies[query.body_a].vertices, query.pose_a,
-                                                  bodies[query.body_b].vertices, query.pose_b);
-        if (!answer) throw std::logic_error(answer.error);
-        answers[k] = *answer;
+        answers[k] = truth::exact_distance(bodies[query.body_a].vertices, query.pose_a,
+                                           bodies[query.body_b].vertices, query.pose_b)
+                         .or_throw();
     });
     return answers;
 }

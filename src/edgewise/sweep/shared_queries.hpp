@@ -21,7 +21,6 @@ class SharedQueries {
     /// Throws std::invalid_argument when the scene cannot be made.
     SharedQueries(const Plan& plan, const SceneChoice& scene, const scene::NamedShape& shape);
 
-    [[nodiscard]] const scene::SceneParameters& parameters() const { return parameters_; }
     [[nodiscard]] const scene::Workload& workload() const { return workload_; }
 
     /// Positions of the checked queries, spread evenly over the workload.
@@ -38,7 +37,6 @@ class SharedQueries {
     [[nodiscard]] std::vector<truth::ExactDistance> compute_exact(std::span<const Polyhedron> bodies) const;
 
     bool asks_control_;
-    scene::SceneParameters parameters_;
     scene::Workload workload_;
     std::vector<std::size_t> checked_;
     std::map<std::string, std::vector<truth::ExactDistance>> exact_;  // by the bodies' fingerprint

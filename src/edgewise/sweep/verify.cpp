@@ -15,8 +15,8 @@ namespace {
 /// | |p_a - p_b| - d | divided by scale: do the witness points lie as far apart as the answer says?
 double witness_error(const Distance& answer, const truth::AccuracyBand& band) {
     if (answer.status != Status::separated) return 0;
-    const double apart = norm(Vec3d(answer.point_a - answer.point_b));
-    return std::abs(apart - answer.distance) / band.scale;
+    const double between = norm(Vec3d(answer.point_a - answer.point_b));
+    return std::abs(between - answer.distance) / band.scale;
 }
 
 /// With a contact tolerance the question is whether the distance exceeds it, and the answer how far.

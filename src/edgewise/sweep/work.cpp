@@ -2,8 +2,11 @@
 #include "edgewise/sweep/work.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
@@ -11,6 +14,30 @@
 namespace edgewise::sweep {
 
 namespace {
+
+/// A single-precision mesh file holds only coordinates that every precision stores exactly, so that the
+/// rounding of storage would never show. This map, stated in the report, gives the coordinates all their
+/// digits back.
+constexpr double mesh_scale = 1.0 + 1.0 / 3.0;
+
+void add_mesh(const Plan& plan, const std::string& file, std::vector<scene::NamedShape>& to,
+              const std::function<void(const std::string&)>& warn) {
+    const std::string name = std::filesystem::path(file).filename().string();
+    auto bodies = scene::read_mesh_file(
+        file, plan.each_mesh ? scene::MeshGrouping::each_mesh : scene::MeshGrouping::one_hull);
+    if (!bodies.warning.empty()) warn(bodies.warning);
+    if (!bodies) {
+        if (plan.meshes_required) throw std::invalid_argument(bodies.error);
+        warn(bodies.error);
+        to.push_back({std::filesystem::path(file).stem().string(), name, {}, bodies.error});
+        return;
+    }
+    for (scene::MeshBody& mesh : *bodies) {
+        for (Vec3d& v : mesh.body.vertices) v *= mesh_scale;
+        // Rounding moved the vertices: faces anew.
+        to.push_back({mesh.name, name + ", scaled by 4/3", convex_hull(mesh.body.vertices).or_throw(), {}});
+    }
+}
 
 template <class Names>
 bool allows(const Names& names, const std::string& name) {
@@ -28,7 +55,7 @@ void check_names(const SceneChoice& choice, const std::vector<const scene::Named
     for (const std::string& name : names) {
         const auto is_it = [&](const scene::NamedShape* shape) { return shape->name == name; };
         if (std::any_of(found.begin(), found.end(), is_it)) continue;
-        if (const auto body = scene::make_shape(name); !body) throw std::invalid_argument(body.error);
+        static_cast<void>(scene::make_shape(name).or_throw());
     }
 }
 
@@ -57,9 +84,7 @@ SceneWork unplaced_work(const SceneChoice& choice, const SweepWork& work) {
 /// What the scene is for, of what the plan has.
 SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
     SceneWork scene = unplaced_work(choice, work);
-    auto complete = scene::complete_parameters(choice.name, choice.parameters);
-    if (!complete) throw std::invalid_argument(complete.error);
-    scene.choice.parameters = std::move(*complete);
+    scene.choice.parameters = scene::complete_parameters(choice.name, choice.parameters).or_throw();
     for (const scene::NamedShape& shape : work.shapes) {
         if (allows(choice.shapes, shape.name)) scene.shapes.push_back(&shape);
     }
@@ -76,9 +101,8 @@ const scene::NamedShape* file_shape(const std::string& name, SweepWork& work) {
     for (const scene::NamedShape& known : work.file_shapes) {
         if (known.name == name) return &known;
     }
-    auto body = scene::make_shape(name);
-    if (!body) throw std::invalid_argument(body.error);
-    return &work.file_shapes.emplace_back(scene::NamedShape{name, "built-in", std::move(*body), {}});
+    return &work.file_shapes.emplace_back(
+        scene::NamedShape{name, "built-in", scene::make_shape(name).or_throw(), {}});
 }
 
 /// One scene for each point of the file.
@@ -141,6 +165,15 @@ void SweepWork::each_cell(const SceneWork& scene,
     }
 }
 
+std::vector<scene::NamedShape> shapes_of(const Plan& plan,
+                                         const std::function<void(const std::string&)>& warn) {
+    std::vector<scene::NamedShape> result;
+    for (const std::string& name : plan.shapes)
+        result.push_back({name, "built-in", scene::make_shape(name).or_throw(), {}});
+    for (const std::string& file : plan.meshes) add_mesh(plan, file, result, warn);
+    return result;
+}
+
 SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::string& line)>& warn) {
     SweepWork work;
     work.plan = plan;
@@ -148,12 +181,11 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     work.algorithms = bench::select_algorithms(plan.algorithms);
     work.machines = measure::choose_machines(plan.machines);
     for (const SceneChoice& scene : plan.scenes) {
-        if (const auto file = scene::find_scene_file(scene.name)) {
-            if (!*file) throw std::invalid_argument(file->error);
-            continue;
+        if (auto file = scene::find_scene_file(scene.name)) {
+            static_cast<void>(std::move(*file).or_throw());
+        } else {
+            static_cast<void>(scene::complete_parameters(scene.name, scene.parameters).or_throw());
         }
-        const auto known = scene::complete_parameters(scene.name, scene.parameters);
-        if (!known) throw std::invalid_argument(known.error);
     }
     work.shapes = shapes_of(plan, warn);
     for (const SceneChoice& scene : plan.scenes) {

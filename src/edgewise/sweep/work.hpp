@@ -11,9 +11,9 @@
 
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/scene/named_shape.hpp"
 #include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
-#include "edgewise/sweep/shapes_of.hpp"
 
 namespace edgewise::sweep {
 
@@ -41,11 +41,7 @@ struct SweepWork {
     std::vector<SceneWork> scenes;
 
     SweepWork() = default;
-    SweepWork(SweepWork&&) = default;  ///< scenes point at shapes, which stay where they are
-    SweepWork(const SweepWork&) = delete;
-    SweepWork& operator=(const SweepWork&) = delete;
-    SweepWork& operator=(SweepWork&&) = delete;
-    ~SweepWork() = default;
+    SweepWork(SweepWork&&) = default;  ///< and no copy: scenes point at shapes, which stay where they are
 
     /// The cells of a scene and any of its shapes, each once.
     void each_cell(const SceneWork& scene,
@@ -53,6 +49,12 @@ struct SweepWork {
                                             const Axes&)>& use) const;
     [[nodiscard]] std::size_t cells() const;
 };
+
+/// The bodies of a plan: built-in shapes and hulls of mesh files. A mesh file that cannot be read becomes a
+/// shape with an error, so that its cells appear in the report as unavailable, with the reason. Throws
+/// std::invalid_argument for an unknown built-in name (a slip of the user, not of the data).
+[[nodiscard]] std::vector<scene::NamedShape> shapes_of(
+    const Plan& plan, const std::function<void(const std::string& line)>& warn);
 
 /// Throws std::invalid_argument: what, where, what to do. `warn` is notified of non-fatal problems.
 [[nodiscard]] SweepWork prepare_sweep(const Plan& plan,

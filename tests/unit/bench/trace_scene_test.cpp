@@ -112,9 +112,9 @@ TEST(TraceSceneFigures, AreThereForEveryMachineOrSayWhyNot) {
                             .workload = cell.workload(),
                             .caches = {machines, 100}};
     std::set<std::string> names;
-    for (const auto& probe : registered_probes()) {
-        if (!probe->beside_others()) continue;
-        for (const measure::Figure& figure : probe->measure(probed).figures) {
+    for (const Probe& probe : registered_probes()) {
+        if (!probe.beside_others) continue;
+        for (const measure::Figure& figure : probe.measure(probed).figures) {
             EXPECT_TRUE(names.insert(figure.name).second) << figure.name << " twice";
             EXPECT_NE(figure.value.has_value(), !figure.reason.empty()) << figure.name;
             EXPECT_TRUE(!figure.name.ends_with("cold_verified") || figure.value == 1.0) << figure.name;

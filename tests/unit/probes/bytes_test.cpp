@@ -15,10 +15,9 @@ TableBytes table_of(std::uint64_t edges) {
     TableBytes table;
     table.vertices = (edges + 6) / 3;
     table.edges = edges;
-    const auto e = static_cast<double>(edges);
-    table.components = {{"voronoi_planes", 128 * e}, {"edge_geometry", 40 * e}, {"padding", 100}};
-    table.paper_subtotal = 168 * e;
-    table.total = 168 * e + 100;
+    table.ledger[Component::voronoi_planes] = 128 * edges;
+    table.ledger[Component::edge_geometry] = 40 * edges;
+    table.ledger[Component::padding] = 100;
     return table;
 }
 
@@ -32,7 +31,7 @@ TEST(Bytes, AreSharesAndSlopes) {
     EXPECT_EQ(found["slope_bytes_per_edge"].value, 168);
     EXPECT_EQ(found["total_bytes_per_edge"].value, 168 + 100.0 / 108);
     EXPECT_EQ(found["table_bytes"].value, 168 * 108 + 100);
-    table.paper_subtotal = 0;
+    table.ledger[Component::voronoi_planes] = 0;
     EXPECT_FALSE(by_name(bytes::figures(table, sizes))["paper_bytes_per_edge"].value);
     EXPECT_FALSE(by_name(bytes::figures(table, {}))["slope_bytes_per_edge"].value);
 }

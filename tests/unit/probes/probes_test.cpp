@@ -8,8 +8,8 @@
 
 #include <set>
 
-#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/studies/single_cell.hpp"
+#include "find_figure.hpp"
 #include "found.hpp"
 
 namespace edgewise {
@@ -18,9 +18,9 @@ namespace {
 TEST(Probes, HaveNamesOfTheirOwnAndSayWhatTheyMeasure) {
     std::set<std::string_view> names;
     ASSERT_FALSE(bench::registered_probes().empty());
-    for (const auto& probe : bench::registered_probes()) {
-        EXPECT_TRUE(names.insert(probe->name()).second) << probe->name();
-        EXPECT_FALSE(probe->summary().empty());
+    for (const bench::Probe& probe : bench::registered_probes()) {
+        EXPECT_TRUE(names.insert(probe.name).second) << probe.name;
+        EXPECT_FALSE(probe.summary.empty());
     }
 }
 
@@ -40,18 +40,18 @@ TEST(Probes, FindNumbersOrSayWhyNot) {
                                        .checked = checked,
                                        .counts = {200, 700, 0, 0, 9, 0, 0, 150, 90},
                                        .rounds = std::span(rounds).first(verified ? 9 : 0)};
-        for (const auto& probe : bench::registered_probes()) {
-            const bench::Findings found = probe->measure(probed);
-            EXPECT_FALSE(by_name(found.figures).empty()) << probe->name();
+        for (const bench::Probe& probe : bench::registered_probes()) {
+            const bench::Findings found = probe.measure(probed);
+            EXPECT_FALSE(by_name(found.figures).empty()) << probe.name;
             for (const measure::Figure& figure : found.figures) {
-                const store::FigureInfo* known = store::find_figure(probe->name(), figure.name);
+                const store::FigureInfo* known = store::find_figure(probe.name, figure.name);
                 EXPECT_TRUE(known && figure.unit.starts_with(known->unit))
                     << figure.name << " in " << figure.unit;
             }
             if (!found.passed) continue;
             double sum = 0;
             for (const Distance& answer : cell.runner().answer()) sum += answer.distance;
-            EXPECT_EQ(found.passed->distances, sum) << probe->name() << " gives the same answers";
+            EXPECT_EQ(found.passed->distances, sum) << probe.name << " gives the same answers";
         }
     }
 }

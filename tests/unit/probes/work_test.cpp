@@ -58,11 +58,10 @@ TEST(Work, ClimbsFartherFromAnywhere) {
 TEST(Work, SaysWhyItDoesNotLook) {
     for (const auto& [table, algorithm] : {std::pair{"aos_f64", "vclip"}, std::pair{"aos_f32", "gjk"}}) {
         const studies::SingleCell cell({table, algorithm, "cold", "cube8", {}, 50, 1});
-        const auto found = by_name(work()
-                                       .measure({.type = cell.type(),
-                                                 .algorithm = bench::algorithm_called(algorithm),
-                                                 .runner = cell.runner(),
-                                                 .workload = cell.workload()})
+        const auto found = by_name(work::measure({.type = cell.type(),
+                                                  .algorithm = bench::algorithm_called(algorithm),
+                                                  .runner = cell.runner(),
+                                                  .workload = cell.workload()})
                                        .figures);
         EXPECT_FALSE(found.at("support_unchanged").value) << table << " " << algorithm;
     }

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -29,6 +30,14 @@ class StoreTest : public testing::Test {
     std::filesystem::path directory_;
     std::string path_;
 };
+
+/// What `meta` holds under a key.
+inline std::optional<std::string> find_meta(const std::string& path, const std::string& key) {
+    const sqlite::Database database = sqlite::Database::for_reading(path);
+    sqlite::Statement select(database, "select value from meta where key = ?");
+    if (!select.bind(key).step()) return std::nullopt;
+    return select.text(0);
+}
 
 /// Every number different, so that no two columns can be swapped unseen.
 inline measure::Round sample_round(int number) {

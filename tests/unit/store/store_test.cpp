@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "edgewise/store/read_rows.hpp"
 #include "edgewise/store/schema.hpp"
 #include "store_fixture.hpp"
 
@@ -117,8 +118,8 @@ TEST_F(StoreTest, EveryFieldComesBackAfterReopening) {
     const auto back = store.figures("build-1", "cell-1");
     ASSERT_EQ(back.size(), figures.size());
     for (std::size_t i = 0; i < back.size(); ++i) expect_equal(back[i], figures[i]);
-    EXPECT_EQ(store.find_meta("plan"), "paper");
-    EXPECT_EQ(store.find_meta("none"), std::nullopt);
+    EXPECT_EQ(find_meta(path_, "plan"), "paper");
+    EXPECT_EQ(find_meta(path_, "none"), std::nullopt);
 }
 
 TEST_F(StoreTest, TheBuildComesBackAndIsReplaced) {
@@ -128,7 +129,7 @@ TEST_F(StoreTest, TheBuildComesBackAndIsReplaced) {
     store.put_build(first);
     store.put_cell("build-1", sample_cell(), {});
     store.put_build(sample_build());  // although a cell refers to it
-    const auto build = store.find_build("build-1");
+    const auto build = find_build(sqlite::Database(path_), "build-1");
     ASSERT_TRUE(build);
     EXPECT_EQ(build->git_revision, "abc123");
     EXPECT_EQ(build->compiler, "g++ 12");
@@ -173,7 +174,7 @@ TEST_F(StoreTest, KeepsBuildsApart) {
     EXPECT_TRUE(store.rounds_done("build-1", "cell-1").empty());
     EXPECT_EQ(store.rounds_done("build-2", "cell-1"), std::set<int>{3});
     EXPECT_FALSE(store.find_cell("build-3", "cell-1"));
-    EXPECT_FALSE(store.find_build("build-3"));
+    EXPECT_FALSE(find_build(sqlite::Database(path_), "build-3"));
 }
 
 TEST_F(StoreTest, RoundsComeBackInOrderAndReplaceEachOther) {
@@ -271,7 +272,7 @@ TEST_F(StoreTest, RefusesPathsThatCannotBeAStore) {
 TEST_F(StoreTest, AnEmptyFileBecomesAStoreAndItsVersionIsInThePragma) {
     std::ofstream(path_).close();
     { Store(path_).set_meta("a", "b"); }
-    EXPECT_EQ(Store(path_).find_meta("a"), "b");
+    EXPECT_EQ(find_meta(path_, "a"), "b");
     const std::string header = bytes_of(path_).substr(0, 72);
     ASSERT_EQ(header.size(), 72u);
     // sqlite.org/fileformat.html: big-endian, user_version at 60, application_id at 68.

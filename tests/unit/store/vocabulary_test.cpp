@@ -7,6 +7,8 @@
 
 #include <set>
 
+#include "find_figure.hpp"
+
 namespace edgewise::store {
 namespace {
 
