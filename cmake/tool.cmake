@@ -51,7 +51,7 @@ if(assimp_FOUND)
 endif()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
 # What mutants (tests/mutation) replace is linked by itself.
-edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/measure/cache/cache_level.cpp
+edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp src/edgewise/measure/cache/cache_level.cpp
     src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/truth/accuracy_band.cpp
     src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp src/edgewise/truth/moore_wilhelms.cpp
     src/edgewise/truth/optimality.cpp src/edgewise/truth/support_filter.cpp)
@@ -85,6 +85,7 @@ add_library(edgewise_cli OBJECT ${cli_sources})
 target_link_libraries(edgewise_cli PUBLIC edgewise_core edgewise_reports CLI11::CLI11 PRIVATE edgewise_flags)
 # A parser's templates: three times as long to compile when optimised, and nothing there takes time.
 target_compile_options(edgewise_cli PRIVATE -O0)
+edgewise_unite(edgewise_cli)
 edgewise_precompile(edgewise_cli <CLI/CLI.hpp> <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp>)
 
 add_executable(edgewise_program)

@@ -10,12 +10,12 @@ namespace edgewise::cli {
 
 namespace {
 
-struct Options {
+struct BenchArguments {
     studies::CellChoice cell;
     int repetitions = 7;
 };
 
-int run(const Options& options, bool json) {
+int run_bench(const BenchArguments& options, bool json) {
     const studies::SingleCell cell(options.cell);
     const std::vector<studies::ModelSpeed> speeds = studies::model_speeds(cell, options.repetitions);
     nlohmann::json rows = nlohmann::json::array();
@@ -37,7 +37,7 @@ int run(const Options& options, bool json) {
 
 void add_bench(CLI::App& app, Context& context) {
     auto [command, options] =
-        add_command(app, context, "bench", "How fast the cache model and the reuse distances are", run);
+        add_command(app, context, "bench", "How fast the cache model and the reuse distances are", run_bench);
     add_cell_options(*command, options.cell);
     command
         ->add_option("--repetitions", options.repetitions,

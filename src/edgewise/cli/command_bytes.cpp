@@ -20,14 +20,14 @@ namespace edgewise::cli {
 
 namespace {
 
-struct Options {
+struct BytesArguments {
     std::string shape = "sphere386";
     std::string mesh;
     std::vector<std::string> layouts = {"all"};
     bool slopes = false;
 };
 
-scene::MeshBody chosen_body(const Options& options) {
+scene::MeshBody chosen_body(const BytesArguments& options) {
     if (options.mesh.empty()) return {options.shape, scene::make_shape(options.shape).or_throw()};
     auto bodies = scene::read_mesh_file(options.mesh, scene::MeshGrouping::one_hull);
     if (bodies && !bodies.warning.empty()) warn(bodies.warning);
@@ -168,7 +168,7 @@ void print_slopes(const nlohmann::json& rows) {
     }
 }
 
-int run(const Options& options, bool json) {
+int run_bytes(const BytesArguments& options, bool json) {
     const scene::MeshBody shape = chosen_body(options);
     nlohmann::json rows = nlohmann::json::array();
     for (const bench::TableType* type : bench::select_table_types(options.layouts))
@@ -194,7 +194,7 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_bytes(CLI::App& app, Context& context) {
-    auto [command, options] = add_command(app, context, "bytes", "The bytes-per-edge ledger", run);
+    auto [command, options] = add_command(app, context, "bytes", "The bytes-per-edge ledger", run_bytes);
     auto* shape = command->add_option("--shape", options.shape, "built-in shape")->capture_default_str();
     command->add_option("--mesh", options.mesh, "mesh file instead of a built-in shape")->excludes(shape);
     command->add_option("--layouts", options.layouts, "layouts or table types, e.g. aos soa_f32")

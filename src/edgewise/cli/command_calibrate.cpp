@@ -45,7 +45,7 @@ void print(const std::vector<measure::CalibrationRow>& rows) {
     if (none && !rows.empty()) fmt::print("no counters: {}\n", rows.front().reason);
 }
 
-int run(const measure::CalibrationOptions& options, bool json) {
+int run_calibrate(const measure::CalibrationOptions& options, bool json) {
     const measure::Expected<measure::CacheMachine> host = measure::host_machine();
     if (!host.value) throw std::runtime_error("this machine's caches are not known: " + host.reason);
     const auto rows = measure::calibrate_model(*host.value, measure::read_machine().cpu, options);
@@ -62,8 +62,9 @@ int run(const measure::CalibrationOptions& options, bool json) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, Context& context) {
-    auto [command, options] = add_command(
-        app, context, "calibrate", "Misses of random loads, modelled and counted, by level and size", run);
+    auto [command, options] =
+        add_command(app, context, "calibrate",
+                    "Misses of random loads, modelled and counted, by level and size", run_calibrate);
     command->add_option("--times", options.times, "memory sizes, as multiples of each level's size")
         ->delimiter(',')
         ->check(CLI::Range(0.01, 1000.0));

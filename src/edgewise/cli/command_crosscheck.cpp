@@ -13,7 +13,7 @@ namespace edgewise::cli {
 
 namespace {
 
-struct Options {
+struct CrosscheckArguments {
     studies::CellChoice cell;
     std::vector<std::string> machines = {"pentium3_coppermine", "athlon_thunderbird", "zen2", "zen5"};
 };
@@ -23,7 +23,7 @@ struct Compared {
     measure::CallgrindCounts model, with_poses, tool;
 };
 
-measure::Expected<Compared> compare(const measure::MachineChoice& choice, const Options& options,
+measure::Expected<Compared> compare(const measure::MachineChoice& choice, const CrosscheckArguments& options,
                                     const studies::SingleCell& cell,
                                     const measure::Expected<std::string>& program) {
     using Answer = measure::Expected<Compared>;
@@ -89,7 +89,7 @@ constexpr const char* residual_cause =
     "do "
     "not fit registers), answers, setting the pairs back; in the last level also instructions.";
 
-int run(const Options& options, bool json) {
+int run_crosscheck(const CrosscheckArguments& options, bool json) {
     const std::vector<measure::MachineChoice> machines = measure::choose_machines(options.machines);
     const studies::SingleCell cell(options.cell);
     const auto queries = static_cast<double>(cell.workload().queries.size());
@@ -124,8 +124,9 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_crosscheck(CLI::App& app, Context& context) {
-    auto [command, options] = add_command(
-        app, context, "crosscheck", "One cell's modelled misses compared with Callgrind's and perf's", run);
+    auto [command, options] =
+        add_command(app, context, "crosscheck",
+                    "One cell's modelled misses compared with Callgrind's and perf's", run_crosscheck);
     add_cell_options(*command, options.cell);
     command->add_option("--machines", options.machines, "whose first two levels: names, or your NAME.json")
         ->delimiter(',');

@@ -13,12 +13,12 @@ namespace edgewise::cli {
 
 namespace {
 
-struct Options {
+struct DrawArguments {
     std::string layout;
     std::string shape = "cube8";
 };
 
-int run(const Options& options, bool json) {
+int run_draw(const DrawArguments& options, bool json) {
     const Polyhedron body = scene::make_shape(options.shape).or_throw();
     nlohmann::json drawings = nlohmann::json::array();
     const std::string names[] = {options.layout};
@@ -39,8 +39,9 @@ int run(const Options& options, bool json) {
 void add_draw(CLI::App& app, Context& context) {
     CLI::App* draw = app.add_subcommand("draw", "Pictures: draw layout NAME");
     draw->require_subcommand(1);
-    auto [command, options] = add_command(
-        *draw, context, "layout", "One body's table to scale: cache lines, bytes coloured by component", run);
+    auto [command, options] =
+        add_command(*draw, context, "layout",
+                    "One body's table to scale: cache lines, bytes coloured by component", run_draw);
     command
         ->add_option("name", options.layout,
                      "layout or table type; of a layout its first precision, with --json all")

@@ -16,7 +16,7 @@ namespace edgewise::cli {
 
 namespace {
 
-struct Options {
+struct HeatArguments {
     studies::CellChoice cell;
     bool svg = false;
 };
@@ -78,7 +78,7 @@ nlohmann::json json_of(const measure::HeatMap& heat, const measure::TouchedTable
             {"touched_of_first_table", features(cell.runner().memory_maps().front(), heat.touched())}};
 }
 
-int run(const Options& options, bool json) {
+int run_heat(const HeatArguments& options, bool json) {
     const studies::SingleCell cell(options.cell);
     measure::HeatMap heat(bench::field_names().size(), bench::step_names().size());
     cell.runner().trace(std::numeric_limits<std::size_t>::max(), heat);
@@ -99,8 +99,8 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_heat(CLI::App& app, Context& context) {
-    auto [command, options] =
-        add_command(app, context, "heat", "What one cell's queries touch of its tables, and how often", run);
+    auto [command, options] = add_command(
+        app, context, "heat", "What one cell's queries touch of its tables, and how often", run_heat);
     add_cell_options(*command, options.cell);
     command->add_flag("--svg", options.svg, "a picture of the tables' lines, on stdout");
 }

@@ -158,7 +158,7 @@ const std::map<std::string, json (*)()>& lists() {
     return known;
 }
 
-int run(const std::string& what, bool as_json) {
+int run_list(const std::string& what, bool as_json) {
     const json entries = lists().at(what)();
     if (as_json) {
         fmt::print("{}\n", json{{what, entries}}.dump());
@@ -177,7 +177,7 @@ int run(const std::string& what, bool as_json) {
 }  // namespace
 
 void add_list(CLI::App& app, Context& context) {
-    auto [command, what] = add_command(app, context, "list", "The names that other commands take", run);
+    auto [command, what] = add_command(app, context, "list", "The names that other commands take", run_list);
     std::vector<std::string> names;
     for (const auto& [name, list] : lists()) names.push_back(name);
     command->add_option("what", what, "what to list")->required()->check(CLI::IsMember(names));

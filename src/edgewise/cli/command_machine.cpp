@@ -26,9 +26,9 @@ void print_counter(const nlohmann::json& counter) {
     }
 }
 
-struct Options {};
+struct MachineArguments {};
 
-int run(const Options& /*none*/, bool json) {
+int run_machine(const MachineArguments& /*none*/, bool json) {
     nlohmann::json machine = measure::machine_json();
     if (json) {
         fmt::print("{}\n", machine.dump());
@@ -46,7 +46,7 @@ int run(const Options& /*none*/, bool json) {
 
 void add_machine(CLI::App& app, Context& context) {
     add_command(app, context, "machine",
-                "What this machine is, and which counters it has, or why one is missing", run);
+                "What this machine is, and which counters it has, or why one is missing", run_machine);
 }
 
 }  // namespace edgewise::cli

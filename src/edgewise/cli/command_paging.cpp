@@ -14,7 +14,7 @@ namespace edgewise::cli {
 
 namespace {
 
-struct Options {
+struct PagingArguments {
     std::vector<std::string> layouts = {"aos_f64", "lean_f64"};
     std::string algorithm = "vclip", shape = "sphere386";
     std::size_t bodies = 600, steps = 6;
@@ -24,7 +24,7 @@ struct Options {
     std::uint64_t seed = 1;
 };
 
-scene::Workload pressure(const Options& options) {
+scene::Workload pressure(const PagingArguments& options) {
     const auto parameters =
         scene::complete_parameters("pressure", {{"bodies", static_cast<double>(options.bodies)},
                                                 {"rotation_step", options.rotation_step},
@@ -84,7 +84,7 @@ void print(const studies::PagingResult& result) {
     }
 }
 
-int run(const Options& options, bool json) {
+int run_paging(const PagingArguments& options, bool json) {
     const scene::Workload workload = pressure(options);
     std::vector<std::uint64_t> limits;
     for (const double mebibytes : options.limits)
@@ -112,7 +112,7 @@ void add_paging(CLI::App& app, Context& context) {
         add_command(app, context, "paging",
                     "Page faults of many bodies' queries under memory limits, and their prediction; "
                     "turns a disk's read-ahead off while it opens a file",
-                    run);
+                    run_paging);
     command->add_option("--layouts", options.layouts, "table types; every body has a table")->delimiter(',');
     command->add_option("--algorithm", options.algorithm, "vclip or gjk")->capture_default_str();
     command->add_option("--shape", options.shape, "built-in shape of all bodies")->capture_default_str();

@@ -10,12 +10,12 @@ namespace edgewise::cli {
 
 namespace {
 
-struct Options {
+struct PassArguments {
     studies::CellChoice cell;
     int passes = 1;
 };
 
-int run(const Options& options) {
+int run_pass(const PassArguments& options) {
     const studies::SingleCell cell(options.cell);
     const std::function<bench::PassSum()> pass = cell.runner().prepared_pass();
     static_cast<void>(pass());
@@ -27,12 +27,12 @@ int run(const Options& options) {
 }  // namespace
 
 void add_pass(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PassArguments>();
     CLI::App* command = app.add_subcommand("pass", "Runs one cell's queries, for tools that watch");
     command->group("");
     add_cell_options(*command, options->cell);
     command->add_option("--passes", options->passes, "after the first")->check(CLI::Range(1, 1'000'000));
-    command->callback([options, &context] { context.action = [=] { return run(*options); }; });
+    command->callback([options, &context] { context.action = [=] { return run_pass(*options); }; });
 }
 
 }  // namespace edgewise::cli

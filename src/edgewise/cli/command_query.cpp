@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Options {
+struct QueryArguments {
     std::string cases;
     std::string algorithm = "vclip";
     std::string layout = "aos_f64";
@@ -29,7 +29,7 @@ struct Options {
     QueryOptions query;
 };
 
-Needs chosen_needs(const Options& options) {
+Needs chosen_needs(const QueryArguments& options) {
     const auto needs = needs_from(options.needs);
     if (needs) return *needs;
     throw std::invalid_argument(
@@ -89,7 +89,7 @@ json answer_json(const std::string& id, const bench::NamedAnswer& answer, Needs 
 }
 
 /// Both bodies' tables are built anew for each case: cases rarely share bodies.
-json answer_case(const scene::Case& given, bench::Runner& runner, const Options& options) {
+json answer_case(const scene::Case& given, bench::Runner& runner, const QueryArguments& options) {
     const auto a = scene::body_from_case(given.a);
     if (!a) return failed_answer(given.id, a.error);
     const auto b = scene::body_from_case(given.b);
@@ -115,7 +115,7 @@ json answer_case(const scene::Case& given, bench::Runner& runner, const Options&
     return line;
 }
 
-std::unique_ptr<bench::Runner> chosen_runner(const Options& options) {
+std::unique_ptr<bench::Runner> chosen_runner(const QueryArguments& options) {
     const auto types = bench::select_table_types(std::vector{options.layout});
     if (types.size() != 1) {
         throw std::invalid_argument(fmt::format("--layout takes one table type, such as {}; '{}' names {}",
@@ -131,7 +131,7 @@ std::unique_ptr<bench::Runner> chosen_runner(const Options& options) {
     return runner;
 }
 
-int run(const Options& options, bool /*json*/) {
+int run_query(const QueryArguments& options, bool /*json*/) {
     static_cast<void>(chosen_needs(options));
     const auto runner = chosen_runner(options);
     std::ifstream file;
@@ -162,7 +162,7 @@ int run(const Options& options, bool /*json*/) {
 
 void add_query(CLI::App& app, Context& context) {
     auto [command, options] =
-        add_command(app, context, "query", "Answers for given pairs, one JSON line each", run);
+        add_command(app, context, "query", "Answers for given pairs, one JSON line each", run_query);
     command->add_option("cases", options.cases, "case file, one JSON object per line; - reads stdin")
         ->required();
     command->add_option("--algorithm", options.algorithm, "vclip or gjk")->capture_default_str();

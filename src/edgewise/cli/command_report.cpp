@@ -11,12 +11,12 @@ namespace edgewise::cli {
 
 namespace {
 
-struct Options {
+struct ReportArguments {
     std::string store = default_store;
     std::string out;
 };
 
-int run(const Options& options, bool json) {
+int run_report(const ReportArguments& options, bool json) {
     const std::string out = options.out.empty() ? folder_of(options.store) : options.out;
     const reports::ReportSummary summary = reports::write_report(options.store, out, bench::charts_folder());
     if (!summary.note.empty()) warn(summary.note);
@@ -34,7 +34,7 @@ int run(const Options& options, bool json) {
 }  // namespace
 
 void add_report(CLI::App& app, Context& context) {
-    auto [command, options] = add_command(app, context, "report", "Writes the report of a store", run);
+    auto [command, options] = add_command(app, context, "report", "Writes the report of a store", run_report);
     command->add_option("store", options.store, "store of a sweep")->capture_default_str();
     command->add_option("--out", options.out, "folder for the report; beside the store if not given");
 }

@@ -17,7 +17,7 @@ namespace edgewise::cli {
 
 namespace {
 
-struct Options {
+struct StabilityArguments {
     std::string store = default_store;
     std::vector<std::string> families, layouts = {"all"}, algorithms = {"all"}, meshes;
     std::size_t count = 200, proofs = 200;
@@ -39,7 +39,7 @@ std::vector<Polyhedron> real_bodies(const std::vector<std::string>& meshes) {
     return bodies;
 }
 
-studies::StabilityPlan chosen_plan(const Options& options) {
+studies::StabilityPlan chosen_plan(const StabilityArguments& options) {
     studies::StabilityPlan plan;
     plan.families = options.families;
     plan.count = options.count;
@@ -83,7 +83,7 @@ void print_row(const studies::StabilityRow& row) {
         row.cell.reason.empty() ? "" : "  " + row.cell.status + ": " + row.cell.reason);
 }
 
-int run(const Options& options, bool json) {
+int run_stability(const StabilityArguments& options, bool json) {
     const studies::StabilityPlan plan = chosen_plan(options);
     static_cast<void>(studies::stability_rows(plan));  // refuses unknown families before a store is made
     std::filesystem::create_directories(folder_of(options.store));
@@ -110,8 +110,9 @@ int run(const Options& options, bool json) {
 
 void add_stability(CLI::App& app, Context& context) {
     const CLI::Range at_least_one(1, 1'000'000'000);
-    auto [command, options] = add_command(
-        app, context, "stability", "Hard cases through every algorithm and table type, judged exactly", run);
+    auto [command, options] =
+        add_command(app, context, "stability",
+                    "Hard cases through every algorithm and table type, judged exactly", run_stability);
     add_names(*command, "--families", options.families, "only these families (edgewise list families)");
     add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
     add_names(*command, "--algorithms", options.algorithms, "only these algorithms");

@@ -21,7 +21,7 @@ namespace edgewise::cli {
 
 namespace {
 
-struct Options {
+struct SweepArguments {
     std::string plan = "quick";
     std::string store = default_store;
     std::string out;
@@ -34,13 +34,13 @@ struct Options {
 };
 
 /// A sweep of chosen scenes or bodies is about those: no stability run unless asked for.
-bool narrowed(const Options& options) {
+bool narrowed(const SweepArguments& options) {
     return !options.scenes.empty() || !options.shapes.empty() || !options.meshes.empty();
 }
 
 /// Of a scene that was asked for by name, what else was named on the command line counts, not what the plan
 /// would restrict it to.
-sweep::SceneChoice unrestricted(sweep::SceneChoice scene, const Options& options) {
+sweep::SceneChoice unrestricted(sweep::SceneChoice scene, const SweepArguments& options) {
     if (!options.shapes.empty() || !options.meshes.empty()) scene.shapes.clear();
     if (!options.layouts.empty()) scene.layouts.clear();
     if (!options.algorithms.empty()) scene.algorithms.clear();
@@ -50,7 +50,7 @@ sweep::SceneChoice unrestricted(sweep::SceneChoice scene, const Options& options
 }
 
 /// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.
-sweep::Plan chosen_plan(const Options& options) {
+sweep::Plan chosen_plan(const SweepArguments& options) {
     sweep::Plan plan = sweep::make_plan(options.plan);
     const auto replace = [](auto& to, const auto& from) {
         if (!from.empty()) to = from;
@@ -150,7 +150,7 @@ void print_summary(const sweep::SweepSummary& summary, const studies::StabilityS
     fmt::print("store: {}\nreport: {}\n", store, page);
 }
 
-int run(const Options& options, bool json) {
+int run_sweep(const SweepArguments& options, bool json) {
     const sweep::SweepWork work = sweep::prepare_sweep(chosen_plan(options), warn);
     std::filesystem::create_directories(folder_of(options.store));
     sweep::SweepSummary summary;
@@ -178,8 +178,8 @@ int run(const Options& options, bool json) {
 
 void add_sweep(CLI::App& app, Context& context) {
     const CLI::Range at_least_one(1, 1'000'000'000);
-    auto [command, options] =
-        add_command(app, context, "sweep", "Verifies and measures every cell of a plan, then reports", run);
+    auto [command, options] = add_command(
+        app, context, "sweep", "Verifies and measures every cell of a plan, then reports", run_sweep);
     command->add_option("--plan", options.plan, "quick, paper, full, or a JSON file")->capture_default_str();
     command->add_option("--store", options.store, "SQLite file to fill or to resume")->capture_default_str();
     command->add_option("--out", options.out, "folder for the report; beside the store if not given");

@@ -11,7 +11,7 @@
 
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
-#include "edgewise/scene/named_shape.hpp"
+#include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
 
