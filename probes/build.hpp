@@ -20,7 +20,7 @@ class build {
         return {figures(cell.runner.build_times(repetitions))};
     }
 
-    [[nodiscard]] static std::vector<measure::Figure> figures(const measure::BuildTimes& times) {
+    [[nodiscard]] static std::vector<measure::Figure> figures(const bench::BuildTimes& times) {
         const char* const no_refit = "this layout cannot be refitted in place";
         const std::vector<double> ratios = times.refit_ns.empty()
                                                ? std::vector<double>{}

@@ -17,7 +17,7 @@ struct memory {
         return {figures(cell.runner.memory())};
     }
 
-    [[nodiscard]] static std::vector<measure::Figure> figures(const measure::MemoryUse& use) {
+    [[nodiscard]] static std::vector<measure::Figure> figures(const bench::MemoryUse& use) {
         return {store::figure("memory.tables", use.tables),
                 store::figure("memory.requested_bytes", use.requested),
                 store::figure("memory.taken_bytes", use.taken),

@@ -207,4 +207,30 @@ void add_misses(const ReportCell& cell, const ChartJson& named, ChartJson& value
     }
 }
 
+Chart misses_chart(const ReportData& data) {
+    ChartRows rows;
+    for (const ReportCell* cell : modelled_cells(data)) add_misses(*cell, cell_json(*cell), rows.values);
+    return drawn_chart(chart_of_file("misses"), data, std::move(rows));
+}
+
+ChartJson curve_json(const ReportCell& cell) {
+    ChartJson row = cell_json(cell);
+    row["scene"] = cell.scene;
+    row["variant"] = cell.axes.empty() ? cell.precision : cell.precision + " " + cell.axes;
+    row["point"] = cell.algorithm;
+    row["stroke"] = cell.algorithm + " " + cell.table;
+    return row;
+}
+
+ChartJson timed_row(const ReportCell& cell, Omissions& omitted) {
+    if (!cell.verified()) {
+        omitted.add(fmt::format("the cell is {}: {}", cell.status, cell.reason));
+        return nullptr;
+    }
+    if (!omitted.positive(cell.figure(store::all_time.ns), "a time of 0")) return nullptr;
+    ChartJson row = curve_json(cell);
+    add_time(row, cell, store::all_time);
+    return row;
+}
+
 }  // namespace edgewise::reports

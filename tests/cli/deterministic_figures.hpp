@@ -14,7 +14,8 @@ namespace edgewise::cli_test {
 
 using Figures = std::vector<std::string>;
 
-/// Of table types that every preset has: one of each precision, and of each way to find a neighbour. `environment`: further variables, NAME=VALUE.
+/// Of table types that every preset has: one of each precision, and of each way to find a neighbour.
+/// `environment`: further variables, NAME=VALUE.
 [[nodiscard]] inline Figures deterministic_figures(const std::string& sweep_program,
                                                    const Arguments& environment, const Folder& folder) {
     Arguments arguments = environment;

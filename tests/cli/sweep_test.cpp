@@ -127,10 +127,10 @@ TEST(Sweep, RecordsAFailingCellAndGoesOn) {
     EXPECT_EQ(summary["cells"], 2);
     EXPECT_EQ(summary["failed"], 1);
     EXPECT_EQ(summary["verified"], 1);
-    const auto cells = rows_of(folder / "reports/out/edgewise.db",
-                               "select table_type, status, reason <> '', (select count(*) from round where "
-                               "round.hash = cell.hash) from cell order by table_type");
-    EXPECT_THAT(cells, testing::ElementsAre("crooked_f64|failed|1|0", "straight_f64|verified|0|3"));
+    const auto rows = rows_of(folder / "reports/out/edgewise.db",
+                              "select table_type, status, reason <> '', (select count(*) from round where "
+                              "round.hash = cell.hash) from cell order by table_type");
+    EXPECT_THAT(rows, testing::ElementsAre("crooked_f64|failed|1|0", "straight_f64|verified|0|3"));
     EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("crooked"));
 }
 

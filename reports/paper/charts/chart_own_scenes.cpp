@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "edgewise/reports/charts/curves.hpp"
+#include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
-#include "edgewise/reports/paper/charts/rotation_angle.hpp"
 
 namespace edgewise::reports {
 

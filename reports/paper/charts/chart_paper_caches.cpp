@@ -8,7 +8,7 @@
 
 #include <set>
 
-#include "edgewise/reports/charts/curves.hpp"
+#include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 

@@ -6,7 +6,7 @@
 // and predicted by the page-granular reuse distance (line), in one plot.
 #include <nlohmann/json.hpp>
 
-#include "edgewise/reports/charts/curves.hpp"
+#include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/text/report_text.hpp"

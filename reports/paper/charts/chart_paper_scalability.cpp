@@ -6,7 +6,7 @@
 // table.
 #include <map>
 
-#include "edgewise/reports/charts/curves.hpp"
+#include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 

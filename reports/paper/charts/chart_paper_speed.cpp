@@ -12,10 +12,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "edgewise/reports/charts/curves.hpp"
+#include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
-#include "edgewise/reports/paper/charts/rotation_angle.hpp"
 
 namespace edgewise::reports {
 

@@ -3,8 +3,8 @@
 // Claims about how the algorithms work (section 3, and 5 on GJK as an analog of feature stepping).
 #include <algorithm>
 
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 #include "edgewise/reports/paper/claims/claim_fits.hpp"
-#include "edgewise/reports/paper/claims/claim_groups.hpp"
 
 namespace edgewise::reports {
 

@@ -3,7 +3,7 @@
 // Claims about temporal coherence: what speed, rest and caching do (sections 2, 3 and 4).
 #include <algorithm>
 
-#include "edgewise/reports/paper/claims/claim_groups.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 namespace edgewise::reports {
 

@@ -3,7 +3,7 @@
 // Claims about the number of vertices: figures 6 to 8 beside each other (section 4, "Scalability").
 #include <cmath>
 
-#include "edgewise/reports/paper/claims/claim_groups.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 namespace edgewise::reports {
 

@@ -3,7 +3,7 @@
 // Claims about tolerances, preprocessing and deformation (section 4, "Ease of implementation").
 #include <algorithm>
 
-#include "edgewise/reports/paper/claims/claim_groups.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 namespace edgewise::reports {
 

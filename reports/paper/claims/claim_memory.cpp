@@ -5,7 +5,7 @@
 // page faults under limits.
 #include <fmt/core.h>
 
-#include "edgewise/reports/paper/claims/claim_groups.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 namespace edgewise::reports {
 

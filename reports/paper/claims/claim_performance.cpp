@@ -3,7 +3,7 @@
 // Claims about which algorithm is faster, standing and moving (section 4, "Performance"; figures 4, 6 to 8).
 #include <fmt/core.h>
 
-#include "edgewise/reports/paper/claims/claim_groups.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 namespace edgewise::reports {
 

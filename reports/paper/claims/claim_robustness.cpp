@@ -5,7 +5,7 @@
 // at most 3/n with 95 % (rule of three).
 #include <functional>
 
-#include "edgewise/reports/paper/claims/claim_groups.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 namespace edgewise::reports {
 

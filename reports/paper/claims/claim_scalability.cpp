@@ -3,8 +3,8 @@
 // Claims about the number of bodies: the cost functions of bounding-volume schemes (section 1, equations 1
 // and 2), and the one about the share of collision detection in a whole simulation; the broad phase and
 // figure 5 (sections 2 and 4, "Scalability").
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 #include "edgewise/reports/paper/claims/claim_fits.hpp"
-#include "edgewise/reports/paper/claims/claim_groups.hpp"
 
 namespace edgewise::reports {
 

@@ -4,7 +4,7 @@
 // of machines of the paper's years, and on the machine that measured.
 #include <utility>
 
-#include "edgewise/reports/paper/claims/claim_groups.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 namespace edgewise::reports {
 

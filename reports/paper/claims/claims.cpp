@@ -9,7 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "edgewise/reports/paper/claims/claim_groups.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {

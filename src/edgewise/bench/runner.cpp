@@ -103,8 +103,8 @@ std::function<PassSum()> Runner::prepared_pass() const {
     };
 }
 
-measure::MemoryUse Runner::memory() const {
-    measure::MemoryUse use;
+MemoryUse Runner::memory() const {
+    MemoryUse use;
     use.tables = table_count();
     use.requested = static_cast<double>(memory_->requested());
     use.taken = static_cast<double>(memory_->taken());

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,13 +17,26 @@
 #include "edgewise/bench/prepared_workload.hpp"
 #include "edgewise/bench/runner_options.hpp"
 #include "edgewise/measure/cache/trace.hpp"
-#include "edgewise/measure/memory_use.hpp"
 #include "edgewise/measure/round.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/table/ledger.hpp"
 #include "edgewise/table/pieces.hpp"
 
 namespace edgewise::bench {
+
+/// What the tables of a cell take of memory, and of time to build.
+struct MemoryUse {
+    std::uint64_t tables = 0;
+    double requested = 0;            ///< bytes asked of the allocator: the sum of the tables
+    double taken = 0;                ///< bytes that these take there: headers, size classes, gaps
+    std::optional<double> resident;  ///< bytes of pages in memory; nothing where the allocator cannot tell
+    double materialised = 1;         ///< part of the tables' bytes that ever stood; below 1 in lazy tables
+};
+
+struct BuildTimes {
+    std::vector<double> build_ns;  ///< a table of the body, from scratch
+    std::vector<double> refit_ns;  ///< the same table, in place, for the body deformed; empty: it cannot
+};
 
 /// One table's memory, and how many features of each kind its body has.
 struct TableMap {
@@ -84,7 +98,7 @@ class Runner {
     [[nodiscard]] virtual Ledger ledger() const = 0;
 
     /// What all tables take.
-    [[nodiscard]] measure::MemoryUse memory() const;
+    [[nodiscard]] MemoryUse memory() const;
 
     /// The memory of every table.
     [[nodiscard]] virtual std::vector<TableMap> memory_maps() const = 0;
@@ -95,7 +109,7 @@ class Runner {
     /// Times of building a table of the first body anew, and of refitting one in place to the body deformed
     /// (twice as large and back, with the topology kept), so often each, alternating: neighbours in time
     /// share the machine's moods.
-    [[nodiscard]] virtual measure::BuildTimes build_times(int repetitions) const = 0;
+    [[nodiscard]] virtual BuildTimes build_times(int repetitions) const = 0;
 
     /// Bytes of one pair's cache.
     [[nodiscard]] virtual std::size_t pair_bytes() const = 0;

@@ -22,10 +22,10 @@ namespace edgewise::bench {
 
 /// Of a body that the table can store, as Runner::build_times tells.
 template <class Table>
-[[nodiscard]] measure::BuildTimes time_builds(const Polyhedron& body, Parts parts, int repetitions) {
+[[nodiscard]] BuildTimes time_builds(const Polyhedron& body, Parts parts, int repetitions) {
     const Polyhedron larger = scene::scaled(body, 2);
     Table refitted(body, parts);
-    measure::BuildTimes times;
+    BuildTimes times;
     for (int i = 0; i < repetitions; ++i) {
         const measure::Stopwatch build_watch;
         const Table fresh(body, parts);
@@ -91,7 +91,7 @@ class RunnerFor final : public Runner {
     }
 
     /// In memory that nobody used before, where the allocator has that.
-    [[nodiscard]] measure::BuildTimes build_times(int repetitions) const override {
+    [[nodiscard]] BuildTimes build_times(int repetitions) const override {
         const auto memory = make_allocator(options().tables.allocator);
         const TablesIn placed(*memory);
         return time_builds<Table>(prepared().bodies()[0], Algorithm::parts, repetitions);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/cli/cell_options.hpp"
+#include "edgewise/cli/command.hpp"
 
 #include <fmt/format.h>
 

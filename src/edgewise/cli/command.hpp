@@ -18,6 +18,9 @@
 #include <utility>
 #include <vector>
 
+#include "edgewise/studies/single_cell.hpp"
+#include "edgewise/studies/stability.hpp"
+
 namespace edgewise::cli {
 
 /// Where a sweep leaves its store when nobody says otherwise.
@@ -76,6 +79,15 @@ template <class Value>
 [[nodiscard]] inline nlohmann::json or_null(const std::string& text) {
     return text.empty() ? nlohmann::json() : nlohmann::json(text);
 }
+
+/// Options that name one cell, for commands that look at one. The choice must live until the command's action
+/// is done.
+void add_cell_options(CLI::App& command, studies::CellChoice& choice);
+
+/// A stability run into a store, with progress on stderr: for the command of that name and for the sweep.
+/// Ctrl-C stops after the row in hand. `on_row` may be empty.
+studies::StabilitySummary store_stability(const studies::StabilityPlan& plan, store::Store& store,
+                                          const std::function<void(const studies::StabilityRow&)>& on_row);
 
 void add_additions(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);

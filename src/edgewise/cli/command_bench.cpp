@@ -3,7 +3,7 @@
 // `edgewise bench`: how fast Edgewise's own measuring is.
 #include <fmt/format.h>
 
-#include "edgewise/cli/cell_options.hpp"
+#include "edgewise/cli/command.hpp"
 #include "edgewise/studies/model_speed.hpp"
 
 namespace edgewise::cli {

@@ -4,7 +4,7 @@
 // and beside the processor's own counters where there are any.
 #include <fmt/format.h>
 
-#include "edgewise/cli/cell_options.hpp"
+#include "edgewise/cli/command.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/studies/crosscheck.hpp"

@@ -9,7 +9,7 @@
 #include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
-#include "edgewise/cli/cell_options.hpp"
+#include "edgewise/cli/command.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
 
 namespace edgewise::cli {

@@ -21,17 +21,17 @@ namespace edgewise::cli {
 
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 /// One entry per layout, its precisions gathered.
-json list_layouts() {
-    json result = json::array();
+Json list_layouts() {
+    Json result = Json::array();
     for (const bench::TableType& type : bench::table_types()) {
         if (result.empty() || result.back()["name"] != type.layout) {
             result.push_back({{"name", type.layout},
                               {"stores", type.stores},
                               {"derives", type.derives},
-                              {"precisions", json::array()},
+                              {"precisions", Json::array()},
                               {"algorithms", type.algorithms}});
         }
         result.back()["precisions"].push_back(type.precision);
@@ -40,91 +40,91 @@ json list_layouts() {
 }
 
 template <class Items, class Row>
-json rows_of(const Items& items, Row row) {
-    json result = json::array();
+Json rows_of(const Items& items, Row row) {
+    Json result = Json::array();
     for (const auto& item : items) result.push_back(row(item));
     return result;
 }
 
-json list_probes() {
+Json list_probes() {
     return rows_of(bench::registered_probes(), [](const bench::Probe& probe) {
-        return json{{"name", probe.name}, {"summary", probe.summary}};
+        return Json{{"name", probe.name}, {"summary", probe.summary}};
     });
 }
 
-json list_algorithms() {
+Json list_algorithms() {
     return rows_of(bench::algorithms(), [](const bench::AlgorithmInfo& info) {
-        return json{{"name", info.name},
+        return Json{{"name", info.name},
                     {"summary", info.summary},
                     {"needs", info.parts == Parts::support ? "vertices and neighbours" : "all features"}};
     });
 }
 
-json list_of_scenes() {
+Json list_of_scenes() {
     return rows_of(scene::list_scenes(), [](const scene::SceneInfo& scene) {
-        const json parameters = rows_of(scene.parameters, [](const scene::ParameterInfo& p) {
-            return json{{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"default", p.standard}};
+        const Json parameters = rows_of(scene.parameters, [](const scene::ParameterInfo& p) {
+            return Json{{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"default", p.standard}};
         });
-        return json{{"name", scene.name}, {"meaning", scene.meaning}, {"parameters", parameters}};
+        return Json{{"name", scene.name}, {"meaning", scene.meaning}, {"parameters", parameters}};
     });
 }
 
 /// Those that come along, each with its text: to start one's own from.
-json list_scene_files() {
+Json list_scene_files() {
     return rows_of(scene::scene_texts(), [](const scene::SceneText& text) {
-        const json file = json::parse(text.json);
-        return json{{"name", text.name}, {"note", file.value("note", "")}, {"file", file}};
+        const Json file = Json::parse(text.json);
+        return Json{{"name", text.name}, {"note", file.value("note", "")}, {"file", file}};
     });
 }
 
-json list_of_shapes() {
+Json list_of_shapes() {
     return rows_of(scene::list_shapes(), [](const scene::ShapeInfo& shape) {
-        return json{{"name", shape.name},
+        return Json{{"name", shape.name},
                     {"vertices", shape.vertices},
                     {"edges", shape.edges},
                     {"faces", shape.faces}};
     });
 }
 
-json list_families() {
+Json list_families() {
     return rows_of(scene::hard_families(), [](const scene::HardFamily& family) {
-        return json{{"name", family.name}, {"varies", family.varies}, {"breaks", family.breaks}};
+        return Json{{"name", family.name}, {"varies", family.varies}, {"breaks", family.breaks}};
     });
 }
 
 /// Each level as size, ways and latency, with what its source does not prove.
-json level_json(const measure::LevelGeometry& level, const measure::LevelOrigin& origin, std::uint32_t line) {
+Json level_json(const measure::LevelGeometry& level, const measure::LevelOrigin& origin, std::uint32_t line) {
     return {{"name", level.name},      {"bytes", std::uint64_t{level.sets} * level.ways * line},
             {"ways", level.ways},      {"latency_cycles", origin.latency_cycles},
             {"source", origin.source}, {"unverified", origin.unverified}};
 }
 
-json list_machines() {
+Json list_machines() {
     return rows_of(measure::cache_machines(), [](const measure::CacheMachine& machine) {
-        json levels = json::array();
+        Json levels = Json::array();
         for (std::size_t i = 0; i < machine.origins.size(); ++i)
             levels.push_back(
                 level_json(machine.caches.levels[i], machine.origins[i], machine.caches.line_bytes));
-        return json{{"name", machine.name},
+        return Json{{"name", machine.name},
                     {"what", machine.what},
                     {"line_bytes", machine.caches.line_bytes},
                     {"levels", levels}};
     });
 }
 
-json list_axes() {
+Json list_axes() {
     return rows_of(sweep::axes_known(), [](const sweep::AxisInfo& axis) {
-        return json{{"name", axis.name}, {"values", axis.values}, {"meaning", axis.summary}};
+        return Json{{"name", axis.name}, {"values", axis.values}, {"meaning", axis.summary}};
     });
 }
 
-json list_plans() {
+Json list_plans() {
     return rows_of(sweep::plan_names(), [](const std::string& name) {
         const sweep::Plan plan = sweep::make_plan(name);
-        const json scenes = rows_of(plan.scenes, [](const sweep::SceneChoice& scene) {
-            return scene.name + " " + json(scene.parameters).dump();
+        const Json scenes = rows_of(plan.scenes, [](const sweep::SceneChoice& scene) {
+            return scene.name + " " + Json(scene.parameters).dump();
         });
-        return json{{"name", name},
+        return Json{{"name", name},
                     {"queries", plan.queries},
                     {"checked", plan.checked},
                     {"rounds", plan.rounds},
@@ -137,8 +137,8 @@ json list_plans() {
 }
 
 /// What stands in braces differs from figure to figure of a family.
-json list_figures() {
-    json result = json::array();
+Json list_figures() {
+    Json result = Json::array();
     for (const auto part : store::vocabulary_parts)
         for (const store::FigureInfo& figure : part)
             result.push_back({{"name", figure.key},
@@ -149,8 +149,8 @@ json list_figures() {
     return result;
 }
 
-const std::map<std::string, json (*)()>& lists() {
-    static const std::map<std::string, json (*)()> known = {
+const std::map<std::string, Json (*)()>& lists() {
+    static const std::map<std::string, Json (*)()> known = {
         {"layouts", list_layouts},         {"probes", list_probes},    {"algorithms", list_algorithms},
         {"scenes", list_of_scenes},        {"shapes", list_of_shapes}, {"plans", list_plans},
         {"families", list_families},       {"axes", list_axes},        {"machines", list_machines},
@@ -159,12 +159,12 @@ const std::map<std::string, json (*)()>& lists() {
 }
 
 int run_list(const std::string& what, bool as_json) {
-    const json entries = lists().at(what)();
+    const Json entries = lists().at(what)();
     if (as_json) {
-        fmt::print("{}\n", json{{what, entries}}.dump());
+        fmt::print("{}\n", Json{{what, entries}}.dump());
         return exit_done;
     }
-    for (const json& entry : entries) {
+    for (const Json& entry : entries) {
         fmt::print("{}\n", entry["name"].get<std::string>());
         for (const auto& [key, value] : entry.items()) {
             if (key != "name")

@@ -28,9 +28,9 @@ void print_counter(const nlohmann::json& counter) {
 
 struct MachineArguments {};
 
-int run_machine(const MachineArguments& /*none*/, bool json) {
+int run_machine(const MachineArguments& /*none*/, bool as_json) {
     nlohmann::json machine = measure::machine_json();
-    if (json) {
+    if (as_json) {
         fmt::print("{}\n", machine.dump());
         return exit_done;
     }

@@ -3,7 +3,7 @@
 // `edgewise pass`: runs passes over one cell's queries and nothing else, for tools that look at the whole
 // program. One pass first fills caches; the others are what is to be observed, and what Callgrind collects
 // when told not to begin at the start. Not listed: `edgewise crosscheck` calls it.
-#include "edgewise/cli/cell_options.hpp"
+#include "edgewise/cli/command.hpp"
 #include "edgewise/measure/process/callgrind_region.hpp"
 
 namespace edgewise::cli {

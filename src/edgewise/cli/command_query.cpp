@@ -19,7 +19,7 @@ namespace edgewise::cli {
 
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 struct QueryArguments {
     std::string cases;
@@ -36,15 +36,15 @@ Needs chosen_needs(const QueryArguments& options) {
         fmt::format("unknown need '{}'; known: {}", options.needs, fmt::join(needs_names, ", ")));
 }
 
-json point_json(const Vec3d& p) { return {p.x(), p.y(), p.z()}; }
+Json point_json(const Vec3d& p) { return {p.x(), p.y(), p.z()}; }
 
-json feature_json(const NamedFeature& feature) {
+Json feature_json(const NamedFeature& feature) {
     return {{"kind", to_string(feature.kind)}, {"vertices", feature.vertices}};
 }
 
 /// All keys of an answer, with nothing in them yet.
-json empty_answer(const std::string& id) {
-    json line = {{"id", id}, {"status", "failed"}};
+Json empty_answer(const std::string& id) {
+    Json line = {{"id", id}, {"status", "failed"}};
     for (const char* key :
          {"distance", "point_a", "point_b", "feature_a", "feature_b", "depth", "normal", "steps", "fallbacks",
           "refinements", "escapes", "certificate", "stored_certificate", "error"}) {
@@ -53,18 +53,18 @@ json empty_answer(const std::string& id) {
     return line;
 }
 
-json failed_answer(const std::string& id, const std::string& error) {
-    json line = empty_answer(id);
+Json failed_answer(const std::string& id, const std::string& error) {
+    Json line = empty_answer(id);
     line["error"] = error;
     return line;
 }
 
-json certificate_json(const truth::Certificate& certificate) {
+Json certificate_json(const truth::Certificate& certificate) {
     return {{"lower", certificate.lower}, {"upper", certificate.upper}};
 }
 
-json answer_json(const std::string& id, const bench::NamedAnswer& answer, Needs needs) {
-    json line = empty_answer(id);
+Json answer_json(const std::string& id, const bench::NamedAnswer& answer, Needs needs) {
+    Json line = empty_answer(id);
     const Distance& d = answer.distance;
     line["status"] = to_string(d.status);
     line["steps"] = d.steps;
@@ -89,7 +89,7 @@ json answer_json(const std::string& id, const bench::NamedAnswer& answer, Needs 
 }
 
 /// Both bodies' tables are built anew for each case: cases rarely share bodies.
-json answer_case(const scene::Case& given, bench::Runner& runner, const QueryArguments& options) {
+Json answer_case(const scene::Case& given, bench::Runner& runner, const QueryArguments& options) {
     const auto a = scene::body_from_case(given.a);
     if (!a) return failed_answer(given.id, a.error);
     const auto b = scene::body_from_case(given.b);
@@ -105,7 +105,7 @@ json answer_case(const scene::Case& given, bench::Runner& runner, const QueryArg
             "or another unit");
     }
     const Needs needs = chosen_needs(options);
-    json line = answer_json(given.id, answer, needs);
+    Json line = answer_json(given.id, answer, needs);
     if (needs < Needs::certificate) return line;
     const auto certificates = bench::certificates_of(answer, query, bodies, runner.stored_bodies(),
                                                      given.a.vertices, given.b.vertices);
@@ -131,7 +131,7 @@ std::unique_ptr<bench::Runner> chosen_runner(const QueryArguments& options) {
     return runner;
 }
 
-int run_query(const QueryArguments& options, bool /*json*/) {
+int run_query(const QueryArguments& options, bool /*Json*/) {
     static_cast<void>(chosen_needs(options));
     const auto runner = chosen_runner(options);
     std::ifstream file;
@@ -144,7 +144,7 @@ int run_query(const QueryArguments& options, bool /*json*/) {
     scene::CaseReader reader(options.cases == "-" ? std::cin : file, options.cases);
     std::size_t unreadable = 0, failed = 0;
     while (const auto line = reader.next()) {
-        json answer;
+        Json answer;
         if (*line) {
             answer = answer_case(**line, *runner, options);
             failed += answer["status"] == "failed";

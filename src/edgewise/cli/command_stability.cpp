@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/stability_run.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/store/vocabulary.hpp"
 #include "edgewise/sweep/work.hpp"

@@ -11,7 +11,6 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/progress.hpp"
-#include "edgewise/cli/stability_run.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/studies/paging_rows.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/cli/stability_run.hpp"
-
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/progress.hpp"

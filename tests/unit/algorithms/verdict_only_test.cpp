@@ -26,7 +26,9 @@ Steps compare(const char* algorithm, const char* scene, const scene::SceneParame
         const bool separated = whole[i].status == Status::separated;
         wrong += separated != (verdicts[i].status == Status::separated);
         apart += separated;
-        if (separated) EXPECT_GE(verdicts[i].distance, whole[i].distance * (1 - 1e-12)) << "an upper bound";
+        if (separated) {
+            EXPECT_GE(verdicts[i].distance, whole[i].distance * (1 - 1e-12)) << "an upper bound";
+        }
         steps.whole += static_cast<std::uint64_t>(whole[i].steps);
         steps.verdict += static_cast<std::uint64_t>(verdicts[i].steps);
     }

@@ -23,7 +23,7 @@ const scene::Workload& tumble() {
 
 struct Placed {
     std::vector<Distance> answers;
-    measure::MemoryUse memory;
+    MemoryUse memory;
     measure::LinesTouched touched;
 };
 
@@ -90,7 +90,7 @@ TEST(BuildTimes, AreAsManyAsAsked) {
     for (const TableType* type : select_table_types(all)) {
         const auto runner = type->make_runner(type->algorithms.front());
         ASSERT_EQ(runner->load(tumble().bodies), "");
-        const measure::BuildTimes times = runner->build_times(3);
+        const BuildTimes times = runner->build_times(3);
         EXPECT_EQ(times.build_ns.size(), 3U) << type->name;
         EXPECT_EQ(times.refit_ns.size(), 3U) << type->name;
     }

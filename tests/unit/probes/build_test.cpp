@@ -11,7 +11,7 @@ namespace edgewise::probes {
 namespace {
 
 TEST(Build, IsMediansAndTheRatioIsOfPairs) {
-    measure::BuildTimes times = {{100, 300, 200}, {50, 60, 80}};
+    bench::BuildTimes times = {{100, 300, 200}, {50, 60, 80}};
     auto found = by_name(build::figures(times));
     EXPECT_EQ(found["build_ns"].value, 200);
     EXPECT_EQ(found["refit_ns"].value, 60);

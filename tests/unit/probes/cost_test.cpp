@@ -28,8 +28,10 @@ TEST(StepCosts, CountWhatAStepAsks) {
     EXPECT_GE(costs.box_tests, costs.pairs) << "each near pair was tested";
     EXPECT_LT(costs.box_tests, 50 * 49 / 2.0) << "and not all pairs";
     EXPECT_GT(costs.step_ns, 0);
-    EXPECT_DOUBLE_EQ(costs.equation_2() - costs.equation_1(), costs.bodies * costs.update_ns);
-    EXPECT_DOUBLE_EQ(costs.equation_1(), costs.box_tests * costs.box_test_ns + costs.pairs * costs.pair_ns);
+    const double equation_2 = costs.equation_1() + costs.bodies * costs.update_ns;
+    EXPECT_NEAR(costs.equation_2(), equation_2, 1e-12 * equation_2);
+    const double equation_1 = costs.box_tests * costs.box_test_ns + costs.pairs * costs.pair_ns;
+    EXPECT_NEAR(costs.equation_1(), equation_1, 1e-12 * equation_1);
 }
 
 TEST(StepCosts, AreNotThereWithoutSteps) {

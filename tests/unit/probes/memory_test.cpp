@@ -11,7 +11,7 @@ namespace edgewise::probes {
 namespace {
 
 TEST(Memory, IsOfAllTables) {
-    measure::MemoryUse use = {12, 12000, 12800, 16384.0, 0.25};
+    bench::MemoryUse use = {12, 12000, 12800, 16384.0, 0.25};
     auto found = by_name(memory::figures(use));
     EXPECT_EQ(found["tables"].value, 12);
     EXPECT_EQ(found["requested_bytes"].value, 12000);

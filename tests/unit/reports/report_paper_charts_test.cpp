@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
-#include "edgewise/reports/paper/charts/rotation_angle.hpp"
 #include "paper_data.hpp"
 #include "report_store.hpp"
 

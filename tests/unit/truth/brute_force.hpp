@@ -2,8 +2,8 @@
 //
 // A second opinion on distances, with nothing in common with GJK or V-Clip: every face normal and edge pair
 // as a separating axis, then every vertex against every face and every edge against every edge. Plain double,
-// slow, and good to rounding only. The nearest points of two separated bodies are on a vertex and a face or on
-// two edges (ends included), so the least over both kinds is the distance.
+// slow, and good to rounding only. The nearest points of two separated bodies are on a vertex and a face or
+// on two edges (ends included), so the least over both kinds is the distance.
 #pragma once
 
 #include <algorithm>

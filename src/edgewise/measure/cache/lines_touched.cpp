@@ -1,17 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/measure/cache/lines_touched.hpp"
 
+#include <utility>
+
 namespace edgewise::measure {
+
+bool LineCounter::is_new(std::uint64_t line) {
+    // Multiplicative hashing (Knuth, volume 3, 6.4), of which the high half is the better one.
+    for (std::uint64_t at = line * 0x9e3779b97f4a7c15 >> 32;; ++at) {
+        Seen& seen = seen_[at & (seen_.size() - 1)];
+        if (seen.query == query_number_ && seen.line == line) return false;
+        if (seen.query == query_number_) continue;
+        seen = {line, query_number_};
+        return true;
+    }
+}
+
+void LineCounter::grow() {
+    const std::vector<Seen> before = std::exchange(seen_, std::vector<Seen>(2 * seen_.size()));
+    for (const Seen& seen : before)
+        if (seen.query == query_number_) is_new(seen.line);
+}
 
 void LineCounter::on_access(const TracedAccess& access) {
     if (access.side == TraceSide::scene) return;
     ++query_.reads;
     query_.bytes += access.bytes;
     access.for_each_unit(cache_line, [&](std::uint64_t line) {
-        const std::uint64_t place = 2 * line + static_cast<std::uint64_t>(access.side);
-        if (place >= last_query_.size()) last_query_.resize(2 * place + 2);
-        if (last_query_[place] != query_number_) ++query_.lines;
-        last_query_[place] = query_number_;
+        if (is_new(2 * line + static_cast<std::uint64_t>(access.side))) ++query_.lines;
+        if (2 * query_.lines > seen_.size()) grow();
     });
 }
 

@@ -22,8 +22,7 @@ struct LinesTouched {
     std::uint64_t queries = 0, reads = 0, bytes = 0, lines = 0;
 };
 
-/// Counts the reads of tables; the scene's own memory is left out. Addresses should be small: memory is used up to the
-/// largest.
+/// Counts the reads of tables; the scene's own memory is left out.
 class LineCounter final : public TraceListener {
   public:
     void on_access(const TracedAccess& access) override;
@@ -33,8 +32,18 @@ class LineCounter final : public TraceListener {
 
   private:
     LinesTouched sums_, query_;
-    std::uint32_t query_number_ = 1;
-    std::vector<std::uint32_t> last_query_;  ///< that read twice the line, and the side; 0: none did
+    struct Seen {
+        std::uint64_t line;  ///< twice the line, and the side
+        std::uint64_t query = 0;
+    };
+
+    /// Whether this query had not read the line before.
+    bool is_new(std::uint64_t line);
+    void grow();
+
+    std::uint64_t query_number_ = 1;
+    std::vector<Seen> seen_ =
+        std::vector<Seen>(1024);  ///< hashed, at most half full of this query's; a power of two
 };
 
 }  // namespace edgewise::measure
