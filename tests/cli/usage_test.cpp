@@ -45,7 +45,7 @@ const std::vector<Slip> unknown_names = {
     {"no_command", {}, {"bytes", "list", "machine", "query", "report", "sweep"}},
     {"option", {"bytes", "--nope"}, {"--nope"}},
     {"list", {"list", "nope"}, {"nope", "layouts", "probes", "algorithms", "scenes", "shapes", "plans"}},
-    {"layout_of_bytes", {"bytes", "--layouts", "nope"}, {"nope", "aos_f64", "aosoa", "lean"}},
+    {"layout_of_bytes", {"bytes", "--layouts", "nope"}, {"nope", "aos_f64", "points_soa", "lean"}},
     {"layout_of_query", {"query", "x", "--layout", "nope"}, {"nope", "aos_f64"}},
     {"layout_of_sweep", {"sweep", "--layouts", "aos,nope"}, {"nope", "aos_f64"}},
     {"algorithm_of_query", {"query", "x", "--algorithm", "nope"}, {"nope", "vclip", "gjk"}},
