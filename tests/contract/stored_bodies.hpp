@@ -6,13 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-#include <type_traits>
+#include <limits>
+#include <utility>
 #include <vector>
 
-#include "edgewise/geometry/hull.hpp"
-#include "edgewise/scene/rng.hpp"
-#include "edgewise/scene/shapes.hpp"
+#include "bodies.hpp"
 #include "edgewise/table/stored_body.hpp"
 #include "table_under_test.hpp"
 
@@ -35,11 +33,6 @@ inline constexpr double compute_eps = std::numeric_limits<Compute>::epsilon();
 inline constexpr double stored_eps =
     DerivesPlanes<Table> ? compute_eps : double{std::numeric_limits<Stored>::epsilon()};
 
-struct NamedBody {
-    std::string name;
-    Polyhedron body;
-};
-
 /// What a table holds when it is given this body.
 [[nodiscard]] inline Polyhedron as_stored(const Polyhedron& body) {
     auto stored = stored_body<Table>(body);
@@ -47,37 +40,12 @@ struct NamedBody {
     return *stored;
 }
 
-[[nodiscard]] inline Polyhedron shape(const std::string& name) {
-    const auto body = scene::make_shape(name);
-    EXPECT_TRUE(body) << body.error;
-    return as_stored(*body);
-}
-
-/// A lopsided hull far off its own origin: no symmetry, faces of every size.
-[[nodiscard]] inline Polyhedron random_hull(std::uint64_t seed) {
-    scene::Rng rng(seed);
-    std::vector<Vec3d> points;
-    for (int i = 0; i < 60; ++i)
-        points.push_back(rng.in_ball().cwiseProduct(Vec3d(1, 0.6, 0.3)) + Vec3d(2, -1, 0.5));
-    const auto hull = convex_hull(points);
-    EXPECT_TRUE(hull) << hull.error;
-    return as_stored(*hull);
-}
-
-/// Flat: a front, a back, and no third face at any corner.
-[[nodiscard]] inline Polyhedron polygon() {
-    const std::vector<Vec3d> corners = {
-        {1, 0, 0.5}, {0, 1, 0.25}, {-1, 0, -0.5}, {-0.5, -1, -0.5}, {0.5, -1, 0}};
-    const auto hull = hull_of_any(corners);
-    EXPECT_TRUE(hull) << hull.error;
-    EXPECT_EQ(hull->face_count(), 2U);
-    return as_stored(*hull);
-}
-
 [[nodiscard]] inline const std::vector<NamedBody>& test_bodies() {
-    static const std::vector<NamedBody> bodies = {
-        {"tetra4", shape("tetra4")},       {"cube8", shape("cube8")},       {"sphere38", shape("sphere38")},
-        {"sphere386", shape("sphere386")}, {"random hull", random_hull(5)}, {"polygon", polygon()}};
+    static const std::vector<NamedBody> bodies = [] {
+        std::vector<NamedBody> stored;
+        for (auto& [name, body] : given_bodies()) stored.push_back({name, as_stored(body)});
+        return stored;
+    }();
     return bodies;
 }
 

@@ -1,84 +1,115 @@
 // SPDX-License-Identifier: MIT
 //
-// The same memory through the tracing loader: the same answers to the bit, and every read inside the memory
-// that the table declares.
+// The same memory through the tracing loader, as the program traces it: the same answers to the bit, and
+// every read inside the memory that the table declares.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <set>
+#include <string>
 #include <vector>
 
+#include "bodies.hpp"
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/bench/trace/trace_names.hpp"
+#include "edgewise/table/loader.hpp"
 #include "query_poses.hpp"
 #include "same_answers.hpp"
-#include "stored_bodies.hpp"
 
 namespace edgewise {
 namespace {
 
-template <class Type>
-class Trace : public ::testing::Test {};
-TYPED_TEST_SUITE(Trace, TableTypes);
-
-/// What the table declares of its memory, by address.
-class Declared {
+/// What reads of tables there were, held against what the only table declares of its memory.
+class Reads final : public measure::TraceListener {
   public:
-    explicit Declared(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
-        std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.at < b.at; });
+    explicit Reads(std::vector<MappedPiece> pieces) : pieces_(std::move(pieces)) {
+        std::sort(pieces_.begin(), pieces_.end(),
+                  [](const MappedPiece& a, const MappedPiece& b) { return a.offset < b.offset; });
     }
-    [[nodiscard]] bool holds(const void* address, std::size_t size) const {
-        const auto after =
-            std::upper_bound(pieces_.begin(), pieces_.end(), static_cast<const std::byte*>(address),
-                             [](const std::byte* wanted, const Piece& piece) { return wanted < piece.at; });
-        return after != pieces_.begin() && std::prev(after)->holds(address, size);
+
+    void on_access(const measure::TracedAccess& access) override {
+        if (access.side == measure::TraceSide::scene) return;
+        ++reads;
+        bytes += access.bytes;
+        outside += !is_declared(access);
+        writes += access.kind == measure::AccessKind::write;
+        fields.insert(access.field);
     }
+    void on_query_end(bool /*counts*/) override {}
+
+    std::size_t reads = 0, bytes = 0, outside = 0, writes = 0;
+    std::set<std::uint8_t> fields;
 
   private:
-    std::vector<Piece> pieces_;
+    [[nodiscard]] bool is_declared(const measure::TracedAccess& access) const {
+        const auto after = std::upper_bound(
+            pieces_.begin(), pieces_.end(), access.address,
+            [](std::uint64_t wanted, const MappedPiece& piece) { return wanted < piece.offset; });
+        if (after == pieces_.begin()) return false;
+        const MappedPiece& piece = *std::prev(after);
+        return access.address + access.bytes <= piece.offset + piece.stride * piece.count;
+    }
+
+    std::vector<MappedPiece> pieces_;
 };
 
-struct Sink {
-    const Declared* table = nullptr;
-    std::size_t reads = 0, bytes = 0, outside = 0;
-    std::set<Field> fields;
-
-    void read(const void* address, std::size_t size, Field field) {
-        ++reads;
-        bytes += size;
-        outside += !table->holds(address, size);
-        if (!fields.count(field)) fields.insert(field);
+/// Of a body beside itself, one pair of bodies.
+scene::Workload workload(const Polyhedron& body, bool warm) {
+    scene::Workload all;
+    all.bodies = {body};
+    all.pair_count = 1;
+    all.warm = warm;
+    for (const Transform<double>& pose : query_poses(100, body, 2)) {
+        all.queries.push_back({0, 0, 0, {}, {pose.rotation, pose.translation}});
     }
-};
-
-using TracedTable = TableUnderTest::With<Traced<Sink>>;
-
-template <class Algorithm>
-void expect_same_answers(const Polyhedron& body, const std::string& name) {
-    const auto poses = query_poses(100, body, 2);
-    const Table table(body, Algorithm::parts);
-    const Declared declared(table.pieces());
-    Sink sink{&declared, 0, 0, 0, {}};
-    const TracedTable traced(table, Traced<Sink>{&sink});
-    const auto expected = answers<Algorithm>(table, table, poses);
-    const auto found = answers<Algorithm>(traced, traced, poses);
-    ASSERT_EQ(expected.size(), found.size());
-    for (std::size_t i = 0; i < found.size(); ++i) expect_same_bits(found[i], expected[i]);
-    std::printf("%s %s %s: %.1f reads, %.0f bytes per query, %zu fields\n", TableUnderTest::name,
-                std::string(Algorithm::name).c_str(), name.c_str(),
-                static_cast<double>(sink.reads) / static_cast<double>(found.size()),
-                static_cast<double>(sink.bytes) / static_cast<double>(found.size()), sink.fields.size());
-    EXPECT_GE(sink.reads, 2 * found.size()) << "each query reads both bodies";
-    EXPECT_EQ(sink.outside, 0U) << "reads outside what the table declares";
-    EXPECT_TRUE(sink.fields.count(Field::vertex));
+    return all;
 }
 
-TYPED_TEST(Trace, AnswersAreTheSameAndEveryReadIsInsideTheTable) {
-    for (const auto& [name, body] : test_bodies()) {
-        for_each_algorithm<Table>([&, &name = name, &body = body]<class Algorithm>(Algorithm) {
-            expect_same_answers<Algorithm>(body, name);
-        });
+class Trace : public testing::TestWithParam<const bench::TableType*> {};
+
+/// A runner with one body has one table, which both sides read.
+void expect_same_answers(const bench::Runner& runner, std::size_t queries, const std::string& name) {
+    std::vector<Distance> expected(queries), found(queries);
+    static_cast<void>(runner.prepared_range()(0, queries, expected.data()));
+    const auto maps = runner.memory_maps();
+    ASSERT_EQ(maps.size(), 1U);
+    Reads seen(maps.front().pieces);
+    const bench::PassSum sum = runner.trace(queries, seen, found.data());
+    ASSERT_EQ(sum.queries, queries);
+    for (std::size_t i = 0; i < queries; ++i) expect_same_bits(found[i], expected[i]);
+    std::printf("%s: %.1f reads, %.0f bytes per query, %zu fields\n", name.c_str(),
+                static_cast<double>(seen.reads) / static_cast<double>(queries),
+                static_cast<double>(seen.bytes) / static_cast<double>(queries), seen.fields.size());
+    EXPECT_GE(seen.reads, 2 * queries) << "each query reads both bodies";
+    EXPECT_EQ(seen.outside, 0U) << name << ": accesses outside what the table declares";
+    EXPECT_EQ(seen.writes, 0U) << name;
+    EXPECT_TRUE(seen.fields.count(static_cast<std::uint8_t>(Field::vertex))) << name;
+}
+
+TEST_P(Trace, AnswersAreTheSameAndEveryReadIsInsideTheTable) {
+    for (const auto& [name, body] : given_bodies()) {
+        for (const std::string& algorithm : GetParam()->algorithms) {
+            for (const bool warm : {false, true}) {
+                const scene::Workload all = workload(body, warm);
+                const auto runner = GetParam()->make_runner(algorithm);
+                ASSERT_EQ(runner->load(all), "");
+                expect_same_answers(
+                    *runner, all.queries.size(),
+                    GetParam()->name + " " + algorithm + " " + name + (warm ? " warm" : " cold"));
+            }
+        }
     }
 }
+
+std::vector<const bench::TableType*> all_types() {
+    std::vector<const bench::TableType*> types;
+    for (const bench::TableType& type : bench::table_types()) types.push_back(&type);
+    return types;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Trace, testing::ValuesIn(all_types()),
+                         [](const auto& type) { return type.param->name; });
 
 }  // namespace
 }  // namespace edgewise

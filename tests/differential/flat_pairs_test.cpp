@@ -30,7 +30,7 @@ std::vector<NamedBody> bodies() {
             {"segment", hull({{-0.5, 0.25, 0}, {0.75, -0.25, 0.5}})},
             {"triangle", hull({{-0.5, 0, 0.25}, {0.75, 0, -0.25}, {0, 1, 0.5}})},
             {"square", hull({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}})},
-            {"cube", shape("cube8")}};
+            {"cube", as_stored(shape("cube8"))}};
 }
 
 /// Planes stored in single tell V-Clip which feature is closest to some 1e-7 only, however well the distance

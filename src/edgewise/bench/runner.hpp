@@ -80,8 +80,12 @@ class Runner {
     [[nodiscard]] measure::Timing time(std::span<const std::uint8_t> in_contact, double clock_cost_ns) const;
 
     /// Notifies of the accesses of the first loaded queries, from cold pairs, until so many have counted; of
-    /// a warm scene, those that start warm count.
-    virtual PassSum trace(std::size_t limit, measure::TraceListener& listener) const = 0;
+    /// a warm scene, those that start warm count. Answers, in the runner's unit, are written from answers[0]
+    /// on unless it is null.
+    virtual PassSum trace(std::size_t limit, measure::TraceListener& listener, Distance* answers) const = 0;
+    PassSum trace(std::size_t limit, measure::TraceListener& listener) const {
+        return trace(limit, listener, nullptr);
+    }
 
     /// A pass over the loaded queries from cold pairs, ready to run as often as wanted, with nothing around
     /// the queries but setting the pairs back; for counters that are read outside. Narrow phase only: no

@@ -48,6 +48,7 @@ class RunnerFor final : public Runner {
     RunnerFor() : Runner(std::is_same_v<ComputeOf<Table>, float>) {}
 
     using Runner::answer;
+    using Runner::trace;
 
     [[nodiscard]] NamedAnswer answer(const scene::Query& given) const override {
         const scene::Query query = prepared().prepared(given);
@@ -66,7 +67,7 @@ class RunnerFor final : public Runner {
         };
     }
 
-    PassSum trace(std::size_t limit, measure::TraceListener& listener) const override {
+    PassSum trace(std::size_t limit, measure::TraceListener& listener, Distance* answers) const override {
         const scene::Workload& workload = prepared().workload();
         const TracePlaces places(table_allocator().base(), table_allocator().taken(), sizeof(Pair),
                                  workload.pair_count, workload.instances.size());
@@ -75,7 +76,7 @@ class RunnerFor final : public Runner {
             [this](const scene::Query& query) {
                 return std::pair(&tables_[table_a(query)], &tables_[table_b(query)]);
             },
-            listener));
+            listener, answers));
     }
 
     [[nodiscard]] Ledger ledger() const override { return tables_[0].ledger(); }

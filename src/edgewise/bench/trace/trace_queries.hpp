@@ -46,10 +46,11 @@ struct TracedPair {
 };
 
 /// Notifies the listener of the first queries, until so many have counted. tables(query) gives a query's two
-/// tables. Tables are only read, and pairs read first and written last.
+/// tables. Tables are only read, and pairs read first and written last. `answers` may be null.
 template <class Algorithm, class TracedTable, class Tables>
 PassSum trace_queries(const scene::Workload& workload, std::size_t limit, const QueryOptions& options,
-                      const TracePlaces& places, Tables tables, measure::TraceListener& listener) {
+                      const TracePlaces& places, Tables tables, measure::TraceListener& listener,
+                      Distance* answers) {
     const std::vector<std::uint8_t> cold = cold_starts(workload);
     measure::TraceSink sink_a(listener, measure::TraceSide::table_a, places.base);
     measure::TraceSink sink_b(listener, measure::TraceSide::table_b, places.base);
@@ -69,14 +70,15 @@ PassSum trace_queries(const scene::Workload& workload, std::size_t limit, const 
         frames.before(i);
         const auto [table_a, table_b] = tables(query);
         auto& traced = pairs[query.pair];
-        if (!traced || !workload.warm) {
+        if (!traced || !workload.warm)
             traced = std::make_unique<TracedPair<Algorithm, TracedTable>>(*table_a, *table_b, sink_a, sink_b);
-        }
         touch_pair(query.pair, measure::AccessKind::read);
         marks.set(TraceStep::start);
         const Transform<double> a_from_b = relative_pose(query.pose_a, query.pose_b);
-        sum.distances +=
-            Algorithm::query(traced->a, traced->b, a_from_b, traced->pair, options, marks).distance;
+        const Distance answer =
+            Algorithm::query(traced->a, traced->b, a_from_b, traced->pair, options, marks);
+        if (answers) answers[i] = answer;
+        sum.distances += answer.distance;
         ++sum.queries;
         touch_pair(query.pair, measure::AccessKind::write);
         listener.on_query_end(!cold[i]);
