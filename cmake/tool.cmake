@@ -69,6 +69,12 @@ function(edgewise_tool_for NAME TUNE)
     list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_BINARY_DIR}/registry/\\1.cpp" OUTPUT_VARIABLE units)
     set(types ${NAME}_table_types)
     add_library(${types} OBJECT ${list} ${units})
+    # A layout's precisions together share three quarters of what is parsed and instantiated.
+    set_target_properties(${types} PROPERTIES UNITY_BUILD ${EDGEWISE_UNITY} UNITY_BUILD_MODE GROUP)
+    foreach(unit IN LISTS units)
+        string(REGEX REPLACE "^.*/(.*)_[^_]*$" "\\1" layout ${unit})
+        set_source_files_properties(${unit} PROPERTIES UNITY_GROUP ${layout})
+    endforeach()
     target_link_libraries(${types} PRIVATE edgewise_core edgewise_flags edgewise_query_loops)
     target_compile_options(${types} PRIVATE $<$<BOOL:${TUNE}>:-march=${TUNE}>)
     edgewise_precompile(${types} ${PROJECT_SOURCE_DIR}/src/edgewise/bench/table_type_for.hpp)
@@ -85,12 +91,17 @@ add_library(edgewise_cli OBJECT ${cli_sources})
 target_link_libraries(edgewise_cli PUBLIC edgewise_core edgewise_reports CLI11::CLI11 PRIVATE edgewise_flags)
 # A parser's templates: three times as long to compile when optimised, and nothing there takes time.
 target_compile_options(edgewise_cli PRIVATE -O0)
+target_compile_definitions(edgewise_cli PRIVATE ${EDGEWISE_CHECKED})
 edgewise_unite(edgewise_cli)
 edgewise_precompile(edgewise_cli <CLI/CLI.hpp> <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp>)
 
 add_executable(edgewise_program)
 set_target_properties(edgewise_program PROPERTIES OUTPUT_NAME edgewise RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_link_libraries(edgewise_program PRIVATE edgewise_cli edgewise_tool)
+# Tests under sanitizers do not start it.
+if(EDGEWISE_SANITIZE)
+    set_target_properties(edgewise_program edgewise_cli edgewise_reports PROPERTIES EXCLUDE_FROM_ALL ON)
+endif()
 
 # The same with a few table types for any processor since 2013: what Valgrind can run, and a second build of the query
 # loops whose every answer must be the same. Built when tests ask for it.
@@ -104,6 +115,4 @@ if(NOT EDGEWISE_SANITIZE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set_target_properties(edgewise_sim PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
     target_link_libraries(edgewise_sim PRIVATE edgewise_cli edgewise_sim_tool)
     set_target_properties(edgewise_sim_tool_table_types PROPERTIES EXCLUDE_FROM_ALL ON)
-    # Nothing is timed there.
-    target_compile_options(edgewise_sim_tool_table_types PRIVATE $<$<CONFIG:Release>:-O2>)
 endif()

@@ -31,8 +31,8 @@ constexpr const char* machines =
 
 /// What the tool sees beyond tables, pair caches and poses is the stack, answers and instructions: so many
 /// lines a query and no more. In the 16 KiB of the Pentiums they may also throw a line out of every pass over
-/// a table that nearly fills the cache, in caches of two ways in some: which set the stack falls into is
-/// chance. Less by a line or so, since a query's record is not read to its last byte.
+/// a table that nearly fills the cache: which set the stack falls into is chance; in the Raspberry Pi's two
+/// ways they may throw out one. Less by a line or so, since a query's record is not read to its last byte.
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Cell& cell = GetParam();
     const Folder folder;
@@ -50,7 +50,9 @@ TEST_P(CrosscheckCells, AgreeButForTheStack) {
         const json &ours = row["model_with_poses"], &theirs = row["callgrind"];
         const double model = ours["d1_misses_per_query"], tool = theirs["d1_misses_per_query"];
         EXPECT_GT(tool, model - (small_lines ? 1.6 : 0.8)) << row;
-        const double chance = (small_lines ? 14 : 7.5) + 0.02 * ours["accesses_per_query"].get<double>();
+        const double one_more = row["machine"] == "raspberry_pi4" ? 1 : 0;
+        const double chance =
+            small_lines ? 14 + 0.02 * ours["accesses_per_query"].get<double>() : 7.5 + one_more;
         EXPECT_LT(tool, model + chance) << row;
         EXPECT_TRUE(small_lines || tool < 25 || model > 0.75 * tool) << row;
         const double ll =

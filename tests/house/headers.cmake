@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Every header compiles alone, and twice. One unit a header, checked but not compiled to code, by a target that only
 # the test asks for; a header that did not change, nor what it includes, is not checked again. A header that its own
-# source includes before all others has been compiled alone by the build.
+# source includes before all others has been compiled alone by the build. Those that include Eigen have it precompiled.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src/edgewise/*.hpp
     ${PROJECT_SOURCE_DIR}/layouts/*.hpp ${PROJECT_SOURCE_DIR}/probes/*.hpp ${PROJECT_SOURCE_DIR}/reports/*.hpp)
 list(LENGTH headers count)
@@ -12,6 +12,38 @@ endif()
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${folder})
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+set(check ${CMAKE_CXX_COMPILER} -std=c++20 -I${EDGEWISE_INCLUDE} -isystem ${eigen})
+file(CONFIGURE OUTPUT ${folder}/eigen.hpp CONTENT "#include <Eigen/Core>\n")
+add_custom_command(OUTPUT ${folder}/eigen.hpp.gch DEPENDS ${folder}/eigen.hpp
+    COMMAND ${check} -x c++-header ${folder}/eigen.hpp -o ${folder}/eigen.hpp.gch VERBATIM)
+
+# includes_eigen: the headers that do, themselves or through others.
+set(includes_eigen)
+set(before -1)
+list(LENGTH includes_eigen now)
+foreach(header IN LISTS headers)
+    file(STRINGS ${PROJECT_SOURCE_DIR}/${header} included REGEX "^#include [<\"](Eigen|edgewise)/")
+    string(REGEX REPLACE "^src/edgewise/" "" name ${header})
+    set(includes_of_${name} "${included}")
+    list(APPEND names ${name})
+endforeach()
+while(NOT before EQUAL now)
+    set(before ${now})
+    foreach(name IN LISTS names)
+        if(name IN_LIST includes_eigen)
+            continue()
+        endif()
+        foreach(line IN LISTS includes_of_${name})
+            string(REGEX REPLACE "^#include .(edgewise/)?([^>\"]*).*" "\\2" included "${line}")
+            if(included MATCHES "^Eigen/" OR included IN_LIST includes_eigen)
+                list(APPEND includes_eigen ${name})
+                break()
+            endif()
+        endforeach()
+    endforeach()
+    list(LENGTH includes_eigen now)
+endwhile()
+
 foreach(header IN LISTS headers)
     string(REGEX REPLACE "^src/edgewise/" "" name ${header})
     string(REGEX REPLACE "hpp$" "cpp" source ${PROJECT_SOURCE_DIR}/${header})
@@ -29,9 +61,12 @@ foreach(header IN LISTS headers)
     string(REPLACE / _ unit ${name})
     set(unit ${folder}/${unit})
     file(CONFIGURE OUTPUT ${unit}.cpp CONTENT "#include \"edgewise/${name}\"\n#include \"edgewise/${name}\"\n")
-    add_custom_command(OUTPUT ${unit}.checked DEPENDS ${unit}.cpp DEPFILE ${unit}.d
-        COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -fsyntax-only -I${EDGEWISE_INCLUDE} -isystem ${eigen}
-                -MD -MF ${unit}.d -MT ${unit}.checked ${unit}.cpp
+    set(precompiled)
+    if(name IN_LIST includes_eigen)
+        set(precompiled -include ${folder}/eigen.hpp)
+    endif()
+    add_custom_command(OUTPUT ${unit}.checked DEPENDS ${unit}.cpp ${folder}/eigen.hpp.gch DEPFILE ${unit}.d
+        COMMAND ${check} -fsyntax-only ${precompiled} -MD -MF ${unit}.d -MT ${unit}.checked ${unit}.cpp
         COMMAND ${CMAKE_COMMAND} -E touch ${unit}.checked
         COMMENT "header ${header}" VERBATIM)
     list(APPEND checked ${unit}.checked)

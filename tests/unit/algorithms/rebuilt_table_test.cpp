@@ -28,10 +28,10 @@ void expect_same(const Distance& found, const Distance& fresh) {
 /// Bodies of more and of fewer features in turns, all in the same place in memory.
 template <class Algorithm, class Table>
 void keep_a_pair_over_rebuilds() {
-    using Pair = typename Algorithm::template Pair<Table, Table>;
+    using TablePair = typename Algorithm::template Pair<Table, Table>;
     const Table other(*scene::make_shape("sphere18"), Parts::features);
     Table table(*scene::make_shape("sphere386"), Parts::features);
-    Pair kept(table, other);
+    TablePair kept(table, other);
     scene::Rng rng(1);
     for (int i = 0; i < 60; ++i) {
         const char* const shapes[] = {"tetra4", "sphere386", "cube8", "sphere38", "sphere18"};
@@ -43,7 +43,7 @@ void keep_a_pair_over_rebuilds() {
                       simplex_of(table, other, kept).count > 0,
                   false)
             << "no start for EPA either";
-        Pair fresh(table, other);
+        TablePair fresh(table, other);
         expect_same(Algorithm::query(table, other, pose, kept), Algorithm::query(table, other, pose, fresh));
         EXPECT_TRUE(kept.belongs_to(table, other));
     }

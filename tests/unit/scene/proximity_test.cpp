@@ -13,13 +13,13 @@
 namespace edgewise::scene {
 namespace {
 
-constexpr std::size_t pairs = 12, steps = 60;
+constexpr std::size_t pairs = 12, step_count = 60;
 
 Workload proximity(const SceneParameters& more = {}) {
     SceneParameters given = {{"pairs", double(pairs)}};
     given.insert(more.begin(), more.end());
     auto workload = make_scene("proximity", *make_shape("sphere38"), *complete_parameters("proximity", given),
-                               1, pairs * steps, truth::brute_force_distance);
+                               1, pairs * step_count, truth::brute_force_distance);
     EXPECT_TRUE(workload) << workload.error;
     return std::move(*workload);
 }
@@ -32,7 +32,7 @@ TEST(Proximity, StartsTheGapApart) {
     const Workload w = proximity();
     EXPECT_EQ(w.pair_count, pairs);
     EXPECT_EQ(w.instances.size(), 2 * pairs);
-    EXPECT_EQ(w.frames.size(), steps);
+    EXPECT_EQ(w.frames.size(), step_count);
     const double size = extent(w.bodies[0].vertices);
     for (std::size_t i = 0; i < pairs; ++i)
         EXPECT_NEAR(distance(w, w.queries[i]), 0.001 * size, placement_tolerance * size) << "pair " << i;
@@ -61,7 +61,7 @@ TEST(Proximity, StaysClose) {
 TEST(Proximity, StandsStillWithoutRotation) {
     const Workload w = proximity({{"rotation_step", 0}, {"gap", 0.1}});
     const double first = distance(w, w.queries[0]);
-    EXPECT_EQ(distance(w, w.queries[(steps - 1) * pairs]), first);
+    EXPECT_EQ(distance(w, w.queries[(step_count - 1) * pairs]), first);
     EXPECT_NEAR(first, 0.1 * extent(w.bodies[0].vertices), 2e-3);
 }
 
