@@ -34,7 +34,7 @@ class Judge {
         band_ = truth::accuracy_band(vertices(0), query.pose_a, vertices(1), query.pose_b, exactness.eps);
         const bench::NamedAnswer answer = runner.answer(query);
         if (answer.distance.status == Status::failed) {
-            result_.refusal = "too far apart for this precision";
+            result_.refusal = "too far from each other for this precision";
             return;
         }
         result_.answered = true;

@@ -30,7 +30,7 @@ constexpr const char* machines =
     "zen4,zen5,sapphire_rapids,raspberry_pi4";
 
 /// What the tool sees beyond tables, pair caches and poses is the stack, answers and instructions: so many
-/// lines a query and no more. In the 16 KiB of the Pentiums they may also throw a line out of every pass over
+/// lines per query and no more. In the 16 KiB of the Pentiums they may also throw a line out of every pass over
 /// a table that nearly fills the cache: which set the stack falls into is chance; in the Raspberry Pi's two
 /// ways they may throw out one. Less by a line or so, since a query's record is not read to its last byte.
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
@@ -63,7 +63,7 @@ TEST_P(CrosscheckCells, AgreeButForTheStack) {
         most = std::max(most, model);
     }
     EXPECT_GT(most, 3) << "nothing was missed";
-    std::printf("%s: to %.1f D1 misses a query; %.2f a query apart at most, in the last level %.3f\n",
+    std::printf("%s: to %.1f D1 misses per query; %.2f per query apart at most, in the last level %.3f\n",
                 cell.name, most, worst, worst_ll);
 }
 

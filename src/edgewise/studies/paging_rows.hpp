@@ -18,7 +18,7 @@ inline constexpr const char* paging_scene = "paging";
 
 struct PagingPlan {
     std::size_t bodies = 600;
-    double rotation_step = 7.0 / 60;  ///< rad: the end of the paper's axis at 60 steps a second
+    double rotation_step = 7.0 / 60;  ///< rad: the end of the paper's axis at 60 steps per second
     std::size_t steps = 6;            ///< of a pass
     std::uint64_t seed = 1;
 };

@@ -20,10 +20,10 @@ namespace edgewise::studies {
 inline constexpr std::array<double, 9> stability_tolerances = {0,    1e-16, 1e-14, 1e-12, 1e-10,
                                                                1e-8, 1e-6,  1e-5,  1e-3};
 
-/// Bins of time against signed gap: edges of the gap over the scale.
+/// Bins of time against signed gap: edges of the gap divided by the scale.
 inline constexpr std::array<double, 4> stability_gaps = {1e-9, 1e-6, 1e-3, 1e-1};
 
-/// An error over the scale, less what the band excuses; NaN stays NaN.
+/// An error divided by the scale, less what the band excuses; NaN stays NaN.
 [[nodiscard]] double error_beyond(double error, const truth::AccuracyBand& band);
 
 /// One judged answer.

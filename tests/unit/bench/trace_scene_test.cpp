@@ -60,7 +60,7 @@ TEST_P(TraceScene, MissesWhatItMust) {
     }
     EXPECT_GE(trace.lines.in_frames, trace.lines.distinct) << "frames touch all that the scene does";
     EXPECT_LE(trace.lines.of_tables, trace.lines.distinct);
-    std::printf("%s %s: %.1f lines a query, %llu of the scene\n", GetParam().first, GetParam().second,
+    std::printf("%s %s: %.1f lines per query, %llu of the scene\n", GetParam().first, GetParam().second,
                 static_cast<double>(trace.lines.touched) / static_cast<double>(trace.queries),
                 static_cast<unsigned long long>(trace.lines.distinct));
 }
