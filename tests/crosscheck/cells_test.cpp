@@ -30,9 +30,10 @@ constexpr const char* machines =
     "zen4,zen5,sapphire_rapids,raspberry_pi4";
 
 /// What the tool sees beyond tables, pair caches and poses is the stack, answers and instructions: so many
-/// lines per query and no more. In the 16 KiB of the Pentiums they may also throw a line out of every pass over
-/// a table that nearly fills the cache: which set the stack falls into is chance; in the Raspberry Pi's two
-/// ways they may throw out one. Less by a line or so, since a query's record is not read to its last byte.
+/// lines per query and no more. In the 16 KiB of the Pentiums they may also throw a line out of every pass
+/// over a table that nearly fills the cache: which set the stack falls into is chance; in the Raspberry Pi's
+/// two ways they may throw out one. Less by a line or so, since a query's record is not read to its last
+/// byte.
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Cell& cell = GetParam();
     const Folder folder;
