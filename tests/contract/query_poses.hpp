@@ -23,7 +23,9 @@ namespace edgewise {
     while (poses.size() < count) {
         Transform<double> pose;
         pose.rotation = rng.rotation();
-        const Vec3d place = middle + rng.on_sphere() * (rng.uniform(0, 2.5) * size);
+        // One draw a statement: compilers evaluate operands in either order.
+        const Vec3d direction = rng.on_sphere();
+        const Vec3d place = middle + direction * (rng.uniform(0, 2.5) * size);
         pose.translation = place - multiply(pose.rotation, middle);
         poses.push_back(pose);
     }

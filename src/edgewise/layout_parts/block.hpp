@@ -52,12 +52,13 @@ class BlockPlan {
     }
 
     [[nodiscard]] std::size_t size() const { return size_; }
-    /// In memory order, without gaps; as they lie in a block that starts at `base`.
+    /// In memory order, without gaps; as they lie in a block that starts at `base` (null: nowhere yet).
     [[nodiscard]] std::vector<Piece> pieces(const std::byte* base) const {
         std::vector<Piece> placed = pieces_;
+        std::size_t offset = 0;
         for (Piece& piece : placed) {
-            piece.at = base;
-            base += piece.bytes();
+            piece.at = base ? base + offset : nullptr;
+            offset += piece.bytes();
         }
         return placed;
     }

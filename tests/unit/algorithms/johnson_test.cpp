@@ -64,7 +64,9 @@ Corners near_contact(scene::Rng& rng) {
         sum += weight;
     }
     if (sum > 0) place /= sum;
-    place += tiny(rng) * rng.on_sphere();
+    // One draw a statement: compilers evaluate operands in either order.
+    const Vec3d direction = rng.on_sphere();
+    place += tiny(rng) * direction;
     for (Vec3d& p : w) p -= place;
     return w;
 }
@@ -143,7 +145,10 @@ void ask_all() {
     std::bitset<16> subsets;
     for (const Kind& kind : kinds) {
         Seen seen;
-        for (int i = 0; i < 20000; ++i) ask<Scalar>(kind.make(rng), 1 + static_cast<int>(rng.below(4)), seen);
+        for (int i = 0; i < 20000; ++i) {
+            const int count = 1 + static_cast<int>(rng.below(4));
+            ask<Scalar>(kind.make(rng), count, seen);
+        }
         std::printf(
             "johnson %s, %s: worst error %.3g, witness %.3g, sum of weights %.3g; %d backups, "
             "%d missed\n",
