@@ -24,8 +24,8 @@ namespace edgewise {
         Transform<double> pose;
         pose.rotation = rng.rotation();
         // One draw a statement: compilers evaluate operands in either order.
-        const Vec3d direction = rng.on_sphere();
-        const Vec3d place = middle + direction * (rng.uniform(0, 2.5) * size);
+        const double away = rng.uniform(0, 2.5) * size;
+        const Vec3d place = middle + rng.on_sphere() * away;
         pose.translation = place - multiply(pose.rotation, middle);
         poses.push_back(pose);
     }
