@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The manifests: one line a layout (layouts/CMakeLists.txt), one line a probe (probes/CMakeLists.txt). From each line
-# come generated units, one a table type, so that builds stay parallel and nothing else names a layout.
+# come generated units, one a table type (a layout's compile as one), so that builds stay parallel and nothing else
+# names a layout.
 
 # edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER] [SUPPORT_ONLY]): NAME is the file's stem, the type and the
 # command-line name. A variant hardly differs from the other: plans leave it out, but for `full`. SUPPORT_ONLY: a table

@@ -69,7 +69,7 @@ function(edgewise_tool_for NAME TUNE)
     list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_BINARY_DIR}/registry/\\1.cpp" OUTPUT_VARIABLE units)
     set(types ${NAME}_table_types)
     add_library(${types} OBJECT ${list} ${units})
-    # A layout's precisions together share three quarters of what is parsed and instantiated.
+    # A layout's precisions together take a fifth less than each by itself: they share what is parsed and instantiated.
     set_target_properties(${types} PROPERTIES UNITY_BUILD ${EDGEWISE_UNITY} UNITY_BUILD_MODE GROUP)
     foreach(unit IN LISTS units)
         string(REGEX REPLACE "^.*/(.*)_[^_]*$" "\\1" layout ${unit})

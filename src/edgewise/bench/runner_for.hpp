@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The runner of one algorithm on one table type. Included by the generated registry units only, so that each
-// table type compiles by itself, in parallel.
+// The runner of one algorithm on one table type. Included by the generated registry units only, so that
+// layouts compile by themselves, in parallel.
 #pragma once
 
 #include <memory>
