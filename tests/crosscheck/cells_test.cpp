@@ -25,14 +25,15 @@ void PrintTo(const Cell& cell, std::ostream* out) { *out << cell.name; }
 
 class CrosscheckCells : public testing::TestWithParam<Cell> {};
 
+/// Every geometry of a first level that the manifest has, with four of a second.
 constexpr const char* machines =
-    "pentium2_deschutes,pentium3_katmai,pentium3_coppermine,athlon_pluto,athlon_thunderbird,skylake_sp,zen2,"
-    "zen4,zen5,sapphire_rapids,raspberry_pi4";
+    "pentium2_deschutes,pentium3_coppermine,athlon_thunderbird,skylake_sp,zen5,raspberry_pi4";
 
 /// What the tool sees beyond tables, pair caches and poses is the stack, answers and instructions: so many
-/// lines per query and no more. In the 16 KiB of the Pentiums they may also throw a line out of every pass
-/// over a table that nearly fills the cache: which set the stack falls into is chance; in the Raspberry Pi's
-/// two ways they may throw out one. Less by a line or so, since a query's record is not read to its last
+/// lines per query and no more. In the 16 KiB of the Pentiums they may also throw lines out of every pass
+/// over a table that nearly fills the cache. Which sets the stack falls into is chance (of the environment's
+/// length), so the bound there is the model with two ways of every set taken away. In the Raspberry Pi's two
+/// ways they may throw out one line. Less by a line or so, since a query's record is not read to its last
 /// byte.
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Cell& cell = GetParam();
@@ -43,8 +44,8 @@ TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Outcome outcome = Process(cells_program, arguments, folder).wait();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json rows = json::parse(outcome.out)["crosscheck"];
-    ASSERT_EQ(rows.size(), 11U);
-    double worst = 0, most = 0, worst_ll = 0;
+    ASSERT_EQ(rows.size(), 6U);
+    double worst = 0, most_modelled = 0, worst_ll = 0;
     for (const json& row : rows) {
         ASSERT_TRUE(row["reason"].is_null()) << row;
         const bool small_lines = row["machine"].get<std::string>().starts_with("pentium");
@@ -52,20 +53,20 @@ TEST_P(CrosscheckCells, AgreeButForTheStack) {
         const double model = ours["d1_misses_per_query"], tool = theirs["d1_misses_per_query"];
         EXPECT_GT(tool, model - (small_lines ? 1.6 : 0.8)) << row;
         const double one_more = row["machine"] == "raspberry_pi4" ? 1 : 0;
-        const double chance =
-            small_lines ? 14 + 0.02 * ours["accesses_per_query"].get<double>() : 7.5 + one_more;
-        EXPECT_LT(tool, model + chance) << row;
+        const double most = small_lines ? row["d1_misses_per_query_two_ways_fewer"].get<double>() : model;
+        EXPECT_LT(tool, most + (small_lines ? 14 : 7.5 + one_more)) << row;
         EXPECT_TRUE(small_lines || tool < 25 || model > 0.75 * tool) << row;
         const double ll =
             theirs["ll_misses_per_query"].get<double>() - ours["ll_misses_per_query"].get<double>();
         EXPECT_LT(std::abs(ll), 1 + 0.1 * ours["ll_misses_per_query"].get<double>()) << row;
         worst = std::max(worst, std::abs(tool - model));
         worst_ll = std::max(worst_ll, std::abs(ll));
-        most = std::max(most, model);
+        most_modelled = std::max(most_modelled, model);
     }
-    EXPECT_GT(most, 3) << "nothing was missed";
-    std::printf("%s: to %.1f D1 misses per query; %.2f per query apart at most, in the last level %.3f\n",
-                cell.name, most, worst, worst_ll);
+    EXPECT_GT(most_modelled, 3) << "nothing was missed";
+    std::printf(
+        "%s: to %.1f D1 misses per query; %.2f per query between them at most, in the last level %.3f\n",
+        cell.name, most_modelled, worst, worst_ll);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -149,6 +149,13 @@ measure::CallgrindCounts model_pass(const SingleCell& cell, const measure::Cache
             count(listener.model().counts(1).misses)};
 }
 
+measure::Expected<measure::CacheGeometry> two_ways_fewer(measure::CacheGeometry geometry) {
+    std::uint32_t& ways = geometry.levels[0].ways;
+    if (ways <= 2) return measure::Expected<measure::CacheGeometry>::none("the first level has two ways");
+    ways -= 2;
+    return {std::move(geometry)};
+}
+
 measure::Expected<measure::CallgrindCounts> callgrind_pass(const CellChoice& choice,
                                                            const measure::CacheGeometry& geometry,
                                                            const std::string& program) {
