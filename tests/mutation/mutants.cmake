@@ -12,6 +12,8 @@ edgewise_mutant(relative_pose_not_transposed geometry/pose.hpp [[multiply_transp
     Pose.RelativePose* ${unit}/geometry/pose_test.cpp)
 edgewise_mutant(plane_offset_sign geometry/plane.hpp [[dot(normal, p) + offset]] [[dot(normal, p) - offset]]
     RandomPairs* ${random_pairs})
+edgewise_mutant(bent_faces_count_as_flat geometry/strictly_convex.cpp [[|| turns.is_bent(f)]] [[]]
+    StrictlyConvex.ABentFace* ${unit}/geometry/strictly_convex_test.cpp)
 edgewise_mutant(flat_corners_count_as_turns geometry/strictly_convex.cpp [[dot(from, to) <= 0 ? 1]] [[dot(from, to) >= 0 ? 1]]
     StrictlyConvex.* ${unit}/geometry/strictly_convex_test.cpp)
 

@@ -2,6 +2,9 @@
 #include "edgewise/geometry/strictly_convex.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise {
 
@@ -27,6 +30,14 @@ class Turns {
                       norm(Vec3d(body_.vertices[edge.head] - body_.vertices[edge.tail])));
     }
 
+    [[nodiscard]] bool is_bent(Index f) const {
+        const auto ring = body_.ring_of_face(f);
+        return std::any_of(ring.begin(), ring.end(), [&](HalfEdge h) {
+            return std::abs(body_.face_planes[f].distance(body_.vertices[body_.tail(h)])) >
+                   bent_face * reach_;
+        });
+    }
+
   private:
     /// By the sine, which near zero is the angle; of an obtuse turn it is not asked.
     [[nodiscard]] bool enough(const Vec3d& from, const Vec3d& to, double length) const {
@@ -47,7 +58,7 @@ class Turns {
 bool is_strictly_convex(const Polyhedron& body, double least_turn) {
     const Turns turns(body, least_turn);
     for (Index f = 0; f < body.face_count(); ++f) {
-        if (!turns.at_every_corner(f)) return false;
+        if (!turns.at_every_corner(f) || turns.is_bent(f)) return false;
     }
     return body.face_count() == 0 ||
            std::all_of(body.edges.begin(), body.edges.end(),

@@ -4,7 +4,7 @@
 // whose faces were given as triangles, or with vertices in the middle of a side, is convex but not strictly.
 // Voronoi regions of its flat edges are sheets of no thickness, which reach through the body to its far side.
 // Nor is a corner real for arithmetic if it is so small beside the body that products with its coordinates
-// hide it.
+// hide it, or a face flat that a hull has merged from several at an angle of some rounding steps.
 #pragma once
 
 #include "edgewise/geometry/polyhedron.hpp"
@@ -13,7 +13,8 @@ namespace edgewise {
 
 /// False when two neighbouring faces, or two consecutive sides of a face, turn by less than least_turn
 /// (radians; tolerance.hpp, strict_turn), or when such a turn times the length of the edge, or of the shorter
-/// side, is less than least_turn of the body's largest coordinate. Points and segments are strictly convex.
+/// side, is less than least_turn of the body's largest coordinate; or when a vertex lies off the plane of its
+/// face by more than bent_face. Points and segments are strictly convex.
 [[nodiscard]] bool is_strictly_convex(const Polyhedron& body, double least_turn);
 
 }  // namespace edgewise

@@ -103,6 +103,10 @@ inline constexpr double close_of_rounded_planes = 0x1p-7;
 /// steps; beyond 4096 (1e-12) a face is bent, not rounded.
 inline constexpr double face_planarity = 4096 * std::numeric_limits<double>::epsilon();
 
+/// Relative to the largest coordinate: a vertex farther off the plane of its face than rounding leaves it (1
+/// on every named shape) is a corner that neither planes nor climbs see. Half of the verdict's band.
+inline constexpr double bent_face = 8 * std::numeric_limits<double>::epsilon();
+
 /// Relative to the extent: a body thinner than this is flat. The same as face_planarity, since below it no
 /// check can distinguish the two sides of the body.
 inline constexpr double flat_thickness = face_planarity;

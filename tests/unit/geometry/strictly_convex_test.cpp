@@ -62,6 +62,25 @@ TEST(StrictlyConvex, ACornerCutOffIsUntilItIsTiny) {
     EXPECT_FALSE(is_strictly_convex(cut(1e-6), least));
 }
 
+/// A hull may take four corners for one face though one is off by some dozen rounding steps.
+TEST(StrictlyConvex, ABentFaceIsNotBeyondRounding) {
+    const auto bent = [](double by) {
+        return *convex_hull(Points{{-1, -0.5, -1},
+                                   {1, -0.5, -1},
+                                   {-1, 0.5, -1},
+                                   {1, 0.5, -1},
+                                   {-1, -0.5, 1},
+                                   {1, -0.5, 3.230571746826172e-05},
+                                   {-1, 0.5, 1},
+                                   {1 + by, 0.5, 1}});
+    };
+    const double merged = 64 * 0x1p-52;
+    EXPECT_EQ(bent(merged).face_count(), bent(0).face_count());
+    EXPECT_TRUE(is_strictly_convex(bent(0), least));
+    EXPECT_TRUE(is_strictly_convex(bent(0x1p-52), least));
+    EXPECT_FALSE(is_strictly_convex(bent(merged), least));
+}
+
 TEST(StrictlyConvex, ACutFaceIsNotUntilItIsFolded) {
     EXPECT_FALSE(is_strictly_convex(pyramid(0), least));
     EXPECT_FALSE(is_strictly_convex(pyramid(1e-5), least));
