@@ -36,7 +36,7 @@ struct AosArrays {
 
     void place(BlockPlan& plan, const BodyFacts& n) {
         plan.array(vertices, n.vertex_count, {{Component::vertex_coordinates, sizeof(Vec3<Stored>)}});
-        plan.array(edges, n.edge_count, Record::shares());
+        plan.array(edges, n.edge_count(), Record::shares());
         plan.array(faces, n.face_count, {{Component::face_planes, sizeof(Plane<Stored>)}});
     }
 

@@ -52,7 +52,7 @@ struct AosoaArrays {
 
     void place(BlockPlan& plan, const BodyFacts& n) {
         place_blocks(plan, vertices, n.vertex_count, {{Component::vertex_coordinates, 3, sizeof(Stored)}});
-        place_blocks(plan, edges, n.edge_count,
+        place_blocks(plan, edges, n.edge_count(),
                      {{Component::voronoi_planes, 16, sizeof(Stored)},
                       {Component::edge_geometry, 4, sizeof(Stored)},
                       {Component::topology, 4, sizeof(Index)}});

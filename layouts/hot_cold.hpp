@@ -45,9 +45,9 @@ struct HotColdArrays {
 
     void place(BlockPlan& plan, const BodyFacts& n) {
         plan.array(vertices, n.vertex_count, {{Component::vertex_coordinates, sizeof(Vec3<Stored>)}});
-        plan.array(hot, n.edge_count, {{Component::voronoi_planes, 4 * sizeof(Plane<Stored>)}});
+        plan.array(hot, n.edge_count(), {{Component::voronoi_planes, 4 * sizeof(Plane<Stored>)}});
         plan.array(
-            cold, n.edge_count,
+            cold, n.edge_count(),
             {{Component::topology, 4 * sizeof(Index)}, {Component::edge_geometry, 4 * sizeof(Stored)}});
         plan.array(faces, n.face_count, {{Component::face_planes, sizeof(Plane<Stored>)}});
     }

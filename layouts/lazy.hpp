@@ -81,7 +81,7 @@ class Lazy : public Table {
         if (of_edges == 0) return 1;
         const double missing =
             static_cast<double>(of_edges) *
-            (1 - static_cast<double>(made()) / static_cast<double>(this->facts_.edge_count));
+            (1 - static_cast<double>(made()) / static_cast<double>(this->facts_.edge_count()));
         return 1 - missing / static_cast<double>(all.total());
     }
 
@@ -109,13 +109,13 @@ class Lazy : public Table {
     using Word = std::uint64_t;
     static constexpr Index word_bits = 64;
 
-    [[nodiscard]] std::size_t word_count() const { return this->facts_.edge_count / word_bits + 1; }
+    [[nodiscard]] std::size_t word_count() const { return this->facts_.edge_count() / word_bits + 1; }
     void place(BlockPlan& plan, Word*& words) const {
         plan.array(words, word_count(), {{Component::topology, sizeof(Word)}});
     }
 
     void make(Edge e) const {
-        assert(e < this->facts_.edge_count);
+        assert(e < this->facts_.edge_count());
         Word& word = words_[e / word_bits];
         const Word bit = Word{1} << (e % word_bits);
         if ((this->loader_.load(word, Field::edge_made) & bit) != 0) return;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -18,14 +19,17 @@
 
 namespace edgewise {
 
-/// One array each of x, y and z.
+/// One array each of x, y and z: where they start, in bytes from the block's start.
 template <class Stored>
 struct PointArrays {
-    std::array<Stored*, 3> axis{};
+    std::array<std::uint32_t, 3> at{};
 
     void place(BlockPlan& plan, const BodyFacts& n) {
-        for (Stored*& array : axis)
-            plan.array(array, n.vertex_count, {{Component::vertex_coordinates, sizeof(Stored)}});
+        for (std::uint32_t& start : at)
+            start = plan.array_at<Stored>(n.vertex_count, {{Component::vertex_coordinates, sizeof(Stored)}});
+    }
+    [[nodiscard]] Stored* axis(int k, std::byte* base) const {
+        return reinterpret_cast<Stored*>(base + at[k]);
     }
 };
 
@@ -59,7 +63,7 @@ class points_soa : public BlockTable<P, Loader> {
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     void write_vertex(Index v, const Vec3d& point) {
-        for (int k = 0; k < 3; ++k) coordinates_.axis[k][v] = static_cast<Stored>(point[k]);
+        for (int k = 0; k < 3; ++k) axis(k)[v] = static_cast<Stored>(point[k]);
     }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
@@ -75,40 +79,62 @@ class points_soa : public BlockTable<P, Loader> {
 
     /// The vertex farthest along the direction, the first of equals; every bit as a scan one by one finds it.
     [[nodiscard]] Farthest scan_support(const Vec3<Compute>& direction) const {
-        Vertex best = this->first_vertex();
-        Compute along = dot(vertex(best), direction);
-        std::array<Compute, chunk> heights;
-        for (std::size_t first = 0; first < this->vertex_count(); first += chunk) {
-            const std::size_t count = std::min(chunk, this->vertex_count() - first);
-            measure(first, count, direction, heights);
-            const Compute top = highest(heights);
-            if (!(top > along)) continue;
-            const std::size_t at = std::find(heights.begin(), heights.end(), top) - heights.begin();
-            best = static_cast<Vertex>(first + at);
-            along = heights[at];  // not `top`: of two equal zeros it may have the other sign
+        const Vertex start = this->first_vertex();
+        Highest best{start, dot(vertex(start), direction)};
+        std::size_t first = 0, rest = this->vertex_count();
+        for (; rest >= 64; first += 64, rest -= 64) scan_chunk<64>(first, 64, direction, best);
+        // The smallest chunk that the rest fits in: a box is eight numbers, not sixty-four.
+        if (rest == 8) {
+            scan_chunk<8>(first, 8, direction, best);
+        } else if (rest > 0 && rest < 8) {
+            scan_chunk<8>(first, rest, direction, best);
+        } else if (rest > 8 && rest <= 16) {
+            scan_chunk<16>(first, rest, direction, best);
+        } else if (rest > 16) {
+            scan_chunk<64>(first, rest, direction, best);
         }
-        return {best, vertex(best), along};
+        return {best.vertex, vertex(best.vertex), best.along};
     }
 
   private:
     template <Precision, class>
     friend class points_soa;
 
-    static constexpr std::size_t chunk = 64;
+    struct Highest {
+        Vertex vertex;
+        Compute along;
+    };
+
+    /// The highest of up to `Size` vertices, if it is above the best.
+    template <std::size_t Size>
+    [[gnu::always_inline]] void scan_chunk(std::size_t first, std::size_t count,
+                                           const Vec3<Compute>& direction, Highest& best) const {
+        std::array<Compute, Size> heights;
+        measure(first, count, direction, heights);
+        const Compute top = highest(heights);
+        if (!(top > best.along)) return;
+        const std::size_t at = std::find(heights.begin(), heights.end(), top) - heights.begin();
+        // Not `top`: of two equal zeros it may have the other sign.
+        best = {static_cast<Vertex>(first + at), heights[at]};
+    }
 
     Compute coordinate(int k, std::size_t v) const {
-        return static_cast<Compute>(load(coordinates_.axis[k][v], Field::vertex));
+        return static_cast<Compute>(load(axis(k)[v], Field::vertex));
     }
+    [[nodiscard]] Stored* axis(int k) const { return coordinates_.axis(k, this->block_.base()); }
 
     /// Heights of `count` vertices; what is left of the chunk can never win. Positions have 64 bits here: a
     /// sum of 32-bit ones may wrap round, and g++ then gathers scalars one by one.
-    void measure(std::size_t first, std::size_t count, const Vec3<Compute>& direction,
-                 std::array<Compute, chunk>& heights) const {
+    template <std::size_t Size>
+    [[gnu::always_inline]] void measure(std::size_t first, std::size_t count, const Vec3<Compute>& direction,
+                                        std::array<Compute, Size>& heights) const {
         const Compute x = direction.x(), y = direction.y(), z = direction.z();
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t v = first + i;
-            heights[i] = coordinate(0, v) * x + coordinate(1, v) * y + coordinate(2, v) * z;
-        }
+        const Stored *const xs = axis(0) + first, *const ys = axis(1) + first, *const zs = axis(2) + first;
+        const auto read = [this](const Stored& location) {
+            return static_cast<Compute>(load(location, Field::vertex));
+        };
+        for (std::size_t i = 0; i < count; ++i)
+            heights[i] = read(xs[i]) * x + read(ys[i]) * y + read(zs[i]) * z;
         std::fill(heights.begin() + count, heights.end(), -std::numeric_limits<Compute>::infinity());
     }
 

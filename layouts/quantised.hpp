@@ -6,6 +6,7 @@
 // box's longest side (more for a body far off its origin). The precision says what computes.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "edgewise/geometry/grid.hpp"
@@ -20,18 +21,18 @@ struct GridPoints {
     static constexpr double eps = double{Tolerance<Compute>::eps};
 
     Grid grid;
-    Grid::Place* points = nullptr;
 
-    void place(BlockPlan& plan, const BodyFacts& n) {
-        plan.array(points, n.vertex_count, {{Component::vertex_coordinates, sizeof(Grid::Place)}});
+    static void place(BlockPlan& plan, const BodyFacts& n) {
+        plan.array_at<Grid::Place>(n.vertex_count, {{Component::vertex_coordinates, sizeof(Grid::Place)}});
     }
-    void write(const Polyhedron& body) {
+    void write(std::byte* base, const Polyhedron& body) {
+        auto* const points = reinterpret_cast<Grid::Place*>(base);
         grid = Grid(body.vertices, eps);
         for (Index v = 0; v < body.vertex_count(); ++v) points[v] = grid.nearest(body.vertices[v]);
     }
     template <class Loader>
-    [[nodiscard]] Vec3d read(const Loader& loader, Index v) const {
-        return grid.at(loader.load(points[v], Field::vertex));
+    [[nodiscard]] Vec3d read(const Loader& loader, const std::byte* base, Index v) const {
+        return grid.at(loader.load(reinterpret_cast<const Grid::Place*>(base)[v], Field::vertex));
     }
 };
 

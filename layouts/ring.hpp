@@ -44,10 +44,10 @@ struct RingArrays {
     void place(BlockPlan& plan, const BodyFacts& n) {
         const Shares plane = {{Component::voronoi_planes, sizeof(Plane<Stored>)}};
         plan.array(vertices, n.vertex_count, {{Component::vertex_coordinates, sizeof(Vec3<Stored>)}});
-        plan.array(vertex_edge, 2 * std::size_t{n.edge_count}, plane);
-        plan.array(edge_face, 2 * std::size_t{n.edge_count}, plane);
+        plan.array(vertex_edge, 2 * std::size_t{n.edge_count()}, plane);
+        plan.array(edge_face, 2 * std::size_t{n.edge_count()}, plane);
         plan.array(
-            edges, n.edge_count,
+            edges, n.edge_count(),
             {{Component::topology, 8 * sizeof(Index)}, {Component::edge_geometry, 4 * sizeof(Stored)}});
         plan.array(faces, n.face_count, {{Component::face_planes, sizeof(Plane<Stored>)}});
     }
@@ -104,12 +104,12 @@ class ring : public StoredTable<RingArrays<typename P::Stored>, P, Loader> {
     using Base::Base;
 
     [[nodiscard]] Plane<Compute> vertex_edge_plane(Edge e, End end) const {
-        assert(e < this->facts_.edge_count);
+        assert(e < this->facts_.edge_count());
         const Index at = load(at_.edges[e].vertex_edge_at[static_cast<int>(end)], Field::vertex_ring);
         return cast<Compute>(load(at_.vertex_edge[at], Field::voronoi_plane));
     }
     [[nodiscard]] Plane<Compute> edge_face_plane(Edge e, Side side) const {
-        assert(e < this->facts_.edge_count);
+        assert(e < this->facts_.edge_count());
         const Index at = load(at_.edges[e].edge_face_at[static_cast<int>(side)], Field::face_ring);
         return cast<Compute>(load(at_.edge_face[at], Field::voronoi_plane));
     }

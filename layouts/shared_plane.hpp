@@ -39,7 +39,7 @@ struct SharedPlaneArrays {
 
     void place(BlockPlan& plan, const BodyFacts& n) {
         plan.array(vertices, n.vertex_count, {{Component::vertex_coordinates, sizeof(Vec3<Stored>)}});
-        plan.array(edges, n.edge_count,
+        plan.array(edges, n.edge_count(),
                    {{Component::edge_geometry, sizeof(Vec3<Stored>)},
                     {Component::voronoi_planes, 4 * sizeof(Stored)},
                     {Component::topology, 4 * sizeof(Index)}});
@@ -106,7 +106,7 @@ class shared_plane : public StoredTable<SharedPlaneArrays<typename P::Stored>, P
 
   private:
     [[nodiscard]] Vec3<Compute> normal_at_head(Edge e) const {
-        assert(e < this->facts_.edge_count);
+        assert(e < this->facts_.edge_count());
         return cast<Compute>(load(at_.direction(e), Field::voronoi_plane));
     }
 };

@@ -12,7 +12,8 @@
 
 namespace edgewise {
 
-/// The distance of arrays from start to start: back to back in whole lines, or an odd number of lines.
+/// The distance of arrays from start to start, if they take a line or more: back to back in whole lines, or
+/// an odd number of lines.
 enum class Spacing : bool { back_to_back, odd_lines };
 
 template <class Stored, Spacing spacing>
@@ -25,10 +26,10 @@ struct SoaArrays {
 
     void place(BlockPlan& plan, const BodyFacts& n) {
         place_rows(plan, vertices, 3, n.vertex_count, Component::vertex_coordinates);
-        place_rows(plan, voronoi, 16, n.edge_count, Component::voronoi_planes);
-        place_rows(plan, geometry, 4, n.edge_count, Component::edge_geometry);
+        place_rows(plan, voronoi, 16, n.edge_count(), Component::voronoi_planes);
+        place_rows(plan, geometry, 4, n.edge_count(), Component::edge_geometry);
         place_rows(plan, faces, 4, n.face_count, Component::face_planes);
-        place_rows(plan, all_ends, 4, n.edge_count, Component::topology);
+        place_rows(plan, all_ends, 4, n.edge_count(), Component::topology);
     }
 
     [[nodiscard]] auto vertex(Index v) const { return vertices.from(0, v); }
@@ -48,7 +49,7 @@ struct SoaArrays {
     static void place_rows(BlockPlan& plan, Strided<Scalar>& to, int rows, std::size_t length,
                            Component use) {
         constexpr std::size_t line = BlockPlan::alignment;
-        const std::size_t lines = (length * sizeof(Scalar) + line - 1) / line;
+        const std::size_t bytes = length * sizeof(Scalar), lines = (bytes + line - 1) / line;
         const bool gap = spacing == Spacing::odd_lines && length > 0 && lines % 2 == 0;
         for (int row = 0; row < rows; ++row) {
             Scalar* start = nullptr;
@@ -57,7 +58,7 @@ struct SoaArrays {
             if (gap) plan.array(nothing, line, {});
             if (row == 0) to.first = start;
         }
-        to.step = (lines + (gap ? 1 : 0)) * line / sizeof(Scalar);
+        to.step = bytes < line ? length : (lines + (gap ? 1 : 0)) * line / sizeof(Scalar);
     }
 };
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/measure/statistics.hpp"
@@ -20,6 +21,7 @@ namespace edgewise::probes {
 struct TableBytes {
     std::uint64_t vertices = 0, edges = 0;
     Ledger ledger;
+    std::uint64_t object = 0, pair = 0;  ///< the table's object, and a pair's cache: the same for all sizes
 };
 
 /// Over a family of growing triangulated spheres: tables are really built, once for each table type and
@@ -33,7 +35,8 @@ class bytes {
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         const Polyhedron& body = cell.runner.stored_bodies()[0];
-        return {figures({body.vertex_count(), body.edge_count(), cell.runner.ledger()},
+        return {figures({body.vertex_count(), body.edge_count(), cell.runner.ledger(),
+                         cell.runner.object_bytes(), cell.runner.pair_bytes()},
                         size_family(cell.type, cell.algorithm.parts))};
     }
 
@@ -44,7 +47,10 @@ class bytes {
             paper_slope(table, sizes),
             store::mean_figure("bytes.total_bytes_per_edge", table.ledger.total(), table.edges),
             slope("bytes.slope_bytes_per_edge", table, sizes, &Ledger::total),
-            store::figure("bytes.table_bytes", table.ledger.total())};
+            store::figure("bytes.table_bytes", table.ledger.total()),
+            store::figure("bytes.object_bytes", table.object),
+            constant(table, sizes),
+            store::figure("bytes.pair_bytes", table.pair)};
         for (std::size_t i = 0; i < component_names.size(); ++i) {
             const double bytes = static_cast<double>(table.ledger.bytes[i]);
             result.push_back(
@@ -69,8 +75,22 @@ class bytes {
                                 "choose a layout and an algorithm that store them, such as aos with vclip");
     }
 
+    static constexpr const char* no_family = "no family of bodies to fit a slope over";
+
     static measure::Figure slope(const store::FigureName& name, const TableBytes& table,
                                  std::span<const TableBytes> sizes, std::size_t (Ledger::*quantity)() const) {
+        const auto line = fitted(table, sizes, quantity);
+        return line ? store::figure(name, line->slope) : store::no_figure(name, no_family, "");
+    }
+
+    static measure::Figure constant(const TableBytes& table, std::span<const TableBytes> sizes) {
+        const auto line = fitted(table, sizes, &Ledger::total);
+        if (!line) return store::no_figure("bytes.constant_bytes", no_family, "");
+        return store::figure("bytes.constant_bytes", line->intercept + static_cast<double>(table.object));
+    }
+
+    static std::optional<measure::Line> fitted(const TableBytes& table, std::span<const TableBytes> sizes,
+                                               std::size_t (Ledger::*quantity)() const) {
         std::vector<double> edges, bytes;
         int widest = 0;
         for (const TableBytes& of_size : sizes) widest = std::max(widest, widths_of(of_size.vertices));
@@ -80,9 +100,7 @@ class bytes {
             edges.push_back(static_cast<double>(of_size.edges));
             bytes.push_back(static_cast<double>((of_size.ledger.*quantity)()));
         }
-        const auto line = measure::least_squares(edges, bytes);
-        if (line) return store::figure(name, line->slope);
-        return store::no_figure(name, "no family of bodies to fit a slope over", "");
+        return measure::least_squares(edges, bytes);
     }
 };
 

@@ -36,7 +36,7 @@ edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved
     *Support* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]
     *Support* ${unit}/algorithms/support_test.cpp)
-edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(squared) && !retry_in_wide_arithmetic(before)) {]] [[if (gains(squared)) {]]
+edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(squared) && !retry_in_wide_arithmetic()) {]] [[if (gains(squared)) {]]
     RandomPairs* ${random_pairs})
 edgewise_mutant(gjk_direction_not_turned_back algorithms/gjk.hpp [[a_from_b_.direction_back(v)]] [[a_from_b_.direction(v)]]
     RandomPairs* ${random_pairs})

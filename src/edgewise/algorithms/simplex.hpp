@@ -38,6 +38,13 @@ struct Simplex {
         size = std::max({size, max_abs(point_a), max_abs(point_b)});
     }
 
+    /// As if the last push had not been; `before`: the size then.
+    void drop_newest(Scalar before) {
+        assert(count > 0);
+        --count;
+        size = before;
+    }
+
     [[nodiscard]] bool holds(typename TableA::Vertex a, typename TableB::Vertex b) const {
         for (int i = 0; i < count; ++i) {
             if (vertex_a[i] == a && vertex_b[i] == b) return true;
@@ -45,18 +52,18 @@ struct Simplex {
         return false;
     }
 
-    /// Drops what the closest point does not rest on; weights move along.
+    /// Drops what the closest point does not rest on; weights move along. Which points those are no processor
+    /// can predict: all are copied down, and what is dropped is written over by the next.
     void keep(typename Johnson<Scalar>::Closest& closest) {
         int kept = 0;
         for (int i = 0; i < count; ++i) {
-            if (!(closest.members >> i & 1)) continue;
             vertex_a[kept] = vertex_a[i];
             vertex_b[kept] = vertex_b[i];
             on_a[kept] = on_a[i];
             on_b[kept] = on_b[i];
             difference[kept] = difference[i];
             closest.weight[kept] = closest.weight[i];
-            ++kept;
+            kept += closest.members >> i & 1;
         }
         assert(kept > 0 && "a closest point rests on some vertex");
         count = kept;

@@ -40,12 +40,12 @@ class SubDistance {
     /// distance, comes no nearer to the origin.
     [[nodiscard]] bool extend(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& on_a,
                               const Vec3<Scalar>& on_b, Scalar squared) {
-        const Points before = simplex_;
         const Closest closest_before = closest_;
+        const Scalar size_before = simplex_.size;
         add(a, b, on_a, on_b);
         solve(Johnson<Scalar>::only(simplex_.count - 1));
-        if (!gains(squared) && !retry_in_wide_arithmetic(before)) {
-            simplex_ = before;
+        if (!gains(squared) && !retry_in_wide_arithmetic()) {
+            simplex_.drop_newest(size_before);
             closest_ = closest_before;
             return false;
         }
@@ -99,13 +99,12 @@ class SubDistance {
     /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not computed again from
     /// the simplex that is left: of a sliver that may come out larger, and the run would cycle.) False if
     /// even so nothing is gained.
-    [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic(const Points& before) {
+    [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic() {
         if (!careful_) {
             careful_ = true;
-            const Points after = simplex_;
-            simplex_ = before;
+            --simplex_.count;  // without the newest
             unrounded_ = solve_wide();
-            simplex_ = after;
+            ++simplex_.count;
         }
         const Wider<Scalar> now = solve_wide();
         if (closest_.members == Johnson<Scalar>::whole) return true;

@@ -98,8 +98,9 @@ class Runner {
     using RangePass = std::function<double(std::size_t first, std::size_t last, Distance* answers)>;
     [[nodiscard]] virtual RangePass prepared_range() const = 0;
 
-    /// Bytes of the first table.
+    /// Bytes of the first table's block, and of the object that holds it.
     [[nodiscard]] virtual Ledger ledger() const = 0;
+    [[nodiscard]] virtual std::size_t object_bytes() const = 0;
 
     /// What all tables take.
     [[nodiscard]] MemoryUse memory() const;

@@ -80,6 +80,7 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] Ledger ledger() const override { return tables_[0].ledger(); }
+    [[nodiscard]] std::size_t object_bytes() const override { return sizeof(Table); }
 
     [[nodiscard]] std::vector<TableMap> memory_maps() const override {
         std::vector<TableMap> maps;

@@ -134,11 +134,12 @@ void print_table(const nlohmann::json& rows) {
 }
 
 void print_costs(const nlohmann::json& rows) {
-    fmt::print("\n{:<24}{:>10}{:>10}{:>10}{:>10}{:>10}{:>14}{:>14}\n", "table", "bytes", "arena", "jemalloc",
-               "libc", "resident", "lines, vclip", "lines, gjk");
+    fmt::print("\n{:<24}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>14}{:>14}\n", "table", "bytes", "object",
+               "constant", "arena", "jemalloc", "libc", "resident", "lines, vclip", "lines, gjk");
     for (const auto& row : rows) {
         fmt::print("{:<24}", row["table"].get<std::string>());
-        print_number(row["table_bytes"], 10, 0);
+        for (const char* key : {"table_bytes", "object_bytes", "constant_bytes"})
+            print_number(row[key], 10, 0);
         for (const auto& allocator : row["allocators"]) print_number(allocator["taken_bytes"], 10, 0);
         print_number(row["allocators"][0]["resident_bytes"], 10, 0);
         for (const char* algorithm : {"vclip", "gjk"}) {
@@ -150,9 +151,9 @@ void print_costs(const nlohmann::json& rows) {
         fmt::print("\n");
     }
     fmt::print(
-        "bytes: the table's own; what it takes in each allocator; pages in memory in the arena; distinct "
-        "cache "
-        "lines\na query touches in both tables, tumble at 0.1 rad per step\n");
+        "bytes: the table's own; its object beside it; what a body of these index widths costs before its "
+        "first edge,\nobject included; what the table takes in each allocator; pages in memory in the arena; "
+        "distinct cache lines\na query touches in both tables, tumble at 0.1 rad per step\n");
 }
 
 void print_slopes(const nlohmann::json& rows) {

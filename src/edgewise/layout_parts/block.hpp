@@ -6,8 +6,10 @@
 // address inside the block is the same on every machine.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <memory_resource>
 #include <type_traits>
@@ -22,8 +24,12 @@ namespace edgewise {
 /// Arrays one after another, in the order in which they are named.
 class BlockPlan {
   public:
-    /// Arrays start on cache lines, so that how they share lines does not depend on their neighbours' sizes.
+    /// Arrays start on cache lines, so that how they share lines does not depend on their neighbours' sizes;
+    /// but one shorter than a line follows right behind the one before: of a small body these gaps would be
+    /// half of the table.
     static constexpr std::size_t alignment = 64;
+    /// A block shorter than this is aligned for its elements alone, likewise.
+    static constexpr std::size_t small = 4 * alignment;
 
     /// Sizes only.
     BlockPlan() = default;
@@ -34,24 +40,36 @@ class BlockPlan {
     /// and no memory is written for it.
     template <class Element>
     void array(Element*& to, std::size_t count, const Shares& shares) {
-        static_assert(std::is_trivially_destructible_v<Element> && alignof(Element) <= alignment);
-        const std::size_t start = (size_ + alignment - 1) / alignment * alignment;
-        add_piece(1, start - size_, {});
-        add_piece(sizeof(Element), count, shares);
-        if (!base_) return;
-        to = reinterpret_cast<Element*>(base_ + start);
-        std::uninitialized_default_construct_n(to, count);
+        const std::size_t start = array_at<Element>(count, shares);
+        if (base_) to = reinterpret_cast<Element*>(base_ + start);
     }
 
-    /// One element right behind what is there, of any size: for records of several lengths. Returns where it
-    /// starts.
+    /// The same for whoever keeps no pointer: where the array starts, in bytes from the block's start.
+    template <class Element>
+    std::uint32_t array_at(std::size_t count, const Shares& shares) {
+        static_assert(std::is_trivially_destructible_v<Element> && alignof(Element) <= alignment);
+        const std::size_t to = count * sizeof(Element) < alignment ? alignof(Element) : alignment;
+        const std::size_t start = (size_ + to - 1) / to * to;
+        add_piece(1, start - size_, {});
+        add_piece(sizeof(Element), count, shares);
+        element_alignment_ = std::max(element_alignment_, alignof(Element));
+        if (base_) std::uninitialized_default_construct_n(reinterpret_cast<Element*>(base_ + start), count);
+        return static_cast<std::uint32_t>(start);
+    }
+
+    /// One element right behind what is there, of any size: for records of several lengths, which count on
+    /// lines. Returns where it starts.
     std::size_t append(std::size_t bytes, const Shares& shares) {
         const std::size_t start = size_;
+        element_alignment_ = alignment;
         add_piece(bytes, 1, shares);
         return start;
     }
 
     [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] std::size_t block_alignment() const {
+        return size_ < small ? element_alignment_ : alignment;
+    }
     /// In memory order, without gaps; as they lie in a block that starts at `base` (null: nowhere yet).
     [[nodiscard]] std::vector<Piece> pieces(const std::byte* base) const {
         std::vector<Piece> placed = pieces_;
@@ -76,7 +94,7 @@ class BlockPlan {
     }
 
     std::byte* base_ = nullptr;
-    std::size_t size_ = 0;
+    std::size_t size_ = 0, element_alignment_ = 1;
     std::vector<Piece> pieces_;  // not placed yet
 };
 
@@ -91,22 +109,24 @@ class Block {
     explicit Block(const NameArrays& name_arrays) : Block() {
         BlockPlan sizes;
         name_arrays(sizes);
-        bytes_ = sizes.size();
-        memory_ = static_cast<std::byte*>(table_memory().allocate(bytes_, BlockPlan::alignment));
+        assert(sizes.size() >> 32 == 0 && "a table of more than 4 GiB");
+        extent_ = {static_cast<std::uint32_t>(sizes.size()),
+                   static_cast<std::uint32_t>(sizes.block_alignment())};
+        memory_ = static_cast<std::byte*>(table_memory().allocate(extent_.bytes, extent_.alignment));
         owner_ = &table_memory();
         BlockPlan places(memory_);
         name_arrays(places);
-        assert(places.size() == bytes_);
+        assert(places.size() == extent_.bytes);
     }
     ~Block() {
-        if (owner_) owner_->deallocate(memory_, bytes_, BlockPlan::alignment);
+        if (owner_) owner_->deallocate(memory_, extent_.bytes, extent_.alignment);
     }
     Block(Block&& other) noexcept
-        : owner_(std::exchange(other.owner_, nullptr)), memory_(other.memory_), bytes_(other.bytes_) {}
+        : owner_(std::exchange(other.owner_, nullptr)), memory_(other.memory_), extent_(other.extent_) {}
     Block& operator=(Block&& other) noexcept {
         std::swap(owner_, other.owner_);
         std::swap(memory_, other.memory_);
-        std::swap(bytes_, other.bytes_);
+        std::swap(extent_, other.extent_);
         return *this;
     }
 
@@ -114,17 +134,22 @@ class Block {
     [[nodiscard]] Block view() const {
         Block borrowed;
         borrowed.memory_ = memory_;
-        borrowed.bytes_ = bytes_;
+        borrowed.extent_ = extent_;
         return borrowed;
     }
 
     [[nodiscard]] std::byte* base() const { return memory_; }
-    [[nodiscard]] std::size_t size() const { return bytes_; }
+    [[nodiscard]] std::size_t size() const { return extent_.bytes; }
 
   private:
+    /// In one word, so that a small table's object is one cache line.
+    struct Extent {
+        std::uint32_t bytes = 0, alignment = 1;
+    };
+
     std::pmr::memory_resource* owner_ = nullptr;  // none: borrowed, or nothing
     std::byte* memory_ = nullptr;
-    std::size_t bytes_ = 0;
+    Extent extent_;
 };
 
 }  // namespace edgewise

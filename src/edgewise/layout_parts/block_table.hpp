@@ -75,7 +75,8 @@ class BlockTable {
 
     [[no_unique_address]] Loader loader_;
     Block block_;
-    BodyFacts facts_;
+    /// So that what a layout adds may begin in the padding at its end.
+    [[no_unique_address]] BodyFacts facts_;
 };
 
 }  // namespace edgewise

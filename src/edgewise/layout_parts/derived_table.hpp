@@ -33,7 +33,8 @@ struct AnchoredPlane {
     }
 };
 
-/// Points: how coordinates are kept, by place(plan, facts), write(body) and read(loader, v).
+/// Points: how coordinates are kept, from the block's start on, by place(plan, facts), write(base, body) and
+/// read(loader, base, v).
 template <class Points, Precision P, class Loader>
 class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     using Base = BlockTable<P, Loader, typename P::Compute>;
@@ -49,32 +50,31 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     static constexpr Face no_face = {0xffffffff, 0xffffffff};
 
     DerivedTable(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
-        this->make_block(points_, rings_);
-        rings_.fill(body);
+        this->make_block(points_, ring_places_);
+        rings().fill(body);
         write_body(body);
     }
 
     template <class OtherLoader>
     DerivedTable(const DerivedTable<Points, P, OtherLoader>& other, Loader loader)
-        : Base(other, loader), points_(other.points_), rings_(other.rings_) {}
+        : Base(other, loader), points_(other.points_), ring_places_(other.ring_places_) {}
 
-    void write_body(const Polyhedron& body) { points_.write(body); }
-
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Points(), NarrowRings()); }
+    void write_body(const Polyhedron& body) { points_.write(block_.base(), body); }
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Points(), NarrowRingPlaces()); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
         assert(v < facts_.vertex_count);
-        return cast<Compute>(points_.read(loader_, v));
+        return cast<Compute>(points_.read(loader_, block_.base(), v));
     }
     [[nodiscard]] auto neighbours(Vertex v) const {
         assert(v < facts_.vertex_count);
-        return IndexedRing(rings_.first(loader_, v), rings_.last(loader_, v),
-                           [this](Index at) { return rings_.neighbour(loader_, at); });
+        return IndexedRing(rings().first(loader_, v), rings().last(loader_, v),
+                           [this](Index at) { return rings().neighbour(loader_, at); });
     }
     [[nodiscard]] auto ring_of_vertex(Vertex v) const {
         assert(v < facts_.vertex_count);
-        return IndexedRing(rings_.first(loader_, v), rings_.last(loader_, v),
+        return IndexedRing(rings().first(loader_, v), rings().last(loader_, v),
                            [this, v](Index at) { return edge_at(v, at); });
     }
 
@@ -104,9 +104,9 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
         if (facts_.face_count == 0) return {Vec3<Compute>::Zero(), base, -1};
         const Index at = from_tail(e).at;
         const Index third =
-            side == Side::left ? rings_.after(loader_, e.tail, at) : rings_.before(loader_, e.tail, at);
+            side == Side::left ? rings().after(loader_, e.tail, at) : rings().before(loader_, e.tail, at);
         const Vec3<Compute> along = vertex(e.head) - base;
-        const Vec3<Compute> aside = vertex(rings_.neighbour(loader_, third)) - base;
+        const Vec3<Compute> aside = vertex(rings().neighbour(loader_, third)) - base;
         return {squared_norm(along) * aside - dot(along, aside) * along, base};
     }
 
@@ -130,7 +130,7 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
         const Index vertices = facts_.face_count == 0 ? 0 : facts_.vertex_count;
         const auto from = [this, vertices](const HalfEdgeAt& start) {
             return next_half_edge(
-                start, vertices, [this](Index v) { return rings_.last(loader_, v); },
+                start, vertices, [this](Index v) { return rings().last(loader_, v); },
                 [this](const HalfEdgeAt& h) { return face_of(h) == h; });
         };
         const auto after = [from](const Face& f) { return from({f.vertex, f.at + 1}); };
@@ -142,6 +142,7 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     template <class, Precision, class>
     friend class DerivedTable;
 
+    using Base::block_;
     using Base::facts_;
     using Base::loader_;
 
@@ -155,33 +156,34 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     }
 
     [[nodiscard]] RingEdge<Edge> edge_at(Vertex v, Index at) const {
-        const Index other = rings_.neighbour(loader_, at);
+        const Index other = rings().neighbour(loader_, at);
         if (v < other) return {{v, other, at, false}, false};
         return {{other, v, at, true}, true};
     }
     [[nodiscard]] HalfEdgeAt from_tail(const Edge& e) const {
         assert(e.tail < e.head && e.at < facts_.neighbour_count);
-        return {e.tail, e.from_head ? rings_.find(loader_, e.tail, e.head) : e.at};
+        return {e.tail, e.from_head ? rings().find(loader_, e.tail, e.head) : e.at};
     }
     [[nodiscard]] HalfEdgeAt from_head(const Edge& e) const {
-        return {e.head, e.from_head ? e.at : rings_.find(loader_, e.head, e.tail)};
+        return {e.head, e.from_head ? e.at : rings().find(loader_, e.head, e.tail)};
     }
 
     /// The next half-edge around the face on the left: at its far end, clockwise from where it came.
     [[nodiscard]] HalfEdgeAt next(const HalfEdgeAt& h) const {
-        const Index to = rings_.neighbour(loader_, h.at);
-        return {to, rings_.before(loader_, to, rings_.find(loader_, to, h.vertex))};
+        const Index to = rings().neighbour(loader_, h.at);
+        return {to, rings().before(loader_, to, rings().find(loader_, to, h.vertex))};
     }
 
     /// The face on the left of a half-edge: its smallest half-edge, as in the body.
     [[nodiscard]] Face face_of(const HalfEdgeAt& h) const {
         return first_of_face(
-            h, [this](const HalfEdgeAt& at) { return rings_.neighbour(loader_, at.at); },
+            h, [this](const HalfEdgeAt& at) { return rings().neighbour(loader_, at.at); },
             [this](const HalfEdgeAt& at) { return next(at); });
     }
 
-    Points points_;
-    NarrowRings rings_;
+    [[nodiscard]] NarrowRings rings() const { return ring_places_.in(block_.base()); }
+    [[no_unique_address]] Points points_;
+    NarrowRingPlaces ring_places_;
 };
 
 }  // namespace edgewise

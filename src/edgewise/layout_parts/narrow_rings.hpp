@@ -18,11 +18,7 @@ namespace edgewise {
 /// Whole numbers below some limit, each in 1, 2 or 4 bytes.
 class NarrowArray {
   public:
-    /// `largest` decides the width.
-    void place(BlockPlan& plan, std::size_t count, std::size_t largest) {
-        width_ = largest <= 0xff ? 1 : largest <= 0xffff ? 2 : 4;
-        plan.array(data_, count * width_, {{Component::topology, 1}});
-    }
+    NarrowArray(std::byte* data, std::uint32_t width) : data_(data), width_(width) {}
 
     /// Writes `count` numbers: make(i) at i.
     template <class Make>
@@ -43,20 +39,33 @@ class NarrowArray {
         return loader.load(reinterpret_cast<const std::uint32_t*>(data_)[i], field);
     }
 
-    [[nodiscard]] std::size_t width() const { return width_; }
-
   private:
-    std::byte* data_ = nullptr;
-    std::uint32_t width_ = 1;
+    std::byte* data_;
+    std::uint32_t width_;
+};
+
+/// Where such an array is in a block, without a pointer.
+struct NarrowPlace {
+    std::uint32_t at = 0;
+    std::uint8_t width = 1;
+
+    /// `largest` decides the width.
+    NarrowPlace(BlockPlan& plan, std::size_t count, std::size_t largest)
+        : width(largest <= 0xff     ? 1
+                : largest <= 0xffff ? 2
+                                    : 4) {
+        const Shares topology = {{Component::topology, width}};
+        at = width == 1   ? plan.array_at<std::uint8_t>(count, topology)
+             : width == 2 ? plan.array_at<std::uint16_t>(count, topology)
+                          : plan.array_at<std::uint32_t>(count, topology);
+    }
 };
 
 /// Positions in a ring are counted from the start of all rings.
 class NarrowRings {
   public:
-    void place(BlockPlan& plan, const BodyFacts& n) {
-        offset_.place(plan, n.vertex_count + 1, n.neighbour_count);
-        neighbour_.place(plan, n.neighbour_count, n.vertex_count - 1);
-    }
+    NarrowRings(NarrowArray offset, NarrowArray neighbour) : offset_(offset), neighbour_(neighbour) {}
+
     void fill(const Polyhedron& body) {
         offset_.fill(body.vertex_offset.size(), [&](Index i) { return body.vertex_offset[i]; });
         neighbour_.fill(body.vertex_ring.size(), [&](Index i) { return body.head(body.vertex_ring[i]); });
@@ -98,6 +107,26 @@ class NarrowRings {
 
   private:
     NarrowArray offset_, neighbour_;
+};
+
+/// What a table keeps of its rings.
+class NarrowRingPlaces {
+  public:
+    void place(BlockPlan& plan, const BodyFacts& n) {
+        const NarrowPlace offset(plan, n.vertex_count + 1, n.neighbour_count);
+        const NarrowPlace neighbour(plan, n.neighbour_count, n.vertex_count - 1);
+        offset_width_ = offset.width;
+        neighbour_width_ = neighbour.width;
+        offset_at_ = offset.at;
+        neighbour_at_ = neighbour.at;
+    }
+    [[nodiscard]] NarrowRings in(std::byte* base) const {
+        return {{base + offset_at_, offset_width_}, {base + neighbour_at_, neighbour_width_}};
+    }
+
+  private:
+    std::uint8_t offset_width_ = 1, neighbour_width_ = 1;
+    std::uint32_t offset_at_ = 0, neighbour_at_ = 0;
 };
 
 }  // namespace edgewise

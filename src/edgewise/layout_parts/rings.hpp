@@ -32,7 +32,7 @@ struct Rings {
         plan.array(neighbour, n.neighbour_count, topology);
         plan.array(vertex_ring, features ? n.neighbour_count : 0, topology);
         plan.array(face_offset, features ? n.face_count + 1 : 0, topology);
-        plan.array(face_ring, n.face_ring_count, topology);
+        plan.array(face_ring, n.face_ring_count(), topology);
     }
 
     void fill(const Polyhedron& body, Parts parts) const {

@@ -52,7 +52,7 @@ class StoredTable : public BlockTable<P, Loader> {
         : Base(body, parts, loader) {
         this->make_block(at_, rings_);
         rings_.fill(body, parts);
-        for (Index e = 0; e < facts_.edge_count; ++e) write_ends(at_.ends(e), body.edges[e]);
+        for (Index e = 0; e < facts_.edge_count(); ++e) write_ends(at_.ends(e), body.edges[e]);
         if constexpr (requires { at_.link(body); }) {
             if (parts == Parts::features) at_.link(body);
         }
@@ -90,16 +90,16 @@ class StoredTable : public BlockTable<P, Loader> {
     [[nodiscard]] Face left(Edge e) const { return end(e, 2); }
     [[nodiscard]] Face right(Edge e) const { return end(e, 3); }
     [[nodiscard]] Vec3<Compute> direction(Edge e) const {
-        assert(e < facts_.edge_count);
+        assert(e < facts_.edge_count());
         return read_vector<Compute>(loader_, at_.direction(e), Field::edge_direction);
     }
 
     [[nodiscard]] Plane<Compute> vertex_edge_plane(Edge e, End end) const {
-        assert(e < facts_.edge_count);
+        assert(e < facts_.edge_count());
         return read_plane<Compute>(loader_, at_.vertex_edge_plane(e, end), Field::voronoi_plane);
     }
     [[nodiscard]] Plane<Compute> edge_face_plane(Edge e, Side side) const {
-        assert(e < facts_.edge_count);
+        assert(e < facts_.edge_count());
         return read_plane<Compute>(loader_, at_.edge_face_plane(e, side), Field::voronoi_plane);
     }
     [[nodiscard]] Plane<Compute> face_plane(Face f) const {
@@ -120,7 +120,7 @@ class StoredTable : public BlockTable<P, Loader> {
 
   private:
     [[nodiscard]] Index end(Edge e, std::size_t k) const {
-        assert(e < facts_.edge_count);
+        assert(e < facts_.edge_count());
         return this->load(end_at(at_.ends(e), k), Field::edge_ends);
     }
 };

@@ -57,7 +57,7 @@ void write_geometry(Table& table, const Polyhedron& body, WriteEdges edges = Wri
         }
         if constexpr (WritesEdges<Table>) {
             if (edges == WriteEdges::when_asked) return;
-            for (Index e = 0; e < facts.edge_count; ++e) table.write_edge(e, edge_geometry(body, e));
+            for (Index e = 0; e < facts.edge_count(); ++e) table.write_edge(e, edge_geometry(body, e));
         }
     }
 }

@@ -16,27 +16,31 @@
 namespace edgewise {
 
 struct BodyFacts {
+    double reach = 0;  ///< largest coordinate: what the rounding of planes is relative to
+    Index vertex_count = 0, neighbour_count = 0;  ///< of the rings of all vertices
+    Index face_count = 0;                         ///< 0 in a table without features
+    std::uint32_t identity = 0;                   ///< of the table; refitting keeps it
     Parts parts = Parts::support;
-    Index vertex_count = 0, neighbour_count = 0;                ///< of the rings of all vertices
-    Index edge_count = 0, face_count = 0, face_ring_count = 0;  ///< 0 in a table without features
-    double reach = 0;             ///< largest coordinate: what the rounding of planes is relative to
     bool strictly_convex = true;  ///< false: climbs may stick and Voronoi regions go on inside
-    std::uint32_t identity = 0;   ///< of the table; refitting keeps it
 
     BodyFacts() = default;
     /// `strict_turn`: that of the stored scalar (tolerance.hpp).
     BodyFacts(const Polyhedron& body, Parts held, double strict_turn)
-        : parts(held),
-          vertex_count(static_cast<Index>(body.vertex_count())),
+        : vertex_count(static_cast<Index>(body.vertex_count())),
           neighbour_count(static_cast<Index>(body.vertex_ring.size())),
-          strictly_convex(is_strictly_convex(body, strict_turn)),
-          identity(next_table_identity()) {
+          identity(next_table_identity()),
+          parts(held),
+          strictly_convex(is_strictly_convex(body, strict_turn)) {
         for (const Vec3d& v : body.vertices) reach = std::max(reach, max_abs(v));
         if (parts == Parts::support) return;
-        edge_count = static_cast<Index>(body.edge_count());
         face_count = static_cast<Index>(body.face_count());
-        face_ring_count = static_cast<Index>(body.face_ring.size());
+        assert(edge_count() == body.edge_count() && face_ring_count() == body.face_ring.size());
     }
+
+    /// 0 in a table without features; each edge is in the rings of its two ends.
+    [[nodiscard]] Index edge_count() const { return parts == Parts::features ? neighbour_count / 2 : 0; }
+    /// Of the rings of all faces; each edge is in those of its two faces, if there are any.
+    [[nodiscard]] Index face_ring_count() const { return face_count > 0 ? neighbour_count : 0; }
 
     /// Of another body of the same topology, in the same table.
     [[nodiscard]] BodyFacts refitted(const Polyhedron& body, double strict_turn) const {

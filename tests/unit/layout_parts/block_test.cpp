@@ -16,7 +16,7 @@ namespace edgewise {
 namespace {
 
 struct Extent {
-    std::size_t begin, end;
+    std::size_t begin, end, element_alignment;
 };
 
 /// A record with bytes that serve nothing.
@@ -24,6 +24,21 @@ struct Padded {
     double number;
     std::uint16_t small;
 };
+
+/// Each on its alignment and behind the one before; short ones without a gap.
+void expect_in_order(const std::vector<Extent>& arrays, std::size_t size) {
+    std::size_t end = 0;
+    for (const Extent& array : arrays) {
+        const bool is_short = array.end - array.begin < BlockPlan::alignment;
+        EXPECT_EQ(array.begin % (is_short ? array.element_alignment : BlockPlan::alignment), 0U);
+        EXPECT_GE(array.begin, end);
+        if (is_short) {
+            EXPECT_LT(array.begin - end, array.element_alignment);
+        }
+        end = array.end;
+    }
+    EXPECT_EQ(size, end);
+}
 
 TEST(BlockPlan, ArraysAreAlignedAndApartAndEveryByteIsBooked) {
     scene::Rng rng(1);
@@ -34,7 +49,7 @@ TEST(BlockPlan, ArraysAreAlignedAndApartAndEveryByteIsBooked) {
         const auto add = [&]<class Element>(Element* array, std::size_t count, const Shares& shares) {
             plan.array(array, count, shares);
             EXPECT_EQ(array, nullptr) << "nothing is placed while sizes are added up";
-            arrays.push_back({plan.size() - count * sizeof(Element), plan.size()});
+            arrays.push_back({plan.size() - count * sizeof(Element), plan.size(), alignof(Element)});
             payload += count * shares.bytes();
         };
         for (std::uint64_t i = 0, n = 1 + rng.below(8); i < n; ++i) {
@@ -51,13 +66,7 @@ TEST(BlockPlan, ArraysAreAlignedAndApartAndEveryByteIsBooked) {
                         {{Component::edge_geometry, 8}, {Component::topology, 2}});
             }
         }
-        std::size_t end = 0;
-        for (const Extent& array : arrays) {
-            EXPECT_EQ(array.begin % BlockPlan::alignment, 0U);
-            EXPECT_GE(array.begin, end);
-            end = array.end;
-        }
-        EXPECT_EQ(plan.size(), end);
+        expect_in_order(arrays, plan.size());
         const Ledger ledger = ledger_of(plan.pieces(nullptr));
         EXPECT_EQ(ledger.total(), plan.size());
         EXPECT_EQ(ledger[Component::padding], plan.size() - payload);
@@ -67,14 +76,35 @@ TEST(BlockPlan, ArraysAreAlignedAndApartAndEveryByteIsBooked) {
 TEST(Block, PlacesArraysOneAfterAnother) {
     std::uint8_t* bytes = nullptr;
     double* numbers = nullptr;
+    std::uint16_t* few = nullptr;
     const Block block([&](BlockPlan& plan) {
         plan.array(bytes, 3, {{Component::topology, 1}});
-        plan.array(numbers, 10, {{Component::face_planes, 8}});
+        plan.array(numbers, 30, {{Component::face_planes, 8}});
+        plan.array(few, 5, {{Component::topology, 2}});
     });
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(block.base()) % BlockPlan::alignment, 0U);
     EXPECT_EQ(reinterpret_cast<std::byte*>(bytes), block.base());
     EXPECT_EQ(reinterpret_cast<std::byte*>(numbers), block.base() + 64);
-    EXPECT_EQ(block.size(), 64U + 80U);
+    EXPECT_EQ(reinterpret_cast<std::byte*>(few), block.base() + 64 + 240);
+    EXPECT_EQ(block.size(), 64U + 240U + 10U);
+}
+
+/// A hundred small blocks from one stretch of memory lie back to back.
+TEST(Block, SmallOnesAreAlignedForTheirElementsAlone) {
+    std::array<std::byte, 4096> place;
+    std::pmr::monotonic_buffer_resource resource(place.data(), place.size(),
+                                                 std::pmr::null_memory_resource());
+    const TablesIn placed(resource);
+    std::vector<Block> blocks;
+    double* numbers = nullptr;
+    std::uint8_t* bytes = nullptr;
+    for (int i = 0; i < 100; ++i) {
+        blocks.emplace_back([&](BlockPlan& plan) {
+            plan.array(numbers, 3, {{Component::vertex_coordinates, 8}});
+            plan.array(bytes, 4, {{Component::topology, 1}});
+        });
+        EXPECT_EQ(blocks.back().base() - blocks.front().base(), i * 32);
+    }
 }
 
 TEST(BlockPlan, RecordsOfSeveralLengthsFollowEachOtherAndEqualOnesAreOnePiece) {

@@ -11,9 +11,11 @@ namespace {
 
 TEST(IndexWidth, IndicesWidenAtTheirLimits) {
     for (const auto& [largest, width] : {std::pair{255U, 1U}, {256U, 2U}, {65535U, 2U}, {65536U, 4U}}) {
-        NarrowArray array;
-        const Block block([&, &largest = largest](BlockPlan& plan) { array.place(plan, 2, largest); });
-        EXPECT_EQ(array.width(), width);
+        std::uint32_t stored_width = 0;
+        const Block block(
+            [&, &largest = largest](BlockPlan& plan) { stored_width = NarrowPlace(plan, 2, largest).width; });
+        EXPECT_EQ(stored_width, width);
+        NarrowArray array(block.base(), width);
         EXPECT_EQ(block.size(), 2 * width);
         array.fill(2, [&, &largest = largest](Index i) { return i == 0 ? largest : 7; });
         EXPECT_EQ(array.read(Direct{}, 0, Field::neighbour), largest);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Bytes of every layout, component by component, beside sums computed by hand from V vertices, E edges and
-// F faces of three bodies: arrays start on lines of 64 bytes, so what is short of a line is padding.
+// F faces of three bodies. Arrays of a line of 64 bytes or more start on a line: what the one before is short
+// of it is padding. And all that a small body's table takes, the object included.
 #include <gtest/gtest.h>
+
+#include <cstdio>
 
 #include "edgewise/layouts/aos.hpp"
 #include "edgewise/layouts/aos_padded.hpp"
@@ -42,10 +45,14 @@ struct Counts {
     }
 };
 
-/// Short of a line after each array but the last.
+/// Before each array that takes a line, what is short of one.
 Bytes between(const std::vector<Bytes>& arrays) {
-    Bytes sum = 0;
-    for (std::size_t i = 0; i + 1 < arrays.size(); ++i) sum += to_line(arrays[i]);
+    Bytes sum = 0, end = 0;
+    for (const Bytes bytes : arrays) {
+        const Bytes gap = bytes < 64 ? 0 : to_line(end);
+        sum += gap;
+        end += gap + bytes;
+    }
     return sum;
 }
 
@@ -191,6 +198,27 @@ TEST(LayoutBytes, OfPoints) {
     expect_bytes<points_neighbours<f32>>([](const Counts& n) {
         return Row{0, 0, 12 * n.v + 24 * n.e, 0, 8 * n.v + 8 * n.e, n.short_of_lines(20, 16)};
     });
+}
+
+/// With the object, at four and at eight vertices: boxes with a table each are the commonest scene there is.
+TEST(LayoutBytes, OfASmallTableAreItsPayloadAndOneLine) {
+    const auto all_in = []<class Table>(const Table* /*unused*/, const char* shape) {
+        const Table table(*scene::make_shape(shape), Parts::features);
+        const Bytes object = sizeof(Table);
+        EXPECT_LE(object, 64U) << Table::name;
+        const Bytes sum = object + table.ledger().total();
+        std::printf("%s of %s: %zu bytes, of which the object %zu and padding %zu\n", Table::name.data(),
+                    shape, sum, object, table.ledger()[Component::padding]);
+        return sum;
+    };
+    for (const char* shape : {"cube8", "sphere8"}) {
+        EXPECT_LE(all_in(static_cast<const lean<f64>*>(nullptr), shape), 320U);
+        EXPECT_LE(all_in(static_cast<const lean<f32>*>(nullptr), shape), 220U);
+        EXPECT_LE(all_in(static_cast<const points_soa<f64>*>(nullptr), shape), 256U);
+        EXPECT_LE(all_in(static_cast<const points_soa<f32>*>(nullptr), shape), 160U);
+    }
+    EXPECT_LE(all_in(static_cast<const lean<f64>*>(nullptr), "tetra4"), 180U);
+    EXPECT_LE(all_in(static_cast<const points_soa<f64>*>(nullptr), "tetra4"), 160U);
 }
 
 /// The paper's figures: 168 bytes per edge and half of it, in the limit where V/E is a third.

@@ -20,6 +20,9 @@ inline constexpr FigureInfo memory[] = {
     {"bytes.total_bytes_per_edge", "B/edge", Population::none, Repeats::exactly, "the whole table over the shape's edges"},
     {"bytes.slope_bytes_per_edge", "B/edge", Population::none, Repeats::exactly, "slope of the whole table per additional edge"},
     {"bytes.table_bytes", "B", Population::none, Repeats::exactly, "the whole table"},
+    {"bytes.object_bytes", "B", Population::none, Repeats::exactly, "the table's object beside its block: what its user holds"},
+    {"bytes.constant_bytes", "B", Population::none, Repeats::exactly, "the object, and the intercept of the whole table's slope: what a body costs before its first edge"},
+    {"bytes.pair_bytes", "B", Population::none, Repeats::exactly, "what a pair keeps from one query to the next"},
 
     {"lines.lines_per_query", "lines", Population::all, Repeats::exactly, "distinct cache lines of 64 bytes that a query reads of both tables; of warm queries where pairs are followed"},
     {"lines.line_bytes_per_query", "B", Population::all, Repeats::exactly, "the bytes of these lines"},
