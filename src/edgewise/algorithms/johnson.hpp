@@ -136,20 +136,19 @@ class Johnson {
         assert(count >= 1 && count <= 4);
     }
 
-    /// Whether a tetrahedron holds the origin, before any subset is tried; then `closest` is that.
+    /// Whether a tetrahedron holds the origin, before any subset is tried.
     [[nodiscard]] bool holds_origin() { return count_ == 4 && volumes_hold_origin(); }
     [[nodiscard]] Closest inside() const { return weigh(whole, 4); }
 
     /// `known`: points that the answer is known to rest on, such as the newest of a search, in exact
-    /// arithmetic. Subsets without them are tried only when no other passes.
-    [[nodiscard]] Closest closest(Mask known = none) {
-        Closest found;
-        if (ascend(known, found)) return found;
+    /// arithmetic. Subsets without them are tried when no other passes. Long when unrolled: not inlined.
+    [[nodiscard]] [[gnu::noinline]] Closest closest(Mask known = none) {
+        if (Closest found; ascend(known, found)) return found;
         if (count_ == 4 && volumes_hold_origin()) return weigh(whole, 4);
         return known == none ? nearest_of_all() : closest();
     }
 
-    /// A triangle too long and low for its foot to be as good as its points are.
+    /// Too long and low for its foot to be as good as its points are.
     [[nodiscard]] bool is_thin(Mask mask) const { return is_triangle(mask) && triangle(mask).is_thin(); }
 
   private:
@@ -174,8 +173,7 @@ class Johnson {
         (std::make_index_sequence<ascending.size()>());
     }
 
-    // What follows is given the mask and the number of points as constants, if it is unrolled.
-
+    /// This and what it calls are given the mask and the number of points as constants, if it is unrolled.
     [[gnu::always_inline]] bool passes(Mask mask, int count, Mask known, Closest& found) {
         if (!cofactors(mask, count) || (mask & known) != known) return false;
         found = weigh(mask, count);
