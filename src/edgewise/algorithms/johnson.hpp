@@ -130,7 +130,6 @@ class Johnson {
 
     static constexpr Mask none = 0, whole = 15;
     [[nodiscard]] static constexpr Mask only(int point) { return static_cast<Mask>(1 << point); }
-
     /// Points are w[0 .. count-1], 1 <= count <= 4.
     Johnson(const std::array<Vec3<Scalar>, 4>& w, int count) : w_(w), count_(count) {
         assert(count >= 1 && count <= 4);
