@@ -59,11 +59,12 @@ template <class TableA, class TableB>
 
 /// Of an answer below `untrusted`. Features that meet to within rounding are in contact: each point is one of
 /// its body. (Edges that cross in the middle of deeply overlapping boxes look like closest features at
-/// distance 1e-16.)
+/// distance 1e-16.) Of rounded planes that is not so: the foot on one may be as far off as they are.
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Trust trust_close(Distance& result, double size, const Body<TableA>& a,
                                                   const Body<TableB>& b) {
-    if (result.distance <= contact_noise<TableA> * size) {
+    constexpr bool rounded = rounded_planes<TableA> || rounded_planes<TableB>;
+    if (!rounded && result.distance <= contact_noise<TableA> * size) {
         result.status = Status::touching;
         result.distance = 0;
         result.normal = Vec3d::Zero();
