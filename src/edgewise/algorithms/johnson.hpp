@@ -140,8 +140,8 @@ class Johnson {
     [[nodiscard]] Closest inside() const { return weigh(whole, 4); }
 
     /// `known`: points that the answer is known to rest on, such as the newest of a search, in exact
-    /// arithmetic. Subsets without them are tried when no other passes. Long when unrolled: not inlined.
-    [[nodiscard]] [[gnu::noinline]] Closest closest(Mask known = none) {
+    /// arithmetic. Subsets without them are tried only when no other passes.
+    [[nodiscard]] Closest closest(Mask known = none) {
         if (Closest found; ascend(known, found)) return found;
         if (count_ == 4 && volumes_hold_origin()) return weigh(whole, 4);
         return known == none ? nearest_of_all() : closest();
