@@ -30,7 +30,7 @@ edgewise_mutant(johnson_never_backs_up algorithms/johnson.hpp [[if (least < 0 ||
     Johnson.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(johnson_volume_sign algorithms/johnson.hpp [[(k & 1 ? -1 : 1)]] [[(k & 2 ? -1 : 1)]]
     Johnson.* ${unit}/algorithms/johnson_test.cpp)
-edgewise_mutant(johnson_foot_of_slivers algorithms/johnson.hpp [[if (sliver || height]] [[if (height]]
+edgewise_mutant(johnson_foot_of_slivers algorithms/subset.hpp [[if (sliver || height]] [[if (height]]
     Johnson.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]
     *Support* ${unit}/algorithms/support_test.cpp)

@@ -17,70 +17,20 @@
 // never a lie.
 //
 // Johnson, not signed volumes throughout, is the default because it is what the reproduced paper ran, and
-// because the backup already covers flat simplices. Where the processor computes, its loops over subsets and
-// points are unrolled: with the subset known when compiled nothing is left of them but arithmetic, the same
-// to the bit. (As loops they were 44 % of GJK's instructions and 65 % of its mispredicted branches.)
+// because the backup already covers flat simplices. Most simplices are decided without its loops, by the same
+// cofactors (cofactors.hpp).
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <type_traits>
-#include <utility>
 
+#include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
 
 namespace edgewise {
-
-/// A subset of a simplex's points; bit i: point i belongs to it.
-using PointMask = std::uint8_t;
-
-/// Three points. (std::popcount is a call into a library where the machine may lack the instruction.)
-[[nodiscard]] constexpr bool is_triangle(PointMask mask) {
-    constexpr unsigned triangles = 1U << 7 | 1U << 11 | 1U << 13 | 1U << 14;
-    return (triangles >> mask & 1U) != 0;
-}
-
-[[nodiscard]] constexpr int lowest_point(PointMask mask) {
-    assert(mask != 0);
-    return std::countr_zero(mask);
-}
-
-/// A triangle by two of its sides, from one corner.
-template <class Scalar>
-struct TriangleSides {
-    Vec3<Scalar> p, q;
-
-    [[nodiscard]] bool is_thin() const {
-        const Scalar longest = squared_side();
-        return !(squared_norm(cross(p, q)) > Tolerance<Scalar>::thin * longest * longest);
-    }
-
-    /// The closest point to the origin, from the weighted sum of the corners: that, or its foot on the normal
-    /// through the origin. Where the triangle is long and low (length over height k) the weights are off by
-    /// k^2 rounding steps, the sum by k^2 times the length, and its direction, along which the next support
-    /// point is sought, by that over its own length; the normal's direction is off by k steps. The better
-    /// known one wins; of a sliver, whose normal is noise, the sum, which at least is a point of the
-    /// triangle.
-    [[nodiscard]] Vec3<Scalar> foot(const Vec3<Scalar>& weighted) const {
-        const Vec3<Scalar> normal = cross(p, q);
-        const Scalar squared = squared_norm(normal), longest = squared_side();
-        // Squared, as `longest` is: no product of more than four lengths.
-        const Scalar height = squared / longest;
-        const bool sliver = !(height > Tolerance<Scalar>::sliver * longest);
-        if (sliver || height * squared_norm(weighted) >= longest * longest) return weighted;
-        return (dot(normal, weighted) / squared) * normal;
-    }
-
-  private:
-    /// Of the longer one.
-    [[nodiscard]] Scalar squared_side() const { return std::max(squared_norm(p), squared_norm(q)); }
-};
 
 /// The triple product with every sign turned positive: what its rounding is relative to.
 template <class Scalar>
@@ -113,23 +63,14 @@ struct CornerVolumes {
     }
 };
 
-/// What Johnson's algorithm finds.
-template <class Scalar>
-struct ClosestOfSimplex {
-    PointMask members = 0;
-    std::array<Scalar, 4> weight{};  ///< of members; they sum to one
-    Vec3<Scalar> point;
-    bool backup = false;  ///< the ascending pass found nothing
-};
-
 template <class Scalar>
 class Johnson {
   public:
     using Mask = PointMask;
     using Closest = ClosestOfSimplex<Scalar>;
 
-    static constexpr Mask none = 0, whole = 15;
-    [[nodiscard]] static constexpr Mask only(int point) { return static_cast<Mask>(1 << point); }
+    static constexpr Mask whole = 15;
+
     /// Points are w[0 .. count-1], 1 <= count <= 4.
     Johnson(const std::array<Vec3<Scalar>, 4>& w, int count) : w_(w), count_(count) {
         assert(count >= 1 && count <= 4);
@@ -137,46 +78,23 @@ class Johnson {
 
     /// Whether a tetrahedron holds the origin, before any subset is tried.
     [[nodiscard]] bool holds_origin() { return count_ == 4 && volumes_hold_origin(); }
-    [[nodiscard]] Closest inside() const { return weigh(whole, 4); }
+    [[nodiscard]] Closest inside() const { return weigh(whole); }
 
-    /// `known`: points that the answer is known to rest on, such as the newest of a search, in exact
-    /// arithmetic. Subsets without them are tried only when no other passes.
-    [[nodiscard]] Closest closest(Mask known = none) {
-        if (Closest found; ascend(known, found)) return found;
-        if (count_ == 4 && volumes_hold_origin()) return weigh(whole, 4);
-        return known == none ? nearest_of_all() : closest();
+    /// Out of line: asked only where the signs of the cofactors do not tell (cofactors.hpp).
+    [[nodiscard]] [[gnu::noinline]] Closest closest() {
+        if (Closest found; ascend(found)) return found;
+        if (count_ == 4 && volumes_hold_origin()) return weigh(whole);
+        return nearest_of_all();
     }
-
-    /// Too long and low for its foot to be as good as its points are.
-    [[nodiscard]] bool is_thin(Mask mask) const { return is_triangle(mask) && triangle(mask).is_thin(); }
 
   private:
-    static constexpr std::array<Mask, 14> ascending = {1, 2, 4, 8, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14};
-
     /// The first subset that passes, in ascending size; false if none does.
-    [[nodiscard]] bool ascend(Mask known, Closest& found) {
-        if constexpr (std::is_floating_point_v<Scalar>) {
-            if (count_ == 2) return ascend_unrolled<2>(known, found);
-            if (count_ == 3) return ascend_unrolled<3>(known, found);
-            if (count_ == 4) return ascend_unrolled<4>(known, found);
-        }
-        return std::any_of(ascending.begin(), ascending.end(), [&](Mask mask) {
-            return mask >> count_ == 0 && passes(mask, count_, known, found);
+    [[nodiscard]] bool ascend(Closest& found) {
+        return std::any_of(ascending_subsets.begin(), ascending_subsets.end(), [&](Mask mask) {
+            if (mask >> count_ != 0 || !cofactors(mask)) return false;
+            found = weigh(mask);
+            return excludes_others(mask, found.point);
         });
-    }
-    template <int count>
-    [[nodiscard]] bool ascend_unrolled(Mask known, Closest& found) {
-        return [&]<std::size_t... at>(std::index_sequence<at...>) {
-            return ((ascending[at] >> count == 0 && passes(ascending[at], count, known, found)) || ...);
-        }
-        (std::make_index_sequence<ascending.size()>());
-    }
-
-    /// This and what it calls are given the mask and the number of points as constants, if it is unrolled.
-    [[gnu::always_inline]] bool passes(Mask mask, int count, Mask known, Closest& found) {
-        if (!cofactors(mask, count) || (mask & known) != known) return false;
-        found = weigh(mask, count);
-        return excludes_others(mask, count, found.point);
     }
 
     bool volumes_hold_origin() {
@@ -189,25 +107,25 @@ class Johnson {
     [[nodiscard]] Scalar slope(int i, int m, int k) const { return dot(w_[i], w_[m] - w_[k]); }
 
     /// D_k(X + {k}) for a subset whose own cofactors are known.
-    [[nodiscard]] [[gnu::always_inline]] Scalar cofactor_of(Mask subset, int count, int k) const {
+    [[nodiscard]] Scalar cofactor_of(Mask subset, int k) const {
         const int m = lowest_point(subset);
         Scalar sum = 0;
-        for (int i = m; i < count; ++i) {
+        for (int i = m; i < count_; ++i) {
             if (subset >> i & 1) sum += cofactor_[subset][i] * slope(i, m, k);
         }
         return sum;
     }
 
     /// Cofactors of every member, from the subsets one smaller; true when all are positive.
-    [[gnu::always_inline]] bool cofactors(Mask mask, int count) {
+    bool cofactors(Mask mask) {
         if ((mask & (mask - 1)) == 0) {
             cofactor_[mask][lowest_point(mask)] = 1;
             return true;
         }
         bool positive = true;
-        for (int k = 0; k < count; ++k) {
+        for (int k = 0; k < count_; ++k) {
             if (!(mask >> k & 1)) continue;
-            const Scalar value = cofactor_of(static_cast<Mask>(mask & ~(1 << k)), count, k);
+            const Scalar value = cofactor_of(static_cast<Mask>(mask & ~(1 << k)), k);
             cofactor_[mask][k] = value;
             positive = positive && value > 0;
         }
@@ -215,49 +133,39 @@ class Johnson {
     }
 
     /// No other point lies nearer along the direction of this subset's closest point.
-    [[nodiscard]] [[gnu::always_inline]] bool excludes_others(Mask mask, int count,
-                                                              const Vec3<Scalar>& point) const {
+    [[nodiscard]] bool excludes_others(Mask mask, const Vec3<Scalar>& point) const {
         const int m = lowest_point(mask);
-        for (int k = 0; k < count; ++k) {
+        for (int k = 0; k < count_; ++k) {
             if (!(mask >> k & 1) && dot(point, w_[m] - w_[k]) > 0) return false;
         }
         return true;
     }
 
-    [[nodiscard]] [[gnu::always_inline]] Closest weigh(Mask mask, int count) const {
+    [[nodiscard]] Closest weigh(Mask mask) const {
         Closest result;
-        assert(mask >> count == 0 && "members are points that are there");
-        result.members = mask;
+        assert(mask >> count_ == 0 && "members are points that are there");
         Scalar sum = 0;
-        for (int i = 0; i < count; ++i) {
+        for (int i = 0; i < count_; ++i) {
             if (mask >> i & 1) sum += cofactor_[mask][i];
         }
-        result.point = Vec3<Scalar>::Zero();
-        for (int i = 0; i < count; ++i) {
+        Vec3<Scalar> weighted = Vec3<Scalar>::Zero();
+        for (int i = 0; i < count_; ++i) {
             if (!(mask >> i & 1)) continue;
             result.weight[i] = cofactor_[mask][i] / sum;
-            result.point += result.weight[i] * w_[i];
+            weighted += result.weight[i] * w_[i];
         }
-        if (is_triangle(mask)) result.point = triangle(mask).foot(result.point);
+        result.rest_on(mask, w_, weighted);
         return result;
     }
 
-    [[nodiscard]] TriangleSides<Scalar> triangle(Mask mask) const {
-        const int i = lowest_point(mask);
-        assert(is_triangle(mask));
-        const int j = lowest_point(static_cast<Mask>(mask & (mask - 1)));
-        const int k = std::bit_width(mask) - 1;
-        return {w_[j] - w_[i], w_[k] - w_[i]};
-    }
-
     /// The backup procedure. All cofactors are known by now.
-    [[nodiscard]] [[gnu::noinline]] Closest nearest_of_all() {
+    [[nodiscard]] Closest nearest_of_all() {
         Closest best;
         Scalar least = -1;
-        for (const Mask mask : ascending) {
+        for (const Mask mask : ascending_subsets) {
             if (mask >> count_) continue;
-            if (!cofactors(mask, count_)) continue;
-            const Closest candidate = weigh(mask, count_);
+            if (!cofactors(mask)) continue;
+            const Closest candidate = weigh(mask);
             const Scalar squared = squared_norm(candidate.point);
             if (least < 0 || squared < least) {
                 least = squared;

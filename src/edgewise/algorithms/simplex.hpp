@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cstdint>
 
-#include "edgewise/algorithms/johnson.hpp"
+#include "edgewise/algorithms/subset.hpp"
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/identity.hpp"
 
@@ -54,7 +54,7 @@ struct Simplex {
 
     /// Drops what the closest point does not rest on; weights move along. Which points those are no processor
     /// can predict: all are copied down, and what is dropped is written over by the next.
-    void keep(typename Johnson<Scalar>::Closest& closest) {
+    void keep(ClosestOfSimplex<Scalar>& closest) {
         int kept = 0;
         for (int i = 0; i < count; ++i) {
             vertex_a[kept] = vertex_a[i];

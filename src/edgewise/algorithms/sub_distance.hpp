@@ -7,8 +7,10 @@
 
 #include <array>
 
+#include "edgewise/algorithms/cofactors.hpp"
 #include "edgewise/algorithms/johnson.hpp"
 #include "edgewise/algorithms/simplex.hpp"
+#include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/double_double.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
@@ -20,7 +22,7 @@ class SubDistance {
   public:
     using Scalar = ComputeOf<TableA>;
     using Points = Simplex<TableA, TableB>;
-    using Closest = typename Johnson<Scalar>::Closest;
+    using Closest = ClosestOfSimplex<Scalar>;
 
     /// Points from which nothing was dropped that the closest point rests on.
     [[nodiscard]] const Points& simplex() const { return simplex_; }
@@ -32,7 +34,7 @@ class SubDistance {
         simplex_.push(a, b, on_a, on_b);
     }
     void solve_first() {
-        if (!still_inside()) solve(Johnson<Scalar>::none);
+        if (!still_inside()) solve(false);
         simplex_.keep(closest_);
     }
 
@@ -43,7 +45,7 @@ class SubDistance {
         const Closest closest_before = closest_;
         const Scalar size_before = simplex_.size;
         add(a, b, on_a, on_b);
-        solve(Johnson<Scalar>::only(simplex_.count - 1));
+        solve(true);
         if (!gains(squared) && !retry_in_wide_arithmetic()) {
             simplex_.drop_newest(size_before);
             closest_ = closest_before;
@@ -62,15 +64,13 @@ class SubDistance {
         return true;
     }
 
-    /// `known`: points that the closest one is known to rest on.
-    void solve(typename Johnson<Scalar>::Mask known) {
+    void solve(bool newest_belongs) {
         if (!careful_) {
-            Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
-            closest_ = johnson.closest(known);
+            find_closest(simplex_.difference, simplex_.count, newest_belongs, closest_);
             if (closest_.members == Johnson<Scalar>::whole) return;
             const Scalar close = Tolerance<Scalar>::close * simplex_.size;
             const bool far = squared_norm(closest_.point) >= close * close;
-            if (far && !closest_.backup && !johnson.is_thin(closest_.members)) return;
+            if (far && !closest_.backup && !closest_.thin) return;
         }
         solve_wide();
     }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+//
+// Subsets of a simplex of at most four points, and the point of one of them that is closest to the origin.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/geometry/vec.hpp"
+
+namespace edgewise {
+
+/// A subset of a simplex's points; bit i: point i belongs to it.
+using PointMask = std::uint8_t;
+
+/// Three points. (std::popcount is a call into a library where the machine may lack the instruction.)
+[[nodiscard]] constexpr bool is_triangle(PointMask mask) {
+    constexpr unsigned triangles = 1U << 7 | 1U << 11 | 1U << 13 | 1U << 14;
+    return (triangles >> mask & 1U) != 0;
+}
+
+/// Johnson's order, without the whole: smaller subsets first.
+inline constexpr std::array<PointMask, 14> ascending_subsets = {1, 2,  4,  8, 3,  5,  6,
+                                                                9, 10, 12, 7, 11, 13, 14};
+
+[[nodiscard]] constexpr int lowest_point(PointMask mask) {
+    assert(mask != 0);
+    return std::countr_zero(mask);
+}
+
+/// A triangle by two of its sides, from one corner.
+template <class Scalar>
+struct TriangleSides {
+    Vec3<Scalar> p, q;
+
+    /// Too long and low for its foot to be as good as its corners are.
+    [[nodiscard]] bool is_thin() const {
+        const Scalar longest = squared_side();
+        return !(squared_norm(cross(p, q)) > Tolerance<Scalar>::thin * longest * longest);
+    }
+
+    /// The closest point to the origin, from the weighted sum of the corners: that, or its foot on the normal
+    /// through the origin. Where the triangle is long and low (length over height k) the weights are off by
+    /// k^2 rounding steps, the sum by k^2 times the length, and its direction, along which the next support
+    /// point is sought, by that over its own length; the normal's direction is off by k steps. The better
+    /// known one wins; of a sliver, whose normal is noise, the sum, which at least is a point of the
+    /// triangle.
+    [[nodiscard]] Vec3<Scalar> foot(const Vec3<Scalar>& weighted) const {
+        const Vec3<Scalar> normal = cross(p, q);
+        const Scalar squared = squared_norm(normal), longest = squared_side();
+        // Squared, as `longest` is: no product of more than four lengths.
+        const Scalar height = squared / longest;
+        const bool sliver = !(height > Tolerance<Scalar>::sliver * longest);
+        if (sliver || height * squared_norm(weighted) >= longest * longest) return weighted;
+        return (dot(normal, weighted) / squared) * normal;
+    }
+
+  private:
+    /// Of the longer one.
+    [[nodiscard]] Scalar squared_side() const { return std::max(squared_norm(p), squared_norm(q)); }
+};
+
+/// The sides of the triangle that `mask` makes of these points.
+template <class Scalar>
+[[nodiscard]] TriangleSides<Scalar> triangle_sides(const std::array<Vec3<Scalar>, 4>& w, PointMask mask) {
+    assert(is_triangle(mask));
+    const int i = lowest_point(mask);
+    const int j = lowest_point(static_cast<PointMask>(mask & (mask - 1)));
+    const int k = std::bit_width(mask) - 1;
+    return {w[j] - w[i], w[k] - w[i]};
+}
+
+/// The subset that the closest point rests on, and that point.
+template <class Scalar>
+struct ClosestOfSimplex {
+    PointMask members = 0;
+    bool backup = false;  ///< no subset passed: the nearest of all
+    bool thin = false;    ///< a triangle too long and low for `point` to be as good as its corners are
+    std::array<Scalar, 4> weight{};  ///< of members; they sum to one
+    Vec3<Scalar> point;
+
+    /// From the sum of the members, weighted.
+    void rest_on(PointMask subset, const std::array<Vec3<Scalar>, 4>& w, const Vec3<Scalar>& weighted) {
+        members = subset;
+        backup = false;
+        thin = false;
+        point = weighted;
+        if (!is_triangle(subset)) return;
+        const TriangleSides<Scalar> sides = triangle_sides(w, subset);
+        thin = sides.is_thin();
+        point = sides.foot(weighted);
+    }
+};
+
+}  // namespace edgewise
