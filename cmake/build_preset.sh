@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
-# EDGEWISE_LAYOUTS in the environment: these layouts only ("distinct": those that differ widely; "" all); where it is
-# not set, those of last time. Quiet but for a line per minute, unless somebody watches: then the build shows each step.
+# EDGEWISE_LAYOUTS in the environment: these layouts only ("distinct": those that differ widely; "" all); EDGEWISE_PEERS=ON:
+# with adapters of other libraries. Where they are not set, as last time. Quiet but for a line per minute, unless somebody watches: then the build shows each step.
 # All output goes to stderr.
 set -eu
 exec 1>&2
@@ -18,7 +18,9 @@ mkdir -p "$folder"
 echo "build: $preset"
 set_layouts=
 [ -z "${EDGEWISE_LAYOUTS+set}" ] || set_layouts=-DEDGEWISE_LAYOUTS=$EDGEWISE_LAYOUTS
-if ! cmake -S "$root" --preset "$preset" ${set_layouts:+"$set_layouts"} >"$log" 2>&1; then
+set_peers=
+[ -z "${EDGEWISE_PEERS+set}" ] || set_peers=-DEDGEWISE_PEERS=$EDGEWISE_PEERS
+if ! cmake -S "$root" --preset "$preset" ${set_layouts:+"$set_layouts"} ${set_peers:+"$set_peers"} >"$log" 2>&1; then
     cat "$log"
     echo "build: cmake could not configure preset $preset (its output is above, and in $log)"
     exit 2

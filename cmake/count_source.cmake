@@ -4,7 +4,7 @@
 # writes the report's source_facts.cpp.
 set(counted_algorithms "V-Clip" "Enhanced GJK" "Moore-Wilhelms" "sweep and prune" "penetration (EPA)")
 set(counted_files_0 vclip.hpp vclip/*.hpp)
-set(counted_files_1 gjk.hpp johnson.hpp support.hpp)
+set(counted_files_1 gjk.hpp simplex.hpp sub_distance.hpp subset.hpp cofactors.hpp johnson.hpp support.hpp)
 set(counted_files_2 ../truth/moore_wilhelms.hpp ../truth/moore_wilhelms.cpp)
 set(counted_files_3 sweep_and_prune.hpp)
 set(counted_files_4 penetration.hpp penetration/*.hpp)

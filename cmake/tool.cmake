@@ -45,7 +45,7 @@ add_library(edgewise_core STATIC
 add_dependencies(edgewise_core edgewise_build_info)
 target_link_libraries(edgewise_core
     PUBLIC edgewise_library nlohmann_json::nlohmann_json fmt::fmt ${GMPXX_LIBRARY} ${GMP_LIBRARY}
-    PRIVATE SQLite::SQLite3 ${EDGEWISE_LIBPFM_LIBRARY} edgewise_flags)
+    PRIVATE SQLite::SQLite3 ${EDGEWISE_LIBPFM_LIBRARY} ${CMAKE_DL_LIBS} edgewise_flags)
 if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()

@@ -83,7 +83,8 @@ class points_soa : public BlockTable<P, Loader> {
         Highest best{start, dot(vertex(start), direction)};
         std::size_t first = 0, rest = this->vertex_count();
         for (; rest >= 64; first += 64, rest -= 64) scan_chunk<64>(first, 64, direction, best);
-        // The smallest chunk that the rest fits in: a box is eight numbers, not sixty-four.
+        // The smallest chunk that the rest fits in: a box is eight numbers, not sixty-four, and with the
+        // count known when compiled nothing is filled up.
         if (rest == 8) {
             scan_chunk<8>(first, 8, direction, best);
         } else if (rest > 0 && rest < 8) {

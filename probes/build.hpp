@@ -16,6 +16,8 @@ class build {
     static constexpr std::string_view summary =
         "median time to build a table, and to refit it in place to the body deformed";
 
+    static constexpr bool of_peers = true;
+
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(cell.runner.build_times(repetitions))};
     }

@@ -33,8 +33,11 @@ class bytes {
     static constexpr std::string_view summary =
         "bytes per edge by component, total, and slopes per additional edge";
 
+    static constexpr bool of_peers = true;
+
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         const Polyhedron& body = cell.runner.stored_bodies()[0];
+        if (cell.type.is_peer) return {of_peer(body.edge_count(), cell.runner)};
         return {figures({body.vertex_count(), body.edge_count(), cell.runner.ledger(),
                          cell.runner.object_bytes(), cell.runner.pair_bytes()},
                         size_family(cell.type, cell.algorithm.parts))};
@@ -57,6 +60,16 @@ class bytes {
                 {std::string(component_names[i]), bytes / static_cast<double>(table.edges), "B/edge"});
         }
         return result;
+    }
+
+    /// Of another library: what a shape allocates, its object and a pair's cache. What for it does not tell.
+    [[nodiscard]] static std::vector<measure::Figure> of_peer(std::size_t edges,
+                                                              const bench::Runner& runner) {
+        const std::uint64_t allocated = runner.ledger().total();
+        return {store::mean_figure("bytes.total_bytes_per_edge", allocated, edges),
+                store::figure("bytes.table_bytes", allocated),
+                store::figure("bytes.object_bytes", runner.object_bytes()),
+                store::figure("bytes.pair_bytes", runner.pair_bytes())};
     }
 
   private:

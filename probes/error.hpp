@@ -22,8 +22,12 @@ class error {
         "worst error and wrong verdicts against exact arithmetic; steps, escapes, cycles, "
         "fallbacks and refinements";
 
+    static constexpr bool of_peers = true;
+
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
-        return {figures(cell.checked, cell.counts)};
+        std::vector<measure::Figure> all = figures(cell.checked, cell.counts);
+        if (cell.type.verdict_only) leave_out_distances(all);
+        return {std::move(all)};
     }
 
     [[nodiscard]] static std::vector<measure::Figure> figures(Answers answers,
@@ -59,6 +63,16 @@ class error {
     }
 
   private:
+    static void leave_out_distances(std::vector<measure::Figure>& all) {
+        for (measure::Figure& figure : all) {
+            if (!figure.name.ends_with("_stored") && !figure.name.ends_with("_given") &&
+                figure.name != "witness_error")
+                continue;
+            figure.value.reset();
+            figure.reason = "this library gives verdicts alone";
+        }
+    }
+
     /// How often the paper's control disagrees: of checked answers, and of these outside the band.
     static void add_control(Answers answers, std::vector<measure::Figure>& all) {
         double asked = 0, disagrees = 0, outside = 0;

@@ -16,6 +16,8 @@ class time {
     static constexpr std::string_view summary =
         "median ns per query with 95 % interval, and ratio to the baseline of the same rounds";
 
+    static constexpr bool of_peers = true;
+
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(cell.rounds)};
     }

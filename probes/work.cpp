@@ -68,7 +68,8 @@ using Pair = SimplexPair<WatchedBody, WatchedBody>;
 constexpr std::size_t most_queries = 10000;  ///< looked at; a share of them is known to a hundredth
 constexpr std::size_t most_compared = 500;   ///< beside V-Clip's features, each from a cold start
 
-/// Johnson's order, and the whole, which is asked last (algorithms/johnson.hpp).
+/// Johnson's order, and the whole, which is asked last (algorithms/johnson.hpp). GJK reads the signs of all
+/// cofactors at once (cofactors.hpp); what is counted is how far his search would go.
 constexpr std::array<std::uint8_t, 15> ascending = {1, 2, 4, 8, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14, 15};
 
 /// Is notified which subset every sub-distance accepted, and so how many were tried before it.

@@ -5,6 +5,9 @@
 
 #include <fmt/core.h>
 
+#include <optional>
+#include <utility>
+
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
@@ -92,6 +95,16 @@ Chapter times_chapter(const ReportData& data) {
     return chapter;
 }
 
+/// Where other libraries were measured.
+std::optional<Chapter> peers_chapter(const ReportData& data) {
+    if (!has_peers(data)) return std::nullopt;
+    Chapter chapter{
+        "peers", "Beside other libraries", prose("peers.md"), {{.grids = {peers_grid(data)}}}, "Peers"};
+    for (const std::string& scene : scene_labels(data))
+        chapter.blocks.push_back({.title = scene, .grids = {peer_grid(data, scene)}});
+    return chapter;
+}
+
 Chapter errors_chapter(const ReportData& data) {
     return {"errors",
             "Errors",
@@ -124,6 +137,7 @@ std::vector<Chapter> report_chapters(const ReportData& data, const std::vector<C
     std::vector<Chapter> chapters;
     for (const Addition& addition : additions())
         if (auto chapter = addition.chapter(data, charts)) chapters.push_back(std::move(*chapter));
+    if (auto chapter = peers_chapter(data)) chapters.push_back(std::move(*chapter));
     for (const auto chapter : {bytes_chapter, layouts_chapter, caches_chapter, counters_chapter,
                                times_chapter, errors_chapter, stability_chapter, cells_chapter})
         chapters.push_back(chapter(data));

@@ -141,7 +141,8 @@ TextGrid facts_grid(const ReportData& data) {
     add(grid, "seed", seeds(data));
     bool plan = false;
     for (const auto& [key, value] : data.meta) {
-        if (key.starts_with(store::drawing_key) || key.starts_with(store::scene_file_key))
+        if (key.starts_with(store::drawing_key) || key.starts_with(store::scene_file_key) ||
+            key.starts_with(store::peer_key))
             continue;  // in places of their own
         if (key == "build" || key == "seed") continue;
         plan = plan || key == "plan";

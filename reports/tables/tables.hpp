@@ -54,6 +54,13 @@ struct Drawing {
 [[nodiscard]] TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
                                  const std::string& shape);
 
+/// Whether other libraries were measured.
+[[nodiscard]] bool has_peers(const ReportData& data);
+/// Which: version, query, what a pair keeps, flags.
+[[nodiscard]] TextGrid peers_grid(const ReportData& data);
+/// Edgewise beside them in one scene, time beside error: by shape, fastest first.
+[[nodiscard]] TextGrid peer_grid(const ReportData& data, const std::string& scene_label);
+
 /// Worst errors and sums by algorithm and table type, over all cells.
 [[nodiscard]] TextGrid error_summary_grid(const ReportData& data);
 /// The error figures of every cell.

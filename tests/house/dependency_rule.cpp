@@ -11,9 +11,9 @@ namespace edgewise::house {
 
 namespace {
 
-const std::set<std::string> src_rooms = {"geometry", "table", "layout_parts", "algorithms",
-                                         "truth",    "scene", "measure",      "store",
-                                         "bench",    "sweep", "studies",      "cli"};
+const std::set<std::string> src_rooms = {"geometry", "table",   "layout_parts", "algorithms", "peers",
+                                         "truth",    "scene",   "measure",      "store",      "bench",
+                                         "sweep",    "studies", "cli"};
 const std::set<std::string> root_rooms = {"layouts", "probes", "reports"};
 
 /// Direct edges as designed.
@@ -27,7 +27,8 @@ const std::map<std::string, std::set<std::string>> direct_edges = {
     {"scene", {"algorithms", "truth"}},
     {"measure", {"geometry"}},
     {"store", {"measure"}},
-    {"bench", {"scene", "store", "layout_parts"}},
+    {"peers", {"geometry"}},
+    {"bench", {"scene", "store", "layout_parts", "peers"}},
     {"probes", {"bench"}},
     {"sweep", {"bench"}},
     {"studies", {"sweep"}},

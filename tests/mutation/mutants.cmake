@@ -32,6 +32,8 @@ edgewise_mutant(johnson_volume_sign algorithms/johnson.hpp [[(k & 1 ? -1 : 1)]] 
     Johnson.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(johnson_foot_of_slivers algorithms/subset.hpp [[if (sliver || height]] [[if (height]]
     Johnson.* ${unit}/algorithms/johnson_test.cpp)
+edgewise_mutant(cofactors_ask_no_second_opinion algorithms/cofactors.hpp [[if (count == 4 && weigh_passing<4>(w, allowed, found)) return;]]
+    [[if (count == 4 && (weigh_passing<4>(w, allowed, found) || true)) return;]] Cofactors.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]
     *Support* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <type_traits>
@@ -66,6 +67,7 @@ class GjkRun {
     void start(const Pair& pair) {
         assert(pair.count <= 4);
         if (pair.count == 0 || !pair.belongs_to(a_, b_)) {
+            is_cold_ = true;
             add(a_.first_vertex(), b_.first_vertex());
         } else {
             for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
@@ -81,8 +83,10 @@ class GjkRun {
     [[nodiscard]] bool advance(Scalar squared) {
         const auto& simplex = sub_.simplex();
         const Vec3<Scalar>& v = sub_.closest().point;
-        const auto a = support(a_, Vec3<Scalar>(-v), simplex.vertex_a[simplex.count - 1]);
-        const auto b = support(b_, a_from_b_.direction_back(v), simplex.vertex_b[simplex.count - 1]);
+        const std::size_t scan_under = is_cold_ ? scan_cold_below : scan_below;
+        const auto a = support(a_, Vec3<Scalar>(-v), simplex.vertex_a[simplex.count - 1], scan_under);
+        const auto b =
+            support(b_, a_from_b_.direction_back(v), simplex.vertex_b[simplex.count - 1], scan_under);
         const Vec3<Scalar> on_b = a_from_b_.point(b.point);
         const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
@@ -140,6 +144,7 @@ class GjkRun {
     bool verdict_only_;
     Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
     int steps_ = 0;
+    bool is_cold_ = false;
     bool separates_ = false;  ///< beyond rounding
 };
 

@@ -72,13 +72,16 @@ struct Probe {
     Findings (*measure)(const ProbedCell& cell);
     /// Whether it may measure while others do: nothing of it is a time. To be measured first.
     bool beside_others;
+    /// Whether it measures other libraries too: it asks for nothing but answers, rounds and sizes.
+    bool of_peers;
 };
 
-/// The probe of a type with a summary, measure and, if it is true, beside_others.
+/// The probe of a type with a summary, measure and, where they are true, beside_others and of_peers.
 template <class Measuring>
 constexpr Probe probe_of(std::string_view name) {
     constexpr bool beside_others = requires { Measuring::beside_others; };
-    return {name, Measuring::summary, Measuring::measure, beside_others};
+    constexpr bool of_peers = requires { Measuring::of_peers; };
+    return {name, Measuring::summary, Measuring::measure, beside_others, of_peers};
 }
 
 /// Every probe of this program, in the order of the manifest probes/CMakeLists.txt.

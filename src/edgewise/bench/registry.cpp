@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "edgewise/bench/peers/peer_modules.hpp"
+
 namespace edgewise::bench {
 
 namespace {
@@ -47,17 +49,24 @@ std::span<const AlgorithmInfo> algorithms() {
 }
 
 const AlgorithmInfo& algorithm_called(std::string_view name) {
-    for (const AlgorithmInfo& info : algorithms()) {
-        if (info.name == name) return info;
+    // Peers are looked for, and their modules opened, only for a name that is none of ours.
+    for (const auto known : {algorithms, peer_algorithms}) {
+        for (const AlgorithmInfo& info : known()) {
+            if (info.name == name) return info;
+        }
     }
     throw std::invalid_argument(fmt::format("there is no algorithm '{}'", name));
 }
 
+std::vector<const TableType*> select_types(std::span<const TableType> from,
+                                           std::span<const std::string> names, std::string_view what) {
+    return select<TableType>(from, names, what, [](const TableType& type) {
+        return std::vector{type.layout, type.name};
+    });
+}
+
 std::vector<const TableType*> select_table_types(std::span<const std::string> names) {
-    return select<TableType>(table_types(), names, "layout (or table type, as in aos_f64)",
-                             [](const TableType& type) {
-                                 return std::vector{type.layout, type.name};
-                             });
+    return select_types(table_types(), names, "layout (or table type, as in aos_f64)");
 }
 
 std::vector<std::string> select_algorithms(std::span<const std::string> names) {

@@ -28,6 +28,8 @@ struct TableType {
     bool single_storage = false;          ///< holds bodies in the range of single precision
     bool rounded_planes = false;          ///< stores planes rounder than what computes
     double eps = 0;                       ///< rounding step of what computes: 2^-52 or 2^-23
+    bool is_peer = false;                 ///< another library (bench/peers), whose errors are figures
+    bool verdict_only = false;            ///< of a peer: it gives no distances
     std::function<std::unique_ptr<Runner>(std::string_view algorithm)> make_runner;
     std::function<Result<Polyhedron>(const Polyhedron&)> stored_body;  ///< what its tables hold of a body
     /// a table that nobody asks anything: for its memory
@@ -52,7 +54,7 @@ struct AlgorithmInfo {
 /// In the manifest's order.
 [[nodiscard]] std::span<const TableType> table_types();
 [[nodiscard]] std::span<const AlgorithmInfo> algorithms();
-/// Throws std::invalid_argument for an unknown name.
+/// A peer's too. Throws std::invalid_argument for an unknown name.
 [[nodiscard]] const AlgorithmInfo& algorithm_called(std::string_view name);
 
 /// What their query loops are compiled with beyond all other code: " query loops: -march=native".
@@ -61,6 +63,9 @@ struct AlgorithmInfo {
 /// Names as a user writes them: "aos" (all its precisions), "aos_f64", "all". Throws std::invalid_argument
 /// that lists the known names.
 [[nodiscard]] std::vector<const TableType*> select_table_types(std::span<const std::string> names);
+[[nodiscard]] std::vector<const TableType*> select_types(std::span<const TableType> from,
+                                                         std::span<const std::string> names,
+                                                         std::string_view what);
 [[nodiscard]] std::vector<std::string> select_algorithms(std::span<const std::string> names);
 
 }  // namespace edgewise::bench

@@ -24,7 +24,7 @@ struct SweepArguments {
     std::string plan = "quick";
     std::string store = default_store;
     std::string out;
-    std::vector<std::string> layouts, algorithms, axes, scenes, shapes, meshes, caches, machines;
+    std::vector<std::string> layouts, algorithms, peers, axes, scenes, shapes, meshes, caches, machines;
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
     std::optional<std::size_t> stability;
@@ -59,6 +59,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
         if (scene::find_scene_file(scene.name)) replace(scene.layouts, options.layouts);
     }
     replace(plan.algorithms, options.algorithms);
+    replace(plan.peers, options.peers);
     replace(plan.axes, options.axes);
     if (!options.shapes.empty() || !options.meshes.empty()) {
         plan.shapes = options.shapes;
@@ -133,6 +134,7 @@ void print_summary(const sweep::SweepSummary& summary, const studies::StabilityS
         nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
                                {"failed", summary.failed}, {"unavailable", summary.unavailable},
                                {"store", store},           {"report", page}};
+        if (summary.judged > 0) line["judged"] = summary.judged;
         if (stability.rows > 0) {
             line["stability_rows"] = stability.rows;
             line["stability_failed"] = stability.failed;
@@ -142,6 +144,7 @@ void print_summary(const sweep::SweepSummary& summary, const studies::StabilityS
     }
     fmt::print("{} cells: {} verified, {} failed, {} unavailable\n", summary.cells, summary.verified,
                summary.failed, summary.unavailable);
+    if (summary.judged > 0) fmt::print("{} cells of other libraries judged\n", summary.judged);
     if (stability.rows > 0) {
         fmt::print("{} stability rows: {} failed, {} unavailable\n", stability.rows, stability.failed,
                    stability.unavailable);
@@ -179,11 +182,13 @@ void add_sweep(CLI::App& app, Context& context) {
     const CLI::Range at_least_one(1, 1'000'000'000);
     auto [command, options] = add_command(
         app, context, "sweep", "Verifies and measures every cell of a plan, then reports", run_sweep);
-    command->add_option("--plan", options.plan, "quick, paper, full, or a JSON file")->capture_default_str();
+    command->add_option("--plan", options.plan, "quick, paper, full, peers, or a JSON file")
+        ->capture_default_str();
     command->add_option("--store", options.store, "SQLite file to fill or to resume")->capture_default_str();
     command->add_option("--out", options.out, "folder for the report; beside the store if not given");
     add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
     add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
+    add_names(*command, "--peers", options.peers, "these libraries beside them, or all that are built");
     add_names(*command, "--axes", options.axes,
               "these axes beside the plain cells, such as gap_tolerance=1e-06");
     add_names(*command, "--scenes", options.scenes,

@@ -28,6 +28,7 @@ class BlockTable {
     using Stored = typename P::Stored;
     using Compute = typename P::Compute;
     using Vertex = Index;
+    static constexpr bool counts_vertices = true;
 
     [[nodiscard]] std::size_t vertex_count() const { return facts_.vertex_count; }
     [[nodiscard]] Vertex first_vertex() const { return 0; }

@@ -6,7 +6,7 @@
 
 namespace edgewise::store {
 
-inline constexpr int store_schema_version = 2;
+inline constexpr int store_schema_version = 3;
 inline constexpr int store_application_id = 0x45644765;  ///< "EdGe", so that another program's file is known
 
 /// Keys of meta: this and a table type's name hold the picture of that table, as SVG.
@@ -14,6 +14,9 @@ inline constexpr const char* drawing_key = "drawing ";
 
 /// Likewise this and a scene file's name: its text, as JSON in one line.
 inline constexpr const char* scene_file_key = "scene ";
+
+/// Keys of `meta` that name another library: "peer " and the cells' table type.
+inline constexpr const char* peer_key = "peer ";
 
 /// schema.sql: creates what is not there.
 extern const char* const store_schema;

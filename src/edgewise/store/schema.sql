@@ -14,7 +14,7 @@ create table if not exists cell(
     vertices integer not null, edges integer not null, faces integer not null,
     seed integer not null,  -- 64 bits, written as the signed number of the same bits
     queries integer not null,
-    status text not null check(status in ('verified', 'failed', 'unavailable')), reason text not null,
+    status text not null check(status in ('verified', 'failed', 'unavailable', 'judged')), reason text not null,
     axes text not null,  -- further axes, NAME=VALUE joined by '+'; empty for the plain cell
     primary key(build, hash)) without rowid;
 

@@ -40,9 +40,12 @@ void CellRun::verify(SharedQueries& shared) {
         in_contact_.push_back(answer.status != Status::separated);
         distances_.push_back(sum += answer.distance);
     }
-    checked_ = check_answers(shared, runner_->stored_bodies(), answers, type_.eps, axes_.query);
+    QueryOptions asked = axes_.query;
+    asked.verdict_only = asked.verdict_only || type_.verdict_only;
+    checked_ = check_answers(shared, runner_->stored_bodies(), answers, type_.eps, asked);
     row_.reason = what_is_wrong(shared, checked_, type_.eps);
-    row_.status = row_.reason.empty() ? "verified" : "failed";
+    // A peer's errors are figures beside its times; they are no failure of this program.
+    row_.status = type_.is_peer ? "judged" : row_.reason.empty() ? "verified" : "failed";
 }
 
 measure::Timing CellRun::time(double clock_cost_ns) const {
@@ -64,6 +67,7 @@ void CellRun::measure(Stage stage, std::span<const measure::Round> rounds) {
                                  .caches = caches_};
     for (const bench::Probe& probe : bench::registered_probes()) {
         if (probe.beside_others != (stage == Stage::beside_others)) continue;
+        if (type_.is_peer && !probe.of_peers) continue;
         bench::Findings found = probe.measure(cell);
         if (found.passed) hold_against_answers(*found.passed, probe.name);
         for (measure::Figure& figure : found.figures)

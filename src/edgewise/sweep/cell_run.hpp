@@ -34,6 +34,8 @@ class CellRun {
     void verify(SharedQueries& shared);
 
     [[nodiscard]] bool verified() const { return row_.status == "verified"; }
+    /// Verified, or a peer's: those are timed.
+    [[nodiscard]] bool is_timed() const { return row_.is_timed(); }
     [[nodiscard]] const store::CellRow& row() const { return row_; }
 
     /// One timed pass; of a cell that is unavailable nothing.

@@ -72,6 +72,7 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
         .take("each_mesh", plan.each_mesh)
         .take("layouts", plan.layouts)
         .take("algorithms", plan.algorithms)
+        .take("peers", plan.peers)
         .take("axes", plan.axes)
         .take("seed", plan.seed)
         .take("queries", plan.queries)

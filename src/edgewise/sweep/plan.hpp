@@ -36,6 +36,7 @@ struct Plan {
     bool meshes_required = false;         ///< an unreadable mesh file ends the sweep before it starts
     std::vector<std::string> layouts;     ///< as for select_table_types
     std::vector<std::string> algorithms;  ///< as for select_algorithms
+    std::vector<std::string> peers;       ///< as for select_peer_types: other libraries beside these
     std::vector<std::string> axes;        ///< beside the plain cells, one at a time; as for parse_axes
     std::uint64_t seed = 1;
     std::size_t queries = 0;            ///< per cell and round

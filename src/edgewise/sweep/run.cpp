@@ -67,6 +67,8 @@ void store_sweep(const SweepWork& work, const store::BuildRow& build, store::Sto
     for (const SceneWork& scene : work.scenes) {
         if (!scene.json.empty()) store.set_meta(store::scene_file_key + scene.choice.name, scene.json);
     }
+    for (const bench::TableType* peer : work.peers)
+        store.set_meta(store::peer_key + peer->name, peer->stores + "; " + peer->derives);
     store_drawings(work, store);
 }
 
@@ -81,7 +83,8 @@ class StoredCells {
     [[nodiscard]] std::optional<std::string> status_of(const CellRun& cell) const {
         const auto row = store_.find_cell(build_, cell.row().hash);
         if (!row) return std::nullopt;
-        if (row->verified() && (!rounds_missing(cell).empty() || lacks_caches(cell))) return std::nullopt;
+        if (row->is_timed() && (!rounds_missing(cell).empty() || (row->verified() && lacks_caches(cell))))
+            return std::nullopt;
         return row->status;
     }
 
@@ -141,8 +144,9 @@ StoredRound time_round(const Plan& plan, int number, std::vector<const CellRun*>
     return rounds;
 }
 
-/// Every round that a verified cell is missing: each such cell once, in an order of its own each round, the
-/// baseline somewhere among them. A round is stored when it is done, and `stop` looked at before the next.
+/// Every round that a cell to be timed is missing: each such cell once, in an order of its own each round,
+/// the baseline somewhere among them. A round is stored when it is done, and `stop` looked at before the
+/// next.
 void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun& baseline,
                  StoredCells& stored, const std::atomic<bool>& stop) {
     const double clock_cost_ns = measure::calibrate();
@@ -151,7 +155,7 @@ void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun
     for (int round = 0; round < plan.rounds && !stop; ++round) {
         std::vector<const CellRun*> lacking;
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            if (cells[i].verified() && missing[i].contains(round)) lacking.push_back(&cells[i]);
+            if (cells[i].is_timed() && missing[i].contains(round)) lacking.push_back(&cells[i]);
         }
         if (!lacking.empty()) stored.put(time_round(plan, round, lacking, baseline, clock_cost_ns));
     }
@@ -259,6 +263,7 @@ class Sweep {
         ++summary_.cells;
         ++(status == "verified" ? summary_.verified
            : status == "failed" ? summary_.failed
+           : status == "judged" ? summary_.judged
                                 : summary_.unavailable);
     }
 

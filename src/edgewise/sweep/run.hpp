@@ -15,7 +15,8 @@ namespace edgewise::sweep {
 
 struct SweepSummary {
     std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
-    bool stopped = false;  ///< before the end; what is stored stays
+    std::size_t judged = 0;  ///< of other libraries
+    bool stopped = false;    ///< before the end; what is stored stays
 };
 
 /// What a sweep tells while it runs.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scene_file.hpp"
@@ -163,6 +164,7 @@ void SweepWork::each_cell(const SceneWork& scene,
             }
         }
     }
+    for (const bench::TableType* peer : peers) use(*peer, peer->algorithms.front(), scene.axes.front());
 }
 
 std::vector<scene::NamedShape> shapes_of(const Plan& plan,
@@ -178,6 +180,7 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     SweepWork work;
     work.plan = plan;
     work.types = bench::select_table_types(plan.layouts);
+    work.peers = bench::select_peer_types(plan.peers);
     work.algorithms = bench::select_algorithms(plan.algorithms);
     work.machines = measure::choose_machines(plan.machines);
     for (const SceneChoice& scene : plan.scenes) {

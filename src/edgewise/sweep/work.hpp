@@ -33,7 +33,7 @@ struct SceneWork {
 
 struct SweepWork {
     Plan plan;
-    std::vector<const bench::TableType*> types;
+    std::vector<const bench::TableType*> types, peers;
     std::vector<std::string> algorithms;
     std::vector<measure::MachineChoice> machines;  ///< to model the caches of
     std::vector<scene::NamedShape> shapes;
@@ -43,7 +43,7 @@ struct SweepWork {
     SweepWork() = default;
     SweepWork(SweepWork&&) = default;  ///< and no copy: scenes point at shapes, which stay where they are
 
-    /// The cells of a scene and any of its shapes, each once.
+    /// The cells of a scene and any of its shapes, each once; peers, in every scene, have plain cells alone.
     void each_cell(const SceneWork& scene,
                    const std::function<void(const bench::TableType&, const std::string& algorithm,
                                             const Axes&)>& use) const;

@@ -16,6 +16,7 @@ class Canonical {
   public:
     using PrecisionType = f64;
     using Vertex = Index;
+    static constexpr bool counts_vertices = true;
 
     explicit Canonical(const Polyhedron& body) : body_(&body) {}
 

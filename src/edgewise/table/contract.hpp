@@ -46,7 +46,9 @@ concept SupportTable = Precision<typename T::PrecisionType> && std::regular<type
     { *table.all_vertices().begin() } -> std::convertible_to<typename T::Vertex>;
 };
 
-/// A shape on which support points may be climbed to along its edges.
+/// A shape on which support points may be climbed to along its edges. One whose handles are 0 ..
+/// vertex_count()
+/// - 1 says `static constexpr bool counts_vertices = true`: scans then go over it in chunks.
 template <class T>
 concept ClimbingTable = SupportTable<T> && requires(const T& table, typename T::Vertex v) {
     { table.vertex_count() } -> std::convertible_to<std::size_t>;

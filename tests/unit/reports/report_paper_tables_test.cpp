@@ -78,7 +78,7 @@ TEST(PaperTables, SourceIsCounted) {
     EXPECT_GT(facts[0].files, 10);
     EXPECT_GT(facts[0].code_lines, facts[1].code_lines);
     EXPECT_THAT(facts[0].tolerances, testing::Contains("vertex_derivative"));
-    EXPECT_EQ(facts[1].files, 3);
+    EXPECT_EQ(facts[1].files, 7);
     EXPECT_THAT(facts[1].tolerances, testing::Contains("support_noise"));
     EXPECT_EQ(source_grid().rows.size(), 5U);
 }

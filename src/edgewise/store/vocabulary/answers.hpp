@@ -16,7 +16,7 @@ inline constexpr FigureInfo answers[] = {
     {"work.support_near", "1", Population::warm, Repeats::exactly, "part of them that are beside a vertex of the one before"},
     {"work.hops_per_support", "1", Population::all, Repeats::exactly, "edges climbed per search of a support point"},
     {"work.vertices_per_support", "1", Population::all, Repeats::exactly, "vertices looked at per search of a support point"},
-    {"work.subsets_tried", "1", Population::all, Repeats::exactly, "subsets of the simplex tried per sub-distance"},
+    {"work.subsets_tried", "1", Population::all, Repeats::exactly, "subsets of the simplex until the accepted one, in Johnson's order, per sub-distance"},
     {"work.accepted_{number}", "1", Population::all, Repeats::exactly, "part of sub-distances that end at a subset of so many points"},
     {"work.features_agree", "1", Population::checked, Repeats::exactly, "part of separated queries in which GJK ends on V-Clip's features"},
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// The peers of this program: the modules beside it, opened when they are first asked for, each as a table
+// type with one algorithm of its own name.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/peers/peer.hpp"
+
+namespace edgewise::bench {
+
+/// What the modules say of themselves, by name and precision. A module that cannot be opened throws
+/// std::runtime_error: which, why.
+[[nodiscard]] std::span<const peers::PeerInfo* const> peers_found();
+
+/// In that order. Each serves one algorithm, of its layout's name.
+[[nodiscard]] std::span<const TableType> peer_types();
+
+/// One for each name among them.
+[[nodiscard]] std::span<const AlgorithmInfo> peer_algorithms();
+
+/// Names as a user writes them: "bullet_epa2", "bullet_epa2_f64", "all". Throws std::invalid_argument that
+/// lists the known names; where there are none at all, what to do.
+[[nodiscard]] std::vector<const TableType*> select_peer_types(std::span<const std::string> names);
+
+/// Where they are: in `peers` beside the program.
+[[nodiscard]] std::filesystem::path peers_folder();
+
+}  // namespace edgewise::bench

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// Bullet's GJK of btGjkEpa2: distances of separated hulls, by linear scans. A cold query starts along the
+// line of the centres, as Bullet's own depth solver does, a warm one along the last direction.
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
+
+#include "edgewise/peers/adapters/bullet.hpp"
+
+namespace edgewise::peers {
+
+namespace {
+
+struct BulletEpa2 {
+    using Shape = BulletShape;
+    using Placed = BulletPlaced;
+    struct Cache {
+        btVector3 direction;
+        bool is_warm = false;
+    };
+
+    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b,
+                            Cache& cache) {
+        const btVector3 guess = cache.is_warm
+                                    ? cache.direction
+                                    : btVector3(at_b.transform.getOrigin() - at_a.transform.getOrigin());
+        btGjkEpaSolver2::sResults found;
+        const bool separated =
+            btGjkEpaSolver2::Distance(&a.hull, at_a.transform, &b.hull, at_b.transform, guess, found);
+        PeerAnswer answer;
+        answer.separated = separated && found.distance > 0;
+        if (!answer.separated) return answer;
+        cache = {found.witnesses[0] - found.witnesses[1], true};
+        answer.distance = found.distance;
+        answer.point_a = from_bullet(found.witnesses[0]);
+        answer.point_b = from_bullet(found.witnesses[1]);
+        return answer;
+    }
+};
+
+constexpr PeerInfo info = {"bullet_epa2",
+                           bullet_precision,
+                           EDGEWISE_PEER_LIBRARY,
+                           "btGjkEpaSolver2::Distance on btConvexHullShape, margin 0",
+                           "the last direction",
+                           EDGEWISE_PEER_FLAGS,
+                           false,
+                           make_bench<BulletEpa2>};
+
+}  // namespace
+
+}  // namespace edgewise::peers
+
+extern "C" const edgewise::peers::PeerInfo* edgewise_peer() { return &edgewise::peers::info; }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Bullet's pair detector with its Voronoi simplex solver, and no solver for depths: what its collision world
+// runs for separated hulls. It sets its cached axis back to (0, 1, 0) by itself: every query starts cold.
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include "edgewise/peers/adapters/bullet.hpp"
+
+namespace edgewise::peers {
+
+namespace {
+
+struct BulletPairDetector {
+    using Shape = BulletShape;
+    using Placed = BulletPlaced;
+    struct Cache {};
+
+    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&) {
+        btVoronoiSimplexSolver simplex;
+        btGjkPairDetector detector(&a.hull, &b.hull, &simplex, nullptr);
+        btGjkPairDetector::ClosestPointInput input;
+        input.m_transformA = at_a.transform;
+        input.m_transformB = at_b.transform;
+        btPointCollector found;
+        detector.getClosestPointsNonVirtual(input, found, nullptr);
+        PeerAnswer answer;
+        answer.separated = found.m_hasResult && found.m_distance > 0;
+        if (!answer.separated) return answer;
+        answer.distance = found.m_distance;
+        answer.point_b = from_bullet(found.m_pointInWorld);
+        answer.point_a = from_bullet(found.m_pointInWorld + found.m_normalOnBInWorld * found.m_distance);
+        return answer;
+    }
+};
+
+constexpr PeerInfo info = {"bullet_pair_detector",
+                           bullet_precision,
+                           EDGEWISE_PEER_LIBRARY,
+                           "btGjkPairDetector and btVoronoiSimplexSolver on btConvexHullShape, margin 0",
+                           "nothing",
+                           EDGEWISE_PEER_FLAGS,
+                           false,
+                           make_bench<BulletPairDetector>};
+
+}  // namespace
+
+}  // namespace edgewise::peers
+
+extern "C" const edgewise::peers::PeerInfo* edgewise_peer() { return &edgewise::peers::info; }

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// FCL's own GJK (GST_INDEP), with the direction that it caches.
+#include <fcl/narrowphase/detail/gjk_solver_indep.h>
+
+#include "edgewise/peers/adapters/fcl.hpp"
+
+// The library's own copy of these is compiled for any processor, and several times slower: ours, from the
+// same headers, with this module's flags.
+template struct fcl::detail::GJK<double>;
+template struct fcl::detail::MinkowskiDiff<double>;
+
+namespace edgewise::peers {
+
+namespace {
+
+struct FclIndep {
+    using Shape = FclShape;
+    using Placed = FclPlaced;
+    /// The solver is the cache: it is asked to keep its last direction.
+    struct Cache {
+        fcl::detail::GJKSolver_indep<double> solver;
+    };
+
+    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b,
+                            Cache& cache) {
+        cache.solver.enable_cached_guess = true;
+        return ask_fcl(cache.solver, a, at_a, b, at_b);
+    }
+};
+
+constexpr PeerInfo info = {"fcl_indep",
+                           "f64",
+                           EDGEWISE_PEER_LIBRARY,
+                           "GJKSolver_indep::shapeDistance on Convex",
+                           "the solver, with its last direction",
+                           EDGEWISE_PEER_FLAGS,
+                           false,
+                           make_bench<FclIndep>};
+
+}  // namespace
+
+}  // namespace edgewise::peers
+
+extern "C" const edgewise::peers::PeerInfo* edgewise_peer() { return &edgewise::peers::info; }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// FCL by libccd (GST_LIBCCD), its default. It offers no start for distances: every query is cold.
+#include <fcl/narrowphase/detail/gjk_solver_libccd.h>
+
+#include "edgewise/peers/adapters/fcl.hpp"
+
+// Ours, with this module's flags, as fcl_indep.cpp says.
+template class fcl::detail::GJKInitializer<double, fcl::Convex<double>>;
+
+namespace edgewise::peers {
+
+namespace {
+
+struct FclLibccd {
+    using Shape = FclShape;
+    using Placed = FclPlaced;
+    struct Cache {};
+
+    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&) {
+        static const fcl::detail::GJKSolver_libccd<double> solver;
+        return ask_fcl(solver, a, at_a, b, at_b);
+    }
+};
+
+constexpr PeerInfo info = {
+    "fcl_libccd",        "f64", EDGEWISE_PEER_LIBRARY, "GJKSolver_libccd::shapeDistance on Convex", "nothing",
+    EDGEWISE_PEER_FLAGS, false, make_bench<FclLibccd>};
+
+}  // namespace
+
+}  // namespace edgewise::peers
+
+extern "C" const edgewise::peers::PeerInfo* edgewise_peer() { return &edgewise::peers::info; }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// Other libraries beside ours: found, measured, judged and reported, each with answers that are right but for
+// its own mistakes; and what is said where there are none.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli_paths.hpp"
+#include "program.hpp"
+#include "sweep_store.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Modules beside the program.
+std::size_t peers_built() {
+    const auto folder = std::filesystem::path(program_path).parent_path() / "peers";
+    if (!std::filesystem::exists(folder)) return 0;
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+TEST(Peers, AreMeasuredAndJudgedBesideOurs) {
+    if (peers_built() == 0) GTEST_SKIP() << "built without EDGEWISE_PEERS";
+    const Folder folder;
+    const Outcome outcome =
+        run({"sweep", "--plan", "peers", "--scenes", "cold", "--shapes", "cube8", "--layouts", "aos_f64",
+             "--queries", "1000", "--checked", "200", "--rounds", "3", "--json"},
+            folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json summary = json::parse(outcome.out);
+    EXPECT_EQ(summary["verified"], 2) << "V-Clip and GJK";
+    EXPECT_EQ(summary["failed"], 0);
+    EXPECT_EQ(summary["judged"], peers_built());
+    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("## Beside other libraries"));
+
+    const auto judged_whose = [&](const std::string& figure, const std::string& condition) {
+        return rows_of(folder / "reports/out/edgewise.db",
+                       "select c.table_type from cell c join figure f using(build, hash) where c.status = "
+                       "'judged' and f.value is not null and f.probe || '.' || f.name = '" +
+                           figure + "' and f.value " + condition);
+    };
+    // On pairs this harmless they are right: shapes, poses and frames are what they should be.
+    EXPECT_THAT(judged_whose("error.wrong_verdicts", "<> 0"), IsEmpty());
+    EXPECT_THAT(judged_whose("error.p99_error_stored", "> 1e-6"), IsEmpty());
+    EXPECT_EQ(judged_whose("error.p99_error_stored", ">= 0").size() + 1, peers_built())
+        << "libccd gives no distance";
+    EXPECT_EQ(judged_whose("time.separated_ns", "> 0").size(), peers_built());
+    EXPECT_THAT(judged_whose("bytes.table_bytes", "not between 24 * 4 and 4096"), IsEmpty());
+}
+
+TEST(Peers, OneThatIsNotThereIsSaid) {
+    const Folder folder;
+    const Outcome outcome = run({"sweep", "--peers", "nobody"}, folder);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(peers_built() > 0 ? "unknown peer 'nobody'" : "no peers are built"));
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test
