@@ -100,8 +100,10 @@ std::optional<Chapter> peers_chapter(const ReportData& data) {
     if (!has_peers(data)) return std::nullopt;
     Chapter chapter{
         "peers", "Beside other libraries", prose("peers.md"), {{.grids = {peers_grid(data)}}}, "Peers"};
-    for (const std::string& scene : scene_labels(data))
-        chapter.blocks.push_back({.title = scene, .grids = {peer_grid(data, scene)}});
+    for (const std::string& scene : scene_labels(data)) {
+        TextGrid grid = peer_grid(data, scene);
+        if (!grid.rows.empty()) chapter.blocks.push_back({.title = scene, .grids = {std::move(grid)}});
+    }
     return chapter;
 }
 

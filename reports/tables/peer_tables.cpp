@@ -29,9 +29,12 @@ double separated_ns(const ReportCell& cell) {
 std::vector<const ReportCell*> side_by_side(const ReportData& data, const std::string& scene_label,
                                             const std::string& shape) {
     std::vector<const ReportCell*> cells;
-    for (const ReportCell& cell : data.cells) {
-        if (cell.scene_label == scene_label && cell.shape == shape && cell.is_timed() && cell.axes.empty())
-            cells.push_back(&cell);
+    for (const auto* from : {&data.cells, &data.peers}) {
+        for (const ReportCell& cell : *from) {
+            if (cell.scene_label == scene_label && cell.shape == shape && cell.is_timed() &&
+                cell.axes.empty())
+                cells.push_back(&cell);
+        }
     }
     std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
         return separated_ns(*a) < separated_ns(*b);
@@ -82,7 +85,7 @@ std::vector<GridCell> row_of(const ReportCell& cell, const ReportCell* peer) {
 
 }  // namespace
 
-bool has_peers(const ReportData& data) { return std::any_of(data.cells.begin(), data.cells.end(), is_peer); }
+bool has_peers(const ReportData& data) { return !data.peers.empty(); }
 
 TextGrid peers_grid(const ReportData& data) {
     TextGrid grid{"Other libraries", columns_of("adapter|library, query, cache and flags"), {}};
@@ -100,11 +103,13 @@ TextGrid peer_grid(const ReportData& data, const std::string& scene_label) {
                              "#checked|#bytes of a table|#of its object|#of a pair"),
                   {}};
     std::vector<std::pair<std::int64_t, std::string>> shapes;
-    for (const ReportCell& cell : data.cells) shapes.emplace_back(cell.vertices, cell.shape);
+    for (const ReportCell& cell : data.peers) shapes.emplace_back(cell.vertices, cell.shape);
     std::sort(shapes.begin(), shapes.end());
     shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
     for (const auto& [vertices, shape] : shapes) {
         const std::vector<const ReportCell*> cells = side_by_side(data, scene_label, shape);
+        if (std::none_of(cells.begin(), cells.end(), [](const ReportCell* cell) { return is_peer(*cell); }))
+            continue;
         const ReportCell* peer = best_peer(cells);
         for (const ReportCell* cell : cells) grid.rows.push_back(row_of(*cell, peer));
     }

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Every header compiles alone, and twice. One unit a header, checked but not compiled to code, by a target that only
 # the test asks for; a header that did not change, nor what it includes, is not checked again. A header that its own
-# source includes before all others has been compiled alone by the build. The standard library is precompiled, and Eigen
-# for those that include it: that a header includes what it names of the standard library, house.StandardHeaders sees.
+# source includes before all others has been compiled alone by the build. Those that include Eigen have it precompiled.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src/edgewise/*.hpp
     ${PROJECT_SOURCE_DIR}/layouts/*.hpp ${PROJECT_SOURCE_DIR}/probes/*.hpp ${PROJECT_SOURCE_DIR}/reports/*.hpp)
 # Adapters need the libraries that they adapt; their modules compile them.
@@ -16,16 +15,9 @@ set(folder ${CMAKE_CURRENT_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${folder})
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(check ${CMAKE_CXX_COMPILER} -std=c++20 -I${EDGEWISE_INCLUDE} -isystem ${eigen})
-set(standard)
-foreach(name algorithm array cmath functional map memory optional set span string string_view utility variant vector)
-    string(APPEND standard "#include <${name}>\n")
-endforeach()
-file(CONFIGURE OUTPUT ${folder}/standard.hpp CONTENT "${standard}")
-file(CONFIGURE OUTPUT ${folder}/eigen.hpp CONTENT "${standard}#include <Eigen/Core>\n")
-foreach(name standard eigen)
-    add_custom_command(OUTPUT ${folder}/${name}.hpp.gch DEPENDS ${folder}/${name}.hpp
-        COMMAND ${check} -x c++-header ${folder}/${name}.hpp -o ${folder}/${name}.hpp.gch VERBATIM)
-endforeach()
+file(CONFIGURE OUTPUT ${folder}/eigen.hpp CONTENT "#include <Eigen/Core>\n")
+add_custom_command(OUTPUT ${folder}/eigen.hpp.gch DEPENDS ${folder}/eigen.hpp
+    COMMAND ${check} -x c++-header ${folder}/eigen.hpp -o ${folder}/eigen.hpp.gch VERBATIM)
 
 # includes_eigen: the headers that do, themselves or through others.
 set(includes_eigen)
@@ -71,12 +63,12 @@ foreach(header IN LISTS headers)
     string(REPLACE / _ unit ${name})
     set(unit ${folder}/${unit})
     file(CONFIGURE OUTPUT ${unit}.cpp CONTENT "#include \"edgewise/${name}\"\n#include \"edgewise/${name}\"\n")
-    set(precompiled ${folder}/standard.hpp)
+    set(precompiled)
     if(name IN_LIST includes_eigen)
-        set(precompiled ${folder}/eigen.hpp)
+        set(precompiled -include ${folder}/eigen.hpp)
     endif()
-    add_custom_command(OUTPUT ${unit}.checked DEPENDS ${unit}.cpp ${precompiled}.gch DEPFILE ${unit}.d
-        COMMAND ${check} -fsyntax-only -include ${precompiled} -MD -MF ${unit}.d -MT ${unit}.checked ${unit}.cpp
+    add_custom_command(OUTPUT ${unit}.checked DEPENDS ${unit}.cpp ${folder}/eigen.hpp.gch DEPFILE ${unit}.d
+        COMMAND ${check} -fsyntax-only ${precompiled} -MD -MF ${unit}.d -MT ${unit}.checked ${unit}.cpp
         COMMAND ${CMAKE_COMMAND} -E touch ${unit}.checked
         COMMENT "header ${header}" VERBATIM)
     list(APPEND checked ${unit}.checked)

@@ -143,8 +143,12 @@ bool is_built(const std::string& layout) {
     });
 }
 
-/// A program may have been built with some layouts only: scenes for others are left out.
+/// A program may have been built with some layouts only: the others, and scenes for them, are left out. Where
+/// none is left, those that it has.
 void leave_out_missing_layouts(Plan& plan) {
+    std::erase_if(plan.layouts,
+                  [](const std::string& layout) { return layout != "all" && !is_built(layout); });
+    if (plan.layouts.empty()) plan.layouts = plan_of_this_program().layouts;
     std::erase_if(plan.scenes, [](SceneChoice& scene) {
         if (scene.layouts.empty()) return false;
         std::erase_if(scene.layouts, [](const std::string& layout) { return !is_built(layout); });
