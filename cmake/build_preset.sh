@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
-# EDGEWISE_LAYOUTS in the environment: these layouts only ("distinct": those that differ widely; "" all); EDGEWISE_PEERS=ON:
-# with adapters of other libraries. Where they are not set, as last time. Quiet but for a line per minute, unless somebody watches: then the build shows each step.
-# All output goes to stderr.
+# In the environment: EDGEWISE_LAYOUTS, these layouts only ("distinct": those that differ widely; "" all);
+# EDGEWISE_PEERS=ON, with adapters of other libraries, EDGEWISE_PEER_FOLDERS saying where those are that no package
+# brings. What is not set is as last time. Quiet but for a line per minute, unless somebody watches: then the build shows
+# each step. All output goes to stderr.
 set -eu
 exec 1>&2
 
@@ -20,7 +21,10 @@ set_layouts=
 [ -z "${EDGEWISE_LAYOUTS+set}" ] || set_layouts=-DEDGEWISE_LAYOUTS=$EDGEWISE_LAYOUTS
 set_peers=
 [ -z "${EDGEWISE_PEERS+set}" ] || set_peers=-DEDGEWISE_PEERS=$EDGEWISE_PEERS
-if ! cmake -S "$root" --preset "$preset" ${set_layouts:+"$set_layouts"} ${set_peers:+"$set_peers"} >"$log" 2>&1; then
+set_folders=
+[ -z "${EDGEWISE_PEER_FOLDERS+set}" ] || set_folders=-DEDGEWISE_PEER_FOLDERS=$EDGEWISE_PEER_FOLDERS
+if ! cmake -S "$root" --preset "$preset" ${set_layouts:+"$set_layouts"} ${set_peers:+"$set_peers"} \
+    ${set_folders:+"$set_folders"} >"$log" 2>&1; then
     cat "$log"
     echo "build: cmake could not configure preset $preset (its output is above, and in $log)"
     exit 2

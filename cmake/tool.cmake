@@ -49,10 +49,6 @@ target_link_libraries(edgewise_core
 if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()
-# No query is timed there; but a broad phase is, in the probe of costs.
-target_compile_definitions(edgewise_core PRIVATE ${EDGEWISE_CHECKED})
-set_source_files_properties(${PROJECT_SOURCE_DIR}/probes/cost.cpp PROPERTIES COMPILE_OPTIONS -U${EDGEWISE_CHECKED}
-    SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
 # What mutants (tests/mutation) replace is linked by itself.
 edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp src/edgewise/measure/cache/cache_level.cpp
@@ -61,7 +57,7 @@ edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.c
     src/edgewise/truth/optimality.cpp src/edgewise/truth/support_filter.cpp)
 if(EDGEWISE_SANITIZE)  # the judge takes its time, and lays out no memory by hand: the library's own checks in place of sanitizers
     edgewise_sources(oracle src/edgewise/truth)
-    set_source_files_properties(${oracle} PROPERTIES COMPILE_OPTIONS "-O2;-fno-sanitize=all"
+    set_source_files_properties(${oracle} PROPERTIES COMPILE_OPTIONS "-O2;-fno-sanitize=all" COMPILE_DEFINITIONS ${EDGEWISE_CHECKED}
         SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 endif()
 edgewise_precompile(edgewise_core <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map> <memory>

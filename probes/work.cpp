@@ -2,10 +2,10 @@
 #include "edgewise/probes/work.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/strictly_convex.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/canonical.hpp"
@@ -68,17 +68,13 @@ using Pair = SimplexPair<WatchedBody, WatchedBody>;
 constexpr std::size_t most_queries = 10000;  ///< looked at; a share of them is known to a hundredth
 constexpr std::size_t most_compared = 500;   ///< beside V-Clip's features, each from a cold start
 
-/// Johnson's order, and the whole, which is asked last (algorithms/johnson.hpp). GJK reads the signs of all
-/// cofactors at once (cofactors.hpp); what is counted is how far his search would go.
-constexpr std::array<std::uint8_t, 15> ascending = {1, 2, 4, 8, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14, 15};
-
 /// Is notified which subset every sub-distance accepted, and so how many were tried before it.
 class SubsetWatch {
   public:
     SubsetWatch(AlgorithmWork& work, std::uint32_t cached)
         : work_(work), points_(std::max(1, static_cast<int>(cached))), is_first_(true) {}
 
-    void iterate(std::uint8_t members) {
+    void iterate(PointMask members) {
         ++work_.sub_distances;
         ++work_.accepted[static_cast<std::size_t>(std::popcount(members)) - 1];
         // A cached tetrahedron is first asked whether it still holds the origin.
@@ -89,13 +85,15 @@ class SubsetWatch {
     }
 
   private:
-    [[nodiscard]] std::uint64_t tried_until(std::uint8_t members) const {
+    /// How far Johnson's search would go, which asks the whole last; GJK reads the signs of all cofactors at
+    /// once (algorithms/cofactors.hpp).
+    [[nodiscard]] std::uint64_t tried_until(PointMask members) const {
         std::uint64_t tried = 0;
-        for (const std::uint8_t mask : ascending) {
+        for (const PointMask mask : ascending_subsets) {
             tried += mask >> points_ == 0;
-            if (mask == members) break;
+            if (mask == members) return tried;
         }
-        return tried;
+        return tried + 1;
     }
 
     AlgorithmWork& work_;

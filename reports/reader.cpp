@@ -53,7 +53,7 @@ void sort_out(ReportData& data) {
         take_out(data.cells, [&](const ReportCell& cell) { return names.contains(cell.scene); });
     label_scenes(data.cells);
     // Labelled beside ours: they are of the same scenes.
-    const auto is_peer = [](const ReportCell& cell) { return cell.status == "judged"; };
+    const auto is_peer = [](const ReportCell& cell) { return cell.judged(); };
     std::copy_if(data.cells.begin(), data.cells.end(), std::back_inserter(data.peers), is_peer);
     std::erase_if(data.cells, is_peer);
 }

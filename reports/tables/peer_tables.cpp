@@ -19,8 +19,6 @@ namespace edgewise::reports {
 
 namespace {
 
-bool is_peer(const ReportCell& cell) { return cell.status == "judged"; }
-
 double separated_ns(const ReportCell& cell) {
     return cell.figure(store::separated_time.ns).value.value_or(std::numeric_limits<double>::infinity());
 }
@@ -45,7 +43,7 @@ std::vector<const ReportCell*> side_by_side(const ReportData& data, const std::s
 /// The fastest of other libraries that gives distances; none: null.
 const ReportCell* best_peer(const std::vector<const ReportCell*>& fastest_first) {
     for (const ReportCell* cell : fastest_first) {
-        if (is_peer(*cell) && cell->figure("error.worst_error_stored").value) return cell;
+        if (cell->judged() && cell->figure("error.worst_error_stored").value) return cell;
     }
     return nullptr;
 }
@@ -75,8 +73,8 @@ GridCell ratio_to_peer(const ReportCell& cell, const ReportCell* peer) {
 }
 
 std::vector<GridCell> row_of(const ReportCell& cell, const ReportCell* peer) {
-    return grid_row(cell.shape, cell.vertices, is_peer(cell) ? cell.layout : cell.algorithm,
-                    is_peer(cell) ? cell.precision : cell.table, cell.figure(store::separated_time.ns),
+    return grid_row(cell.shape, cell.vertices, cell.judged() ? cell.layout : cell.algorithm,
+                    cell.judged() ? cell.precision : cell.table, cell.figure(store::separated_time.ns),
                     ratio_to_peer(cell, peer), cell.figure("error.worst_error_stored"),
                     cell.figure("error.p99_error_stored"), cell.figure("error.wrong_verdicts"),
                     cell.figure("error.checked"), cell.figure("bytes.table_bytes"),
@@ -108,7 +106,7 @@ TextGrid peer_grid(const ReportData& data, const std::string& scene_label) {
     shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
     for (const auto& [vertices, shape] : shapes) {
         const std::vector<const ReportCell*> cells = side_by_side(data, scene_label, shape);
-        if (std::none_of(cells.begin(), cells.end(), [](const ReportCell* cell) { return is_peer(*cell); }))
+        if (std::none_of(cells.begin(), cells.end(), [](const ReportCell* cell) { return cell->judged(); }))
             continue;
         const ReportCell* peer = best_peer(cells);
         for (const ReportCell* cell : cells) grid.rows.push_back(row_of(*cell, peer));

@@ -4,6 +4,7 @@
 // speeds, calibration and page faults.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -116,29 +117,38 @@ TEST(Calibrate, SaysWhatItModelledAndCountedOrWhyNot) {
 }
 
 /// Limits far below and far above what the tables take.
-TEST(Paging, MeasuresFaultsAndPredictsThem) {
+json paged() {
     const Folder folder;
     const Outcome outcome = run(
         {"paging", "--json", "--layouts", "aos_f64", "--bodies", "100", "--steps", "2", "--limits", "6,64"},
         folder);
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const json result = json::parse(outcome.out)["paging"][0];
-    EXPECT_GT(result["table_bytes"].get<double>(), 20e6);
-    ASSERT_EQ(result["rows"].size(), 2U);
-    const json &tight = result["rows"][0], &wide = result["rows"][1];
-    EXPECT_GT(tight["predicted_at_limit"].get<double>(), 1);
-    EXPECT_EQ(wide["predicted_at_limit"], 0);
-    if (!tight["reason"].is_null()) GTEST_SKIP() << "not measured: " << tight["reason"];
-    EXPECT_EQ(wide["faults_per_query"], 0);
-    EXPECT_EQ(wide["predicted_at_held"], 0);
-    EXPECT_GT(tight["faults_per_query"].get<double>(), 1);
-    const double ratio = tight["faults_per_query"].get<double>() / tight["predicted_at_held"].get<double>();
-    std::printf("faults over prediction at 6 MiB: %.3f\n", ratio);
-    if (!result["keeps_recency"].get<bool>())
-        GTEST_SKIP() << "pages are not thrown out by when they were used";
-    // One fault brings several pages where the kernel reads ahead: 0.67 to 0.81 of the prediction were seen.
-    EXPECT_GT(ratio, 0.5);
-    EXPECT_LT(ratio, 1.5);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.exit_code == 0 ? json::parse(outcome.out)["paging"][0] : json();
+}
+
+/// What the kernel throws out depends on what else it does: the median of three runs.
+TEST(Paging, MeasuresFaultsAndPredictsThem) {
+    std::vector<double> ratios;
+    for (int i = 0; i < 3; ++i) {
+        const json result = paged();
+        ASSERT_FALSE(result.is_null());
+        EXPECT_GT(result["table_bytes"].get<double>(), 20e6);
+        ASSERT_EQ(result["rows"].size(), 2U);
+        const json &tight = result["rows"][0], &wide = result["rows"][1];
+        EXPECT_GT(tight["predicted_at_limit"].get<double>(), 1);
+        EXPECT_EQ(wide["predicted_at_limit"], 0);
+        if (!tight["reason"].is_null()) GTEST_SKIP() << "not measured: " << tight["reason"];
+        EXPECT_EQ(wide["faults_per_query"], 0);
+        EXPECT_EQ(wide["predicted_at_held"], 0);
+        EXPECT_GT(tight["faults_per_query"].get<double>(), 1);
+        ratios.push_back(tight["faults_per_query"].get<double>() / tight["predicted_at_held"].get<double>());
+        std::printf("faults over prediction at 6 MiB: %.3f\n", ratios.back());
+        if (!result["keeps_recency"].get<bool>())
+            GTEST_SKIP() << "pages are not thrown out by when they were used";
+    }
+    std::sort(ratios.begin(), ratios.end());
+    EXPECT_GT(ratios[1], 1 / 1.5);
+    EXPECT_LT(ratios[1], 1.5);
 }
 
 TEST(Crosscheck, SaysWhatItComparedOrWhyNot) {

@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 
 #include "edgewise/geometry/polyhedron.hpp"
@@ -60,7 +59,7 @@ class PeerBench {
 /// What a module says of its library.
 struct PeerInfo {
     const char* name;       ///< the adapter's stem: "bullet_epa2"
-    const char* precision;  ///< what it stores and computes in: "f64" or "f32"
+    const char* precision;  ///< what it stores and computes in: "f64", "f32", or "mixed", stored in single
     const char* library;    ///< with its version: "Bullet 3.24"
     const char* summary;    ///< which of its queries, in one line
     const char* cache;      ///< what a pair keeps, in one line

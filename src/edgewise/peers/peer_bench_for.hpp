@@ -4,7 +4,7 @@
 // query is asked. Included by adapters only.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "edgewise/peers/peer.hpp"

@@ -32,7 +32,8 @@ struct CellRow {
     std::string scene_kind = {};  ///< of a scene file: part of the hash, and no column
 
     [[nodiscard]] bool verified() const { return status == "verified"; }
-    [[nodiscard]] bool is_timed() const { return verified() || status == "judged"; }
+    [[nodiscard]] bool judged() const { return status == "judged"; }
+    [[nodiscard]] bool is_timed() const { return verified() || judged(); }
 };
 
 struct FigureRow : measure::Figure {

@@ -57,6 +57,8 @@ constexpr peers::PeerInfo own = {"own",       "f64", "Edgewise", "its GJK",
                                  "a simplex", "",    false,      peers::make_bench<OwnGjk>};
 constexpr peers::PeerInfo own_single = {"own",       "f32", "Edgewise", "its GJK",
                                         "a simplex", "",    false,      peers::make_bench<OwnGjk>};
+constexpr peers::PeerInfo own_mixed = {"own",       "mixed", "Edgewise", "its GJK",
+                                       "a simplex", "",      false,      peers::make_bench<OwnGjk>};
 constexpr peers::PeerInfo liar = {"liar",    "f64", "none", "lies",
                                   "nothing", "",    false,  peers::make_bench<Liar>};
 
@@ -110,11 +112,14 @@ TEST(PeerRunner, GivesTheLibrarysAnswersInTheFrameOfA) {
 TEST(PeerRunner, HoldsTheBodiesThatItsPrecisionStores) {
     scene::Workload workload = workload_of("cold", 10);
     for (Vec3d& v : workload.bodies[0].vertices) v *= 4.0 / 3.0;  // no single numbers any more
-    PeerRunner runner(own_single);
-    ASSERT_EQ(runner.load(workload), "");
-    const Polyhedron& held = runner.stored_bodies()[0];
-    EXPECT_NE(held.vertices, workload.bodies[0].vertices);
-    for (const Vec3d& v : held.vertices) EXPECT_EQ(v, v.cast<float>().cast<double>());
+    for (const peers::PeerInfo* info : {&own, &own_single, &own_mixed}) {
+        PeerRunner runner(*info);
+        ASSERT_EQ(runner.load(workload), "");
+        const Polyhedron& held = runner.stored_bodies()[0];
+        EXPECT_EQ(held.vertices == workload.bodies[0].vertices, info == &own);
+        if (info == &own) continue;
+        for (const Vec3d& v : held.vertices) EXPECT_EQ(v, v.cast<float>().cast<double>());
+    }
 }
 
 TEST(PeerRunner, KeepsCachesOfWarmScenesAndSetsThemBack) {

@@ -48,9 +48,9 @@ TableType type_of(const peers::PeerInfo& info) {
     type.stores = std::string(info.library) + ": " + info.summary;
     type.derives = fmt::format("a pair keeps {}; adapter compiled with {}", info.cache, info.flags);
     type.algorithms = {info.name};
-    type.single_storage = type.precision == "f32";
+    type.single_storage = type.precision != "f64";
     type.storage = type.single_storage ? "single" : "double";
-    type.eps = type.single_storage ? Tolerance<float>::eps : Tolerance<double>::eps;
+    type.eps = type.precision == "f32" ? Tolerance<float>::eps : Tolerance<double>::eps;
     type.stored_body = [single = type.single_storage](const Polyhedron& body) {
         return single ? round_to_single(body) : Result<Polyhedron>::success(body);
     };

@@ -19,7 +19,8 @@ std::size_t heap_in_use() {
     return info.uordblks + info.hblkhd;
 }
 
-bool is_single(const peers::PeerInfo& info) { return std::string_view(info.precision) == "f32"; }
+bool computes_in_single(const peers::PeerInfo& info) { return std::string_view(info.precision) == "f32"; }
+bool stores_single(const peers::PeerInfo& info) { return std::string_view(info.precision) != "f64"; }
 
 /// In A's frame, where Edgewise answers.
 Distance distance_of(const peers::PeerAnswer& answer, const Pose& pose_a) {
@@ -38,7 +39,7 @@ Distance distance_of(const peers::PeerAnswer& answer, const Pose& pose_a) {
 }  // namespace
 
 PeerRunner::PeerRunner(const peers::PeerInfo& info)
-    : Runner(is_single(info)), info_(info), bench_(info.make()) {}
+    : Runner(computes_in_single(info)), info_(info), bench_(info.make()) {}
 
 NamedAnswer PeerRunner::answer(const scene::Query& given) const {
     const scene::Query query = prepared().prepared(given);
@@ -97,7 +98,7 @@ BuildTimes PeerRunner::build_times(int repetitions) const {
 }
 
 Result<Polyhedron> PeerRunner::store(const Polyhedron& body) const {
-    return is_single(info_) ? round_to_single(body) : Result<Polyhedron>::success(body);
+    return stores_single(info_) ? round_to_single(body) : Result<Polyhedron>::success(body);
 }
 
 void PeerRunner::build_tables(const std::vector<const Polyhedron*>& bodies) {

@@ -7,7 +7,7 @@
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <LinearMath/btTransform.h>
 
-#include "edgewise/peers/peer_bench_for.hpp"
+#include "edgewise/peers/adapters/module.hpp"
 
 namespace edgewise::peers {
 

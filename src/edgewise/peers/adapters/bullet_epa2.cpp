@@ -11,6 +11,12 @@ namespace edgewise::peers {
 namespace {
 
 struct BulletEpa2 {
+    static constexpr const char* name = "bullet_epa2";
+    static constexpr const char* precision = bullet_precision;
+    static constexpr const char* summary = "btGjkEpaSolver2::Distance on btConvexHullShape, margin 0";
+    static constexpr const char* cache = "the last direction";
+    static constexpr bool verdict_only = false;
+
     using Shape = BulletShape;
     using Placed = BulletPlaced;
     struct Cache {
@@ -37,17 +43,8 @@ struct BulletEpa2 {
     }
 };
 
-constexpr PeerInfo info = {"bullet_epa2",
-                           bullet_precision,
-                           EDGEWISE_PEER_LIBRARY,
-                           "btGjkEpaSolver2::Distance on btConvexHullShape, margin 0",
-                           "the last direction",
-                           EDGEWISE_PEER_FLAGS,
-                           false,
-                           make_bench<BulletEpa2>};
-
 }  // namespace
 
-}  // namespace edgewise::peers
+extern "C" const PeerInfo* edgewise_peer() { return &info_of<BulletEpa2>; }
 
-extern "C" const edgewise::peers::PeerInfo* edgewise_peer() { return &edgewise::peers::info; }
+}  // namespace edgewise::peers

@@ -13,6 +13,13 @@ namespace edgewise::peers {
 namespace {
 
 struct BulletPairDetector {
+    static constexpr const char* name = "bullet_pair_detector";
+    static constexpr const char* precision = bullet_precision;
+    static constexpr const char* summary =
+        "btGjkPairDetector and btVoronoiSimplexSolver on btConvexHullShape, margin 0";
+    static constexpr const char* cache = "nothing";
+    static constexpr bool verdict_only = false;
+
     using Shape = BulletShape;
     using Placed = BulletPlaced;
     struct Cache {};
@@ -35,17 +42,8 @@ struct BulletPairDetector {
     }
 };
 
-constexpr PeerInfo info = {"bullet_pair_detector",
-                           bullet_precision,
-                           EDGEWISE_PEER_LIBRARY,
-                           "btGjkPairDetector and btVoronoiSimplexSolver on btConvexHullShape, margin 0",
-                           "nothing",
-                           EDGEWISE_PEER_FLAGS,
-                           false,
-                           make_bench<BulletPairDetector>};
-
 }  // namespace
 
-}  // namespace edgewise::peers
+extern "C" const PeerInfo* edgewise_peer() { return &info_of<BulletPairDetector>; }
 
-extern "C" const edgewise::peers::PeerInfo* edgewise_peer() { return &edgewise::peers::info; }
+}  // namespace edgewise::peers

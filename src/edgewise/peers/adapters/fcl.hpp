@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "edgewise/peers/peer_bench_for.hpp"
+#include "edgewise/peers/adapters/module.hpp"
 
 namespace edgewise::peers {
 

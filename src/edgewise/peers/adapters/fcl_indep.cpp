@@ -15,6 +15,12 @@ namespace edgewise::peers {
 namespace {
 
 struct FclIndep {
+    static constexpr const char* name = "fcl_indep";
+    static constexpr const char* precision = "f64";
+    static constexpr const char* summary = "GJKSolver_indep::shapeDistance on Convex";
+    static constexpr const char* cache = "the solver, with its last direction";
+    static constexpr bool verdict_only = false;
+
     using Shape = FclShape;
     using Placed = FclPlaced;
     /// The solver is the cache: it is asked to keep its last direction.
@@ -29,17 +35,8 @@ struct FclIndep {
     }
 };
 
-constexpr PeerInfo info = {"fcl_indep",
-                           "f64",
-                           EDGEWISE_PEER_LIBRARY,
-                           "GJKSolver_indep::shapeDistance on Convex",
-                           "the solver, with its last direction",
-                           EDGEWISE_PEER_FLAGS,
-                           false,
-                           make_bench<FclIndep>};
-
 }  // namespace
 
-}  // namespace edgewise::peers
+extern "C" const PeerInfo* edgewise_peer() { return &info_of<FclIndep>; }
 
-extern "C" const edgewise::peers::PeerInfo* edgewise_peer() { return &edgewise::peers::info; }
+}  // namespace edgewise::peers

@@ -13,6 +13,12 @@ namespace edgewise::peers {
 namespace {
 
 struct FclLibccd {
+    static constexpr const char* name = "fcl_libccd";
+    static constexpr const char* precision = "f64";
+    static constexpr const char* summary = "GJKSolver_libccd::shapeDistance on Convex";
+    static constexpr const char* cache = "nothing";
+    static constexpr bool verdict_only = false;
+
     using Shape = FclShape;
     using Placed = FclPlaced;
     struct Cache {};
@@ -23,12 +29,8 @@ struct FclLibccd {
     }
 };
 
-constexpr PeerInfo info = {
-    "fcl_libccd",        "f64", EDGEWISE_PEER_LIBRARY, "GJKSolver_libccd::shapeDistance on Convex", "nothing",
-    EDGEWISE_PEER_FLAGS, false, make_bench<FclLibccd>};
-
 }  // namespace
 
-}  // namespace edgewise::peers
+extern "C" const PeerInfo* edgewise_peer() { return &info_of<FclLibccd>; }
 
-extern "C" const edgewise::peers::PeerInfo* edgewise_peer() { return &edgewise::peers::info; }
+}  // namespace edgewise::peers

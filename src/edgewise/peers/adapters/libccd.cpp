@@ -7,13 +7,20 @@
 
 #include <vector>
 
-#include "edgewise/peers/peer_bench_for.hpp"
+#include "edgewise/peers/adapters/module.hpp"
 
 namespace edgewise::peers {
 
 namespace {
 
 struct Libccd {
+    static constexpr const char* name = "libccd";
+    static constexpr const char* precision = sizeof(ccd_real_t) == sizeof(double) ? "f64" : "f32";
+    static constexpr const char* summary =
+        "ccdGJKIntersect, with a linear scan for support: a verdict, no distance";
+    static constexpr const char* cache = "nothing";
+    static constexpr bool verdict_only = true;
+
     struct Shape {
         explicit Shape(const Polyhedron& body) : vertices(body.vertices) {}
         std::vector<Vec3d> vertices;
@@ -59,17 +66,8 @@ struct Libccd {
     }
 };
 
-constexpr PeerInfo info = {"libccd",
-                           sizeof(ccd_real_t) == sizeof(double) ? "f64" : "f32",
-                           EDGEWISE_PEER_LIBRARY,
-                           "ccdGJKIntersect, with a linear scan for support: a verdict, no distance",
-                           "nothing",
-                           EDGEWISE_PEER_FLAGS,
-                           true,
-                           make_bench<Libccd>};
-
 }  // namespace
 
-}  // namespace edgewise::peers
+extern "C" const PeerInfo* edgewise_peer() { return &info_of<Libccd>; }
 
-extern "C" const edgewise::peers::PeerInfo* edgewise_peer() { return &edgewise::peers::info; }
+}  // namespace edgewise::peers

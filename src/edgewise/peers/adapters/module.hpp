@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// What makes an adapter a module: what it says of its library, for the one function that it exports.
+#pragma once
+
+#include "edgewise/peers/peer_bench_for.hpp"
+
+namespace edgewise::peers {
+
+/// Library: as for PeerBenchFor, with static members `name`, `precision`, `summary`, `cache` and
+/// `verdict_only`. Its version and the flags are CMake's to say.
+template <class Library>
+inline constexpr PeerInfo info_of = {.name = Library::name,
+                                     .precision = Library::precision,
+                                     .library = EDGEWISE_PEER_LIBRARY,
+                                     .summary = Library::summary,
+                                     .cache = Library::cache,
+                                     .flags = EDGEWISE_PEER_FLAGS,
+                                     .verdict_only = Library::verdict_only,
+                                     .make = make_bench<Library>};
+
+}  // namespace edgewise::peers

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// As much of MuJoCo's model and state as its adapter uses, written from how they are called.
+#pragma once
+
+using mjtNum = double;
+
+enum mjtGeom { mjGEOM_SPHERE = 2, mjGEOM_MESH = 7 };
+
+struct mjModel {
+    int* geom_type;
+    int* geom_dataid;
+    mjtNum* geom_size;
+    int* mesh_vertadr;
+    int* mesh_vertnum;
+    int* mesh_graphadr;
+    int* mesh_polyadr;
+    int* mesh_polynum;
+    int* mesh_extrema;
+    int* mesh_graph;
+    float* mesh_vert;
+};
+
+struct mjData {
+    mjtNum* geom_xpos;
+    mjtNum* geom_xmat;
+};
