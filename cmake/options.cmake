@@ -28,6 +28,12 @@ target_compile_options(edgewise_flags INTERFACE -Wall -Wextra -Wpedantic -Wshado
     "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1048576>"
     # The straight-line vectoriser of g++ 12 writes fused multiply-adds in spite of -ffp-contract=off.
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+# Links a hundred tests in half of the time.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=gold EDGEWISE_HAS_GOLD)
+if(EDGEWISE_HAS_GOLD)
+    target_link_options(edgewise_flags INTERFACE -fuse-ld=gold)
+endif()
 if(EDGEWISE_SANITIZE)
     # Sanitizers' own code hides from g++ what is initialised: false alarms inside the standard library.
     # What address finds anyway (null, object-size), or has nothing to find here (vptr), would triple the time to compile;

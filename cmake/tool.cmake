@@ -37,8 +37,23 @@ if(NOT EDGEWISE_LIBPFM_LIBRARY)
     edgewise_stand_in(sources measure/counters/libpfm)
 endif()
 
+# What steers measurements takes no time, and sanitizers' own code takes longest to optimise.
+set(steering)
+if(EDGEWISE_SANITIZE)
+    edgewise_sources(steered src/edgewise/store src/edgewise/sweep src/edgewise/studies)
+    list(REMOVE_ITEM sources ${steered})
+    add_library(edgewise_steering OBJECT ${steered})
+    target_link_libraries(edgewise_steering
+        PRIVATE edgewise_library nlohmann_json::nlohmann_json fmt::fmt SQLite::SQLite3 edgewise_flags)
+    target_compile_options(edgewise_steering PRIVATE -O0)
+    edgewise_unite(edgewise_steering src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp)
+    edgewise_precompile(edgewise_steering <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map>
+        <memory> <optional> <span> <string> <vector>)
+    set(steering $<TARGET_OBJECTS:edgewise_steering>)
+endif()
+
 get_property(probe_units GLOBAL PROPERTY EDGEWISE_PROBE_UNITS)
-add_library(edgewise_core STATIC
+add_library(edgewise_core STATIC ${steering}
     ${sources} ${probe_units} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info} ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp
     ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp
     ${PROJECT_BINARY_DIR}/registry/store_schema.cpp)

@@ -64,6 +64,7 @@ class linked {
     [[nodiscard]] Vertex first_vertex() const { return nodes_.first_vertex; }
     [[nodiscard]] Index index_of(Vertex v) const { return load(v->index, Field::vertex); }
     [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
+    [[nodiscard]] bool climbable() const { return facts_.climbable; }
     [[nodiscard]] double reach() const { return facts_.reach; }
     [[nodiscard]] std::uint32_t identity() const { return facts_.identity; }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }

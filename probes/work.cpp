@@ -7,7 +7,6 @@
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/strictly_convex.hpp"
-#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/canonical.hpp"
 
 namespace edgewise::probes {
@@ -27,15 +26,14 @@ class WatchedBody {
     using Vertex = Index;
 
     WatchedBody(const Polyhedron& body, ClimbCounts& counts)
-        : table_(body),
-          strictly_convex_(is_strictly_convex(body, Tolerance<double>::strict_turn)),
-          counts_(&counts) {}
+        : table_(body), climbable_(is_climbable(body)), counts_(&counts) {}
 
     [[nodiscard]] std::size_t vertex_count() const { return table_.vertex_count(); }
+    [[nodiscard]] bool strictly_convex() const { return climbable_; }
     /// A climb or scan begins by asking it (algorithms/support.hpp), and nothing else does.
-    [[nodiscard]] bool strictly_convex() const {
+    [[nodiscard]] bool climbable() const {
         ++counts_->supports;
-        return strictly_convex_;
+        return climbable_;
     }
     [[nodiscard]] Vertex first_vertex() const { return 0; }
     [[nodiscard]] Vec3d vertex(Vertex v) const {
@@ -57,7 +55,7 @@ class WatchedBody {
 
   private:
     Canonical table_;
-    bool strictly_convex_;
+    bool climbable_;
     ClimbCounts* counts_;
 };
 

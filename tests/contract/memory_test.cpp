@@ -128,7 +128,7 @@ void expect_no_allocation(const Polyhedron& body, const std::string& name) {
     using Pair = typename Algorithm::template Pair<Table, Table>;
     const auto poses = query_poses(300, body, 1);
     Pair warm(a, b);
-    PenetrationSpace<Table, Table> space;
+    PenetrationSpace space;
     int separated = 0, contact = 0;
     std::size_t in_depth = 0;
     const CountedAllocations counted;

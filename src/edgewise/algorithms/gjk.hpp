@@ -64,15 +64,48 @@ class GjkRun {
     }
 
   private:
+    /// Of the squared distance: a simplex whose closest point promises no more than this is far off.
+    static constexpr Scalar far_off = Scalar(0.5);
+
     void start(const Pair& pair) {
         assert(pair.count <= 4);
         if (pair.count == 0 || !pair.belongs_to(a_, b_)) {
             is_cold_ = true;
-            add(a_.first_vertex(), b_.first_vertex());
+            start_between_origins();
         } else {
             for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
         }
         sub_.solve_first();
+    }
+
+    /// Cold: from the points of both bodies that face each other along the line between their origins.
+    void start_between_origins() {
+        const Vec3<Scalar>& towards_b = a_from_b_.translation;
+        const auto a = support_from(a_, towards_b, a_.first_vertex());
+        const auto b =
+            support_from(b_, a_from_b_.direction_back(Vec3<Scalar>(-towards_b)), b_.first_vertex());
+        sub_.add(a.vertex, b.vertex, a.point, a_from_b_.point(b.point));
+    }
+
+    /// The first support points say that the last query's simplex is of no use after this much motion: cold,
+    /// if that begins nearer.
+    [[nodiscard]] [[gnu::noinline]] bool start_nearer(Scalar squared) {
+        if (is_cold_) return false;
+        is_cold_ = true;
+        const SubDistance<TableA, TableB> warm = sub_;
+        sub_ = {};
+        start_between_origins();
+        sub_.solve_first();
+        if (squared_norm(sub_.closest().point) < squared) return true;
+        sub_ = warm;
+        is_cold_ = false;
+        return false;
+    }
+
+    template <class Table>
+    [[nodiscard]] SupportPoint<Table> support_from(const Table& table, const Vec3<Scalar>& direction,
+                                                   typename Table::Vertex last) const {
+        return is_cold_ ? cold_support(table, direction, last) : support(table, direction, last);
     }
 
     void add(typename TableA::Vertex a, typename TableB::Vertex b) {
@@ -83,15 +116,14 @@ class GjkRun {
     [[nodiscard]] bool advance(Scalar squared) {
         const auto& simplex = sub_.simplex();
         const Vec3<Scalar>& v = sub_.closest().point;
-        const std::size_t scan_under = is_cold_ ? scan_cold_below : scan_below;
-        const auto a = support(a_, Vec3<Scalar>(-v), simplex.vertex_a[simplex.count - 1], scan_under);
-        const auto b =
-            support(b_, a_from_b_.direction_back(v), simplex.vertex_b[simplex.count - 1], scan_under);
+        const auto a = support_from(a_, Vec3<Scalar>(-v), simplex.vertex_a[simplex.count - 1]);
+        const auto b = support_from(b_, a_from_b_.direction_back(v), simplex.vertex_b[simplex.count - 1]);
         const Vec3<Scalar> on_b = a_from_b_.point(b.point);
         const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
         if (separates_ && verdict_only_) return false;
+        if (steps_ == 1 && reach_ < far_off * squared && start_nearer(squared)) return true;
         if (simplex.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
             return false;
         return sub_.extend(a.vertex, b.vertex, a.point, on_b, squared);

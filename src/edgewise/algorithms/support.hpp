@@ -3,8 +3,9 @@
 // The support point: the vertex farthest along a direction. Large bodies climb along neighbour rings
 // (Cameron, "Enhancing GJK", ICRA 1997): on a convex body a vertex none of whose neighbours is farther is the
 // farthest. Small bodies are scanned: below the break-even a scan's predictable loop beats the climb's
-// unpredictable one. Bodies that are not strictly convex are scanned too: where neighbours lie on one plane
-// or almost in one place, rounding makes plateaus on which a climb ends far below the top.
+// unpredictable one. Where neighbours are level to within rounding the climb looks at all that are: behind
+// them it may go on. Bodies on which even that may end below the top are scanned
+// (geometry/strictly_convex.hpp).
 #pragma once
 
 #include <algorithm>
@@ -114,25 +115,72 @@ template <SupportTable Table>
     }
 }
 
-/// Whether an edge between these is short beside where it lies.
-template <class Scalar>
-[[nodiscard]] bool is_short(const Vec3<Scalar>& tail, const Vec3<Scalar>& head) {
-    return max_abs(Vec3<Scalar>(head - tail)) < Tolerance<Scalar>::short_edge * max_abs(head);
+/// A table that knows a vertex far along any direction without a walk (layout_parts/seeds.hpp).
+template <class Table>
+concept SeededTable = ClimbingTable<Table> && requires(const Table& table, Vec3<ComputeOf<Table>> direction) {
+    { table.seed(direction) } -> std::same_as<typename Table::Vertex>;
+};
+
+/// Whether climbs on this table find the top.
+template <ClimbingTable Table>
+[[nodiscard]] bool may_climb(const Table& table) {
+    if constexpr (requires { table.climbable(); })
+        return table.climbable();
+    else
+        return table.strictly_convex();
+}
+
+/// Vertices that differ by less in height may be as high as each other.
+template <ClimbingTable Table>
+[[nodiscard]] ComputeOf<Table> level_band(const Table& table, const SupportPoint<Table>& near,
+                                          const Vec3<ComputeOf<Table>>& direction) {
+    using Scalar = ComputeOf<Table>;
+    Scalar size = max_abs(near.point);
+    if constexpr (requires { table.reach(); }) size = static_cast<Scalar>(table.reach());
+    return Tolerance<Scalar>::level * size * max_abs(direction);
+}
+
+/// From a vertex with no higher neighbour but one as high to within `band`: past all such to one that is
+/// higher; false, and `best` stays the top, if there is none. Those above any height are connected on a
+/// convex body, so this misses none. Where very many are level a scan finds the highest.
+template <ClimbingTable Table>
+[[nodiscard]] [[gnu::noinline]] bool leave_level(const Table& table, const Vec3<ComputeOf<Table>>& direction,
+                                                 ComputeOf<Table> band, SupportPoint<Table>& best) {
+    std::array<typename Table::Vertex, 32> level;
+    level[0] = best.vertex;
+    std::size_t count = 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (const auto v : table.neighbours(level[i])) {
+            const auto point = table.vertex(v);
+            const auto along = dot(point, direction);
+            if (along > best.along) {
+                best = {v, point, along};
+                return true;
+            }
+            const auto known = level.begin() + static_cast<std::ptrdiff_t>(count);
+            if (along < best.along - band || std::find(level.begin(), known, v) != known) continue;
+            if (count == level.size()) {
+                best = scan_support(table, direction);
+                return false;
+            }
+            level[count++] = v;
+        }
+    }
+    return false;
 }
 
 /// Steepest ascent from `start`. Strictly upward, so it ends within as many rounds as there are vertices;
 /// else the shape changes while it is asked, and a scan decides. A neighbour as high as the top but for
-/// rounding may hide a slope behind it, the steeper the shorter the edge to it: behind a short one a scan
-/// looks.
+/// rounding may hide a slope behind it.
 template <ClimbingTable Table>
 [[nodiscard]] SupportPoint<Table> climb_support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                                 typename Table::Vertex start) {
     using Scalar = ComputeOf<Table>;
     const auto point = table.vertex(start);
     SupportPoint<Table> best{start, point, dot(point, direction)};
-    const Scalar noise = Tolerance<Scalar>::support_noise * max_abs(point) * max_abs(direction);
     for (std::size_t round = 0; round <= table.vertex_count(); ++round) {
-        bool improved = false, hidden = false;
+        Scalar next = -std::numeric_limits<Scalar>::infinity();
+        bool improved = false;
         for (const auto v : table.neighbours(best.vertex)) {
             const auto candidate = table.vertex(v);
             const auto along = dot(candidate, direction);
@@ -141,13 +189,15 @@ template <ClimbingTable Table>
                 best.along = along;
                 start = v;
                 improved = true;
-            } else if (along >= best.along - noise) {
-                hidden |= is_short(best.point, candidate);
+            } else {
+                next = std::max(next, along);
             }
         }
         best.vertex = start;
         if (improved) continue;
-        return hidden ? scan_support(table, direction) : best;
+        const Scalar band = level_band(table, best, direction);
+        if (!(next >= best.along - band) || !leave_level(table, direction, band, best)) return best;
+        start = best.vertex;
     }
     assert(false && "a climb passed more vertices than there are");
     return scan_support(table, direction);
@@ -160,10 +210,23 @@ template <SupportTable Table>
                                           [[maybe_unused]] typename Table::Vertex start,
                                           [[maybe_unused]] std::size_t scan_under = scan_below) {
     if constexpr (ClimbingTable<Table>) {
-        if (table.strictly_convex() && table.vertex_count() >= scan_under)
+        if (may_climb(table) && table.vertex_count() >= scan_under)
             return climb_support(table, direction, start);
     }
     return scan_support(table, direction);
+}
+
+/// The same far from the top, where `start` says little: from the table's seed, if that is farther.
+template <SupportTable Table>
+[[nodiscard]] SupportPoint<Table> cold_support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
+                                               typename Table::Vertex start) {
+    if constexpr (SeededTable<Table>) {
+        if (table.vertex_count() >= scan_cold_below) {  // smaller ones have none
+            const auto seed = table.seed(direction);
+            if (dot(table.vertex(seed), direction) > dot(table.vertex(start), direction)) start = seed;
+        }
+    }
+    return support(table, direction, start, scan_cold_below);
 }
 
 }  // namespace edgewise

@@ -28,6 +28,7 @@
 #include "edgewise/algorithms/vclip/edge_edge.hpp"
 #include "edgewise/algorithms/vclip/edge_face.hpp"
 #include "edgewise/algorithms/vclip/fallback.hpp"
+#include "edgewise/algorithms/vclip/seeded_start.hpp"
 #include "edgewise/algorithms/vclip/trust.hpp"
 #include "edgewise/algorithms/vclip/vertex_edge.hpp"
 #include "edgewise/algorithms/vclip/vertex_face.hpp"
@@ -98,8 +99,12 @@ template <class TableA, class TableB>
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
     CycleGuard guard(a.feature, b.feature);
+    [[maybe_unused]] const int far_off = start_is_cold(a, b) ? 1 : 1 + steps_before_seeds;
     int escapes = 0;
     for (int steps = 1;; ++steps) {
+        if constexpr (has_seeds<TableA, TableB>) {
+            if (steps == far_off && start_nearer(a, b)) guard = CycleGuard(a.feature, b.feature);
+        }
         observer.visit(a.feature.kind(), b.feature.kind());
         const Step last = step(a, b);
         escapes += last == Step::escaped;

@@ -83,13 +83,13 @@ void measure_contact(const AskedPair<Table>& asked, const Pair& pair, const Dist
                      NamedAnswer& answer) {
     const auto& [a, b, body_a, body_b, query] = asked;
     const auto a_from_b = relative_pose(query.pose_a, query.pose_b);
-    PenetrationSpace<Table, Table> space;
+    PenetrationSpace space;
     const Penetration overlap = penetration(a, b, a_from_b, simplex_of(a, b, pair), space);
     const double size =
         std::max({max_abs(overlap.point_a), max_abs(overlap.point_b), max_abs(a_from_b.translation)});
     const double noise = static_cast<double>(Tolerance<ComputeOf<Table>>::contact_noise) * size;
     auto simplex = simplex_of(a, b, pair);
-    static_cast<void>(GjkRun<Table, Table>(a, b, cast<ComputeOf<Table>>(a_from_b)).run(simplex));
+    static_cast<void>(run_gjk(a, b, cast<ComputeOf<Table>>(a_from_b), simplex, QueryOptions{}));
     for (std::uint32_t i = 0; i < simplex.count; ++i) {
         answer.proof_a.push_back(a.index_of(simplex.vertex_a[i]));
         answer.proof_b.push_back(b.index_of(simplex.vertex_b[i]));

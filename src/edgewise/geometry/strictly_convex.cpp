@@ -30,6 +30,13 @@ class Turns {
                       norm(Vec3d(body_.vertices[edge.head] - body_.vertices[edge.tail])));
     }
 
+    /// Times the largest coordinate: how far the edge's turn takes one of its length out of the plane.
+    [[nodiscard]] bool outwards(const PolyhedronEdge& edge) const {
+        const Vec3d side = body_.vertices[edge.head] - body_.vertices[edge.tail];
+        const Vec3d turn = cross(body_.face_planes[edge.left].normal, body_.face_planes[edge.right].normal);
+        return dot(turn, side) >= least_ * reach_;
+    }
+
     [[nodiscard]] bool is_bent(Index f) const {
         const auto ring = body_.ring_of_face(f);
         return std::any_of(ring.begin(), ring.end(), [&](HalfEdge h) {
@@ -63,6 +70,16 @@ bool is_strictly_convex(const Polyhedron& body, double least_turn) {
     return body.face_count() == 0 ||
            std::all_of(body.edges.begin(), body.edges.end(),
                        [&](const PolyhedronEdge& edge) { return turns.across(edge); });
+}
+
+bool is_climbable(const Polyhedron& body) {
+    const Turns turns(body, climbable_turn);
+    for (Index f = 0; f < body.face_count(); ++f) {
+        if (turns.is_bent(f)) return false;
+    }
+    return body.face_count() < 3 ||
+           std::all_of(body.edges.begin(), body.edges.end(),
+                       [&](const PolyhedronEdge& edge) { return turns.outwards(edge); });
 }
 
 }  // namespace edgewise

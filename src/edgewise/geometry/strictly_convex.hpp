@@ -17,4 +17,9 @@ namespace edgewise {
 /// face by more than bent_face. Points and segments are strictly convex.
 [[nodiscard]] bool is_strictly_convex(const Polyhedron& body, double least_turn);
 
+/// Whether from every vertex but the farthest along a direction some edge leads farther, but for rounding:
+/// every edge turns outwards, by more than rounding may have done (tolerance.hpp, climbable_turn), and no
+/// face is bent. Much less than strictly convex, and the same for every precision.
+[[nodiscard]] bool is_climbable(const Polyhedron& body);
+
 }  // namespace edgewise

@@ -36,10 +36,10 @@ struct Tolerance {
     /// be improved.
     static constexpr Scalar support_noise = 4 * eps;
 
-    /// Support climbing, relative to the coordinates: behind an edge of this length that rises by less than
-    /// the rounding of a support product, a body may rise by that over this: 2^-40 of its size in double,
-    /// 2^-14 in single.
-    static constexpr Scalar short_edge = eps < Scalar(1e-10) ? Scalar(0x1p-10) : Scalar(0x1p-7);
+    /// Support climbing, relative to |direction| and the largest coordinate: vertices that differ by less in
+    /// height may be as high as each other. Two heights of three products each, and how far a climbable body
+    /// is from convex (bent_face), on either side: 18 + 28.
+    static constexpr Scalar level = 64 * eps;
 
     /// Exact oracle, absolute, in units where a body and a direction are about 1: proven bound of the error
     /// of a vertex height computed in floating point (derived in truth/support_filter.cpp).
@@ -106,6 +106,10 @@ inline constexpr double face_planarity = 4096 * std::numeric_limits<double>::eps
 /// Relative to the largest coordinate: a vertex farther off the plane of its face than rounding leaves it (1
 /// on every named shape) is a corner that neither planes nor climbs see. Half of the verdict's band.
 inline constexpr double bent_face = 8 * std::numeric_limits<double>::epsilon();
+
+/// Radians times lengths of the edge, relative to the largest coordinate: an edge that turns outwards by less
+/// may turn inwards, of planes with some rounding steps of noise.
+inline constexpr double climbable_turn = 64 * std::numeric_limits<double>::epsilon();
 
 /// Relative to the extent: a body thinner than this is flat. The same as face_planarity, since below it no
 /// check can distinguish the two sides of the body.

@@ -35,6 +35,7 @@ class BlockTable {
     [[nodiscard]] Index index_of(Vertex v) const { return v; }
     [[nodiscard]] auto all_vertices() const { return index_range(facts_.vertex_count); }
     [[nodiscard]] bool strictly_convex() const { return facts_.strictly_convex; }
+    [[nodiscard]] bool climbable() const { return facts_.climbable; }
     [[nodiscard]] double reach() const { return facts_.reach; }
     [[nodiscard]] std::uint32_t identity() const { return facts_.identity; }
     [[nodiscard]] const BodyFacts& facts() const { return facts_; }

@@ -138,13 +138,16 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
             from({0, 0}), Face{vertices, 0}, [](const Face& f) { return f; }, after);
     }
 
+  protected:
+    using Base::block_;
+    using Base::loader_;
+    [[no_unique_address]] Points points_;
+
   private:
     template <class, Precision, class>
     friend class DerivedTable;
 
-    using Base::block_;
     using Base::facts_;
-    using Base::loader_;
 
     /// Half-edges of a face in order, from its first, each turned into an item.
     template <class Item>
@@ -182,7 +185,6 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
     }
 
     [[nodiscard]] NarrowRings rings() const { return ring_places_.in(block_.base()); }
-    [[no_unique_address]] Points points_;
     NarrowRingPlaces ring_places_;
 };
 

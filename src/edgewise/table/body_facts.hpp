@@ -21,7 +21,8 @@ struct BodyFacts {
     Index face_count = 0;                         ///< 0 in a table without features
     std::uint32_t identity = 0;                   ///< of the table; refitting keeps it
     Parts parts = Parts::support;
-    bool strictly_convex = true;  ///< false: climbs may stick and Voronoi regions go on inside
+    bool strictly_convex = true;  ///< false: Voronoi regions go on inside
+    bool climbable = true;        ///< false: climbs may stick
 
     BodyFacts() = default;
     /// `strict_turn`: that of the stored scalar (tolerance.hpp).
@@ -30,7 +31,8 @@ struct BodyFacts {
           neighbour_count(static_cast<Index>(body.vertex_ring.size())),
           identity(next_table_identity()),
           parts(held),
-          strictly_convex(is_strictly_convex(body, strict_turn)) {
+          strictly_convex(is_strictly_convex(body, strict_turn)),
+          climbable(is_climbable(body)) {
         for (const Vec3d& v : body.vertices) reach = std::max(reach, max_abs(v));
         if (parts == Parts::support) return;
         face_count = static_cast<Index>(body.face_count());

@@ -47,8 +47,9 @@ concept SupportTable = Precision<typename T::PrecisionType> && std::regular<type
 };
 
 /// A shape on which support points may be climbed to along its edges. One whose handles are 0 ..
-/// vertex_count()
-/// - 1 says `static constexpr bool counts_vertices = true`: scans then go over it in chunks.
+/// vertex_count() - 1 says `static constexpr bool counts_vertices = true`: scans then go over it in chunks.
+/// One that may be climbed without being strictly convex says `bool climbable() const` (is_climbable), and by
+/// `reach()` its largest coordinate.
 template <class T>
 concept ClimbingTable = SupportTable<T> && requires(const T& table, typename T::Vertex v) {
     { table.vertex_count() } -> std::convertible_to<std::size_t>;

@@ -20,6 +20,7 @@ enum class Field : std::uint8_t {
     face_ring,    ///< edges around a face, and where they start
     neighbour,    ///< vertices around a vertex
     edge_made,    ///< whether a lazy table has made an edge
+    seed,         ///< where a cold climb begins
 };
 
 struct Direct {

@@ -35,7 +35,7 @@ int main() {
     const Corners shape(cube);
     edgewise::SimplexPair<Corners, Corners> pair(shape,
                                                  shape);  // one per pair of bodies, kept between frames
-    edgewise::PenetrationSpace<Corners, Corners> space;   // one per thread
+    edgewise::PenetrationSpace space;                     // one per thread
     const edgewise::Pose a;
     edgewise::Pose b;
     for (const double x : {3.0, 1.5, 0.75}) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "brute_depth.hpp"
+#include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/penetration.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/rng.hpp"
@@ -25,7 +26,7 @@ namespace edgewise::testing {
 template <class Table>
 [[nodiscard]] Penetration ask(const Polyhedron& a, const Polyhedron& b, const Transform<double>& pose,
                               SimplexPair<Table, Table> start) {
-    PenetrationSpace<Table, Table> space;
+    PenetrationSpace space;
     return penetration(Table(a), Table(b), pose, start, space);
 }
 

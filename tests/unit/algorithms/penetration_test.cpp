@@ -199,7 +199,7 @@ TEST(Penetration, EveryStartGivesTheSameDepth) {
 TEST(Penetration, AFullWorkSpaceLeavesAnUpperBound) {
     scene::Rng rng(17);
     const Polyhedron body = *scene::make_shape("sphere38");
-    PenetrationSpace<Canonical, Canonical> space;
+    PenetrationSpace space;
     space.face_limit = 60;
     double loosest = 0;
     for (int i = 0; i < 50; ++i) {

@@ -5,12 +5,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
+#include <vector>
 
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/layouts/lean.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/table/canonical.hpp"
+#include "edgewise/table/stored_body.hpp"
 
 namespace edgewise {
 namespace {
@@ -50,6 +56,52 @@ TEST_P(Support, ScanAndClimbFindTheHighestVertex) {
     }
     std::printf("support %s: worst shortfall %.3g\n", GetParam().c_str(), worst);
     EXPECT_LT(worst, 1e-14);  // among vertices that rounding cannot tell apart
+}
+
+/// A prism of many sides on its side: climbs along its axis meet level vertices only.
+Polyhedron prism(int sides, double length) {
+    std::vector<Vec3d> points;
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2 * std::numbers::pi * i / sides;
+        for (const double end : {0.0, length}) points.push_back({std::cos(angle), std::sin(angle), end});
+    }
+    return convex_hull(points).or_throw();
+}
+
+/// As a table in single has it: heights that differ by less than rounding, over short edges and long ones.
+template <class Table>
+double worst_climb(const Polyhedron& given) {
+    using Scalar = ComputeOf<Table>;
+    const Polyhedron body = stored_body<Table>(given).or_throw();
+    const Table table(body, Parts::support);
+    EXPECT_TRUE(table.climbable());
+    scene::Rng rng(3);
+    double worst = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Vec3d direction = rng.on_sphere();
+        if (i % 2 == 0) direction = body.face_planes[rng.below(body.face_count())].normal;
+        if (i % 4 == 0) direction += rng.in_ball() * 1e-6;
+        const auto start = static_cast<Index>(rng.below(body.vertex_count()));
+        const auto found = climb_support(table, cast<Scalar>(direction), start);
+        const Vec3d asked = cast<double>(cast<Scalar>(direction));
+        const double top = dot(body.vertices[highest(body, asked)], asked);
+        worst = std::max(worst, (top - dot(body.vertices[found.vertex], asked)) / table.reach());
+    }
+    return worst;
+}
+
+TEST(Climb, FindsTheTopBehindLevelVertices) {
+    std::vector<Polyhedron> bodies = {prism(5, 1), prism(40, 1e-3), prism(12, 3e-5), prism(100, 20)};
+    for (const char* shape : {"sphere386", "sphere1538", "uv_sphere386", "cube8"})
+        bodies.push_back(scene::make_shape(shape).or_throw());
+    double worst = 0, worst_single = 0;
+    for (const Polyhedron& body : bodies) {
+        worst = std::max(worst, worst_climb<lean<f64>>(body));
+        worst_single = std::max(worst_single, worst_climb<lean<f32>>(body));
+    }
+    std::printf("worst shortfall: %.3g in double, %.3g in single\n", worst, worst_single);
+    EXPECT_LT(worst, 1e-14);
+    EXPECT_LT(worst_single, 2e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Support, ::testing::Values("tetra4", "cube8", "sphere18", "sphere386"),

@@ -5,42 +5,17 @@
 // negative distance, and is expanded first.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cassert>
-#include <cmath>
-#include <cstdint>
-#include <utility>
+#include <span>
 
-#include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/penetration/difference.hpp"
-#include "edgewise/algorithms/penetration/exact_side.hpp"
-#include "edgewise/algorithms/penetration/triangle_normal.hpp"
 
 namespace edgewise::epa {
 
-template <SupportTable TableA, SupportTable TableB>
 class Tetrahedron {
   public:
-    using CornerType = Corner<TableA, TableB>;
-
-    Tetrahedron(const Difference<TableA, TableB>& difference, const SimplexPair<TableA, TableB>& start)
-        : difference_(difference) {
-        std::array<CornerType, 4> given{difference.first()};
-        const int count = start.count == 0 ? 1 : static_cast<int>(start.count);
-        for (std::uint32_t i = 0; i < start.count; ++i) {
-            given[i] = difference.corner(start.vertex_a[i], start.vertex_b[i]);
-        }
-        choose_scale(given, count);
-        for (int i = 0; i < count; ++i) {
-            if (adds_dimension(given[i])) push(given[i]);
-        }
-        while (count_ < 4 && grow()) continue;
-        if (is_solid() && side(point_[0], point_[1], point_[2], point_[3]) > 0) {
-            std::swap(point_[0], point_[1]);
-            std::swap(corner_[0], corner_[1]);
-        }
-    }
+    /// Of one to four corners.
+    Tetrahedron(const Difference& difference, std::span<const Corner> given);
 
     /// False: the whole difference is flat as far as its points can tell.
     [[nodiscard]] bool is_solid() const { return count_ == 4; }
@@ -48,7 +23,7 @@ class Tetrahedron {
 
     /// The fourth point is below the triangle of the first three.
     [[nodiscard]] const std::array<Vec3d, 4>& points() const { return point_; }
-    [[nodiscard]] const std::array<CornerType, 4>& corners() const { return corner_; }
+    [[nodiscard]] const std::array<Corner, 4>& corners() const { return corner_; }
 
     /// Power of two that brings the bodies to a size of about 1 (within some 2^100, which is all that exact
     /// products ask for). Points are times this.
@@ -59,71 +34,16 @@ class Tetrahedron {
 
   private:
     /// The start may lie about both bodies' origin and tell nothing of their size, so the box is asked too.
-    void choose_scale(const std::array<CornerType, 4>& given, int count) {
-        double size = 0;
-        for (int i = 0; i < count; ++i) size = std::max(size, given[i].size());
-        for (int i = 0; i < 6; ++i) {
-            const Vec3d axis = (i < 3 ? 1 : -1) * Vec3d(Mat3d::Identity().col(i % 3));
-            size = std::max(size, difference_.support(axis, given[0]).size());
-        }
-        scale_ = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
-    }
-
-    [[nodiscard]] bool adds_dimension(const CornerType& corner) const {
-        const Vec3d w = corner.point(scale_);
-        switch (count_) {
-            case 0:
-                return true;
-            case 1:
-                return w != point_[0];
-            case 2:
-                return max_abs(exact_cross(point_[0], point_[1], w)) > 0;
-            default:
-                return side(point_[0], point_[1], point_[2], w) != 0;
-        }
-    }
-
-    void push(const CornerType& corner) {
-        assert(count_ < 4);
-        corner_[count_] = corner;
-        point_[count_] = corner.point(scale_);
-        ++count_;
-    }
-
+    void choose_scale(std::span<const Corner> given);
+    [[nodiscard]] bool adds_dimension(const Corner& corner) const;
+    void push(const Corner& corner);
     /// Adds the corner farthest across the points so far; false if there is none.
-    bool grow() {
-        double farthest = -1;
-        CornerType best = corner_[0];
-        for (int i = 0; i < 4 - count_; ++i) {
-            for (const double sign : {1.0, -1.0}) {
-                const Vec3d direction = sign * across(i);
-                const CornerType corner = difference_.support(direction, corner_[0]);
-                const double height = dot(direction, Vec3d(corner.point(scale_) - point_[0]));
-                if (height <= farthest || !adds_dimension(corner)) continue;
-                farthest = height;
-                best = corner;
-            }
-        }
-        if (farthest < 0) return false;
-        push(best);
-        return true;
-    }
-
+    bool grow();
     /// One of the 4 - count directions at right angles to the points so far.
-    [[nodiscard]] Vec3d across(int i) const {
-        if (count_ == 3) return triangle_normal(point_[0], point_[1], point_[2]);
-        const Vec3d axis = Mat3d::Identity().col(i);
-        if (count_ == 1) return axis;
-        const Vec3d along = point_[1] - point_[0];
-        int least = 0;
-        along.cwiseAbs().minCoeff(&least);
-        const Vec3d across_line = cross(along, Vec3d(Mat3d::Identity().col(least)));
-        const Vec3d chosen = i == 0 ? across_line : cross(along, across_line);
-        return chosen / norm(chosen);
-    }
+    [[nodiscard]] Vec3d across(int i) const;
 
-    const Difference<TableA, TableB>& difference_;
-    std::array<CornerType, 4> corner_;
+    const Difference& difference_;
+    std::array<Corner, 4> corner_;
     std::array<Vec3d, 4> point_;
     int count_ = 0;
     double scale_ = 1;

@@ -16,7 +16,7 @@
 namespace edgewise::bench {
 
 /// Behind the fields of tables.
-inline constexpr std::uint8_t pair_cache_field = static_cast<std::uint8_t>(Field::edge_made) + 1;
+inline constexpr std::uint8_t pair_cache_field = static_cast<std::uint8_t>(Field::seed) + 1;
 /// The first array of the broad phase; its other arrays follow.
 inline constexpr std::uint8_t broad_phase_field = pair_cache_field + 1;
 
@@ -47,9 +47,9 @@ enum class TraceStep : std::uint8_t {
 /// By number.
 [[nodiscard]] inline std::span<const std::string_view> field_names() {
     static constexpr std::array<std::string_view, broad_phase_field + broad_phase_arrays> names = {
-        "vertex",      "voronoi_plane", "edge_direction", "edge_ends", "face_plane",
-        "vertex_ring", "face_ring",     "neighbour",      "edge_made", "pair_cache",
-        "boxes",       "order_x",       "order_y",        "order_z",   "near_pairs"};
+        "vertex",    "voronoi_plane", "edge_direction", "edge_ends", "face_plane", "vertex_ring",
+        "face_ring", "neighbour",     "edge_made",      "seed",      "pair_cache", "boxes",
+        "order_x",   "order_y",       "order_z",        "near_pairs"};
     return names;
 }
 
