@@ -19,6 +19,7 @@
 #include "query_poses.hpp"
 #include "same_answers.hpp"
 #include "stored_bodies.hpp"
+#include "tables_under_test.hpp"
 
 namespace edgewise {
 namespace {
@@ -40,7 +41,8 @@ TYPED_TEST(Memory, CountsWhatIsAllocatedAndFreed) {
 }
 
 TYPED_TEST(Memory, TheLedgerIsWhatWasAskedFor) {
-    for (const auto& [name, body] : test_bodies()) {
+    using Table = typename TypeParam::Table;
+    for (const auto& [name, body] : test_bodies<Table>()) {
         for (const Parts parts : {Parts::support, Parts::features}) {
             CountedMemory memory;
             {
@@ -56,7 +58,8 @@ TYPED_TEST(Memory, TheLedgerIsWhatWasAskedFor) {
 
 /// Nothing else on the heap lives with a table: beside its ledger there is the table object itself.
 TYPED_TEST(Memory, TheLedgerIsAllThatLivesOnTheHeap) {
-    for (const auto& [name, body] : test_bodies()) {
+    using Table = typename TypeParam::Table;
+    for (const auto& [name, body] : test_bodies<Table>()) {
         for (const Parts parts : {Parts::support, Parts::features}) {
             const CountedAllocations counted;
             const Table table(body, parts);
@@ -64,13 +67,14 @@ TYPED_TEST(Memory, TheLedgerIsAllThatLivesOnTheHeap) {
             EXPECT_EQ(live, table.ledger().total()) << name;
         }
     }
-    std::printf("%s: %zu bytes in the table object\n", TableUnderTest::name, sizeof(Table));
+    std::printf("%s: %zu bytes in the table object\n", TypeParam::name, sizeof(Table));
 }
 
 /// A table may move: whoever has it gives its memory back, once.
 TYPED_TEST(Memory, ATableThatMovedIsTheSameTable) {
+    using Table = typename TypeParam::Table;
     static_assert(!std::is_copy_constructible_v<Table>);
-    const Polyhedron& body = test_bodies().front().body;
+    const Polyhedron& body = test_bodies<Table>().front().body;
     CountedMemory memory;
     {
         const TablesIn placed(memory);
@@ -87,7 +91,8 @@ TYPED_TEST(Memory, ATableThatMovedIsTheSameTable) {
 
 /// Pieces are what was asked for, each byte once, and add up to the ledger.
 TYPED_TEST(Memory, ThePiecesAreTheLedger) {
-    for (const auto& [name, body] : test_bodies()) {
+    using Table = typename TypeParam::Table;
+    for (const auto& [name, body] : test_bodies<Table>()) {
         CountedMemory memory;
         const TablesIn placed(memory);
         const Table table(body, Parts::features);
@@ -106,7 +111,8 @@ TYPED_TEST(Memory, ThePiecesAreTheLedger) {
 }
 
 TYPED_TEST(Memory, SupportTablesHoldNoPlanes) {
-    for (const auto& [name, body] : test_bodies()) {
+    using Table = typename TypeParam::Table;
+    for (const auto& [name, body] : test_bodies<Table>()) {
         const Ledger support = Table(body, Parts::support).ledger();
         EXPECT_EQ(support[Component::voronoi_planes], 0U) << name;
         EXPECT_EQ(support[Component::edge_geometry], 0U) << name;
@@ -114,7 +120,7 @@ TYPED_TEST(Memory, SupportTablesHoldNoPlanes) {
         EXPECT_EQ(support.paper_subtotal(), 0U) << name;
         EXPECT_GT(support[Component::vertex_coordinates], 0U) << name;
         EXPECT_EQ(support[Component::topology] > 0, ClimbingTable<Table>) << name;
-        if (!has_features) continue;
+        if (!has_features<Table>) continue;
         const Ledger features = Table(body, Parts::features).ledger();
         // Equal where all features are derived.
         EXPECT_GE(features.total(), support.total()) << name;
@@ -122,7 +128,7 @@ TYPED_TEST(Memory, SupportTablesHoldNoPlanes) {
     }
 }
 
-template <class Algorithm>
+template <class Algorithm, class Table>
 void expect_no_allocation(const Polyhedron& body, const std::string& name) {
     const Table a(body, Algorithm::parts), b(body, Algorithm::parts);
     using Pair = typename Algorithm::template Pair<Table, Table>;
@@ -151,13 +157,15 @@ void expect_no_allocation(const Polyhedron& body, const std::string& name) {
 }
 
 TYPED_TEST(Memory, NoQueryAllocates) {
-    for (const auto& [name, body] : test_bodies()) {
+    using Table = typename TypeParam::Table;
+    for (const auto& [name, body] : test_bodies<Table>()) {
         for_each_algorithm<Table>([&, &name = name, &body = body]<class Algorithm>(Algorithm) {
-            expect_no_allocation<Algorithm>(body, name);
+            expect_no_allocation<Algorithm, Table>(body, name);
         });
     }
 }
 
+template <class Table>
 std::vector<std::byte> bytes_of(const Table& table) {
     std::vector<std::byte> bytes;
     for (const Piece& piece : table.pieces()) bytes.insert(bytes.end(), piece.at, piece.at + piece.bytes());
@@ -166,7 +174,8 @@ std::vector<std::byte> bytes_of(const Table& table) {
 
 /// Many threads may ask a const table at once, unless it says that queries write.
 TYPED_TEST(Memory, QueriesWriteOnlyWhereTheTableSaysSo) {
-    for (const auto& [name, body] : test_bodies()) {
+    using Table = typename TypeParam::Table;
+    for (const auto& [name, body] : test_bodies<Table>()) {
         const Table table(body, Parts::features);
         const std::vector<std::byte> before = bytes_of(table);
         for_each_algorithm<Table>([&, &body = body]<class Algorithm>(Algorithm) {

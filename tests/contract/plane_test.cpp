@@ -9,6 +9,7 @@
 
 #include "edgewise/geometry/single.hpp"
 #include "stored_bodies.hpp"
+#include "tables_under_test.hpp"
 
 namespace edgewise {
 namespace {
@@ -31,17 +32,17 @@ struct Expected {
     double conditioning = 1;
 };
 
-template <class P>
+template <class T, class P>
 void compare(const P& plane, const Expected& expected, const Polyhedron& body, scene::Rng& rng,
              Worst& worst) {
     for (int i = 0; i < 4; ++i) {
         const Vec3d p = to_single(Vec3d(body.vertices[rng.below(body.vertex_count())] + rng.in_cube(2)));
         // A derived plane's normal has any length.
-        const double found = static_cast<double>(plane.distance(Vec3<Compute>(p.cast<Compute>()))) /
+        const double found = static_cast<double>(plane.distance(cast<ComputeOf<T>>(p))) /
                              norm(Vec3d(plane.normal.template cast<double>()));
         const double size = std::max(1.0, std::max(max_abs(p), std::abs(expected.plane.offset)));
         const double error = std::abs(found - expected.plane.distance(p));
-        worst.steps = std::max(worst.steps, error / (stored_eps * size * expected.conditioning));
+        worst.steps = std::max(worst.steps, error / (stored_eps<T> * size * expected.conditioning));
         ++worst.points;
     }
 }
@@ -80,18 +81,18 @@ void compare_edge_planes(const T& table, const Polyhedron& body, scene::Rng& rng
         for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
             const HalfEdge h = body.ring_of_vertex(table.index_of(v))[at++];
             const auto end = flipped ? End::head : End::tail;
-            compare(table.vertex_edge_plane(edge, end), beyond_start(body, h), body, rng, worst);
+            compare<T>(table.vertex_edge_plane(edge, end), beyond_start(body, h), body, rng, worst);
             const auto side = flipped ? Side::right : Side::left;
-            compare(table.edge_face_plane(edge, side), towards_face(body, h), body, rng, worst);
+            compare<T>(table.edge_face_plane(edge, side), towards_face(body, h), body, rng, worst);
         }
     }
 }
 
 TYPED_TEST(Planes, VoronoiPlanesAreTheDerivedOnes) {
-    if constexpr (has_features) {
+    if constexpr (has_features<typename TypeParam::Table>) {
         using T = typename TypeParam::Table;
         scene::Rng rng(1);
-        for (const auto& [name, body] : test_bodies()) {
+        for (const auto& [name, body] : test_bodies<T>()) {
             Worst worst;
             compare_edge_planes(T(body, Parts::features), body, rng, worst);
             std::printf("%s %s: Voronoi planes within %.2g steps over %d points\n", TypeParam::name,
@@ -116,10 +117,10 @@ TYPED_TEST(Planes, VoronoiPlanesAreTheDerivedOnes) {
 }
 
 TYPED_TEST(Planes, FacePlanesAreOutwardAndHoldTheirVertices) {
-    if constexpr (has_features) {
+    if constexpr (has_features<typename TypeParam::Table>) {
         using T = typename TypeParam::Table;
         scene::Rng rng(2);
-        for (const auto& [name, body] : test_bodies()) {
+        for (const auto& [name, body] : test_bodies<T>()) {
             SCOPED_TRACE(name);
             const T table(body, Parts::features);
             Worst worst;
@@ -128,13 +129,14 @@ TYPED_TEST(Planes, FacePlanesAreOutwardAndHoldTheirVertices) {
                 const auto plane = table.face_plane(f);
                 const double flat = DerivesPlanes<T> ? flatness(body, face) : 1;
                 const double tolerance =
-                    allowed_steps * stored_eps * (1 + std::abs(body.face_planes[face].offset)) * flat;
-                compare(plane, {body.face_planes[face], flat}, body, rng, worst);
-                EXPECT_NEAR(norm(Vec3d(plane.normal.template cast<double>())), 1, allowed_steps * stored_eps);
+                    allowed_steps * stored_eps<T> * (1 + std::abs(body.face_planes[face].offset)) * flat;
+                compare<T>(plane, {body.face_planes[face], flat}, body, rng, worst);
+                EXPECT_NEAR(norm(Vec3d(plane.normal.template cast<double>())), 1,
+                            allowed_steps * stored_eps<T>);
                 for (const auto v : table.all_vertices())
                     EXPECT_LE(plane.distance(table.vertex(v)), tolerance);
                 for (const HalfEdge h : body.ring_of_face(face)) {
-                    const Vec3<Compute> corner = body.vertices[body.tail(h)].template cast<Compute>();
+                    const auto corner = cast<ComputeOf<T>>(body.vertices[body.tail(h)]);
                     EXPECT_LE(std::abs(plane.distance(corner)), tolerance);
                 }
             }
@@ -148,10 +150,10 @@ TYPED_TEST(Planes, FacePlanesAreOutwardAndHoldTheirVertices) {
 }
 
 TYPED_TEST(Planes, DirectionsRunFromTailToHead) {
-    if constexpr (has_features) {
+    if constexpr (has_features<typename TypeParam::Table>) {
         using T = typename TypeParam::Table;
         double worst = 0;
-        for (const auto& [name, body] : test_bodies()) {
+        for (const auto& [name, body] : test_bodies<T>()) {
             const T table(body, Parts::features);
             for (const auto v : table.all_vertices()) {
                 for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
@@ -159,7 +161,7 @@ TYPED_TEST(Planes, DirectionsRunFromTailToHead) {
                                         body.vertices[table.index_of(table.tail(edge))];
                     const Vec3d given = table.direction(edge).template cast<double>();
                     const Vec3d found = given / norm(given);
-                    worst = std::max(worst, max_abs(Vec3d(found - along / norm(along))) / stored_eps);
+                    worst = std::max(worst, max_abs(Vec3d(found - along / norm(along))) / stored_eps<T>);
                 }
             }
         }
@@ -172,13 +174,13 @@ TYPED_TEST(Planes, DirectionsRunFromTailToHead) {
 
 /// Neighbours must read one and the same number, or V-Clip argues with itself.
 TYPED_TEST(Planes, AreTheSameNumbersEveryTime) {
-    if constexpr (has_features) {
+    if constexpr (has_features<typename TypeParam::Table>) {
         using T = typename TypeParam::Table;
         scene::Rng rng(3);
-        for (const auto& [name, body] : test_bodies()) {
+        for (const auto& [name, body] : test_bodies<T>()) {
             const T table(body, Parts::features), other(body, Parts::features);
             for (const auto v : table.all_vertices()) {
-                const Vec3<Compute> p = rng.in_cube(2).cast<Compute>();
+                const auto p = cast<ComputeOf<T>>(rng.in_cube(2));
                 for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
                     for (const End end : {End::tail, End::head}) {
                         EXPECT_EQ(table.vertex_edge_plane(edge, end).distance(p),

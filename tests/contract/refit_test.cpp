@@ -11,6 +11,7 @@
 #include "query_poses.hpp"
 #include "same_answers.hpp"
 #include "stored_bodies.hpp"
+#include "tables_under_test.hpp"
 
 namespace edgewise {
 namespace {
@@ -49,7 +50,7 @@ void expect_same_as_new(const Polyhedron& from, const Polyhedron& to, const std:
 TYPED_TEST(Refit, AnswersAsANewTableDoes) {
     if constexpr (Refittable<typename TypeParam::Table>) {
         using T = typename TypeParam::Table;
-        for (const auto& [name, body] : test_bodies()) {
+        for (const auto& [name, body] : test_bodies<T>()) {
             const Polyhedron to = deformed(body);
             ASSERT_EQ(to.face_count(), body.face_count()) << name;
             for_each_algorithm<T>([&, &name = name, &body = body]<class Algorithm>(Algorithm) {

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "stored_bodies.hpp"
+#include "tables_under_test.hpp"
 
 namespace edgewise {
 namespace {
@@ -18,8 +19,11 @@ class RingQuestions : public ::testing::Test {};
 TYPED_TEST_SUITE(RingQuestions, TableTypes);
 
 /// The lowest value below zero, of whom, and whether others are just as low.
-template <class Edge>
+template <class T>
 struct Lowest {
+    using Edge = typename T::Edge;
+    using Compute = ComputeOf<T>;
+
     std::optional<Edge> edge;
     Compute value = 0, largest = 0;
     bool tie = false;
@@ -36,8 +40,8 @@ struct Lowest {
 struct Seen {
     int answers = 0, none = 0, ties = 0;
 
-    template <class Edge>
-    void count(const Lowest<Edge>& lowest) {
+    template <class T>
+    void count(const Lowest<T>& lowest) {
         ++answers;
         none += !lowest.edge;
         ties += lowest.tie;
@@ -45,9 +49,9 @@ struct Seen {
 };
 
 template <class T>
-void ask_about_point(const T& table, typename T::Vertex v, typename T::Face f, const Vec3<Compute>& p,
+void ask_about_point(const T& table, typename T::Vertex v, typename T::Face f, const Vec3<ComputeOf<T>>& p,
                      Seen& seen) {
-    Lowest<typename T::Edge> around, about;
+    Lowest<T> around, about;
     for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
         around.see(edge, table.vertex_edge_plane(edge, flipped ? End::head : End::tail).distance(p));
     }
@@ -61,10 +65,10 @@ void ask_about_point(const T& table, typename T::Vertex v, typename T::Face f, c
 }
 
 template <class T>
-void ask_about_slope(const T& table, typename T::Vertex v, const Vec3<Compute>& normal, Seen& seen) {
-    Lowest<typename T::Edge> falling;
+void ask_about_slope(const T& table, typename T::Vertex v, const Vec3<ComputeOf<T>>& normal, Seen& seen) {
+    Lowest<T> falling;
     for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
-        const Compute along = dot(Vec3<Compute>(table.direction(edge)), normal);
+        const ComputeOf<T> along = dot(Vec3<ComputeOf<T>>(table.direction(edge)), normal);
         falling.see(edge, flipped ? -along : along);
     }
     const auto found = steepest_descent(table, v, normal);
@@ -82,10 +86,10 @@ auto any_of(const Range& range, std::size_t count, scene::Rng& rng) {
 }
 
 TYPED_TEST(RingQuestions, AgreeWithSinglePlanesAndBreakTiesAlike) {
-    if constexpr (has_features) {
+    if constexpr (has_features<typename TypeParam::Table>) {
         using T = typename TypeParam::Table;
         scene::Rng rng(1);
-        for (const auto& [name, body] : test_bodies()) {
+        for (const auto& [name, body] : test_bodies<T>()) {
             SCOPED_TRACE(name);
             const T table(body, Parts::features);
             Seen seen;
@@ -95,9 +99,9 @@ TYPED_TEST(RingQuestions, AgreeWithSinglePlanesAndBreakTiesAlike) {
                 const Vec3d lattice = rng.in_cube(2.5).array().round();
                 const Vec3d above = body.vertices[table.index_of(v)] * rng.uniform(0, 1.5);
                 const Vec3d p = i % 2 ? lattice : Vec3d(above + rng.uniform() * rng.in_cube(0.5));
-                ask_about_point(table, v, f, Vec3<Compute>(p.cast<Compute>()), seen);
+                ask_about_point(table, v, f, cast<ComputeOf<T>>(p), seen);
                 const Vec3d normal = i % 2 ? lattice : rng.on_sphere();
-                ask_about_slope(table, v, Vec3<Compute>(normal.cast<Compute>()), seen);
+                ask_about_slope(table, v, cast<ComputeOf<T>>(normal), seen);
             }
             std::printf("%s %s: %d answers, %d none, %d ties\n", TypeParam::name, name.c_str(), seen.answers,
                         seen.none, seen.ties);

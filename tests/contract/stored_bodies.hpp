@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The bodies that tables are tested on, as the table under test stores them: rounded to single, where it
+// The bodies that tables are tested on, as a table stores them: rounded to single, where it
 // does.
 #pragma once
 
@@ -12,14 +12,8 @@
 
 #include "bodies.hpp"
 #include "edgewise/table/stored_body.hpp"
-#include "table_under_test.hpp"
 
 namespace edgewise {
-
-using Table = TableUnderTest::Table;
-using Stored = Table::PrecisionType::Stored;
-using Compute = ComputeOf<Table>;
-using TableTypes = ::testing::Types<TableUnderTest>;
 
 /// Planes computed when asked for, from corners.
 template <class T>
@@ -27,23 +21,29 @@ concept DerivesPlanes = requires {
     T::derives_planes;
 };
 
-inline constexpr bool has_features = FeatureTable<Table>;
-inline constexpr double compute_eps = std::numeric_limits<Compute>::epsilon();
+template <class T>
+inline constexpr bool has_features = FeatureTable<T>;
+template <class T>
+inline constexpr double compute_eps = std::numeric_limits<ComputeOf<T>>::epsilon();
 /// What planes are rounded to.
+template <class T>
 inline constexpr double stored_eps =
-    DerivesPlanes<Table> ? compute_eps : double{std::numeric_limits<Stored>::epsilon()};
+    DerivesPlanes<T> ? compute_eps<T>
+                     : double{std::numeric_limits<typename T::PrecisionType::Stored>::epsilon()};
 
 /// What a table holds when it is given this body.
-[[nodiscard]] inline Polyhedron as_stored(const Polyhedron& body) {
-    auto stored = stored_body<Table>(body);
+template <class T>
+[[nodiscard]] Polyhedron as_stored(const Polyhedron& body) {
+    auto stored = stored_body<T>(body);
     EXPECT_TRUE(stored) << stored.error;
     return *stored;
 }
 
-[[nodiscard]] inline const std::vector<NamedBody>& test_bodies() {
+template <class T>
+[[nodiscard]] const std::vector<NamedBody>& test_bodies() {
     static const std::vector<NamedBody> bodies = [] {
         std::vector<NamedBody> stored;
-        for (auto& [name, body] : given_bodies()) stored.push_back({name, as_stored(body)});
+        for (auto& [name, body] : given_bodies()) stored.push_back({name, as_stored<T>(body)});
         return stored;
     }();
     return bodies;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "stored_bodies.hpp"
+#include "tables_under_test.hpp"
 
 namespace edgewise {
 namespace {
@@ -49,10 +50,11 @@ void expect_same_support(const T& table, const Polyhedron& body) {
 }
 
 TYPED_TEST(Topology, VerticesAreExactAndNeighboursInOrder) {
-    for (const auto& [name, body] : test_bodies()) {
+    using T = typename TypeParam::Table;
+    for (const auto& [name, body] : test_bodies<T>()) {
         SCOPED_TRACE(name);
-        expect_same_support(Table(body, Parts::support), body);
-        expect_same_support(Table(body, Parts::features), body);
+        expect_same_support(T(body, Parts::support), body);
+        expect_same_support(T(body, Parts::features), body);
     }
 }
 
@@ -96,9 +98,9 @@ void expect_same_rings(const T& table, const Polyhedron& body) {
 }
 
 TYPED_TEST(Topology, RingsRunAsInTheBody) {
-    if constexpr (has_features) {
+    if constexpr (has_features<typename TypeParam::Table>) {
         using T = typename TypeParam::Table;
-        for (const auto& [name, body] : test_bodies()) {
+        for (const auto& [name, body] : test_bodies<T>()) {
             SCOPED_TRACE(name);
             expect_same_rings(T(body, Parts::features), body);
         }
@@ -109,9 +111,9 @@ TYPED_TEST(Topology, RingsRunAsInTheBody) {
 
 /// One edge, one handle: V-Clip distinguishes features by their handles.
 TYPED_TEST(Topology, BothFacesAndBothEndsNameAnEdgeAlike) {
-    if constexpr (has_features) {
+    if constexpr (has_features<typename TypeParam::Table>) {
         using T = typename TypeParam::Table;
-        for (const auto& [name, body] : test_bodies()) {
+        for (const auto& [name, body] : test_bodies<T>()) {
             SCOPED_TRACE(name);
             const T table(body, Parts::features);
             for (const auto v : table.all_vertices()) {

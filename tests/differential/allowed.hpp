@@ -5,6 +5,7 @@
 
 #include "judged.hpp"
 #include "stored_bodies.hpp"
+#include "table_under_test.hpp"
 
 namespace edgewise {
 
@@ -20,7 +21,8 @@ inline constexpr std::size_t classes = 2;
 /// then stop at the wrong end of an edge, and be off by that. Up to this gap (in sizes) it is more than the
 /// verified error.
 inline constexpr double parallel_reach =
-    64 * compute_eps / (compute_eps > Tolerance<double>::eps ? verified_error_single : verified_error_double);
+    64 * compute_eps<Table> /
+    (compute_eps<Table> > Tolerance<double>::eps ? verified_error_single : verified_error_double);
 
 inline Class classify(const CheckedPair& checked) {
     const bool close = !checked.separated() || checked.exact.distance < parallel_reach * checked.size;
@@ -28,10 +30,10 @@ inline Class classify(const CheckedPair& checked) {
 }
 
 inline constexpr double verified_error =
-    compute_eps > Tolerance<double>::eps ? verified_error_single : verified_error_double;
+    compute_eps<Table> > Tolerance<double>::eps ? verified_error_single : verified_error_double;
 
 constexpr double error_allowed(Class answer) {
-    const bool single = compute_eps > Tolerance<double>::eps;
+    const bool single = compute_eps<Table> > Tolerance<double>::eps;
     if (answer == Class::parallel) return single ? 1e-3 : 2e-6;
     return single ? verified_error_single : verified_error_double;
 }

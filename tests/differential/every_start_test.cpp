@@ -10,6 +10,7 @@
 #include "edgewise/algorithms/vclip.hpp"
 #include "judged.hpp"
 #include "stored_bodies.hpp"
+#include "table_under_test.hpp"
 
 namespace edgewise {
 namespace {
@@ -119,7 +120,7 @@ Outcome from_every_start(const T& table, const Polyhedron& cube, const CheckedPa
 template <class T>
 void expect_one_answer(const Polyhedron& cube, const std::string& name, int starts) {
     const T table(cube, Parts::features);
-    const double allowed = compute_eps > 1e-10 ? verified_error_single : verified_error_double;
+    const double allowed = compute_eps<Table> > 1e-10 ? verified_error_single : verified_error_double;
     const Vec3d directions[] = {{1, 0, 0}, {0, 0, -1}, {0.6, 0.8, 0}, {1 / 3.0, 2 / 3.0, -2 / 3.0}};
     int asked = 0;
     for (const Turn& turn : turns()) {
@@ -128,7 +129,7 @@ void expect_one_answer(const Polyhedron& cube, const std::string& name, int star
         for (const Vec3d& direction : directions) {
             for (const double gap : {-0.1, 0.1, 1.0}) {
                 const auto pair = placed(cube, turn.rotation, direction, gap);
-                const CheckedPair checked = check_pair(cube, cube, pair, compute_eps);
+                const CheckedPair checked = check_pair(cube, cube, pair, compute_eps<Table>);
                 const Outcome outcome = from_every_start(table, cube, checked);
                 SCOPED_TRACE(name + ", " + turn.name + ", gap " + std::to_string(gap));
                 EXPECT_EQ(outcome.starts, starts);
@@ -151,7 +152,7 @@ void expect_one_answer(const Polyhedron& cube, const std::string& name, int star
 }
 
 TYPED_TEST(EveryStart, OfTwoCubesGivesOneDistance) {
-    if constexpr (has_features) {
+    if constexpr (has_features<Table>) {
         expect_one_answer<typename TypeParam::Table>(quad_cube(), "cube", 640);
     } else {
         GTEST_SKIP() << "V-Clip needs features";
@@ -159,7 +160,7 @@ TYPED_TEST(EveryStart, OfTwoCubesGivesOneDistance) {
 }
 
 TYPED_TEST(EveryStart, OfTwoCubesWithSplitFacesGivesOneDistance) {
-    if constexpr (has_features) {
+    if constexpr (has_features<Table>) {
         expect_one_answer<typename TypeParam::Table>(triangle_cube(), "split cube", 1300);
     } else {
         GTEST_SKIP() << "V-Clip needs features";

@@ -14,6 +14,7 @@
 #include "judged.hpp"
 #include "query_poses.hpp"
 #include "stored_bodies.hpp"
+#include "table_under_test.hpp"
 
 namespace edgewise {
 namespace {
@@ -24,19 +25,20 @@ std::vector<NamedBody> bodies() {
     const auto hull = [](const std::vector<Vec3d>& points) {
         const auto body = hull_of_any(points);
         EXPECT_TRUE(body) << body.error;
-        return as_stored(*body);
+        return as_stored<Table>(*body);
     };
     return {{"point", hull({{0.25, -0.5, 0.125}})},
             {"segment", hull({{-0.5, 0.25, 0}, {0.75, -0.25, 0.5}})},
             {"triangle", hull({{-0.5, 0, 0.25}, {0.75, 0, -0.25}, {0, 1, 0.5}})},
             {"square", hull({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}})},
-            {"cube", as_stored(shape("cube8"))}};
+            {"cube", as_stored<Table>(shape("cube8"))}};
 }
 
 /// Planes stored in single tell V-Clip which feature is closest to some 1e-7 only, however well the distance
 /// is computed then.
 template <class Algorithm>
-constexpr bool planes_are_rounded = std::is_same_v<Algorithm, VClip>&& stored_eps > 2 * compute_eps;
+constexpr bool planes_are_rounded =
+    std::is_same_v<Algorithm, VClip>&& stored_eps<Table> > 2 * compute_eps<Table>;
 
 struct Tally {
     std::array<double, classes> error{};
@@ -63,7 +65,7 @@ void compare(const NamedBody& of_a, const NamedBody& of_b, Tally& tally) {
     PairMaker maker(of_a.body, of_b.body, 3);
     Pair warm(a, b);
     for (int i = 0; i < pairs_a_setting; ++i) {
-        const CheckedPair checked = check_pair(of_a.body, of_b.body, maker.next(), compute_eps);
+        const CheckedPair checked = check_pair(of_a.body, of_b.body, maker.next(), compute_eps<Table>);
         Pair cold(a, b);
         for (Pair* pair : {&cold, &warm}) {
             const Distance answer = Algorithm::query(a, b, checked.a_from_b, *pair);

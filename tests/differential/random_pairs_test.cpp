@@ -20,12 +20,13 @@
 #include "judged.hpp"
 #include "query_poses.hpp"
 #include "stored_bodies.hpp"
+#include "table_under_test.hpp"
 
 namespace edgewise {
 namespace {
 
 constexpr int pairs_a_shape = 1500;
-constexpr bool stored_in_double = stored_eps <= Tolerance<double>::eps;
+constexpr bool stored_in_double = stored_eps<Table> <= Tolerance<double>::eps;
 
 /// The states that V-Clip was in: three kinds by three; face-face never is.
 struct States : NoObserver {
@@ -75,10 +76,10 @@ struct Setting {
 Setting make_setting(const std::string& name) {
     const auto body = scene::make_shape(name);
     EXPECT_TRUE(body) << body.error;
-    Setting setting{name, as_stored(*body), as_stored(scene::scaled(*body, 0.75)), {}};
+    Setting setting{name, as_stored<Table>(*body), as_stored<Table>(scene::scaled(*body, 0.75)), {}};
     PairMaker maker(setting.a, setting.b, 1);
     for (int i = 0; i < pairs_a_shape; ++i) {
-        setting.pairs.push_back(check_pair(setting.a, setting.b, maker.next(), compute_eps));
+        setting.pairs.push_back(check_pair(setting.a, setting.b, maker.next(), compute_eps<Table>));
     }
     return setting;
 }
@@ -203,7 +204,7 @@ TYPED_TEST(RandomPairs, AnswersAreRightFromAnyStart) {
         const Setting setting = make_setting(name);
         expect_every_regime(setting);
         for_each_algorithm<Table>([&]<class Algorithm>(Algorithm) { compare_random<Algorithm>(setting); });
-        if constexpr (has_features) expect_vclip_stays<typename TypeParam::Table>(setting);
+        if constexpr (has_features<Table>) expect_vclip_stays<typename TypeParam::Table>(setting);
     }
 }
 

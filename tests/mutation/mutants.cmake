@@ -36,6 +36,14 @@ edgewise_mutant(cofactors_ask_no_second_opinion algorithms/cofactors.hpp [[if (c
     [[if (count == 4 && (weigh_passing<4>(w, allowed, found) || true)) return;]] Cofactors.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]
     *Support* ${unit}/algorithms/support_test.cpp)
+edgewise_mutant(climb_stops_at_level_vertices algorithms/support.hpp [[|| !leave_level(table, direction, band, best)) return best;]] [[|| true) return best;]]
+    Climb* ${unit}/algorithms/support_test.cpp)
+edgewise_mutant(inward_edges_are_climbed geometry/strictly_convex.cpp [[return dot(turn, side) >= least_ * reach_;]] [[return true;]]
+    StrictlyConvex.* ${unit}/geometry/strictly_convex_test.cpp)
+edgewise_mutant(seeds_of_the_other_side layout_parts/seeds.hpp [[static_cast<int>(x > least) - static_cast<int>(x < -least)]] [[static_cast<int>(x < -least) - static_cast<int>(x > least)]]
+    Seeds* ${unit}/layout_parts/seeds_test.cpp)
+edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[(shift + turn * radius_)]] [[(shift + 0 * turn)]]
+    NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]
     *Support* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(squared) && !retry_in_wide_arithmetic()) {]] [[if (gains(squared)) {]]

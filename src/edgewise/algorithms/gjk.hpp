@@ -93,7 +93,7 @@ class GjkRun {
         if (is_cold_) return false;
         is_cold_ = true;
         const SubDistance<TableA, TableB> warm = sub_;
-        sub_ = {};
+        sub_.clear();
         start_between_origins();
         sub_.solve_first();
         if (squared_norm(sub_.closest().point) < squared) return true;

@@ -28,6 +28,12 @@ class SubDistance {
     [[nodiscard]] const Points& simplex() const { return simplex_; }
     [[nodiscard]] const Closest& closest() const { return closest_; }
 
+    /// As before the first point.
+    void clear() {
+        simplex_.count = 0;
+        simplex_.size = 0;
+        careful_ = false;
+    }
     /// One of a query's first points, up to four; then solve_first().
     void add(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& on_a,
              const Vec3<Scalar>& on_b) {

@@ -140,14 +140,12 @@ class DerivedTable : public BlockTable<P, Loader, typename P::Compute> {
 
   protected:
     using Base::block_;
+    using Base::facts_;
     using Base::loader_;
     [[no_unique_address]] Points points_;
 
-  private:
     template <class, Precision, class>
     friend class DerivedTable;
-
-    using Base::facts_;
 
     /// Half-edges of a face in order, from its first, each turned into an item.
     template <class Item>

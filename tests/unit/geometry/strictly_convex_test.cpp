@@ -87,5 +87,14 @@ TEST(StrictlyConvex, ACutFaceIsNotUntilItIsFolded) {
     EXPECT_TRUE(is_strictly_convex(pyramid(1e-3), least));
 }
 
+/// Climbs ask for less: a fold of some rounding steps will do, but neither a flat face cut in two nor one
+/// that is folded inwards.
+TEST(StrictlyConvex, ACutFaceIsClimbableOnceItIsFoldedOutwards) {
+    EXPECT_FALSE(is_climbable(pyramid(0)));
+    EXPECT_TRUE(is_climbable(pyramid(1e-12)));
+    EXPECT_TRUE(is_climbable(pyramid(1e-5)));
+    EXPECT_FALSE(is_climbable(pyramid(-1e-13)));
+}
+
 }  // namespace
 }  // namespace edgewise

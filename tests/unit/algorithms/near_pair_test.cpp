@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// Bounds carried over motions beside the distance by brute force: never wrong, and seldom without an answer.
+#include "edgewise/algorithms/near_pair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "brute_force.hpp"
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/vclip.hpp"
+#include "edgewise/layouts/lean.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/table/stored_body.hpp"
+
+namespace edgewise {
+namespace {
+
+/// How far outside its bounds a distance was, how often bounds told, and how tight they were.
+struct Seen {
+    double outside = 0;
+    int asked = 0, told_near = 0, told_far = 0, wrong = 0;
+};
+
+/// Rotation about an axis by an angle, to rounding.
+Mat3d turn(const Vec3d& axis, double angle) {
+    Mat3d cross_matrix;
+    cross_matrix << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
+    return Mat3d::Identity() + std::sin(angle) * cross_matrix +
+           (1 - std::cos(angle)) * Mat3d(cross_matrix * cross_matrix);
+}
+
+/// B turns about itself and sways to and from A, by steps of this size.
+template <class Algorithm, class Table>
+void sway(const Polyhedron& body, double step, double margin, scene::Rng& rng, Seen& seen) {
+    const Table table(body, Algorithm::parts);
+    NearPair<Algorithm, Table, Table> pair(table, table);
+    Pose pose_b{rng.rotation(), {}};
+    const Vec3d axis = rng.on_sphere(), away = rng.on_sphere();
+    for (int i = 0; i < 150; ++i) {
+        pose_b.rotation = turn(axis, step) * pose_b.rotation;
+        pose_b.translation = away * (2.2 + 0.8 * std::sin(5 * step * i)) + rng.in_ball() * step * 0.1;
+        const Transform<double> a_from_b{pose_b.rotation, pose_b.translation};
+        const double truth = truth::brute_force_distance(body, {}, body, pose_b);
+        const DistanceInterval bounds = pair.bounds(a_from_b);
+        seen.outside = std::max({seen.outside, bounds.least - truth, truth - bounds.most});
+        const std::uint64_t before = pair.queries();
+        const bool near = pair.nearer_than(margin, a_from_b);
+        const double doubt = 4 * double{Tolerance<ComputeOf<Table>>::level};
+        if (std::abs(truth - margin) > doubt) seen.wrong += near != (truth < margin);
+        if (pair.queries() > before)
+            ++seen.asked;
+        else
+            ++(near ? seen.told_near : seen.told_far);
+    }
+}
+
+template <class Algorithm, class Table>
+void expect_true_bounds(const char* name) {
+    scene::Rng rng(7);
+    for (const double step : {0.001, 0.01, 0.1, 1.0}) {
+        Seen seen;
+        for (const char* shape : {"tetra4", "cube8", "sphere38"}) {
+            const Polyhedron body = stored_body<Table>(scene::make_shape(shape).or_throw()).or_throw();
+            for (int i = 0; i < 4; ++i) sway<Algorithm, Table>(body, step, rng.uniform(0.1, 1), rng, seen);
+        }
+        std::printf("%s, steps of %g: %d asked, %d told near, %d told far; outside by %.2g at most\n", name,
+                    step, seen.asked, seen.told_near, seen.told_far, seen.outside);
+        EXPECT_LE(seen.outside, 1e-14) << step;
+        EXPECT_EQ(seen.wrong, 0) << step;
+        if (step > 0.01) continue;
+        EXPECT_LT(seen.asked, (seen.told_near + seen.told_far) / 5) << step;
+        EXPECT_GT(seen.told_far, 100) << step;
+    }
+}
+
+TEST(NearPair, BoundsHoldWhateverTheMotion) {
+    expect_true_bounds<VClip, lean<f64>>("vclip lean_f64");
+    expect_true_bounds<Gjk, lean<f64>>("gjk lean_f64");
+    expect_true_bounds<Gjk, lean<f32>>("gjk lean_f32");
+}
+
+TEST(NearPair, KnowsNothingBeforeItAsks) {
+    const DistanceBounds nothing;
+    const Transform<double> here{Mat3d::Identity(), Vec3d::Zero()};
+    EXPECT_FALSE(nothing.nearer_than(1, here).has_value());
+    EXPECT_EQ(nothing.nearer_than(0, here), false) << "no distance is less than 0";
+    EXPECT_EQ(nothing.at(here).least, 0);
+}
+
+}  // namespace
+}  // namespace edgewise
