@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bodies.hpp"
+#include "edgewise/table/contract.hpp"
 #include "edgewise/table/stored_body.hpp"
 
 namespace edgewise {

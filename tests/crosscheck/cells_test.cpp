@@ -34,7 +34,8 @@ constexpr const char* machines =
 /// over a table that nearly fills the cache. Which sets the stack falls into is chance (of the environment's
 /// length), so the bound there is the model with two ways of every set taken away. In the Raspberry Pi's two
 /// ways they may throw out one line. Less by a line or so, since a query's record is not read to its last
-/// byte.
+/// byte; and in lines of 32 bytes by up to half of what poses miss: a wide load of these lies in two lines,
+/// and Callgrind counts it once.
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Cell& cell = GetParam();
     const Folder folder;
@@ -51,7 +52,8 @@ TEST_P(CrosscheckCells, AgreeButForTheStack) {
         const bool small_lines = row["machine"].get<std::string>().starts_with("pentium");
         const json &ours = row["model_with_poses"], &theirs = row["callgrind"];
         const double model = ours["d1_misses_per_query"], tool = theirs["d1_misses_per_query"];
-        EXPECT_GT(tool, model - (small_lines ? 1.6 : 0.8)) << row;
+        const double of_poses = model - row["model"]["d1_misses_per_query"].get<double>();
+        EXPECT_GT(tool, model - 0.8 - (small_lines ? of_poses / 2 : 0)) << row;
         const double one_more = row["machine"] == "raspberry_pi4" ? 1 : 0;
         const double most = small_lines ? row["d1_misses_per_query_two_ways_fewer"].get<double>() : model;
         EXPECT_LT(tool, most + (small_lines ? 14 : 7.5 + one_more)) << row;
