@@ -12,5 +12,5 @@ target_compile_options(edgewise_library PUBLIC $<$<COMPILE_LANG_AND_ID:CXX,GNU,C
 target_include_directories(edgewise_library PUBLIC
     $<BUILD_INTERFACE:${EDGEWISE_INCLUDE}> $<INSTALL_INTERFACE:include>)
 target_link_libraries(edgewise_library PUBLIC Eigen3::Eigen PRIVATE Qhull::qhull_r $<BUILD_INTERFACE:edgewise_flags>)
-edgewise_unite(edgewise_library)
+edgewise_unite(edgewise_library src/edgewise/geometry/strictly_convex.cpp)  # which mutants (tests/mutation) replace
 edgewise_precompile(edgewise_library <Eigen/Core> <algorithm> <functional> <string> <vector>)
