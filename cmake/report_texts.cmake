@@ -8,6 +8,7 @@ function(edgewise_write_report_texts OUTPUT)
     set(reports ${PROJECT_SOURCE_DIR}/reports)
     file(GLOB_RECURSE files CONFIGURE_DEPENDS ${reports}/*.vl.json ${reports}/*.md ${reports}/text/page.*
         ${reports}/paper/text/*.json ${reports}/paper/claims/*.json)
+    list(FILTER files EXCLUDE REGEX "^${reports}/out/")  # what sweeps write
     list(SORT files)
     set(TEXTS)
     set(names)
