@@ -3,7 +3,7 @@
 // What is known of a pair's distance without a look at either body: bounds proven at one pose, and by how far
 // body B can have moved since. No point of B moves farther than its translation and, of a turn, the length
 // |R - R0| times its distance from B's origin; the distance changes by no more than that (Mirtich, "Impulse-
-// based Dynamic Simulation", 1996, section 2.3, bounds times of impact the same way). Most pairs of a scene
+// based Dynamic Simulation", 1996, bounds times of impact in this way). Most pairs of a scene
 // are far from each other or well within a margin: they are answered in some nanoseconds, and no line of a
 // table is read.
 #pragma once

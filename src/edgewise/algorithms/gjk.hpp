@@ -7,7 +7,9 @@
 // the start of the next query. Departures: everything runs in A's frame with a relative pose; termination is
 // relative (the duality gap against the rounding noise of the support products) where Cameron's is an
 // absolute 1e-8 on the squared distance; a repeated support point ends the run, as does a step that gains
-// nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp).
+// nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp). A cold query starts at the points
+// that face each other along the line of the origins, not anywhere; one whose old simplex proves to be far
+// off starts anew from there.
 #pragma once
 
 #include <algorithm>
@@ -65,6 +67,7 @@ class GjkRun {
 
   private:
     /// Of the squared distance: a simplex whose closest point promises no more than this is far off.
+    /// A matter of time, not of right answers.
     static constexpr Scalar far_off = Scalar(0.5);
 
     void start(const Pair& pair) {
