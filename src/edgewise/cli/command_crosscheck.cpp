@@ -35,7 +35,7 @@ measure::Expected<Compared> compare(const measure::MachineChoice& choice, const 
     const auto counts = studies::callgrind_pass(options.cell, *geometry.value, *program.value);
     if (!counts.value) return Answer::none(counts.reason);
     std::optional<double> most;
-    if (const auto fewer = studies::two_ways_fewer(*geometry.value); fewer.value)
+    if (const auto fewer = studies::without_ways_of_the_stack(*geometry.value); fewer.value)
         most = studies::model_pass(cell, *fewer.value, true).d1_misses;
     return {Compared{studies::model_pass(cell, *geometry.value, false),
                      studies::model_pass(cell, *geometry.value, true), *counts.value, most}};
@@ -67,7 +67,7 @@ nlohmann::json json_of(const std::string& machine, const measure::Expected<Compa
             {"reason", nullptr},
             {"model", counts(compared.value->model)},
             {"model_with_poses", counts(compared.value->with_poses)},
-            {"d1_misses_per_query_two_ways_fewer",
+            {"d1_misses_per_query_at_most",
              compared.value->most ? nlohmann::json(*compared.value->most / queries) : nlohmann::json()},
             {"callgrind", counts(compared.value->tool)}};
 }
@@ -94,7 +94,7 @@ void print(const studies::PerfCount& perf, double queries) {
 constexpr const char* residual_cause =
     "The residual is what Callgrind sees beyond tables, pair caches and poses: the stack (temporaries that "
     "do not fit registers), answers, setting the pairs back; in the last level also instructions. At most: "
-    "tables and poses miss no more often wherever the stack lies, if it keeps two ways of every set.";
+    "tables and poses miss no more often wherever the stack lies, if it keeps two ways of every set (one of two).";
 
 int run_crosscheck(const CrosscheckArguments& options, bool json) {
     const std::vector<measure::MachineChoice> machines = measure::choose_machines(options.machines);

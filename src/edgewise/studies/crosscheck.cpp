@@ -149,10 +149,10 @@ measure::CallgrindCounts model_pass(const SingleCell& cell, const measure::Cache
             count(listener.model().counts(1).misses)};
 }
 
-measure::Expected<measure::CacheGeometry> two_ways_fewer(measure::CacheGeometry geometry) {
+measure::Expected<measure::CacheGeometry> without_ways_of_the_stack(measure::CacheGeometry geometry) {
     std::uint32_t& ways = geometry.levels[0].ways;
-    if (ways <= 2) return measure::Expected<measure::CacheGeometry>::none("the first level has two ways");
-    ways -= 2;
+    if (ways < 2) return measure::Expected<measure::CacheGeometry>::none("the first level has one way");
+    ways -= ways > 2 ? 2 : 1;
     return {std::move(geometry)};
 }
 

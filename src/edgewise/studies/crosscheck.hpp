@@ -22,10 +22,11 @@ namespace edgewise::studies {
 [[nodiscard]] measure::CallgrindCounts model_pass(const SingleCell& cell,
                                                   const measure::CacheGeometry& geometry, bool with_poses);
 
-/// The geometry less the two ways of the first level's sets that the stack and constants may keep for
-/// themselves. By inclusion of least-recently-used caches, whatever lies in those ways, the tables' lines
-/// miss no more often than in this one. Unknown: the sets have two ways.
-[[nodiscard]] measure::Expected<measure::CacheGeometry> two_ways_fewer(measure::CacheGeometry geometry);
+/// The geometry less the ways of the first level's sets that the stack and constants may keep for themselves:
+/// two, or one where sets have but two. By inclusion of least-recently-used caches, whatever lies in those
+/// ways, the tables' lines miss no more often than in this one. Unknown: the sets have one way.
+[[nodiscard]] measure::Expected<measure::CacheGeometry> without_ways_of_the_stack(
+    measure::CacheGeometry geometry);
 
 /// The same under Callgrind. `program`: Edgewise, built for a processor that Valgrind knows.
 [[nodiscard]] measure::Expected<measure::CallgrindCounts> callgrind_pass(
