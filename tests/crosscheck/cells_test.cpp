@@ -29,13 +29,20 @@ class CrosscheckCells : public testing::TestWithParam<Cell> {};
 constexpr const char* machines =
     "pentium2_deschutes,pentium3_coppermine,athlon_thunderbird,skylake_sp,zen5,raspberry_pi4";
 
-/// What the tool sees beyond tables, pair caches and poses is the stack, answers and instructions: so many
-/// lines per query and no more. In the 16 KiB of the Pentiums they may also throw lines out of every pass
-/// over a table that nearly fills the cache, and in the Raspberry Pi's two ways what shares a set with them.
-/// Which sets the stack falls into is chance (of the environment's length: 4 to 55 misses per query of one
-/// cell on the Raspberry Pi), so the bound there is the model without the stack's ways. Less by a line or so,
-/// since a query's record is not read to its last byte; and in lines of 32 bytes by up to half of what poses
-/// miss: a wide load of these lies in two lines, and Callgrind counts it once.
+/// Lines per query by which the tool may exceed the model. What it sees beyond tables, pair caches and poses
+/// is the stack, constants, answers and instructions. In the 16 KiB of the Pentiums they may also throw lines
+/// out of every pass over a table that nearly fills the cache. In the Raspberry Pi's two ways any three lines
+/// in use that share a set miss at every turn: some twenty of the stack and of constants, in each of five
+/// iterations at most. Which sets these fall into is chance, of the environment's length and of where the
+/// linker put what (4 to 74 misses per query of one cell seen), so the bound there starts from the model
+/// without the stack's ways.
+double most_beyond(const std::string& machine) {
+    if (machine == "raspberry_pi4") return 100;
+    return machine.starts_with("pentium") ? 14 : 7.5;
+}
+
+/// Less by a line or so, since a query's record is not read to its last byte; and in lines of 32 bytes by up
+/// to half of what poses miss: a wide load of these lies in two lines, and Callgrind counts it once.
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Cell& cell = GetParam();
     const Folder folder;
@@ -56,7 +63,7 @@ TEST_P(CrosscheckCells, AgreeButForTheStack) {
         EXPECT_GT(tool, model - 0.8 - (small_lines ? of_poses / 2 : 0)) << row;
         const bool by_chance = small_lines || row["machine"] == "raspberry_pi4";
         const double most = by_chance ? row["d1_misses_per_query_at_most"].get<double>() : model;
-        EXPECT_LT(tool, most + (by_chance ? 14 : 7.5)) << row;
+        EXPECT_LT(tool, most + most_beyond(row["machine"])) << row;
         EXPECT_TRUE(by_chance || tool < 25 || model > 0.75 * tool) << row;
         const double ll =
             theirs["ll_misses_per_query"].get<double>() - ours["ll_misses_per_query"].get<double>();
