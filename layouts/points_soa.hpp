@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -114,9 +115,23 @@ class points_soa : public BlockTable<P, Loader> {
         measure(first, count, direction, heights);
         const Compute top = highest(heights);
         if (!(top > best.along)) return;
-        const std::size_t at = std::find(heights.begin(), heights.end(), top) - heights.begin();
+        const std::size_t at = first_of(top, heights);
         // Not `top`: of two equal zeros it may have the other sign.
         best = {static_cast<Vertex>(first + at), heights[at]};
+    }
+
+    /// Where the first of these is. Of few, without a loop whose end no processor can predict.
+    template <std::size_t Size>
+    [[nodiscard]] [[gnu::always_inline]] static std::size_t first_of(
+        Compute top, const std::array<Compute, Size>& heights) {
+        if constexpr (Size > 16) {
+            return static_cast<std::size_t>(std::find(heights.begin(), heights.end(), top) - heights.begin());
+        } else {
+            unsigned equal = 0;
+#pragma GCC unroll 16
+            for (unsigned i = 0; i < Size; ++i) equal |= static_cast<unsigned>(heights[i] == top) << i;
+            return static_cast<std::size_t>(std::countr_zero(equal));
+        }
     }
 
     Compute coordinate(int k, std::size_t v) const {

@@ -22,6 +22,43 @@
 
 namespace edgewise {
 
+/// D_k(X + {k}) for a subset X of `count` points whose own cofactors are known; `Number` may have lanes.
+template <class Number, int count, class Points, class Known>
+[[nodiscard]] [[gnu::always_inline]] inline Number cofactor(const Points& w, const Known& of, int subset,
+                                                            int k) {
+    if (subset == 0) return Number{} + 1;
+    const int m = std::countr_zero(static_cast<unsigned>(subset));
+    Number sum = Number{};
+#pragma GCC unroll 4
+    for (int i = m; i < count; ++i) {
+        if (!(subset >> i & 1)) continue;
+        // One way round, so that the compiler finds those that are asked for twice.
+        const Number slope = m < k ? Number(dot(w[i], w[m] - w[k])) : Number(-dot(w[i], w[k] - w[m]));
+        const Number term =
+            std::has_single_bit(static_cast<unsigned>(subset)) ? slope : Number(of[subset][i] * slope);
+        sum = i == m ? term : Number(sum + term);
+    }
+    return sum;
+}
+
+/// Six times the volume of a tetrahedron, and those of the origin with each of its faces: the cofactors of
+/// the whole are the corners' times the whole's. `Number` may have lanes.
+template <class Number>
+struct CornersOfWhole {
+    std::array<Number, 4> corner;
+    Number whole;
+
+    template <class Vector>
+    [[gnu::always_inline]] explicit CornersOfWhole(const std::array<Vector, 4>& w) {
+        const Vector p = w[1] - w[0], q = w[2] - w[0], r = w[3] - w[0];
+        const Vector across = cross(p, q);
+        whole = dot(r, across);
+        // Differences before products.
+        corner = {dot(w[1], cross(Vector(q - p), Vector(r - p))), -dot(w[0], cross(q, r)),
+                  dot(w[0], cross(p, r)), -dot(w[0], across)};
+    }
+};
+
 /// The cofactors of every subset of `count` points. Loops are unrolled, so that nothing but arithmetic is
 /// left.
 template <class Scalar, int count>
@@ -35,7 +72,7 @@ class Cofactors {
 #pragma GCC unroll 4
             for (int k = 0; k < count; ++k) {
                 const bool member = subset >> k & 1;
-                of_[subset][k] = member ? cofactor(w, subset & ~(1 << k), k) : Scalar(0);
+                of_[subset][k] = member ? cofactor<Scalar, count>(w, of_, subset & ~(1 << k), k) : Scalar(0);
                 if (member) positive_ |= bit_of(subset, k, of_[subset][k] > 0);
             }
         }
@@ -71,35 +108,14 @@ class Cofactors {
         return static_cast<std::uint64_t>(set) << (4 * subset + k);
     }
 
-    /// D_k(X + {k}) for a subset X whose own cofactors are known.
-    [[nodiscard]] [[gnu::always_inline]] Scalar cofactor(const Points& w, int subset, int k) const {
-        if (subset == 0) return 1;
-        const int m = std::countr_zero(static_cast<unsigned>(subset));
-        Scalar sum = 0;
-#pragma GCC unroll 4
-        for (int i = m; i < count; ++i) {
-            if (!(subset >> i & 1)) continue;
-            // One way round, so that the compiler finds those that are asked for twice.
-            const Scalar slope = m < k ? dot(w[i], w[m] - w[k]) : -dot(w[i], w[k] - w[m]);
-            const Scalar term =
-                std::has_single_bit(static_cast<unsigned>(subset)) ? slope : of_[subset][i] * slope;
-            sum = i == m ? term : sum + term;
-        }
-        return sum;
-    }
-
-    /// The whole's cofactors are its corner volumes times their sum.
+    /// The signs of the whole's cofactors.
     [[gnu::always_inline]] void add_volumes(const Points& w) {
-        const Vec3<Scalar> p = w[1] - w[0], q = w[2] - w[0], r = w[3] - w[0];
-        const Vec3<Scalar> across = cross(p, q);
-        const Scalar whole = dot(r, across);
-        // Differences before products: these are the volumes of the origin with each face.
-        const std::array<Scalar, 4> corner = {dot(w[1], cross(Vec3<Scalar>(q - p), Vec3<Scalar>(r - p))),
-                                              -dot(w[0], cross(q, r)), dot(w[0], cross(p, r)),
-                                              -dot(w[0], across)};
+        const CornersOfWhole<Scalar> volumes(w);
 #pragma GCC unroll 4
-        for (int k = 0; k < 4; ++k)
-            positive_ |= bit_of(15, k, corner[k] > 0 ? whole > 0 : (corner[k] < 0) & (whole < 0));
+        for (int k = 0; k < 4; ++k) {
+            const Scalar corner = volumes.corner[k];
+            positive_ |= bit_of(15, k, corner > 0 ? volumes.whole > 0 : (corner < 0) & (volumes.whole < 0));
+        }
     }
 
     std::array<std::array<Scalar, 4>, proper_end> of_;

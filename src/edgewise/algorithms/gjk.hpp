@@ -21,6 +21,7 @@
 #include <type_traits>
 
 #include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/gjk_answer.hpp"
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/simplex.hpp"
@@ -66,10 +67,6 @@ class GjkRun {
     }
 
   private:
-    /// Of the squared distance: a simplex whose closest point promises no more than this is far off.
-    /// A matter of time, not of right answers.
-    static constexpr Scalar far_off = Scalar(0.5);
-
     void start(const Pair& pair) {
         assert(pair.count <= 4);
         if (pair.count == 0 || !pair.belongs_to(a_, b_)) {
@@ -126,7 +123,8 @@ class GjkRun {
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
         if (separates_ && verdict_only_) return false;
-        if (steps_ == 1 && reach_ < far_off * squared && start_nearer(squared)) return true;
+        if (steps_ == 1 && reach_ < static_cast<Scalar>(far_off) * squared && start_nearer(squared))
+            return true;
         if (simplex.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
             return false;
         return sub_.extend(a.vertex, b.vertex, a.point, on_b, squared);
@@ -140,35 +138,9 @@ class GjkRun {
     }
 
     [[nodiscard]] Distance finish(Pair& pair, Status status) const {
-        const auto& simplex = sub_.simplex();
-        const auto& closest = sub_.closest();
-        Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
-        pair.count = static_cast<std::uint32_t>(simplex.count) & 7U;
         pair.belong_to(a_, b_);
-        for (int i = 0; i < simplex.count; ++i) {
-            pair.vertex_a[i] = simplex.vertex_a[i];
-            pair.vertex_b[i] = simplex.vertex_b[i];
-            on_a += closest.weight[i] * simplex.on_a[i];
-            on_b += closest.weight[i] * simplex.on_b[i];
-        }
-        // Weights on a thin triangle are worse than its foot: share out the difference, so that the points
-        // are separated by the distance that is reported.
-        if (status == Status::separated) {
-            const Vec3<Scalar> excess = Scalar(0.5) * (on_a - on_b - closest.point);
-            on_a -= excess;
-            on_b += excess;
-        }
-        Distance answer;
-        answer.status = status;
-        if (status == Status::separated) {
-            const Scalar distance = norm(closest.point);
-            answer.distance = distance;
-            answer.normal = Vec3<Scalar>(closest.point * (-1 / distance)).template cast<double>();
-        }
-        answer.point_a = on_a.template cast<double>();
-        answer.point_b = on_b.template cast<double>();
-        answer.steps = steps_;
-        return answer;
+        pair.hold(sub_.simplex());
+        return gjk_answer(sub_.simplex(), sub_.closest(), status, steps_);
     }
 
     const TableA& a_;

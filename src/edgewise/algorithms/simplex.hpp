@@ -70,6 +70,10 @@ struct Simplex {
     }
 };
 
+/// Of the squared distance: a last simplex whose closest point promises no more than this is far off. A
+/// matter of time, not of right answers.
+inline constexpr double far_off = 0.5;
+
 /// What a pair keeps from one query to the next: the vertices of its last simplex.
 template <SupportTable TableA, SupportTable TableB>
 struct SimplexPair {
@@ -82,6 +86,13 @@ struct SimplexPair {
     SimplexPair(const TableA& a, const TableB& b) { belong_to(a, b); }
 
     void belong_to(const TableA& a, const TableB& b) { tables = identity_of(a, b) & identity_mask; }
+    void hold(const Simplex<TableA, TableB>& simplex) {
+        count = static_cast<std::uint32_t>(simplex.count) & 7U;
+        for (int i = 0; i < simplex.count; ++i) {
+            vertex_a[i] = simplex.vertex_a[i];
+            vertex_b[i] = simplex.vertex_b[i];
+        }
+    }
     /// False after a rebuild: the handles may lead anywhere, and no query follows them.
     [[nodiscard]] bool belongs_to(const TableA& a, const TableB& b) const {
         return tables == (identity_of(a, b) & identity_mask);

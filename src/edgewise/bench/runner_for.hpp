@@ -11,6 +11,7 @@
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/bench/name_answer.hpp"
+#include "edgewise/bench/query_batch.hpp"
 #include "edgewise/bench/runner.hpp"
 #include "edgewise/bench/trace/trace_queries.hpp"
 #include "edgewise/layout_parts/write_geometry.hpp"
@@ -61,6 +62,15 @@ class RunnerFor final : public Runner {
 
     [[nodiscard]] RangePass prepared_range() const override {
         const std::vector<Pair> cold = cold_pairs();
+        if constexpr (std::is_same_v<Algorithm, Gjk>) {
+            if (options().batch) {
+                return [this, cold, pairs = cold, batch = QueryBatch<Table>(options().query)](
+                           std::size_t first, std::size_t last, Distance* answers) mutable {
+                    if (first == 0) std::copy(cold.begin(), cold.end(), pairs.begin());
+                    return run_batches(first, last, pairs, batch, answers);
+                };
+            }
+        }
         return [this, cold, pairs = cold](std::size_t first, std::size_t last, Distance* answers) mutable {
             if (first == 0) std::copy(cold.begin(), cold.end(), pairs.begin());
             return run(first, last, pairs, answers);
@@ -153,6 +163,29 @@ class RunnerFor final : public Runner {
             if (answers) answers[i] = answer;
             sum += answer.distance;
         }
+        return sum;
+    }
+
+    /// As run; a batch ends where a pair of it comes again, since its next query starts from this one's.
+    double run_batches(std::size_t first, std::size_t last, std::vector<Pair>& pairs,
+                       QueryBatch<Table>& batch, Distance* answers) const {
+        const scene::Workload& workload = prepared().workload();
+        double sum = 0;
+        const auto ask_all = [&] {
+            batch.ask([&](std::size_t i, const Pair& pair, const Distance& answer) {
+                if (options().needs > Needs::witnesses) pay_for_more(workload.queries[i], pair, answer);
+                if (answers) answers[i] = answer;
+                sum += answer.distance;
+            });
+        };
+        for (std::size_t i = first; i < last; ++i) {
+            const scene::Query& query = workload.queries[i];
+            if (batch.is_full() || (workload.warm && batch.holds(pairs[query.pair]))) ask_all();
+            const Table &a = tables_[table_a(query)], &b = tables_[table_b(query)];
+            batch.add(i, a, b, relative_pose(query.pose_a, query.pose_b),
+                      workload.warm ? &pairs[query.pair] : nullptr);
+        }
+        ask_all();
         return sum;
     }
 

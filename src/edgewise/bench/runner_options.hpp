@@ -31,6 +31,7 @@ struct RunnerOptions {
     QueryOptions query = {};         ///< contact_tolerance in the given bodies' unit
     Needs needs = Needs::witnesses;  ///< what passes ask of every answer, and pay for
     TableOptions tables = {};
+    bool batch = false;  ///< pairs in a row that differ are asked together; GJK only
 
     /// For a verdict alone queries end as soon as it is known.
     void set_needs(Needs wanted) {

@@ -26,7 +26,7 @@ double read_tolerance(std::string_view entry, std::string_view value, double bel
 }
 
 constexpr std::string_view order_values = "given|bfs|spatial", sharing_values = "shared|per_instance",
-                           allocator_values = "arena|jemalloc|libc",
+                           allocator_values = "arena|jemalloc|libc", batch_values = "no|yes",
                            needs_values = "verdict|distance|witnesses|features|depth|certificate";
 
 std::optional<bench::Sharing> sharing_from(std::string_view name) {
@@ -55,6 +55,9 @@ void take(Axes& axes, std::string_view entry) {
         axes.tables.sharing = known(entry, sharing_from(value), sharing_values);
     } else if (name == "allocator") {
         axes.tables.allocator = known(entry, bench::allocator_from(value), allocator_values);
+    } else if (name == "batch") {
+        if (value != "no" && value != "yes") refuse(entry, fmt::format("wants {}", batch_values));
+        axes.batch = value == "yes";
     } else if (name == "needs") {
         axes.set_needs(known(entry, needs_from(value), needs_values));
     } else {
@@ -74,6 +77,7 @@ const std::vector<AxisInfo>& axes_known() {
         {"order", order_values, "how a body's vertices are numbered, and so what lies side by side"},
         {"sharing", sharing_values, "one table per body, or one for each instance in the scene"},
         {"allocator", allocator_values, "where tables take their memory from"},
+        {"batch", batch_values, "GJK's pairs in a row that differ are asked together, several side by side"},
         {"needs", needs_values, "what the scene asks of every answer, and pays for"},
     };
     return axes;
@@ -90,13 +94,14 @@ std::string Axes::text() const {
         parts.push_back(tables.sharing == bench::Sharing::shared ? "sharing=shared" : "sharing=per_instance");
     if (tables.allocator != plain.allocator)
         parts.push_back(fmt::format("allocator={}", to_string(tables.allocator)));
+    if (batch) parts.emplace_back("batch=yes");
     if (needs != Needs::witnesses) parts.push_back(fmt::format("needs={}", to_string(needs)));
     return fmt::format("{}", fmt::join(parts, "+"));
 }
 
 bool Axes::concerns(std::string_view algorithm) const {
     return tables != bench::TableOptions{} || needs != Needs::witnesses || query.contact_tolerance != 0 ||
-           (query.gap_tolerance != 0 && algorithm == "gjk");
+           ((query.gap_tolerance != 0 || batch) && algorithm == "gjk");
 }
 
 Axes parse_axes(std::string_view text) {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// What GJK's last simplex says of the bodies: distance, witness points and normal.
+#pragma once
+
+#include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/simplex.hpp"
+#include "edgewise/algorithms/subset.hpp"
+#include "edgewise/table/contract.hpp"
+
+namespace edgewise {
+
+/// Witness points are the simplex's own, weighted. Weights on a thin triangle are worse than its foot: what
+/// the witnesses of separated bodies differ from it by is shared out, so that they are separated by the
+/// distance that is reported.
+template <SupportTable TableA, SupportTable TableB>
+[[nodiscard]] Distance gjk_answer(const Simplex<TableA, TableB>& simplex,
+                                  const ClosestOfSimplex<ComputeOf<TableA>>& closest, Status status,
+                                  int steps) {
+    using Scalar = ComputeOf<TableA>;
+    Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
+    for (int i = 0; i < simplex.count; ++i) {
+        on_a += closest.weight[i] * simplex.on_a[i];
+        on_b += closest.weight[i] * simplex.on_b[i];
+    }
+    Distance answer;
+    answer.status = status;
+    if (status == Status::separated) {
+        const Vec3<Scalar> excess = Scalar(0.5) * (on_a - on_b - closest.point);
+        on_a -= excess;
+        on_b += excess;
+        const Scalar distance = norm(closest.point);
+        answer.distance = distance;
+        answer.normal = Vec3<Scalar>(closest.point * (-1 / distance)).template cast<double>();
+    }
+    answer.point_a = on_a.template cast<double>();
+    answer.point_b = on_b.template cast<double>();
+    answer.steps = steps;
+    return answer;
+}
+
+}  // namespace edgewise

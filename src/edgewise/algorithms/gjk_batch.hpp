@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+//
+// GJK for many pairs at once: pairs in, answers out, each to the bit that of Gjk::query. Small bodies, whose
+// support points a scan finds, are answered several at a time, one per lane of the processor's registers
+// (lanes/lane_gjk.hpp); others one after the other, while the memory of the next is being fetched.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/gjk_answer.hpp"
+#include "edgewise/algorithms/lanes/lane_source.hpp"
+#include "edgewise/algorithms/lanes/lane_width.hpp"
+#include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/algorithms/sub_distance.hpp"
+#include "edgewise/algorithms/support.hpp"
+
+namespace edgewise {
+
+/// One query: as Gjk::query takes it. No two of a batch may share a pair.
+template <SupportTable TableA, SupportTable TableB>
+struct PairQuery {
+    const TableA* a;
+    const TableB* b;
+    Transform<double> a_from_b;
+    SimplexPair<TableA, TableB>* pair;
+};
+
+/// Whether a scan finds this table's support points, and so lanes can.
+template <SupportTable Table>
+[[nodiscard]] bool fits_lane(const Table& table, bool is_cold) {
+    if constexpr (std::unsigned_integral<typename Table::Vertex> &&
+                  requires { requires Table::counts_vertices; }) {
+        const std::size_t count = table.vertex_count();
+        if (count > most_lane_vertices) return false;
+        if constexpr (ClimbingTable<Table>)
+            return !may_climb(table) || count < (is_cold ? scan_cold_below : scan_below);
+        return true;
+    } else {
+        return false;
+    }
+}
+
+template <SupportTable TableA, SupportTable TableB>
+class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
+  public:
+    using Scalar = ComputeOf<TableA>;
+    using Query = PairQuery<TableA, TableB>;
+
+    GjkBatch(std::span<const Query> queries, std::span<Distance> answers, const QueryOptions& options)
+        : queries_(queries), answers_(answers), options_(options) {
+        assert(queries.size() == answers.size());
+    }
+
+    void run(LaneWidth width) {
+        if (width != LaneWidth::none) return run_lanes(*this, options_, width);
+        for (; next_ < queries_.size(); ++next_) {
+            fetch(next_ + ahead);
+            ask(next_);
+        }
+    }
+
+    [[nodiscard]] bool next(int lane, LaneQuery<Scalar>& query) override {
+        for (; next_ < queries_.size(); ++next_) {
+            fetch(next_ + ahead);
+            if (!start(queries_[next_], query)) {
+                ask(next_);
+                continue;
+            }
+            in_lane_[lane] = {next_, query.a_from_b};
+            ++next_;
+            return true;
+        }
+        return false;
+    }
+
+    void write_a(int lane, LaneVertices<Scalar> vertices) override {
+        write(*queries_[in_lane_[lane].number].a, vertices);
+    }
+    void write_b(int lane, LaneVertices<Scalar> vertices) override {
+        write(*queries_[in_lane_[lane].number].b, vertices);
+    }
+
+    void take(int lane, const LaneAnswer<Scalar>& answer) override {
+        const auto& [number, a_from_b] = in_lane_[lane];
+        const Query& query = queries_[number];
+        Simplex<TableA, TableB> simplex;
+        ClosestOfSimplex<Scalar> closest;
+        for (int i = 0; i < answer.count; ++i) {
+            const auto v = static_cast<typename TableA::Vertex>(answer.vertex_a[i]);
+            const auto w = static_cast<typename TableB::Vertex>(answer.vertex_b[i]);
+            simplex.push(v, w, query.a->vertex(v), a_from_b.point(query.b->vertex(w)));
+        }
+        closest.weight = answer.weight;
+        closest.point = answer.closest;
+        query.pair->belong_to(*query.a, *query.b);
+        query.pair->hold(simplex);
+        answers_[number] = within(options_, gjk_answer(simplex, closest, Status::separated, answer.steps));
+    }
+
+    void ask_singly(int lane) override { ask(in_lane_[lane].number); }
+
+    /// Queries that lanes did not answer.
+    [[nodiscard]] std::size_t asked_singly() const { return asked_singly_; }
+
+  private:
+    static constexpr std::size_t ahead = 8;       ///< queries whose tables are fetched meanwhile
+    static constexpr std::size_t most_lanes = 8;  ///< 256 bits of float
+
+    struct InLane {
+        std::size_t number = 0;
+        Transform<Scalar> a_from_b;
+    };
+
+    template <class Table>
+    static void write(const Table& table, LaneVertices<Scalar> vertices) {
+        for (const auto v : table.all_vertices()) vertices.push(table.vertex(v));
+    }
+
+    void fetch(std::size_t number) const {
+        if (number >= queries_.size()) return;
+        __builtin_prefetch(queries_[number].a);
+        __builtin_prefetch(queries_[number].b);
+        __builtin_prefetch(queries_[number].pair);
+    }
+
+    void ask(std::size_t number) {
+        ++asked_singly_;
+        const Query& query = queries_[number];
+        answers_[number] = Gjk::query(*query.a, *query.b, query.a_from_b, *query.pair, options_);
+    }
+
+    /// As GjkRun starts; false: not for lanes.
+    [[nodiscard]] bool start(const Query& given, LaneQuery<Scalar>& query) const {
+        const auto& pair = *given.pair;
+        const bool is_cold = pair.count == 0 || !pair.belongs_to(*given.a, *given.b);
+        if (!fits_lane(*given.a, is_cold) || !fits_lane(*given.b, is_cold)) return false;
+        query.a_from_b = cast<Scalar>(given.a_from_b);
+        query.table_a = given.a;
+        query.table_b = given.b;
+        query.vertices_a = static_cast<int>(given.a->vertex_count());
+        query.vertices_b = static_cast<int>(given.b->vertex_count());
+        return is_cold || start_warm(given, query);
+    }
+
+    [[nodiscard]] static bool start_warm(const Query& given, LaneQuery<Scalar>& query) {
+        SubDistance<TableA, TableB> sub;
+        const auto& pair = *given.pair;
+        for (std::uint32_t i = 0; i < pair.count; ++i)
+            sub.add(pair.vertex_a[i], pair.vertex_b[i], given.a->vertex(pair.vertex_a[i]),
+                    query.a_from_b.point(given.b->vertex(pair.vertex_b[i])));
+        sub.solve_first();
+        const auto& simplex = sub.simplex();
+        if (simplex.count == 4) return false;
+        query.count = simplex.count;
+        for (int i = 0; i < simplex.count; ++i) {
+            query.vertex_a[i] = static_cast<std::uint32_t>(simplex.vertex_a[i]);
+            query.vertex_b[i] = static_cast<std::uint32_t>(simplex.vertex_b[i]);
+            query.difference[i] = simplex.difference[i];
+            query.weight[i] = sub.closest().weight[i];
+        }
+        query.closest = sub.closest().point;
+        query.size = simplex.size;
+        return true;
+    }
+
+    std::span<const Query> queries_;
+    std::span<Distance> answers_;
+    QueryOptions options_;
+    std::size_t next_ = 0, asked_singly_ = 0;
+    std::array<InLane, most_lanes> in_lane_;
+};
+
+/// Answers queries[i] in answers[i]. Disjoint parts of a batch may run in as many threads: nothing is shared
+/// but tables, which are read.
+template <SupportTable TableA, SupportTable TableB>
+void query_batch(std::span<const PairQuery<TableA, TableB>> queries, std::span<Distance> answers,
+                 const QueryOptions& options = {}, LaneWidth width = best_lanes()) {
+    GjkBatch<TableA, TableB>(queries, answers, options).run(width);
+}
+
+}  // namespace edgewise

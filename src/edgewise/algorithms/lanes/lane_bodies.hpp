@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// The vertices of the bodies in all lanes, coordinates side by side, and their support points by scans: small
+// bodies are scanned anyway (support.hpp), and side by side a scan has no branch.
+#pragma once
+
+#include <array>
+#include <cassert>
+
+#include "edgewise/algorithms/lanes/lane_source.hpp"
+#include "edgewise/geometry/lane_vector.hpp"
+
+namespace edgewise {
+
+/// One body per lane. A lane with fewer vertices than another has its first one again in place of the rest:
+/// that never comes first of equals.
+template <class Scalar, int n>
+class LaneBodies {
+  public:
+    using Vector = LaneVec<Scalar, n>;
+
+    struct Farthest {
+        Masks<Scalar, n> vertex;
+        Vector point;
+    };
+
+    /// Whether this lane's body is the one of this table.
+    [[nodiscard]] bool holds(int lane, const void* table) const { return tables_[lane] == table; }
+    /// Where this lane's body, of so many vertices, is to be written; then pad().
+    [[nodiscard]] LaneVertices<Scalar> room(int lane, const void* table, int vertices) {
+        assert(vertices >= 1 && vertices <= static_cast<int>(most_lane_vertices));
+        for (; used_ < vertices; ++used_) vertices_[used_] = vertices_[0];
+        tables_[lane] = table;
+        written_[lane] = vertices;
+        return {reinterpret_cast<Scalar*>(vertices_.data()) + lane, n};
+    }
+    void pad(int lane) {
+        const Vector& first = vertices_[0];
+        for (int i = written_[lane]; i < used_; ++i)
+            vertices_[i].set(lane, first.x[lane], first.y[lane], first.z[lane]);
+    }
+
+    /// The first of the vertices farthest along each lane's direction.
+    [[nodiscard]] [[gnu::always_inline]] Farthest farthest(const Vector& direction) const {
+        Numbers<Scalar, n> most = dot(vertices_[0], direction);
+        Farthest best{{}, vertices_[0]};
+        for (int i = 1; i < used_; ++i) {
+            const Numbers<Scalar, n> along = dot(vertices_[i], direction);
+            const Masks<Scalar, n> higher = along > most;
+            most = select(higher, along, most);
+            best.vertex = select(higher, Masks<Scalar, n>{} + i, best.vertex);
+            best.point = select(higher, vertices_[i], best.point);
+        }
+        return best;
+    }
+
+  private:
+    std::array<Vector, most_lane_vertices> vertices_{};
+    std::array<const void*, n> tables_{};
+    std::array<int, n> written_{};
+    int used_ = 1;  ///< most vertices that any lane had
+};
+
+}  // namespace edgewise

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+//
+// GJK's sub-distance for several queries side by side: cofactors.hpp without its branches. All cofactors of
+// all lanes' simplices are computed; where a lane's signs choose no subset, or what they choose needs more
+// care than this (another point lies nearer, a thin triangle), the lane is not `sure`, and its query is asked
+// by itself.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+
+#include "edgewise/algorithms/cofactors.hpp"
+#include "edgewise/algorithms/subset.hpp"
+#include "edgewise/geometry/lane_vector.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+
+namespace edgewise {
+
+/// The closest points to the origin of n simplices, each of which is known to rest on its newest point.
+template <class Scalar, int n>
+class LaneClosest {
+  public:
+    using Number = Numbers<Scalar, n>;
+    using Mask = Masks<Scalar, n>;
+    using Vector = LaneVec<Scalar, n>;
+    using Points = std::array<Vector, 4>;
+
+    /// counts: 1 to 4 points per lane.
+    [[gnu::always_inline]] LaneClosest(const Points& w, const Mask& counts) {
+        add_cofactors(w);
+        if (any(counts == 4)) add_volumes(w);
+        choose(counts);
+        weigh(w);
+        if (any(is_triangle())) find_foot(w);
+        try_others(w, counts);
+    }
+
+    [[nodiscard]] const Vector& point() const { return point_; }
+    [[nodiscard]] const Number& weight(int k) const { return weight_[k]; }
+    /// Whether the closest point rests on point k.
+    [[nodiscard]] [[gnu::always_inline]] Mask rests_on(int k) const { return (subset_ & (1 << k)) != 0; }
+    [[nodiscard]] const Mask& sure() const { return sure_; }
+
+  private:
+    [[gnu::always_inline]] void add_cofactors(const Points& w) {
+#pragma GCC unroll 16
+        for (int subset = 1; subset < 15; ++subset) {
+#pragma GCC unroll 4
+            for (int k = 0; k < 4; ++k) {
+                if (!(subset >> k & 1)) continue;
+                if (subset == 1 << k) {
+                    of_[subset][k] = Number{} + 1;
+                    positive_[subset][k] = ~Mask{};
+                } else {
+                    of_[subset][k] = cofactor<Number, 4>(w, of_, subset & ~(1 << k), k);
+                    positive_[subset][k] = of_[subset][k] > 0;
+                }
+            }
+        }
+        for (int k = 0; k < 4; ++k) positive_[15][k] = Mask{};
+    }
+
+    [[gnu::always_inline]] void add_volumes(const Points& w) {
+        const CornersOfWhole<Number> volumes(w);
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; ++k) {
+            const Number& corner = volumes.corner[k];
+            positive_[15][k] = ((corner > 0) & (volumes.whole > 0)) | ((corner < 0) & (volumes.whole < 0));
+        }
+    }
+
+    /// The first subset, in Johnson's order, that passes by its signs and holds the newest point, which is
+    /// the highest.
+    [[gnu::always_inline]] void choose(const Mask& counts) {
+        subset_ = Mask{};
+#pragma GCC unroll 4
+        for (Number& weight : weight_) weight = Number{};
+#pragma GCC unroll 16
+        for (std::size_t i = 0; i < ascending_subsets.size(); ++i) {
+            const int subset = ascending_subsets[i];
+            const int highest = std::bit_width(static_cast<unsigned>(subset));
+            Mask first = (counts == highest) & (subset_ == 0);
+#pragma GCC unroll 4
+            for (int k = 0; k < highest; ++k) {
+                const Mask& positive = positive_[subset | 1 << k][k];
+                first &= subset >> k & 1 ? positive : ~positive;
+            }
+            subset_ |= first & subset;
+#pragma GCC unroll 4
+            for (int k = 0; k < highest; ++k) {
+                if (subset >> k & 1) weight_[k] = (Number)((Mask)weight_[k] | (first & (Mask)of_[subset][k]));
+            }
+        }
+        sure_ = subset_ != 0;
+    }
+
+    [[gnu::always_inline]] void weigh(const Points& w) {
+        Number sum = Number{};
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; ++k) sum += weight_[k];
+        point_ = Vector{};
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; ++k) {
+            weight_[k] = weight_[k] / sum;
+            point_ = point_ + weight_[k] * w[k];
+        }
+    }
+
+    [[nodiscard]] [[gnu::always_inline]] Mask is_triangle() const {
+        return (subset_ == 7) | (subset_ == 11) | (subset_ == 13) | (subset_ == 14);
+    }
+
+    /// As TriangleSides: the foot on the triangle's normal, where that is better known.
+    [[gnu::always_inline]] void find_foot(const Points& w) {
+        const Vector lowest = select(subset_ == 14, w[1], w[0]);
+        const Vector second = select(subset_ >= 13, w[2], w[1]);
+        const Vector p = second - lowest, q = select(subset_ == 7, w[2], w[3]) - lowest;
+        const Vector normal = cross(p, q);
+        const Number squared = squared_norm(normal);
+        const Number longest = larger(squared_norm(p), squared_norm(q));
+        const Mask thin = ~(squared > Tolerance<Scalar>::thin * longest * longest);
+        const Number height = squared / longest;
+        const Mask sliver = ~(height > Tolerance<Scalar>::sliver * longest);
+        const Mask stays = sliver | (height * squared_norm(point_) >= longest * longest);
+        const Vector foot = (dot(normal, point_) / squared) * normal;
+        const Mask triangle = is_triangle();
+        point_ = select(triangle & ~stays, foot, point_);
+        sure_ &= ~(triangle & thin);
+    }
+
+    /// No other point lies nearer along the direction of what was chosen.
+    [[gnu::always_inline]] void try_others(const Points& w, const Mask& counts) {
+        Vector member = w[3];
+#pragma GCC unroll 4
+        for (int k = 2; k >= 0; --k) member = select(rests_on(k), w[k], member);
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; ++k) {
+            const Mask nearer = dot(point_, member - w[k]) > 0;
+            sure_ &= rests_on(k) | (counts <= k) | ~nearer;
+        }
+    }
+
+    std::array<std::array<Number, 4>, 15> of_;
+    std::array<std::array<Mask, 4>, 16> positive_;
+    std::array<Number, 4> weight_;
+    Mask subset_, sure_;
+    Vector point_;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// Enhanced GJK for several pairs side by side: GjkRun (gjk.hpp), one query per lane, without a branch that
+// the lanes could disagree on. A lane whose query ends takes the next one, so that none waits for another.
+// What is rare (contact, a close or thin simplex, a warm start that proves useless) is not computed here: the
+// query is asked by itself, from its start. So every answer is to the bit that of a single query.
+#pragma once
+
+#include "edgewise/algorithms/lanes/lane_closest.hpp"
+#include "edgewise/algorithms/lanes/lane_source.hpp"
+#include "edgewise/algorithms/lanes/lane_state.hpp"
+#include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/algorithms/simplex.hpp"
+#include "edgewise/geometry/lane_vector.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+
+namespace edgewise {
+
+template <class Scalar, int n>
+class LaneGjk {
+  public:
+    using Number = Numbers<Scalar, n>;
+    using Mask = Masks<Scalar, n>;
+    using Vector = LaneVec<Scalar, n>;
+
+    LaneGjk(LaneSource<Scalar>& source, const QueryOptions& options)
+        : source_(source),
+          contact_squared_(static_cast<Scalar>(options.contact_tolerance * options.contact_tolerance)),
+          gap_(static_cast<Scalar>(options.gap_tolerance)),
+          verdict_only_(options.verdict_only) {}
+
+    /// All queries of the source.
+    [[gnu::always_inline]] void run() {
+        for (int lane = 0; lane < n; ++lane) lanes_.load(lane, source_);
+        while (any(lanes_.is_active)) iterate();
+    }
+
+  private:
+    static constexpr int most_steps = 64;  ///< lanes are not for a query that takes more
+
+    /// One support point further in every lane; a cold lane's first lies along the line of the origins.
+    [[gnu::always_inline]] void iterate() {
+        lanes_.steps -= ~lanes_.starts;
+        const Vector v = select(lanes_.starts, -lanes_.translation, lanes_.closest);
+        const Number squared = squared_norm(v);
+        const auto a = lanes_.a.farthest(-v), b = lanes_.b.farthest(lanes_.direction_back(v));
+        const Vector on_b = lanes_.point_of_b(b.point);
+        const Vector difference = a.point - on_b;
+        const Mask both = a.vertex << 16 | b.vertex;
+        Mask ended{};
+        Mask single = end_lanes(v, squared, dot(v, difference), lanes_.holds(both), ended);
+        lanes_.push(both, difference);
+        lanes_.size = larger(lanes_.size, larger(max_abs(a.point), max_abs(on_b)));
+        const LaneClosest<Scalar, n> closest(lanes_.difference, lanes_.count);
+        lanes_.closest = select(lanes_.starts, difference, closest.point());
+        const Number close = Tolerance<Scalar>::close * lanes_.size, left = squared_norm(lanes_.closest);
+        const Mask gains = lanes_.starts | (left < squared);
+        single |= ~(closest.sure() & (left >= close * close) & gains);
+        lanes_.keep(closest);
+        lanes_.starts = Mask{};
+        single &= lanes_.is_active & ~ended;
+        if (any(single | ended)) replace(ended, single);
+    }
+
+    [[gnu::always_inline]] void replace(const Mask& ended, const Mask& single) {
+        for (int lane = 0; lane < n; ++lane) {
+            if (single[lane]) source_.ask_singly(lane);
+            if (single[lane] | ended[lane]) lanes_.load(lane, source_);
+        }
+    }
+
+    /// Takes the answers of lanes with nothing left to gain; the mask: those to be asked by themselves.
+    [[nodiscard]] [[gnu::always_inline]] Mask end_lanes(const Vector& v, const Number& squared,
+                                                        const Number& reach, const Mask& held, Mask& ended) {
+        const Number noise = Tolerance<Scalar>::support_noise * square_root<Scalar, n>(squared) * lanes_.size;
+        const Mask separates = reach > noise;
+        const Mask verdict = verdict_only_ ? separates : Mask{};
+        const Mask useless = (lanes_.steps == 1) & ~lanes_.is_cold & ~verdict &
+                             (reach < static_cast<Scalar>(far_off) * squared);
+        const Mask touching = (max_abs(v) <= Tolerance<Scalar>::contact_noise * lanes_.size) & ~separates;
+        const Mask ends = verdict | held | (squared - reach <= larger(noise, Number(gap_ * squared)));
+        const Mask single = ~lanes_.starts & ((squared <= contact_squared_) | useless | (ends & touching) |
+                                              (lanes_.steps > most_steps));
+        ended = ends & ~single & ~lanes_.starts & lanes_.is_active;
+        if (any(ended)) {
+            for (int lane = 0; lane < n; ++lane) {
+                if (ended[lane]) source_.take(lane, lanes_.answer(lane));
+            }
+        }
+        return single;
+    }
+
+    LaneSource<Scalar>& source_;
+    Scalar contact_squared_, gap_;  ///< QueryOptions
+    bool verdict_only_;
+    LaneState<Scalar, n> lanes_;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+//
+// What GJK knows of the query in each lane: bodies, pose, simplex.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "edgewise/algorithms/lanes/lane_bodies.hpp"
+#include "edgewise/algorithms/lanes/lane_source.hpp"
+#include "edgewise/geometry/lane_vector.hpp"
+
+namespace edgewise {
+
+template <class Scalar, int n>
+struct LaneState {
+    using Number = Numbers<Scalar, n>;
+    using Mask = Masks<Scalar, n>;
+    using Vector = LaneVec<Scalar, n>;
+
+    LaneBodies<Scalar, n> a, b;
+    std::array<Number, 9> rotation{};  ///< of a_from_b, row by row
+    Vector translation{}, closest{};
+    std::array<Mask, 4> vertices{};  ///< A's and B's as one word
+    std::array<Vector, 4> difference{};
+    std::array<Number, 4> weight{};
+    Number size{};
+    Mask count{}, steps{}, is_cold{};
+    Mask starts{};     ///< cold, without a point so far
+    Mask is_active{};  ///< holds a query
+
+    /// The source's next query; without one the lane is idle.
+    void load(int lane, LaneSource<Scalar>& source) {
+        LaneQuery<Scalar> query;
+        is_active[lane] = 0;
+        if (!source.next(lane, query)) return;
+        is_active[lane] = -1;
+        if (!a.holds(lane, query.table_a)) {
+            source.write_a(lane, a.room(lane, query.table_a, query.vertices_a));
+            a.pad(lane);
+        }
+        if (!b.holds(lane, query.table_b)) {
+            source.write_b(lane, b.room(lane, query.table_b, query.vertices_b));
+            b.pad(lane);
+        }
+        for (int i = 0; i < 9; ++i) rotation[i][lane] = query.a_from_b.rotation(i / 3, i % 3);
+        set(translation, lane, query.a_from_b.translation);
+        starts[lane] = is_cold[lane] = query.count == 0 ? -1 : 0;
+        count[lane] = query.count;
+        size[lane] = query.size;
+        steps[lane] = 0;
+        for (int k = 0; k < query.count; ++k) {
+            vertices[k][lane] = query.vertex_a[k] << 16 | query.vertex_b[k];
+            set(difference[k], lane, query.difference[k]);
+            weight[k][lane] = query.weight[k];
+        }
+        if (query.count > 0) set(closest, lane, query.closest);
+    }
+
+    [[nodiscard]] LaneAnswer<Scalar> answer(int lane) const {
+        LaneAnswer<Scalar> result;
+        result.count = static_cast<int>(count[lane]);
+        for (int k = 0; k < result.count; ++k) {
+            result.vertex_a[k] = static_cast<std::uint32_t>(vertices[k][lane] >> 16);
+            result.vertex_b[k] = static_cast<std::uint32_t>(vertices[k][lane] & 0xffff);
+            result.weight[k] = weight[k][lane];
+        }
+        result.closest = {closest.x[lane], closest.y[lane], closest.z[lane]};
+        result.steps = static_cast<int>(steps[lane]);
+        return result;
+    }
+
+    [[nodiscard]] [[gnu::always_inline]] Vector direction_back(const Vector& v) const {
+        const auto& r = rotation;
+        return {r[0] * v.x + r[3] * v.y + r[6] * v.z, r[1] * v.x + r[4] * v.y + r[7] * v.z,
+                r[2] * v.x + r[5] * v.y + r[8] * v.z};
+    }
+    [[nodiscard]] [[gnu::always_inline]] Vector point_of_b(const Vector& p) const {
+        const auto& r = rotation;
+        const Vector turned = {r[0] * p.x + r[1] * p.y + r[2] * p.z, r[3] * p.x + r[4] * p.y + r[5] * p.z,
+                               r[6] * p.x + r[7] * p.y + r[8] * p.z};
+        return turned + translation;
+    }
+
+    [[nodiscard]] [[gnu::always_inline]] Mask holds(const Mask& both) const {
+        Mask held{};
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; ++k) held |= (count > k) & (vertices[k] == both);
+        return held;
+    }
+
+    /// A point more in every lane.
+    [[gnu::always_inline]] void push(const Mask& both, const Vector& of_difference) {
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; ++k) {
+            const Mask here = count == k;
+            vertices[k] = select(here, both, vertices[k]);
+            difference[k] = select(here, of_difference, difference[k]);
+        }
+        count += 1;
+    }
+
+    /// As Simplex::keep: drops the points that the closest one (LaneClosest) does not rest on.
+    template <class Closest>
+    [[gnu::always_inline]] void keep(const Closest& now) {
+        Mask kept{};
+#pragma GCC unroll 4
+        for (int from = 0; from < 4; ++from) {
+#pragma GCC unroll 4
+            for (int to = 0; to <= from; ++to) {
+                const Mask here = kept == to;
+                vertices[to] = select(here, vertices[from], vertices[to]);
+                difference[to] = select(here, difference[from], difference[to]);
+                weight[to] = select(here, now.weight(from), weight[to]);
+            }
+            kept -= now.rests_on(from);
+        }
+        count = kept;
+    }
+
+  private:
+    static void set(Vector& vector, int lane, const Vec3<Scalar>& to) {
+        vector.set(lane, to.x(), to.y(), to.z());
+    }
+};
+
+}  // namespace edgewise

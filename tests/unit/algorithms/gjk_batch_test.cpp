@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/algorithms/gjk_batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+#include "edgewise/layouts/aos.hpp"
+#include "edgewise/layouts/lean.hpp"
+#include "edgewise/layouts/points_soa.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+
+namespace edgewise {
+namespace {
+
+/// Bodies of 4 to 386 vertices, in pairs of any two, far, near and overlapping; each pair twice, to be asked
+/// by itself and in a batch.
+template <class Table>
+struct Crowd {
+    using Pairs = std::vector<SimplexPair<Table, Table>>;
+    std::vector<Table> tables;
+    Pairs single_pairs, batch_pairs;
+    std::vector<PairQuery<Table, Table>> queries;
+
+    explicit Crowd(std::size_t count) : single_pairs(count), batch_pairs(count) {
+        for (const char* shape : {"tetra4", "cube8", "sphere8", "sphere18", "sphere38", "sphere386"})
+            tables.emplace_back(scene::make_shape(shape).or_throw(), Parts::support);
+        scene::Rng rng(7);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Table &a = tables[i % 5 + (i % 31 == 0)], &b = tables[i * 7 / 3 % 5];
+            const Vec3d offset = rng.on_sphere() * rng.uniform(0.5, 5);
+            queries.push_back({&a, &b, {rng.rotation(), offset}, &batch_pairs[i]});
+        }
+    }
+    /// Another frame: every pair moved by up to this much.
+    void move(double step) {
+        scene::Rng rng(3);
+        for (auto& query : queries) query.a_from_b.translation += rng.in_ball() * step;
+    }
+    std::vector<Distance> one_by_one(const QueryOptions& options) {
+        std::vector<Distance> answers;
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            const auto& query = queries[i];
+            answers.push_back(Gjk::query(*query.a, *query.b, query.a_from_b, single_pairs[i], options));
+        }
+        return answers;
+    }
+};
+
+bool same_bits(const Distance& a, const Distance& b) {
+    const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
+    return a.status == b.status && a.steps == b.steps && same(a.distance, b.distance) &&
+           same(a.point_a, b.point_a) && same(a.point_b, b.point_b) && same(a.normal, b.normal);
+}
+
+template <class Pair>
+bool same_pair(const Pair& a, const Pair& b) {
+    const auto same = [&](const auto& x, const auto& y) { return std::equal(&x[0], &x[0] + a.count, &y[0]); };
+    return a.count == b.count && a.tables == b.tables && same(a.vertex_a, b.vertex_a) &&
+           same(a.vertex_b, b.vertex_b);
+}
+
+std::vector<LaneWidth> widths() {
+    std::vector<LaneWidth> result = {LaneWidth::bits_128};
+    if (best_lanes() != LaneWidth::none) result.push_back(best_lanes());
+    return result;
+}
+
+template <class Table>
+class GjkBatches : public testing::Test {};
+using Tables =
+    testing::Types<points_soa<f64>, points_soa<f32>, points_soa<mixed>, lean<f64>, lean<f32>, aos<f64>>;
+TYPED_TEST_SUITE(GjkBatches, Tables);
+
+/// One frame after the other, from cold on, with both ways side by side.
+template <class Table>
+void expect_same_frames(const QueryOptions& options, LaneWidth width) {
+    constexpr std::size_t count = 3000;
+    Crowd<Table> crowd(count);
+    std::size_t in_lanes = 0, singly = 0, different = 0;
+    for (const double step : {0.0, 0.001, 0.01, 0.1, 1.0}) {
+        crowd.move(step);
+        const std::vector<Distance> expected = crowd.one_by_one(options);
+        std::vector<Distance> answers(count);
+        GjkBatch<Table, Table> batch(crowd.queries, answers, options);
+        batch.run(width);
+        for (std::size_t i = 0; i < count; ++i)
+            different += !same_bits(expected[i], answers[i]) ||
+                         !same_pair(crowd.single_pairs[i], crowd.batch_pairs[i]);
+        singly += batch.asked_singly();
+        in_lanes += count - batch.asked_singly();
+    }
+    EXPECT_EQ(different, 0U);
+    EXPECT_GT(in_lanes, 1000U);
+    EXPECT_GT(singly, 1000U) << "of overlapping pairs, and of large bodies";
+    std::printf("%u bits: %zu answers by lanes, %zu singly, %zu differ\n", static_cast<unsigned>(width),
+                in_lanes, singly, different);
+}
+
+TYPED_TEST(GjkBatches, AreToTheBitSingleQueriesInEveryWidth) {
+    for (const LaneWidth width : widths()) expect_same_frames<TypeParam>({}, width);
+}
+
+TYPED_TEST(GjkBatches, HonourTheOptions) {
+    for (const LaneWidth width : widths()) {
+        expect_same_frames<TypeParam>({.contact_tolerance = 0.3}, width);
+        expect_same_frames<TypeParam>({.gap_tolerance = 1e-2}, width);
+        expect_same_frames<TypeParam>({.verdict_only = true}, width);
+    }
+}
+
+TYPED_TEST(GjkBatches, AreTheSameInTwoThreads) {
+    Crowd<TypeParam> crowd(2000);
+    const std::vector<Distance> expected = crowd.one_by_one({});
+    std::vector<Distance> answers(2000);
+    const auto part = [&](std::size_t first, std::size_t count) {
+        query_batch<TypeParam, TypeParam>(std::span(crowd.queries).subspan(first, count),
+                                          std::span(answers).subspan(first, count));
+    };
+    std::thread other([&] { part(0, 977); });
+    part(977, 1023);
+    other.join();
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+}
+
+/// Tables rebuilt since: their pairs start cold.
+TEST(GjkBatch, FollowsNoHandleOfARebuiltTable) {
+    using Table = points_soa<f64>;
+    Crowd<Table> crowd(500);
+    static_cast<void>(crowd.one_by_one({}));
+    crowd.batch_pairs = crowd.single_pairs;
+    for (Table& table : crowd.tables) table = Table(scene::make_shape("tetra4").or_throw(), Parts::support);
+    const std::vector<Distance> expected = crowd.one_by_one({});
+    std::vector<Distance> answers(500);
+    query_batch<Table, Table>(crowd.queries, answers);
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+}
+
+TEST(GjkBatch, NeedsNoLanes) {
+    using Table = points_soa<f64>;
+    Crowd<Table> crowd(500);
+    const std::vector<Distance> expected = crowd.one_by_one({});
+    std::vector<Distance> answers(500);
+    GjkBatch<Table, Table> batch(crowd.queries, answers, {});
+    batch.run(LaneWidth::none);
+    EXPECT_EQ(batch.asked_singly(), 500U);
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+}
+
+TEST(GjkBatch, TakesAnyNumberOfQueries) {
+    using Table = lean<f32>;
+    for (const std::size_t count : {0U, 1U, 3U, 17U}) {
+        Crowd<Table> crowd(count);
+        const std::vector<Distance> expected = crowd.one_by_one({});
+        std::vector<Distance> answers(count);
+        query_batch<Table, Table>(crowd.queries, answers);
+        for (std::size_t i = 0; i < count; ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+    }
+}
+
+}  // namespace
+}  // namespace edgewise
