@@ -11,6 +11,7 @@
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/bench/name_answer.hpp"
+#include "edgewise/bench/near_question.hpp"
 #include "edgewise/bench/runner.hpp"
 #include "edgewise/bench/trace/trace_queries.hpp"
 #include "edgewise/layout_parts/write_geometry.hpp"
@@ -60,6 +61,7 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] RangePass prepared_range() const override {
+        if (asks_nearness()) return near_pass();
         const std::vector<Pair> cold = cold_pairs();
         return [this, cold, pairs = cold](std::size_t first, std::size_t last, Distance* answers) mutable {
             if (first == 0) std::copy(cold.begin(), cold.end(), pairs.begin());
@@ -69,14 +71,12 @@ class RunnerFor final : public Runner {
 
     PassSum trace(std::size_t limit, measure::TraceListener& listener, Distance* answers) const override {
         const scene::Workload& workload = prepared().workload();
-        const TracePlaces places(table_allocator().base(), table_allocator().taken(), sizeof(Pair),
-                                 workload.pair_count, workload.instances.size());
+        const TracePlaces places(table_allocator().base(), table_allocator().taken(),
+                                 static_cast<std::uint32_t>(pair_bytes()), workload.pair_count,
+                                 workload.instances.size());
         return prepared().scale().back(trace_queries<Algorithm, TracedTable>(
-            workload, limit, options().query, places,
-            [this](const scene::Query& query) {
-                return std::pair(&tables_[table_a(query)], &tables_[table_b(query)]);
-            },
-            listener, answers));
+            workload, limit, {options().query, asks_nearness() ? &margins() : nullptr}, places,
+            tables_of_queries(), listener, answers));
     }
 
     [[nodiscard]] Ledger ledger() const override { return tables_[0].ledger(); }
@@ -99,7 +99,9 @@ class RunnerFor final : public Runner {
         return time_builds<Table>(prepared().bodies()[0], Algorithm::parts, repetitions);
     }
 
-    [[nodiscard]] std::size_t pair_bytes() const override { return sizeof(Pair); }
+    [[nodiscard]] std::size_t pair_bytes() const override {
+        return asks_nearness() ? sizeof(NearCache<Pair>) : sizeof(Pair);
+    }
 
   private:
     [[nodiscard]] Result<Polyhedron> store(const Polyhedron& body) const override {
@@ -122,6 +124,19 @@ class RunnerFor final : public Runner {
                 part += table.materialised() / static_cast<double>(tables_.size());
         }
         return part;
+    }
+
+    /// Gives a query's two tables.
+    [[nodiscard]] auto tables_of_queries() const {
+        return [this](const scene::Query& query) {
+            return std::pair(&tables_[table_a(query)], &tables_[table_b(query)]);
+        };
+    }
+
+    [[nodiscard]] RangePass near_pass() const {
+        const auto tables = tables_of_queries();
+        return NearPass<Algorithm, Table, decltype(tables_of_queries())>(
+            prepared().workload(), margins(), options().query, tables, cold_pairs());
     }
 
     [[nodiscard]] Pair cold_pair(const scene::Query& query) const {
