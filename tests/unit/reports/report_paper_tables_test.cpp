@@ -73,7 +73,7 @@ TEST(PaperTables, NearnessStandsBesideTheOtherNeeds) {
     EXPECT_EQ(grid.rows[3][3].text, "certificate");
     EXPECT_EQ(grid.rows[0][4].text, "8");
     EXPECT_EQ(grid.rows[0][5].text, "0.080");
-    EXPECT_EQ(grid.rows[0][6].text, "0.5");
+    EXPECT_EQ(grid.rows[0][6].text, "0.500");
     EXPECT_EQ(grid.rows[0][7].text, "0.912");
     EXPECT_FALSE(grid.rows[3][7].why.empty()) << "no bounds were asked";
 }
