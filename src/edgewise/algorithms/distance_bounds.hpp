@@ -62,8 +62,11 @@ class DistanceBounds {
     [[nodiscard]] double motion(const Transform<double>& to) const {
         constexpr double rounding = 1 + 16 * std::numeric_limits<double>::epsilon();
         constexpr double half_root_of_two = 0.70710678118654757;
-        const double shift = norm(Vec3d(to.translation - at_.translation));
-        const double turn = half_root_of_two * (to.rotation - at_.rotation).norm() + 4 * rotation_rounding;
+        // Component by component: whole Eigen vectors would go through memory, and sum in packets.
+        const double shift = norm(to.translation - at_.translation);
+        double turned = 0;
+        for (int i = 0; i < 3; ++i) turned += squared_norm(to.rotation.row(i) - at_.rotation.row(i));
+        const double turn = half_root_of_two * std::sqrt(turned) + 4 * rotation_rounding;
         return (shift + turn * radius_) * rounding;
     }
 

@@ -72,17 +72,14 @@ class NearPass {
         double sum = 0;
         for (std::size_t i = first; i < last; ++i) {
             const scene::Query& query = workload_.queries[i];
-            const Transform<double> a_from_b = relative_pose(query.pose_a, query.pose_b);
             const double margin = margins_.margin(query);
-            if (workload_.warm) {
-                const auto told = pairs_[query.pair].bounds.nearer_than(margin, a_from_b);
-                if (told) {  // no whole answer is made for nobody: it would take as long as the bounds
-                    sum += *told ? 0 : margin;
-                    if (answers) answers[i] = near_answer(*told, margin);
-                    continue;
-                }
+            if (const auto told = told_by_bounds(query, margin)) {
+                // No whole answer is made for nobody: it would take as long as the bounds.
+                sum += *told ? 0 : margin;
+                if (answers) answers[i] = near_answer(*told, margin);
+                continue;
             }
-            const Distance answer = ask(query, a_from_b, margin);
+            const Distance answer = ask(query, margin);
             if (answers) answers[i] = answer;
             sum += answer.distance;
         }
@@ -90,8 +87,14 @@ class NearPass {
     }
 
   private:
-    [[nodiscard]] [[gnu::noinline]] Distance ask(const scene::Query& query, const Transform<double>& a_from_b,
-                                                 double margin) {
+    [[nodiscard]] std::optional<bool> told_by_bounds(const scene::Query& query, double margin) const {
+        if (!workload_.warm) return std::nullopt;
+        return pairs_[query.pair].bounds.nearer_than(margin, relative_pose(query.pose_a, query.pose_b));
+    }
+
+    /// Computes the pose again: handed over, it would stand in memory in the loop that seldom asks.
+    [[nodiscard]] [[gnu::noinline]] Distance ask(const scene::Query& query, double margin) {
+        const Transform<double> a_from_b = relative_pose(query.pose_a, query.pose_b);
         const auto [a, b] = tables_(query);
         if (workload_.warm)
             return ask_warm_near<Algorithm>(*a, *b, a_from_b, pairs_[query.pair], margin,
