@@ -66,8 +66,7 @@ class GjkRun {
     }
 
   private:
-    /// Of the squared distance: a simplex whose closest point promises no more than this is far off.
-    /// A matter of time, not of right answers.
+    /// Of the squared distance: a simplex that promises no more is far off. A matter of time, not of answers.
     static constexpr Scalar far_off = Scalar(0.5);
 
     void start(const Pair& pair) {
@@ -125,16 +124,11 @@ class GjkRun {
         const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
-        if (separates_ && verdict_only_ && clears_contact(reach_ - noise, squared)) return false;
+        if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared)) return false;
         if (steps_ == 1 && reach_ < far_off * squared && start_nearer(squared)) return true;
         if (simplex.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
             return false;
         return sub_.extend(a.vertex, b.vertex, a.point, on_b, squared);
-    }
-
-    /// The bodies lie apart by `reach` over the root of `squared`: beyond what counts as contact.
-    [[nodiscard]] bool clears_contact(Scalar reach, Scalar squared) const {
-        return reach * reach > contact_squared_ * squared;
     }
 
     /// At the origin with a direction that separates nothing: contact as far as this precision can tell.

@@ -4,9 +4,11 @@
 // layouts compile by themselves, in parallel.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip.hpp"
@@ -38,6 +40,31 @@ template <class Table>
         }
     }
     return times;
+}
+
+/// Part of the tables' bytes that ever stood: all of it, but of lazy ones.
+template <class Table>
+[[nodiscard]] double mean_materialised(const std::vector<Table>& tables) {
+    double part = 1;
+    if constexpr (requires { tables[0].materialised(); }) {
+        part = 0;
+        for (const Table& table : tables) part += table.materialised() / static_cast<double>(tables.size());
+    }
+    return part;
+}
+
+/// Of one table for each body; offsets from `base`.
+template <class Table>
+[[nodiscard]] std::vector<TableMap> maps_of(const std::vector<Table>& tables,
+                                            const std::vector<const Polyhedron*>& bodies,
+                                            const std::byte* base) {
+    std::vector<TableMap> maps;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        const Polyhedron& body = *bodies[i];
+        maps.push_back({memory_map(tables[i].pieces(), base), body.vertex_count(), body.edge_count(),
+                        body.face_count()});
+    }
+    return maps;
 }
 
 /// TracedTable: the same layout with a loader that tells a TraceSink.
@@ -83,13 +110,7 @@ class RunnerFor final : public Runner {
     [[nodiscard]] std::size_t object_bytes() const override { return sizeof(Table); }
 
     [[nodiscard]] std::vector<TableMap> memory_maps() const override {
-        std::vector<TableMap> maps;
-        for (std::size_t i = 0; i < tables_.size(); ++i) {
-            const Polyhedron& body = *bodies_[i];
-            maps.push_back({memory_map(tables_[i].pieces(), table_allocator().base()), body.vertex_count(),
-                            body.edge_count(), body.face_count()});
-        }
-        return maps;
+        return maps_of(tables_, bodies_, table_allocator().base());
     }
 
     /// In memory that nobody used before, where the allocator has that.
@@ -116,15 +137,7 @@ class RunnerFor final : public Runner {
 
     [[nodiscard]] std::size_t table_count() const override { return tables_.size(); }
 
-    [[nodiscard]] double materialised() const override {
-        double part = 1;
-        if constexpr (requires { tables_[0].materialised(); }) {
-            part = 0;
-            for (const Table& table : tables_)
-                part += table.materialised() / static_cast<double>(tables_.size());
-        }
-        return part;
-    }
+    [[nodiscard]] double materialised() const override { return mean_materialised(tables_); }
 
     /// Gives a query's two tables.
     [[nodiscard]] auto tables_of_queries() const {
