@@ -26,7 +26,8 @@ class error {
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         std::vector<measure::Figure> all = figures(cell.checked, cell.counts);
-        if (cell.type.verdict_only) leave_out_distances(all);
+        if (cell.type.verdict_only) leave_out_distances(all, "this library gives verdicts alone");
+        if (cell.needs <= Needs::verdict) leave_out_distances(all, "verdicts alone were asked for");
         return {std::move(all)};
     }
 
@@ -63,13 +64,13 @@ class error {
     }
 
   private:
-    static void leave_out_distances(std::vector<measure::Figure>& all) {
+    static void leave_out_distances(std::vector<measure::Figure>& all, const char* reason) {
         for (measure::Figure& figure : all) {
             if (!figure.name.ends_with("_stored") && !figure.name.ends_with("_given") &&
                 figure.name != "witness_error")
                 continue;
             figure.value.reset();
-            figure.reason = "this library gives verdicts alone";
+            figure.reason = reason;
         }
     }
 

@@ -44,11 +44,14 @@ class time {
             each.push_back(*own);
             baseline.push_back(*beside);
         }
-        const std::string reason = rounds.empty() ? "no round was timed"
-                                   : each.empty() ? none
-                                                  : "too few rounds for an interval";
-        const std::string remedy =
-            each.empty() ? "ask for more queries, or run the sweep again: it resumes" : "ask for more rounds";
+        const bool untold = !rounds.empty() && rounds.front().timing.either_queries > 0;
+        const std::string reason = rounds.empty()           ? "no round was timed"
+                                   : each.empty() && untold ? "what was asked does not tell this kind of pair"
+                                   : each.empty()           ? none
+                                                            : "too few rounds for an interval";
+        const std::string remedy = each.empty() && untold ? "see all pairs, or a cell that needs more"
+                                   : each.empty() ? "ask for more queries, or run the sweep again: it resumes"
+                                                  : "ask for more rounds";
         const auto figure = [&](const store::FigureName& name, std::optional<double> value) {
             result.push_back(store::figure(name, value, reason, remedy));
         };

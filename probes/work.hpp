@@ -36,16 +36,16 @@ struct AlgorithmWork {
 class work {
   public:
     static constexpr std::string_view summary =
-        "unchanged answers; of GJK: support points kept, hops of a climb, subsets tried";
+        "unchanged answers, answers told by bounds; of GJK: support points kept, hops of a climb, subsets tried";
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
-        return {figures(work_of(cell), cell.counts)};
+        return {figures(work_of(cell), cell.counts, cell.needs)};
     }
 
     [[nodiscard]] static std::vector<measure::Figure> figures(const AlgorithmWork& inside,
-                                                              const measure::AnswerCounts& counts) {
-        std::vector<measure::Figure> all = {
-            share("work.unchanged", counts.unchanged, counts.warm, "no query starts warm")};
+                                                              const measure::AnswerCounts& counts,
+                                                              Needs needs = Needs::witnesses) {
+        std::vector<measure::Figure> all = of_warm(counts, needs);
         if (inside.queries == 0) {
             all.push_back(store::no_figure("work.support_unchanged", inside.reason, inside.remedy));
             return all;
@@ -68,6 +68,19 @@ class work {
     }
 
   private:
+    /// Of warm queries: ended where they started, or were told by bounds and so started nowhere.
+    [[nodiscard]] static std::vector<measure::Figure> of_warm(const measure::AnswerCounts& counts,
+                                                              Needs needs) {
+        const char* const cold = "no query starts warm";
+        const store::FigureName unchanged("work.unchanged"), told("work.told_by_bounds");
+        if (needs == Needs::nearer)
+            return {store::no_figure(unchanged, "bounds answer most queries, which start nowhere",
+                                     "a cell that needs more"),
+                    share(told, counts.told, counts.warm, cold)};
+        return {share(unchanged, counts.unchanged, counts.warm, cold),
+                store::no_figure(told, "no answer may come from bounds", "needs=nearer")};
+    }
+
     /// None of it depends on the layout, so it is done for one.
     [[nodiscard]] static AlgorithmWork work_of(const bench::ProbedCell& cell) {
         AlgorithmWork work;

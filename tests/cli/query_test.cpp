@@ -69,10 +69,10 @@ TEST_P(Query, HasEveryKeyInEveryAnswer) {
     for (const json& answer : answers) {
         std::vector<std::string> keys;
         for (const auto& [key, value] : answer.items()) keys.push_back(key);
-        EXPECT_THAT(keys,
-                    UnorderedElementsAre("id", "status", "distance", "point_a", "point_b", "feature_a",
-                                         "feature_b", "depth", "normal", "steps", "fallbacks", "refinements",
-                                         "escapes", "certificate", "stored_certificate", "error"));
+        EXPECT_THAT(keys, UnorderedElementsAre("id", "status", "distance", "point_a", "point_b", "feature_a",
+                                               "feature_b", "depth", "normal", "steps", "fallbacks",
+                                               "refinements", "escapes", "nearer", "margin", "certificate",
+                                               "stored_certificate", "error"));
     }
     for (const char* key : {"distance", "point_a", "feature_a", "steps", "certificate"}) {
         EXPECT_TRUE(answers[1][key].is_null()) << key;
@@ -87,6 +87,23 @@ TEST_P(Query, GivesNullForWhatWasNotAskedFor) {
     for (const char* key : {"distance", "point_a", "point_b", "feature_a", "feature_b"}) {
         EXPECT_TRUE(answers[0][key].is_null()) << key;
     }
+}
+
+TEST_P(Query, SaysWhetherBodiesAreNearerThanAMargin) {
+    const std::string cases = pair_line("x", tetrahedron, 3) + pair_line("in", tetrahedron, 0.25);
+    for (const double margin : {0.1, 1.0, 10.0}) {
+        const auto answers =
+            answers_of(ask(cases, {"--needs", "nearer", "--margin", std::to_string(margin)}));
+        ASSERT_EQ(answers.size(), 2u);
+        const double size = std::sqrt(3.0);  // of a tetrahedron of unit legs
+        EXPECT_NEAR(answers[0]["margin"].get<double>(), margin * size, 1e-6);
+        EXPECT_EQ(answers[0]["nearer"], 2 < margin * size) << "2 apart";
+        EXPECT_EQ(answers[1]["nearer"], true) << "they overlap";
+        EXPECT_TRUE(answers[0]["distance"].is_null());
+    }
+    EXPECT_NEAR(answers_of(ask(cases, {"--needs", "nearer"}))[0]["margin"].get<double>(),
+                0.1 * std::sqrt(3.0), 1e-12);
+    EXPECT_TRUE(answers_of(ask(cases, {}))[0]["nearer"].is_null());
 }
 
 TEST_P(Query, NamesTheLineOfABadCaseAndGoesOn) {

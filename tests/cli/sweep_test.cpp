@@ -58,6 +58,22 @@ TEST(Sweep, TakesFurtherAxesOneAtATimeBesideThePlainCells) {
     EXPECT_THAT(unknown.err, HasSubstr("axis 'colour=red': unknown; known: contact_tolerance=LENGTH"));
 }
 
+TEST(Sweep, AsksForNearnessWithItsMarginInTheCellsName) {
+    const Folder folder;
+    const Outcome outcome = run(with(tiny, {"--axes", "needs=nearer,needs=nearer+margin=1"}), folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json summary = json::parse(outcome.out);
+    EXPECT_GE(summary["cells"], 4 * 2 * 3) << "both algorithms, each with two margins beside the plain cell";
+    EXPECT_EQ(summary["verified"], summary["cells"]);
+    const std::string csv = text_of(folder / "reports/out/results.csv");
+    EXPECT_THAT(csv, HasSubstr("needs=nearer+margin=0.1"));
+    EXPECT_THAT(csv, HasSubstr("told_by_bounds"));
+    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("aos_f64 needs=nearer+margin=1"));
+    const Outcome bench =
+        run({"bench", "--needs", "nearer", "--queries", "100", "--repetitions", "1"}, folder);
+    EXPECT_EQ(bench.exit_code, 0) << bench.err;
+}
+
 TEST(Sweep, MeasuresNothingTwice) {
     const Folder folder;
     const Outcome first = run(tiny, folder);

@@ -51,6 +51,7 @@ const std::vector<Slip> unknown_names = {
     {"algorithm_of_query", {"query", "x", "--algorithm", "nope"}, {"nope", "vclip", "gjk"}},
     {"algorithm_of_sweep", {"sweep", "--algorithms", "nope"}, {"nope", "vclip", "gjk"}},
     {"needs", {"query", "x", "--needs", "nope"}, {"nope", "verdict", "distance", "witnesses", "features"}},
+    {"needs_of_cell", {"bench", "--needs", "nope"}, {"nope", "nearer", "verdict", "certificate"}},
     {"shape", {"bytes", "--shape", "nope"}, {"nope", "tetra4", "cube8", "sphere386"}},
     {"shape_of_sweep", {"sweep", "--shapes", "nope"}, {"nope", "tetra4"}},
     {"sphere", {"bytes", "--shape", "sphere7"}, {"sphere7", "sphere6", "sphere8"}},
@@ -60,6 +61,11 @@ const std::vector<Slip> unknown_names = {
 
 const std::vector<Slip> bad_values = {
     {"several_tables", {"query", "x", "--layout", "aos"}, {"aos_f64"}},
+    {"margin_of_nothing", {"query", "x", "--margin", "1"}, {"--margin", "--needs nearer"}},
+    {"margin_of_a_cell", {"bench", "--margin", "1"}, {"margin", "needs nearer"}},
+    {"two_tolerances",
+     {"query", "x", "--needs", "nearer", "--contact-tolerance", "1"},
+     {"--margin", "--contact-tolerance"}},
     {"no_rounds", {"sweep", "--rounds", "0"}, {"--rounds"}},
     {"words_for_numbers", {"sweep", "--queries", "many"}, {"--queries", "many"}},
     {"shape_and_mesh", {"bytes", "--shape", "cube8", "--mesh", "flat.obj"}, {"--mesh", "--shape"}},

@@ -51,11 +51,11 @@ edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(square
 edgewise_mutant(gjk_direction_not_turned_back algorithms/gjk.hpp [[a_from_b_.direction_back(v)]] [[a_from_b_.direction(v)]]
     RandomPairs* ${random_pairs})
 
-edgewise_mutant(verdict_without_a_direction algorithms/gjk.hpp [[if (separates_ && verdict_only_) return false;]] [[if (verdict_only_) return false;]]
+edgewise_mutant(verdict_without_a_direction algorithms/gjk.hpp [[if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (verdict_only_)]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
-edgewise_mutant(verdict_goes_on_to_the_distance algorithms/gjk.hpp [[if (separates_ && verdict_only_) return false;]] [[]]
+edgewise_mutant(verdict_goes_on_to_the_distance algorithms/gjk.hpp [[if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (false)]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
-edgewise_mutant(verdict_by_any_reach algorithms/gjk.hpp [[separates_ = reach_ > noise;]] [[separates_ = true;]]
+edgewise_mutant(verdict_forgets_the_tolerance algorithms/gjk.hpp [[reach_ - noise > std::sqrt(contact_squared_ * squared)]] [[reach_ > noise]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
 edgewise_mutant(normal_points_from_b_to_a algorithms/gjk.hpp [[(-1 / distance)]] [[(1 / distance)]]
     *Normal* ${unit}/algorithms/normal_test.cpp)

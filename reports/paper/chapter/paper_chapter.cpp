@@ -44,7 +44,7 @@ std::vector<ChapterPart> paper_parts(const ReportData& data) {
         {"Robustness", prose("part_robustness.md"), "", {robustness_grid(data)}, {}},
         {"Ease of implementation", prose("part_ease.md"), "", {source_grid(), build_grid(data)}, {}},
         {"Cost functions", prose("part_cost.md"), "", {cost_grid(data, true)}, {cost_grid(data, false)}},
-        {"Needs", prose("part_needs.md"), "", {needs_grid(data)}, {}},
+        {"Needs", prose("part_needs.md"), "", {all_needs_grid(data), needs_grid(data)}, {}},
         {"The thrash at 386 vertices",
          thrash_paragraph(data),
          thrash_section,

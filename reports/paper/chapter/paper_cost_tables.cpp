@@ -2,12 +2,17 @@
 //
 // What things cost. The paper's cost functions, equations 1 and 2: T = N_v C_v + N_p C_p (+ N_u C_u), each
 // term as measured, and their sums beside the measured step. What each need costs: times with the axis
-// `needs` over the plain cell's, which gives witness points. Ease of implementation: what the algorithms'
-// source says, and what building their tables costs.
+// `needs` over the plain cell's, which gives witness points; and what it reads, nearness beside the others,
+// over all pairs, since a verdict on nearness does not tell which of them are in contact. Ease of
+// implementation: what the algorithms' source says, and what building their tables costs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <map>
+#include <string_view>
 #include <tuple>
 
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
@@ -45,6 +50,7 @@ void add_cost_row(TextGrid& grid, const StoredScene& scene, const ReportCell& ce
 }
 
 constexpr const char* needs[] = {"verdict", "distance", "features", "depth", "certificate"};
+constexpr std::string_view margin_mark = ", margin ";
 
 /// Axes -> cell, of one shape, algorithm, layout and precision.
 using ByAxes = std::map<std::string, const ReportCell*>;
@@ -65,6 +71,37 @@ GridCell needs_ratio_of(const ByAxes& cells, const std::string& need, const stor
     if (!ns.value) return figure_cell(ns);
     if (plain == cells.end()) return missing_cell("the store has no plain cell to compare with");
     return ratio_cell(ns, plain->second->figure(time));
+}
+
+/// How a need is named for people: "nearer, margin 0.1".
+std::string need_name(const std::string& axes) {
+    const auto value_of = [&](std::string_view axis) {
+        const std::size_t at = axes.find(axis);
+        if (at == std::string::npos) return std::string();
+        const std::size_t from = at + axis.size();
+        return axes.substr(from, axes.find('+', from) - from);
+    };
+    const std::string need = value_of("needs="), margin = value_of("margin=");
+    if (need.empty()) return "witnesses";
+    return margin.empty() ? need : need + std::string(margin_mark) + margin;
+}
+
+/// Least asked first: nearness by its margins, witnesses behind the distance.
+std::vector<const ReportCell*> by_need(const ByAxes& cells) {
+    constexpr std::array<std::string_view, 7> order = {"nearer",   "verdict", "distance",   "witnesses",
+                                                       "features", "depth",   "certificate"};
+    const auto place = [&](const ReportCell* cell) {
+        const std::string name = need_name(cell->axes);
+        const std::size_t mark = name.find(margin_mark);
+        const std::string margin = mark == name.npos ? "0" : name.substr(mark + margin_mark.size());
+        return std::tuple(std::find(order.begin(), order.end(), name.substr(0, mark)) - order.begin(),
+                          std::strtod(margin.c_str(), nullptr), cell->axes);
+    };
+    std::vector<const ReportCell*> sorted;
+    for (const auto& [axes, cell] : cells) sorted.push_back(cell);
+    std::sort(sorted.begin(), sorted.end(),
+              [&](const ReportCell* a, const ReportCell* b) { return place(a) < place(b); });
+    return sorted;
 }
 
 /// What the contract between layouts and algorithms asks of a body (table/contract.hpp).
@@ -111,6 +148,29 @@ TextGrid needs_grid(const ReportData& data) {
                                                : figure_cell(plain->second->figure(time)));
             for (const char* need : needs) row.push_back(needs_ratio_of(cells, need, time));
             grid.rows.push_back(std::move(row));
+        }
+    }
+    return grid;
+}
+
+TextGrid all_needs_grid(const ReportData& data) {
+    TextGrid grid{
+        "What each need costs over all pairs, and what a query reads of the tables; bounds are asked first, "
+        "by warm queries for nearness",
+        columns_of("shape|algorithm|table type|need|#ns per query|#over witnesses|#lines per query|"
+                   "#told by bounds"),
+        {}};
+    for (const auto& [key, cells] : groups_of(scene_file(data, "paper_needs"))) {
+        const auto& [vertices, shape, algorithm, table] = key;
+        const auto plain = cells.find("");
+        for (const ReportCell* cell : by_need(cells)) {
+            const measure::Figure ns = cell->figure("time.all_ns");
+            grid.rows.push_back(grid_row(shape, algorithm, table, need_name(cell->axes), ns,
+                                         plain == cells.end()
+                                             ? missing_cell("the store has no plain cell to compare with")
+                                             : ratio_cell(ns, plain->second->figure("time.all_ns")),
+                                         cell->figure("lines.lines_per_query"),
+                                         figure_cell(cell->figure("work.told_by_bounds"), 1, 3)));
         }
     }
     return grid;

@@ -22,6 +22,8 @@ namespace edgewise::reports {
 [[nodiscard]] TextGrid cost_grid(const ReportData& data, bool of_bodies);
 /// What each need costs, relative to the plain cell, which gives witness points.
 [[nodiscard]] TextGrid needs_grid(const ReportData& data);
+/// Every need, nearness with each margin: time, lines, and how much bounds answer, over all pairs.
+[[nodiscard]] TextGrid all_needs_grid(const ReportData& data);
 /// Disagreement with exact arithmetic and with Moore-Wilhelms, in percent, by scene.
 [[nodiscard]] TextGrid robustness_grid(const ReportData& data);
 /// Code lines, tolerances and bodies accepted: facts of this program's source.

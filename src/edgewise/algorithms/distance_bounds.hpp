@@ -13,8 +13,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/penetration/start.hpp"
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/tolerance.hpp"
@@ -60,8 +62,11 @@ class DistanceBounds {
     [[nodiscard]] double motion(const Transform<double>& to) const {
         constexpr double rounding = 1 + 16 * std::numeric_limits<double>::epsilon();
         constexpr double half_root_of_two = 0.70710678118654757;
-        const double shift = norm(Vec3d(to.translation - at_.translation));
-        const double turn = half_root_of_two * (to.rotation - at_.rotation).norm() + 4 * rotation_rounding;
+        // Component by component: whole Eigen vectors would go through memory, and sum in packets.
+        const double shift = norm(to.translation - at_.translation);
+        double turned = 0;
+        for (int i = 0; i < 3; ++i) turned += squared_norm(to.rotation.row(i) - at_.rotation.row(i));
+        const double turn = half_root_of_two * std::sqrt(turned) + 4 * rotation_rounding;
         return (shift + turn * radius_) * rounding;
     }
 
@@ -70,31 +75,42 @@ class DistanceBounds {
     double radius_ = 0;
 };
 
+/// How far the points reach from the origin.
+[[nodiscard]] inline double radius_of(std::span<const Vec3d> points) {
+    double squared = 0;
+    for (const Vec3d& point : points) squared = std::max(squared, squared_norm(point));
+    return std::sqrt(squared) * (1 + 8 * std::numeric_limits<double>::epsilon());
+}
+
 /// How far the body reaches from its origin.
 template <SupportTable Table>
 [[nodiscard]] double radius_of(const Table& table) {
-    double squared = 0;
-    for (const auto v : table.all_vertices())
-        squared = std::max(squared, squared_norm(cast<double>(table.vertex(v))));
-    return std::sqrt(squared) * (1 + 8 * std::numeric_limits<double>::epsilon());
+    double radius = 0;
+    for (const auto v : table.all_vertices()) {
+        const Vec3d point = cast<double>(table.vertex(v));
+        radius = std::max(radius, radius_of(std::span(&point, 1)));
+    }
+    return radius;
 }
 
 /// Bounds from an answer to a query at this pose, of which only the normal and the witness points are
 /// believed: no vertex of either body lies between the two planes across the normal, and the witness points
-/// are points of the bodies. Both to rounding in what the tables compute with, which is allowed for.
-template <SupportTable TableA, SupportTable TableB>
+/// are points of the bodies. Both to rounding in what the tables compute with, which is allowed for. `pair`
+/// as the query left it: the farthest vertices along the normal are where it ended, or beside that.
+template <SupportTable TableA, SupportTable TableB, class Pair>
 [[nodiscard]] DistanceInterval proven_interval(const TableA& a, const TableB& b,
                                                const Transform<double>& a_from_b, const Distance& answer,
-                                               double size) {
+                                               double size, const Pair& pair) {
     using Scalar = ComputeOf<TableA>;
     if (answer.status == Status::failed) return {};
     const double noise = 2 * double{Tolerance<Scalar>::level} * size;
     if (answer.status != Status::separated) return {0, noise};
     const Transform<Scalar> transform = cast<Scalar>(a_from_b);
     const Vec3<Scalar> normal = cast<Scalar>(answer.normal);
-    const auto on_a = support(a, normal, a.first_vertex(), scan_cold_below);
-    const auto on_b =
-        support(b, Vec3<Scalar>(-transform.direction_back(normal)), b.first_vertex(), scan_cold_below);
+    const auto& ended = simplex_of(a, b, pair);
+    assert(ended.count > 0);
+    const auto on_a = support(a, normal, ended.vertex_a[0]);
+    const auto on_b = support(b, Vec3<Scalar>(-transform.direction_back(normal)), ended.vertex_b[0]);
     const Scalar gap = dot(normal, Vec3<Scalar>(transform.point(on_b.point) - on_a.point));
     const double most = norm(Vec3d(answer.point_b - answer.point_a)) + noise;
     return {std::clamp(static_cast<double>(gap) - noise, 0.0, most), most};

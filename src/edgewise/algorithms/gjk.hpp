@@ -122,7 +122,7 @@ class GjkRun {
         const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
-        if (separates_ && verdict_only_) return false;
+        if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared)) return false;
         if (steps_ == 1 && reach_ < static_cast<Scalar>(far_off) * squared && start_nearer(squared))
             return true;
         if (simplex.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))

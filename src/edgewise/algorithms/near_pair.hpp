@@ -5,38 +5,62 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
+#include <optional>
 
 #include "edgewise/algorithms/distance_bounds.hpp"
+#include "edgewise/algorithms/observer.hpp"
+#include "edgewise/algorithms/query_options.hpp"
 
 namespace edgewise {
+
+/// What a pair keeps from one such question to the next. The bounds first: most questions read no more.
+template <class Pair>
+struct NearCache {
+    DistanceBounds bounds;
+    Pair pair;
+};
+
+/// How far two bodies reach from their own origins (radius_of).
+struct Radii {
+    double a = 0, b = 0;
+};
+
+/// Asks the tables for the whole distance, and with the answer renews the bounds.
+template <class Algorithm, SupportTable TableA, SupportTable TableB, class Pair, class Observer = NoObserver>
+Distance ask_near(const TableA& a, const TableB& b, const Transform<double>& a_from_b, const Radii& radii,
+                  NearCache<Pair>& cache, const QueryOptions& options = {}, Observer&& observer = {}) {
+    assert(options.contact_tolerance == 0 && !options.verdict_only);
+    const Distance answer = Algorithm::query(a, b, a_from_b, cache.pair, options, observer);
+    const double size = std::max(radii.a, radii.b + norm(a_from_b.translation));
+    cache.bounds = {proven_interval(a, b, a_from_b, answer, size, cache.pair), a_from_b, radii.b};
+    return answer;
+}
 
 /// Of two tables that outlive it and are not rebuilt.
 template <class Algorithm, SupportTable TableA, SupportTable TableB>
 class NearPair {
   public:
     NearPair(const TableA& a, const TableB& b)
-        : a_(a), b_(b), pair_(a, b), radius_a_(radius_of(a)), radius_b_(radius_of(b)) {}
+        : a_(a), b_(b), cache_{{}, {a, b}}, radii_{radius_of(a), radius_of(b)} {}
 
     /// Whether the bodies are nearer to each other than `distance`. To rounding: bodies at just this distance
     /// may be called either.
     [[nodiscard]] bool nearer_than(double distance, const Transform<double>& a_from_b) {
-        if (const auto known = bounds_.nearer_than(distance, a_from_b)) return *known;
+        if (const auto known = cache_.bounds.nearer_than(distance, a_from_b)) return *known;
         return ask(a_from_b).distance < distance;
     }
 
     /// The distance is no less, and no more, than this; no table is read.
     [[nodiscard]] DistanceInterval bounds(const Transform<double>& a_from_b) const {
-        return bounds_.at(a_from_b);
+        return cache_.bounds.at(a_from_b);
     }
+    [[nodiscard]] double at_least(const Transform<double>& a_from_b) const { return bounds(a_from_b).least; }
 
-    /// Asks the tables, and with the answer renews the bounds.
     Distance ask(const Transform<double>& a_from_b) {
         ++queries_;
-        const Distance answer = Algorithm::query(a_, b_, a_from_b, pair_);
-        const double size = std::max(radius_a_, radius_b_ + norm(a_from_b.translation));
-        bounds_ = {proven_interval(a_, b_, a_from_b, answer, size), a_from_b, radius_b_};
-        return answer;
+        return ask_near<Algorithm>(a_, b_, a_from_b, radii_, cache_);
     }
 
     /// How often the tables were asked.
@@ -45,9 +69,8 @@ class NearPair {
   private:
     const TableA& a_;
     const TableB& b_;
-    typename Algorithm::template Pair<TableA, TableB> pair_;
-    DistanceBounds bounds_;
-    double radius_a_, radius_b_;
+    NearCache<typename Algorithm::template Pair<TableA, TableB>> cache_;
+    Radii radii_;
     std::uint64_t queries_ = 0;
 };
 

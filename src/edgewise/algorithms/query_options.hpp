@@ -14,8 +14,9 @@ struct QueryOptions {
     /// GJK ends when the squared distance is known to this relative width: the duality gap |v|^2 - <v, w>
     /// over |v|^2. The distance is then too large by at most this part of itself. V-Clip has no such thing.
     double gap_tolerance = 0;
-    /// Only the verdict is wanted: GJK ends as soon as a direction separates the bodies, and the distance of
-    /// separated bodies is then an upper bound. V-Clip knows its verdict no sooner than its distance.
+    /// Only the verdict is wanted: GJK ends as soon as a direction separates the bodies, by more than the
+    /// contact tolerance, and the distance of separated bodies is then an upper bound. V-Clip knows its
+    /// verdict no sooner than its distance.
     bool verdict_only = false;
 };
 

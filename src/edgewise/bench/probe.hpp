@@ -51,6 +51,7 @@ struct ProbedCell {
     const Runner& runner;  ///< with the workload loaded
     const scene::Workload& workload;
     bool plain = true;                                     ///< without further axes
+    Needs needs = Needs::witnesses;                        ///< what was asked of every answer
     bool verified = true;                                  ///< else a checked answer is wrong
     std::span<const std::size_t> checked_positions = {};   ///< of the queries that were checked
     std::span<const measure::CheckedAnswer> checked = {};  ///< in that order

@@ -15,9 +15,21 @@ namespace {
 /// Queries first .. end - 1 are of one class, with no cold start after the first.
 std::size_t end_of_stretch(const std::vector<std::uint8_t>& cold, std::span<const std::uint8_t> in_contact,
                            std::size_t first) {
+    const auto is_one_class = [&](std::size_t i) {
+        return in_contact.empty() || in_contact[i] == in_contact[first];
+    };
     std::size_t end = first + 1;
-    while (end < in_contact.size() && in_contact[end] == in_contact[first] && !cold[end]) ++end;
+    while (end < cold.size() && is_one_class(end) && !cold[end]) ++end;
     return end;
+}
+
+void book(measure::Timing& timing, std::span<const std::uint8_t> in_contact, std::size_t first,
+          std::size_t last, double ns) {
+    const bool known = !in_contact.empty(), overlapping = known && in_contact[first] != 0;
+    (overlapping ? timing.overlapping_ns : known ? timing.separated_ns : timing.either_ns) += ns;
+    (overlapping ? timing.overlapping_queries
+     : known     ? timing.separated_queries
+                 : timing.either_queries) += last - first;
 }
 
 }  // namespace
@@ -47,6 +59,8 @@ std::string Runner::load_tables(std::span<const Polyhedron> bodies,
     if (!error.empty()) return error;
     options_ = given_options_;
     options_.query = prepared_.scale().into(given_options_.query);
+    margins_ = {};
+    if (asks_nearness()) margins_ = {options_.margin, bodies, prepared_.bodies(), prepared_.scale()};
     table_each_ = !instances.empty();
     std::vector<const Polyhedron*> of_tables;
     for (const std::uint32_t body : instances) of_tables.push_back(&prepared_.bodies()[body]);
@@ -73,12 +87,12 @@ std::vector<Distance> Runner::answer() const {
 }
 
 measure::Timing Runner::time(std::span<const std::uint8_t> in_contact, double clock_cost_ns) const {
-    assert(in_contact.size() == prepared_.workload().queries.size());
+    assert(in_contact.empty() || in_contact.size() == prepared_.workload().queries.size());
     measure::Timing timing;
     const RangePass run = prepared_range();
     double sum = 0;  // of all distances: an answer nobody reads might not be computed
     const std::vector<std::uint8_t> cold = cold_starts(prepared_.workload());
-    for (std::size_t first = 0; first < in_contact.size();) {
+    for (std::size_t first = 0; first < cold.size();) {
         if (cold[first]) {
             sum += run(first, first + 1, nullptr);
             ++first;
@@ -88,8 +102,7 @@ measure::Timing Runner::time(std::span<const std::uint8_t> in_contact, double cl
         const measure::Stopwatch watch;
         sum += run(first, last, nullptr);
         const double ns = std::max(0.0, watch.elapsed_ns() - clock_cost_ns);
-        (in_contact[first] ? timing.overlapping_ns : timing.separated_ns) += ns;
-        (in_contact[first] ? timing.overlapping_queries : timing.separated_queries) += last - first;
+        book(timing, in_contact, first, last, ns);
         first = last;
     }
     volatile double sink = sum;

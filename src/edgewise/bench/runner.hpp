@@ -14,6 +14,7 @@
 
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/bench/named_answer.hpp"
+#include "edgewise/bench/near_margins.hpp"
 #include "edgewise/bench/prepared_workload.hpp"
 #include "edgewise/bench/runner_options.hpp"
 #include "edgewise/measure/cache/trace.hpp"
@@ -66,17 +67,24 @@ class Runner {
     /// The bodies that the tables really hold, in the given bodies' unit and order.
     [[nodiscard]] std::span<const Polyhedron> stored_bodies() const { return prepared_.unscaled_bodies(); }
 
+    /// Of Needs::nearer: the distance that a query of loaded bodies is about, in the given bodies' unit.
+    [[nodiscard]] double margin(const scene::Query& query) const {
+        return prepared_.scale().back(margins_.margin(query));
+    }
+
     /// Every loaded query in order, from cold pairs; points in A's frame. Bodies farther from each other than
-    /// the precision can compute with: status failed, here and below.
+    /// the precision can compute with: status failed, here and below. Of Needs::nearer they are verdicts, as
+    /// near_answer says, in all passes.
     [[nodiscard]] std::vector<Distance> answer() const;
 
     /// Any query of the loaded bodies from a cold start, with features and, in contact, the depth, which also
     /// tells touching from overlapping.
     [[nodiscard]] virtual NamedAnswer answer(const scene::Query& query) const = 0;
 
-    /// Times the loaded queries; `in_contact[i]` != 0 books query i under overlapping, else under separated.
-    /// The clock is read where the class changes, and its cost is subtracted. In a warm scene a pair's first
-    /// query, cold by nature, is answered outside the clock: the scene `cold` is for those.
+    /// Times the loaded queries; `in_contact[i]` != 0 books query i under overlapping, else under separated;
+    /// where it is empty nobody knows, and all are booked under either. The clock is read where the class
+    /// changes, and its cost is subtracted. In a warm scene a pair's first query, cold by nature, is answered
+    /// outside the clock: the scene `cold` is for those.
     [[nodiscard]] measure::Timing time(std::span<const std::uint8_t> in_contact, double clock_cost_ns) const;
 
     /// Notifies of the accesses of the first loaded queries, from cold pairs, until so many have counted; of
@@ -129,6 +137,8 @@ class Runner {
 
     [[nodiscard]] const PreparedWorkload& prepared() const { return prepared_; }
     [[nodiscard]] const RunnerOptions& options() const { return options_; }  ///< in the runner's unit
+    [[nodiscard]] bool asks_nearness() const { return options_.needs == Needs::nearer; }
+    [[nodiscard]] const NearMargins& margins() const { return margins_; }
     [[nodiscard]] std::size_t table_a(const scene::Query& query) const {
         return table_each_ ? query.instance_a : query.body_a;
     }
@@ -146,6 +156,7 @@ class Runner {
     bool in_single_;
     RunnerOptions given_options_, options_;  ///< in the given bodies' unit, and in the runner's
     PreparedWorkload prepared_;
+    NearMargins margins_;                     ///< of Needs::nearer alone
     std::unique_ptr<TableAllocator> memory_;  ///< what the tables stand in
     bool table_each_ = false;                 ///< one for each instance, not for each body
 };

@@ -4,13 +4,16 @@
 // layouts compile by themselves, in parallel.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/bench/name_answer.hpp"
+#include "edgewise/bench/near_question.hpp"
 #include "edgewise/bench/query_batch.hpp"
 #include "edgewise/bench/runner.hpp"
 #include "edgewise/bench/trace/trace_queries.hpp"
@@ -40,6 +43,31 @@ template <class Table>
     return times;
 }
 
+/// Part of the tables' bytes that ever stood: all of it, but of lazy ones.
+template <class Table>
+[[nodiscard]] double mean_materialised(const std::vector<Table>& tables) {
+    double part = 1;
+    if constexpr (requires { tables[0].materialised(); }) {
+        part = 0;
+        for (const Table& table : tables) part += table.materialised() / static_cast<double>(tables.size());
+    }
+    return part;
+}
+
+/// Of one table for each body; offsets from `base`.
+template <class Table>
+[[nodiscard]] std::vector<TableMap> maps_of(const std::vector<Table>& tables,
+                                            const std::vector<const Polyhedron*>& bodies,
+                                            const std::byte* base) {
+    std::vector<TableMap> maps;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        const Polyhedron& body = *bodies[i];
+        maps.push_back({memory_map(tables[i].pieces(), base), body.vertex_count(), body.edge_count(),
+                        body.face_count()});
+    }
+    return maps;
+}
+
 /// TracedTable: the same layout with a loader that tells a TraceSink.
 template <class Algorithm, class Table, class TracedTable>
 class RunnerFor final : public Runner {
@@ -61,6 +89,7 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] RangePass prepared_range() const override {
+        if (asks_nearness()) return near_pass();
         const std::vector<Pair> cold = cold_pairs();
         if constexpr (std::is_same_v<Algorithm, Gjk>) {
             if (options().batch) {
@@ -79,27 +108,19 @@ class RunnerFor final : public Runner {
 
     PassSum trace(std::size_t limit, measure::TraceListener& listener, Distance* answers) const override {
         const scene::Workload& workload = prepared().workload();
-        const TracePlaces places(table_allocator().base(), table_allocator().taken(), sizeof(Pair),
-                                 workload.pair_count, workload.instances.size());
+        const TracePlaces places(table_allocator().base(), table_allocator().taken(),
+                                 static_cast<std::uint32_t>(pair_bytes()), workload.pair_count,
+                                 workload.instances.size());
         return prepared().scale().back(trace_queries<Algorithm, TracedTable>(
-            workload, limit, options().query, places,
-            [this](const scene::Query& query) {
-                return std::pair(&tables_[table_a(query)], &tables_[table_b(query)]);
-            },
-            listener, answers));
+            workload, limit, {options().query, asks_nearness() ? &margins() : nullptr}, places,
+            tables_of_queries(), listener, answers));
     }
 
     [[nodiscard]] Ledger ledger() const override { return tables_[0].ledger(); }
     [[nodiscard]] std::size_t object_bytes() const override { return sizeof(Table); }
 
     [[nodiscard]] std::vector<TableMap> memory_maps() const override {
-        std::vector<TableMap> maps;
-        for (std::size_t i = 0; i < tables_.size(); ++i) {
-            const Polyhedron& body = *bodies_[i];
-            maps.push_back({memory_map(tables_[i].pieces(), table_allocator().base()), body.vertex_count(),
-                            body.edge_count(), body.face_count()});
-        }
-        return maps;
+        return maps_of(tables_, bodies_, table_allocator().base());
     }
 
     /// In memory that nobody used before, where the allocator has that.
@@ -109,7 +130,9 @@ class RunnerFor final : public Runner {
         return time_builds<Table>(prepared().bodies()[0], Algorithm::parts, repetitions);
     }
 
-    [[nodiscard]] std::size_t pair_bytes() const override { return sizeof(Pair); }
+    [[nodiscard]] std::size_t pair_bytes() const override {
+        return asks_nearness() ? sizeof(NearCache<Pair>) : sizeof(Pair);
+    }
 
   private:
     [[nodiscard]] Result<Polyhedron> store(const Polyhedron& body) const override {
@@ -124,14 +147,19 @@ class RunnerFor final : public Runner {
 
     [[nodiscard]] std::size_t table_count() const override { return tables_.size(); }
 
-    [[nodiscard]] double materialised() const override {
-        double part = 1;
-        if constexpr (requires { tables_[0].materialised(); }) {
-            part = 0;
-            for (const Table& table : tables_)
-                part += table.materialised() / static_cast<double>(tables_.size());
-        }
-        return part;
+    [[nodiscard]] double materialised() const override { return mean_materialised(tables_); }
+
+    /// Gives a query's two tables.
+    [[nodiscard]] auto tables_of_queries() const {
+        return [this](const scene::Query& query) {
+            return std::pair(&tables_[table_a(query)], &tables_[table_b(query)]);
+        };
+    }
+
+    [[nodiscard]] RangePass near_pass() const {
+        const auto tables = tables_of_queries();
+        return NearPass<Algorithm, Table, decltype(tables_of_queries())>(
+            prepared().workload(), margins(), options().query, tables, cold_pairs());
     }
 
     [[nodiscard]] Pair cold_pair(const scene::Query& query) const {

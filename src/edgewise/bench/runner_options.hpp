@@ -27,11 +27,16 @@ struct TableOptions {
     [[nodiscard]] bool operator==(const TableOptions&) const = default;
 };
 
+/// Over the larger body's extent: some frames of motion at everyday speeds, and what engines keep contacts
+/// for.
+inline constexpr double usual_margin = 0.1;
+
 struct RunnerOptions {
-    QueryOptions query = {};         ///< contact_tolerance in the given bodies' unit
+    QueryOptions query = {};         ///< contact_tolerance in the given bodies' unit; 0 with Needs::nearer
     Needs needs = Needs::witnesses;  ///< what passes ask of every answer, and pay for
     TableOptions tables = {};
-    bool batch = false;  ///< pairs in a row that differ are asked together; GJK only
+    double margin = usual_margin;  ///< of Needs::nearer, over the extent of the larger of a query's bodies
+    bool batch = false;            ///< pairs in a row that differ are asked together; GJK only
 
     /// For a verdict alone queries end as soon as it is known.
     void set_needs(Needs wanted) {

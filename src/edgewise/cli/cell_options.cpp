@@ -2,6 +2,7 @@
 #include "edgewise/cli/command.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <stdexcept>
 
@@ -23,7 +24,22 @@ void take_parameter(const std::string& text, scene::SceneParameters& parameters)
         throw CLI::ValidationError(fmt::format("--parameter {}: write NAME=NUMBER", text));
 }
 
+Needs needs_named(const std::string& name) {
+    if (const auto needs = needs_from(name)) return *needs;
+    throw CLI::ValidationError(
+        fmt::format("--needs {}: unknown; known: {}", name, fmt::join(needs_names, ", ")));
+}
+
 }  // namespace
+
+void add_margin_option(CLI::App& command, std::optional<double>& margin) {
+    command
+        .add_option("--margin", margin,
+                    fmt::format("of --needs nearer: the distance asked about, over the larger body's extent "
+                                "(else {})",
+                                bench::usual_margin))
+        ->check(CLI::PositiveNumber);
+}
 
 void add_cell_options(CLI::App& command, studies::CellChoice& choice) {
     command.add_option("--table", choice.table, "table type")->capture_default_str();
@@ -40,6 +56,10 @@ void add_cell_options(CLI::App& command, studies::CellChoice& choice) {
             for (const std::string& text : texts) take_parameter(text, choice.parameters);
         },
         "parameters of the scene, NAME=NUMBER");
+    command.add_option_function<std::string>(
+        "--needs", [&choice](const std::string& name) { choice.needs = needs_named(name); },
+        fmt::format("what is asked of every answer: {}", fmt::join(needs_names, ", ")));
+    add_margin_option(command, choice.margin);
 }
 
 }  // namespace edgewise::cli

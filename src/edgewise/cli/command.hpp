@@ -84,6 +84,9 @@ template <class Value>
 /// is done.
 void add_cell_options(CLI::App& command, studies::CellChoice& choice);
 
+/// --margin: what --needs nearer asks about.
+void add_margin_option(CLI::App& command, std::optional<double>& margin);
+
 /// A stability run into a store, with progress on stderr: for the command of that name and for the sweep.
 /// Ctrl-C stops after the row in hand. `on_row` may be empty.
 studies::StabilitySummary store_stability(const studies::StabilityPlan& plan, store::Store& store,

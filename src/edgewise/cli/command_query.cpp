@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 #include "edgewise/bench/certificates.hpp"
@@ -26,14 +27,21 @@ struct QueryArguments {
     std::string algorithm = "vclip";
     std::string layout = "aos_f64";
     std::string needs = std::string(to_string(Needs::features));
+    std::optional<double> margin;
     QueryOptions query;
 };
 
 Needs chosen_needs(const QueryArguments& options) {
     const auto needs = needs_from(options.needs);
-    if (needs) return *needs;
-    throw std::invalid_argument(
-        fmt::format("unknown need '{}'; known: {}", options.needs, fmt::join(needs_names, ", ")));
+    if (!needs)
+        throw std::invalid_argument(
+            fmt::format("unknown need '{}'; known: {}", options.needs, fmt::join(needs_names, ", ")));
+    if (options.margin && *needs != Needs::nearer)
+        throw std::invalid_argument("--margin is of --needs nearer: give both");
+    if (*needs == Needs::nearer && options.query.contact_tolerance != 0)
+        throw std::invalid_argument(
+            "--needs nearer asks for its --margin, not for contact: leave --contact-tolerance out");
+    return *needs;
 }
 
 Json point_json(const Vec3d& p) { return {p.x(), p.y(), p.z()}; }
@@ -47,7 +55,7 @@ Json empty_answer(const std::string& id) {
     Json line = {{"id", id}, {"status", "failed"}};
     for (const char* key :
          {"distance", "point_a", "point_b", "feature_a", "feature_b", "depth", "normal", "steps", "fallbacks",
-          "refinements", "escapes", "certificate", "stored_certificate", "error"}) {
+          "refinements", "escapes", "nearer", "margin", "certificate", "stored_certificate", "error"}) {
         line[key] = nullptr;
     }
     return line;
@@ -106,6 +114,11 @@ Json answer_case(const scene::Case& given, bench::Runner& runner, const QueryArg
     }
     const Needs needs = chosen_needs(options);
     Json line = answer_json(given.id, answer, needs);
+    if (needs == Needs::nearer) {
+        const double margin = runner.margin(query);
+        line["margin"] = margin;
+        line["nearer"] = answer.distance.distance < margin;
+    }
     if (needs < Needs::certificate) return line;
     const auto certificates = bench::certificates_of(answer, query, bodies, runner.stored_bodies(),
                                                      given.a.vertices, given.b.vertices);
@@ -127,7 +140,11 @@ std::unique_ptr<bench::Runner> chosen_runner(const QueryArguments& options) {
         throw std::invalid_argument(
             fmt::format("layout {} does not hold what {} needs", types.front()->name, options.algorithm));
     }
-    runner->configure({.query = options.query});
+    // Answers are whole whatever is needed of them, but for nearness, which knows its margins.
+    const Needs needs = chosen_needs(options);
+    runner->configure({.query = options.query,
+                       .needs = needs == Needs::nearer ? needs : Needs::witnesses,
+                       .margin = options.margin.value_or(bench::usual_margin)});
     return runner;
 }
 
@@ -169,6 +186,7 @@ void add_query(CLI::App& app, Context& context) {
     command->add_option("--layout", options.layout, "table type, such as aos_f64")->capture_default_str();
     command->add_option("--needs", options.needs, fmt::format("{}", fmt::join(needs_names, ", ")))
         ->capture_default_str();
+    add_margin_option(*command, options.margin);
     command
         ->add_option("--contact-tolerance", options.query.contact_tolerance,
                      "bodies as near as this or nearer are touching, in the bodies' own unit")

@@ -27,6 +27,7 @@ struct AnswerCounts {
     int max_steps = 0;
     std::uint64_t refinements = 0, escapes = 0;
     std::uint64_t warm = 0, unchanged = 0;  ///< started warm; and of these ended where they started
+    std::uint64_t told = 0;                 ///< warm ones that the pair's bounds answered, in no step
 };
 
 }  // namespace edgewise::measure

@@ -11,8 +11,11 @@ namespace edgewise::measure {
 struct Timing {
     std::uint64_t separated_queries = 0, overlapping_queries = 0;
     double separated_ns = 0, overlapping_ns = 0;  ///< total time of those queries, clock cost subtracted
+    /// Queries whose answers do not tell whether the bodies are in contact: of either kind.
+    std::uint64_t either_queries = 0;
+    double either_ns = 0;
 
-    /// Nanoseconds per query, of each kind and of both as they come; null where none was timed.
+    /// Nanoseconds per query, of each kind and of all as they come; null where none was timed.
     [[nodiscard]] std::optional<double> separated() const {
         return per_query(separated_ns, separated_queries);
     }
@@ -20,7 +23,8 @@ struct Timing {
         return per_query(overlapping_ns, overlapping_queries);
     }
     [[nodiscard]] std::optional<double> all() const {
-        return per_query(separated_ns + overlapping_ns, separated_queries + overlapping_queries);
+        return per_query(separated_ns + overlapping_ns + either_ns,
+                         separated_queries + overlapping_queries + either_queries);
     }
 
   private:

@@ -27,11 +27,12 @@ struct Fault {
     std::string what;
 };
 
-constexpr std::array members = {"scene",      "shapes", "time_step", "needs", "sharing",
-                                "parameters", "vary",   "queries",   "note"};
+constexpr std::array members = {"scene",   "shapes",     "time_step", "needs",   "margin",
+                                "sharing", "parameters", "vary",      "queries", "note"};
 
 constexpr double usual_time_step = 1.0 / 60;  ///< s: a step per frame of a screen
 constexpr double longest_time_step = 1000;    ///< s
+constexpr double largest_margin = 1e6;        ///< extents of the larger body
 constexpr double most_queries = 1e8;          ///< of one point: poses take 224 bytes each
 
 // Velocities in the units of scenes, which know steps alone: rad per step, and body sizes per step.
@@ -143,6 +144,17 @@ Needs needs_of(const Json& json) {
     return *needs;
 }
 
+/// Of needs = nearer; 0 where none is given.
+double margin_of(const Json& json, Needs needs) {
+    if (!json.contains("margin")) return 0;
+    if (needs != Needs::nearer) throw Fault{"margin is of needs = nearer: leave it out, or write both"};
+    const auto margin = member<double>(json, "margin", 0, "a number");
+    if (!(margin > 0 && margin <= largest_margin))
+        throw Fault{fmt::format("margin = {} is out of bounds; choose above 0, to {:.0f} extents", margin,
+                                largest_margin)};
+    return margin;
+}
+
 void check_sharing(const Json& json) {
     const auto sharing = member<std::string>(json, "sharing", "shared", "shared or per_instance");
     if (sharing != "shared" && sharing != "per_instance")
@@ -169,6 +181,7 @@ SceneFile read(const std::string& name, const Json& json) {
         throw Fault{fmt::format("time_step = {} is out of bounds; choose above 0, to {} s", file.time_step,
                                 longest_time_step)};
     file.needs = needs_of(json);
+    file.margin = margin_of(json, file.needs);
     check_sharing(json);
     file.queries = queries_of(json);
     file.note = member<std::string>(json, "note", "", "a text");

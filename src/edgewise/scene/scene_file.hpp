@@ -11,7 +11,8 @@
 // Only what detection needs is modelled: no gravity, no contact response, no solver. Parameters are the
 // kind's own (`edgewise list scenes`), and of scenes that move bodies these, which the time step turns into
 // the kind's: angular_velocity (rad/s), linear_velocity (m/s). "random" as a turn: every body turned at
-// random in every step, where no coherence is left.
+// random in every step, where no coherence is left. With "needs": "nearer" a "margin" may be named, over the
+// larger body's extent.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +40,7 @@ struct SceneFile {
     std::vector<std::string> shapes;  ///< built-in
     double time_step = 0;             ///< s
     Needs needs = Needs::witnesses;
+    double margin = 0;        ///< of Needs::nearer, over the larger body's extent; 0: the usual one
     std::size_t queries = 0;  ///< of every point; 0: as the plan says
     std::string note;
     std::vector<ScenePoint> points;  ///< shapes x varied values

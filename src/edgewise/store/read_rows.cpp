@@ -30,7 +30,10 @@ measure::Timing read_timing(const sqlite::Statement& s, int column) {
 }
 
 measure::Round read_round(const sqlite::Statement& s) {
-    return {static_cast<int>(s.integer(0)), read_timing(s, 1), read_timing(s, 5)};
+    measure::Round round{static_cast<int>(s.integer(0)), read_timing(s, 1), read_timing(s, 5)};
+    round.timing.either_queries = s.natural(9);
+    round.timing.either_ns = s.real(10);
+    return round;
 }
 
 template <class Row>
@@ -80,7 +83,7 @@ std::vector<measure::Round> rounds_of(const sqlite::Database& database, const st
         database,
         "select number, separated_queries, separated_ns, overlapping_queries, overlapping_ns, "
         "baseline_separated_queries, baseline_separated_ns, baseline_overlapping_queries, "
-        "baseline_overlapping_ns from round where build = ? and hash = ? order by number");
+        "baseline_overlapping_ns, either_queries, either_ns from round where build = ? and hash = ? order by number");
     return rows_of(select.bind(build, hash), read_round);
 }
 

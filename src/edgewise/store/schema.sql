@@ -30,4 +30,5 @@ create table if not exists round(
     overlapping_queries integer not null, overlapping_ns real not null,
     baseline_separated_queries integer not null, baseline_separated_ns real not null,
     baseline_overlapping_queries integer not null, baseline_overlapping_ns real not null,
+    either_queries integer not null, either_ns real not null,  -- not known to be of either kind
     primary key(build, hash, number)) without rowid;

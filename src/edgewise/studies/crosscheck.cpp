@@ -67,6 +67,14 @@ std::vector<std::string> pass_command(const CellChoice& choice, const std::strin
                                         "--queries",   std::to_string(choice.queries),
                                         "--seed",      std::to_string(choice.seed),
                                         "--passes",    std::to_string(passes)};
+    if (choice.needs != Needs::witnesses) {
+        command.emplace_back("--needs");
+        command.emplace_back(to_string(choice.needs));
+    }
+    if (choice.margin) {
+        command.emplace_back("--margin");
+        command.push_back(fmt::format("{}", *choice.margin));
+    }
     for (const auto& [name, value] : choice.parameters) {
         command.emplace_back("--parameter");
         command.push_back(fmt::format("{}={}", name, value));

@@ -38,7 +38,10 @@ SingleCell::SingleCell(const CellChoice& choice, const bench::TableOptions& plac
     if (!type_->serves(algorithm))
         throw std::invalid_argument(fmt::format("{} does not serve {}", type_->name, algorithm));
     runner_ = type_->make_runner(algorithm);
-    runner_->configure({.tables = placing});
+    if (choice.margin && choice.needs != Needs::nearer)
+        throw std::invalid_argument("a margin is of needs nearer: give both");
+    runner_->configure(
+        {.needs = choice.needs, .tables = placing, .margin = choice.margin.value_or(bench::usual_margin)});
     if (const std::string error = runner_->load(workload()); !error.empty())
         throw std::invalid_argument(error);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "edgewise/bench/registry.hpp"
@@ -16,6 +17,8 @@ struct CellChoice {
     scene::SceneParameters parameters = {};  ///< those that differ from the scene's defaults
     std::size_t queries = 1000;
     std::uint64_t seed = 1;
+    Needs needs = Needs::witnesses;     ///< what is asked of every answer
+    std::optional<double> margin = {};  ///< of Needs::nearer; else the usual one
 };
 
 class SingleCell {

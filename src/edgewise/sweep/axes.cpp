@@ -27,7 +27,14 @@ double read_tolerance(std::string_view entry, std::string_view value, double bel
 
 constexpr std::string_view order_values = "given|bfs|spatial", sharing_values = "shared|per_instance",
                            allocator_values = "arena|jemalloc|libc", batch_values = "no|yes",
-                           needs_values = "verdict|distance|witnesses|features|depth|certificate";
+                           needs_values = "nearer|verdict|distance|witnesses|features|depth|certificate";
+
+/// A number above 0.
+double read_margin(std::string_view entry, std::string_view value) {
+    const double number = read_tolerance(entry, value, 1e60);
+    if (number == 0) refuse(entry, "wants a number above 0: no bodies are nearer than that");
+    return number;
+}
 
 std::optional<bench::Sharing> sharing_from(std::string_view name) {
     if (name == "shared") return bench::Sharing::shared;
@@ -60,12 +67,23 @@ void take(Axes& axes, std::string_view entry) {
         axes.batch = value == "yes";
     } else if (name == "needs") {
         axes.set_needs(known(entry, needs_from(value), needs_values));
+    } else if (name == "margin") {
+        axes.margin = read_margin(entry, value);
     } else {
         std::vector<std::string> names;
         for (const AxisInfo& axis : axes_known())
             names.push_back(fmt::format("{}={}", axis.name, axis.values));
         refuse(entry, fmt::format("unknown; known: {}", fmt::join(names, ", ")));
     }
+}
+
+/// A margin is of one question alone, and that question knows no other tolerance.
+void check_margin(const Axes& axes, std::string_view text) {
+    const bool nearer = axes.needs == Needs::nearer;
+    if (!nearer && text.find("margin=") != text.npos) refuse(text, "a margin is of needs=nearer: write both");
+    if (nearer && axes.query.contact_tolerance != 0)
+        refuse(text, "needs=nearer asks for its margin, not for contact: leave contact_tolerance out");
+    if (nearer && axes.batch) refuse(text, "needs=nearer asks one pair at a time: leave batch out");
 }
 
 }  // namespace
@@ -79,6 +97,7 @@ const std::vector<AxisInfo>& axes_known() {
         {"allocator", allocator_values, "where tables take their memory from"},
         {"batch", batch_values, "GJK's pairs in a row that differ are asked together, several side by side"},
         {"needs", needs_values, "what the scene asks of every answer, and pays for"},
+        {"margin", "RATIO", "of needs=nearer: the distance asked about, over the larger body's extent"},
     };
     return axes;
 }
@@ -96,6 +115,7 @@ std::string Axes::text() const {
         parts.push_back(fmt::format("allocator={}", to_string(tables.allocator)));
     if (batch) parts.emplace_back("batch=yes");
     if (needs != Needs::witnesses) parts.push_back(fmt::format("needs={}", to_string(needs)));
+    if (needs == Needs::nearer) parts.push_back(fmt::format("margin={}", margin));
     return fmt::format("{}", fmt::join(parts, "+"));
 }
 
@@ -106,6 +126,7 @@ bool Axes::concerns(std::string_view algorithm) const {
 
 Axes parse_axes(std::string_view text) {
     Axes axes;
+    const std::string_view whole = text;
     while (!text.empty()) {
         const std::size_t plus = text.find('+');
         // "1e+3" is a number, not two entries.
@@ -115,6 +136,7 @@ Axes parse_axes(std::string_view text) {
         take(axes, text.substr(0, end));
         text.remove_prefix(end == text.npos ? text.size() : end + 1);
     }
+    check_margin(axes, whole);
     return axes;
 }
 

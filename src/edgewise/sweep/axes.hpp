@@ -15,7 +15,8 @@
 namespace edgewise::sweep {
 
 struct Axes : bench::RunnerOptions {
-    /// Canonical: what differs from the plain cell, in a fixed order; empty for the plain cell.
+    /// Canonical: what differs from the plain cell, in a fixed order; empty for the plain cell. needs=nearer
+    /// always names its margin, which is a condition of all its figures.
     [[nodiscard]] std::string text() const;
 
     /// Whether a cell of this algorithm would differ from the plain one.

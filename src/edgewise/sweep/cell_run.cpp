@@ -27,6 +27,10 @@ void CellRun::make_unavailable(const std::string& reason) {
 
 void CellRun::verify(SharedQueries& shared) {
     const scene::Workload& workload = shared.workload();
+    if (type_.is_peer && axes_.needs == Needs::nearer) {
+        make_unavailable("other libraries are not asked whether bodies are nearer than a margin");
+        return;
+    }
     if (const std::string error = runner_->load(workload); !error.empty()) {
         make_unavailable(error);
         return;
@@ -37,15 +41,24 @@ void CellRun::verify(SharedQueries& shared) {
         count_answers(answers, workload.warm ? bench::cold_starts(workload) : std::vector<std::uint8_t>{});
     double sum = 0;
     for (const Distance& answer : answers) {
-        in_contact_.push_back(answer.status != Status::separated);
+        if (axes_.needs > Needs::nearer) in_contact_.push_back(answer.status != Status::separated);
         distances_.push_back(sum += answer.distance);
     }
-    QueryOptions asked = axes_.query;
-    asked.verdict_only = asked.verdict_only || type_.verdict_only;
-    checked_ = check_answers(shared, runner_->stored_bodies(), answers, type_.eps, asked);
+    checked_ = checked(shared, answers);
     row_.reason = what_is_wrong(shared, checked_, type_.eps);
     // A peer's errors are figures beside its times; they are no failure of this program.
     row_.status = type_.is_peer ? "judged" : row_.reason.empty() ? "verified" : "failed";
+}
+
+std::vector<measure::CheckedAnswer> CellRun::checked(SharedQueries& shared,
+                                                     std::span<const Distance> answers) const {
+    const auto stored = runner_->stored_bodies();
+    if (axes_.needs == Needs::nearer)
+        return check_nearness(shared, stored, answers, type_.eps, axes_.query,
+                              [&](const scene::Query& query) { return runner_->margin(query); });
+    QueryOptions asked = axes_.query;
+    asked.verdict_only = asked.verdict_only || type_.verdict_only;
+    return check_answers(shared, stored, answers, type_.eps, asked);
 }
 
 measure::Timing CellRun::time(double clock_cost_ns) const {
@@ -59,6 +72,7 @@ void CellRun::measure(Stage stage, std::span<const measure::Round> rounds) {
                                  .runner = *runner_,
                                  .workload = shared_->workload(),
                                  .plain = row_.axes.empty(),
+                                 .needs = axes_.needs,
                                  .verified = verified(),
                                  .checked_positions = shared_->checked(),
                                  .checked = checked_,

@@ -50,6 +50,9 @@ class CellRun {
     [[nodiscard]] const std::vector<store::FigureRow>& figures() const { return figures_; }
 
   private:
+    [[nodiscard]] std::vector<measure::CheckedAnswer> checked(SharedQueries& shared,
+                                                              std::span<const Distance> answers) const;
+
     /// Whether another pass gave the answers of the first; fails the cell if not.
     void hold_against_answers(const bench::PassSum& sum, std::string_view probe);
 
@@ -59,8 +62,8 @@ class CellRun {
     std::unique_ptr<bench::Runner> runner_;
     const SharedQueries* shared_ = nullptr;  ///< when the cell has run
     bench::CacheOrder caches_;
-    std::vector<std::uint8_t> in_contact_;
-    std::vector<double> distances_;  ///< the answers' sums, query by query
+    std::vector<std::uint8_t> in_contact_;  ///< of every query; empty where the answers do not tell
+    std::vector<double> distances_;         ///< the answers' sums, query by query
     std::vector<measure::CheckedAnswer> checked_;
     measure::AnswerCounts counts_;
     std::vector<store::FigureRow> figures_;

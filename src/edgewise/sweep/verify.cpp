@@ -30,6 +30,13 @@ truth::ExactDistance beyond(truth::ExactDistance exact, double tolerance) {
     return exact;
 }
 
+measure::CheckedAnswer without_errors(const truth::ExactDistance& exact) {
+    measure::CheckedAnswer result;
+    result.separated = exact.verdict == truth::ExactVerdict::separated;
+    result.touching = exact.verdict == truth::ExactVerdict::touching;
+    return result;
+}
+
 measure::CheckedAnswer check(const Distance& answer, truth::ExactDistance stored, truth::ExactDistance given,
                              const truth::AccuracyBand& band, const QueryOptions& options) {
     const double given_away = options.gap_tolerance * stored.distance / band.scale;
@@ -38,9 +45,7 @@ measure::CheckedAnswer check(const Distance& answer, truth::ExactDistance stored
     const truth::JudgedAnswer judged{answer.status == Status::separated,
                                      answer.distance - options.contact_tolerance};
     const truth::Judgement on_stored = truth::judge(judged, stored, band);
-    measure::CheckedAnswer result;
-    result.separated = stored.verdict == truth::ExactVerdict::separated;
-    result.touching = stored.verdict == truth::ExactVerdict::touching;
+    measure::CheckedAnswer result = without_errors(stored);
     result.verdict_wrong = on_stored.verdict_wrong || answer.status == Status::failed;
     result.in_band = on_stored.in_band;
     result.given_away = given_away;
@@ -49,6 +54,24 @@ measure::CheckedAnswer check(const Distance& answer, truth::ExactDistance stored
     result.error_given = truth::judge(judged, given, band).error_over_scale;
     result.witness_error = witness_error(answer, band);
     return result;
+}
+
+/// Written so that no answer, and NaN, are wrong.
+measure::CheckedAnswer check_near(const Distance& answer, const truth::ExactDistance& exact, double margin,
+                                  const truth::AccuracyBand& band, const QueryOptions& options) {
+    measure::CheckedAnswer result = without_errors(exact);
+    const bool nearer = answer.status == Status::touching;
+    const double beyond = exact.distance - margin;
+    result.in_band = std::abs(beyond) <= band.band;
+    const bool right = nearer ? beyond < 0 : beyond + options.gap_tolerance * exact.distance >= 0;
+    const bool is_answer = nearer || answer.status == Status::separated;
+    result.verdict_wrong = !is_answer || !(right || result.in_band);
+    return result;
+}
+
+truth::AccuracyBand band_of(const scene::Query& query, std::span<const Polyhedron> stored, double eps) {
+    return truth::accuracy_band(stored[query.body_a].vertices, query.pose_a, stored[query.body_b].vertices,
+                                query.pose_b, eps);
 }
 
 }  // namespace
@@ -63,11 +86,25 @@ std::vector<measure::CheckedAnswer> check_answers(SharedQueries& shared, std::sp
     for (std::size_t k = 0; k < shared.checked().size(); ++k) {
         const std::size_t i = shared.checked()[k];
         const scene::Query& query = shared.workload().queries[i];
-        const truth::AccuracyBand band = truth::accuracy_band(
-            stored[query.body_a].vertices, query.pose_a, stored[query.body_b].vertices, query.pose_b, eps);
+        const truth::AccuracyBand band = band_of(query, stored, eps);
         result.push_back(check(answers[i], exact_stored[k], exact_given[k], band, options));
         if (k < control.size() && control[k])
             result.back().control_disagrees = *control[k] != (answers[i].status != Status::separated);
+    }
+    return result;
+}
+
+std::vector<measure::CheckedAnswer> check_nearness(SharedQueries& shared, std::span<const Polyhedron> stored,
+                                                   std::span<const Distance> answers, double eps,
+                                                   const QueryOptions& options,
+                                                   const std::function<double(const scene::Query&)>& margin) {
+    const auto& exact = shared.exact(stored);
+    std::vector<measure::CheckedAnswer> result;
+    for (std::size_t k = 0; k < shared.checked().size(); ++k) {
+        const std::size_t i = shared.checked()[k];
+        const scene::Query& query = shared.workload().queries[i];
+        result.push_back(
+            check_near(answers[i], exact[k], margin(query), band_of(query, stored, eps), options));
     }
     return result;
 }
@@ -96,6 +133,7 @@ measure::AnswerCounts count_answers(std::span<const Distance> answers, std::span
     for (std::size_t i = 0; i < cold.size(); ++i) {
         counts.warm += !cold[i];
         counts.unchanged += !cold[i] && answers[i].steps == 1;
+        counts.told += !cold[i] && answers[i].steps == 0 && answers[i].status != Status::failed;
     }
     for (const Distance& answer : answers) {
         counts.steps += static_cast<std::uint64_t>(answer.steps);

@@ -3,6 +3,7 @@
 // Verify, then measure: a cell's answers beside the exact ones, and whether they are good enough to be timed.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,13 @@ namespace edgewise::sweep {
                                                                 std::span<const Polyhedron> stored,
                                                                 std::span<const Distance> answers, double eps,
                                                                 const QueryOptions& options = {});
+
+/// The same of verdicts on nearness (bench::near_answer). `margin`: what a query was asked about. A pair at
+/// its margin to within the band where rounding decides may be called either, and one beyond it by no more
+/// than the gap tolerance makes of its distance may be called farther.
+[[nodiscard]] std::vector<measure::CheckedAnswer> check_nearness(
+    SharedQueries& shared, std::span<const Polyhedron> stored, std::span<const Distance> answers, double eps,
+    const QueryOptions& options, const std::function<double(const scene::Query&)>& margin);
 
 /// Empty when every checked answer is right; else what is wrong, with the first case as example.
 [[nodiscard]] std::string what_is_wrong(const SharedQueries& shared,

@@ -116,7 +116,9 @@ void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, Swe
     if (file.queries > 0 && choice.queries == 0) scene.queries = file.queries;
     if (!choice.layouts.empty()) scene.types = bench::select_table_types(choice.layouts);
     for (Axes& axes : scene.axes) {
-        if (axes.needs == Needs::witnesses) axes.set_needs(file.needs);
+        if (axes.needs != Needs::witnesses) continue;
+        axes.set_needs(file.needs);
+        if (file.margin > 0) axes.margin = file.margin;
     }
     for (const scene::ScenePoint& point : file.points) {
         if (!allows(choice.shapes, point.shape)) continue;

@@ -12,8 +12,9 @@
 
 namespace edgewise {
 
-/// What an answer must hold, least first: each asks for everything before it.
+/// What an answer must hold, least first: from `verdict` on each asks for everything before it.
 enum class Needs : std::uint8_t {
+    nearer,       ///< nearer to each other than a margin or not: no more, not even whether they touch
     verdict,      ///< separated or not
     distance,     ///< and how far
     witnesses,    ///< and the two closest points
@@ -22,8 +23,8 @@ enum class Needs : std::uint8_t {
     certificate,  ///< and an interval that provably holds the distance
 };
 
-inline constexpr std::array<std::string_view, 6> needs_names = {"verdict",  "distance", "witnesses",
-                                                                "features", "depth",    "certificate"};
+inline constexpr std::array<std::string_view, 7> needs_names = {
+    "nearer", "verdict", "distance", "witnesses", "features", "depth", "certificate"};
 
 [[nodiscard]] constexpr std::string_view to_string(Needs needs) {
     assert(static_cast<std::size_t>(needs) < needs_names.size());

@@ -129,6 +129,28 @@ TEST_P(Normal, OfAVerdictSeparates) {
     EXPECT_LT(steps, whole_steps);
 }
 
+/// Contact may begin at a distance: a direction that separates by less is no verdict yet.
+TEST_P(Normal, OfAVerdictClearsTheTolerance) {
+    const Polyhedron body = *scene::make_shape(GetParam());
+    const ReferenceTable table(body);
+    scene::Rng rng(4);
+    int within = 0, separated = 0, steps = 0, whole_steps = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const Pose pose{rng.rotation(), rng.uniform(1.5, 3) * rng.on_sphere()};
+        const Distance whole = ask<Gjk>(table, table, pose, {.contact_tolerance = 0.4});
+        const Distance answer =
+            ask<Gjk>(table, table, pose, {.contact_tolerance = 0.4, .verdict_only = true});
+        EXPECT_EQ(answer.status == Status::separated, whole.status == Status::separated) << whole.distance;
+        within += whole.status != Status::separated && whole.distance > 0;
+        separated += whole.status == Status::separated;
+        steps += answer.steps;
+        whole_steps += whole.steps;
+    }
+    EXPECT_GT(within, 100);
+    EXPECT_GT(separated, 100);
+    EXPECT_LT(steps, whole_steps);
+}
+
 TEST(NormalInTheWorld, TurnsWithBodyA) {
     Distance answer;
     answer.normal = {1, 0, 0};

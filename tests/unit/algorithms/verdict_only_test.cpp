@@ -48,5 +48,28 @@ TEST(VerdictOnly, IsTheVerdictOfTheWholeAnswer) {
     }
 }
 
+/// A direction that separates the bodies by less than what counts as contact ends nothing.
+TEST(VerdictOnly, IsBeyondTheContactTolerance) {
+    const studies::SingleCell cell({"aos_f64", "gjk", "cold", "sphere38", {}, 3000, 1});
+    for (const double tolerance : {0.05, 0.3, 1.0}) {
+        const auto quick = cell.type().make_runner("gjk"), whole = cell.type().make_runner("gjk");
+        whole->configure({.query = {.contact_tolerance = tolerance}});
+        quick->configure({.query = {.contact_tolerance = tolerance}, .needs = Needs::verdict});
+        EXPECT_EQ(quick->load(cell.workload()) + whole->load(cell.workload()), "");
+        const auto expected = whole->answer(), verdicts = quick->answer();
+        std::size_t wrong = 0, within = 0, sooner = 0;
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            wrong += (expected[i].status == Status::separated) != (verdicts[i].status == Status::separated);
+            within += expected[i].status != Status::separated && expected[i].distance > 0;
+            sooner += verdicts[i].steps < expected[i].steps;
+        }
+        std::printf("tolerance %g: %zu of %zu within, %zu sooner\n", tolerance, within, expected.size(),
+                    sooner);
+        EXPECT_EQ(wrong, 0U) << tolerance;
+        EXPECT_GT(within, 0U) << tolerance;
+        EXPECT_GT(sooner, 0U) << tolerance;
+    }
+}
+
 }  // namespace
 }  // namespace edgewise

@@ -19,6 +19,9 @@ TEST(Lines, AreMeansOverQueries) {
     EXPECT_EQ(found["reads_per_query"].value, 40);
     touched = {};
     EXPECT_FALSE(by_name(lines::figures(touched))["lines_per_query"].value);
+    touched.queries = 10;
+    EXPECT_FALSE(by_name(lines::figures(touched))["lines_per_query"].value) << "the loader was told nothing";
+    EXPECT_EQ(by_name(lines::figures(touched, true))["lines_per_query"].value, 0) << "bounds told all";
 }
 
 }  // namespace

@@ -44,5 +44,20 @@ TEST(Time, OfAllPairsIsTheBothTogether) {
     EXPECT_NEAR(*time.at("all_ratio").value, 0.5, 1e-9);
 }
 
+TEST(Time, OfPairsOfEitherKindIsOfAllAlone) {
+    std::vector<measure::Round> rounds = nine_rounds();
+    for (measure::Round& round : rounds) {
+        round.timing = {};
+        round.timing.either_queries = 20;
+        round.timing.either_ns = 20.0 * (100 + round.number);
+    }
+    const auto time = by_name(time::figures(rounds));
+    EXPECT_EQ(time.at("all_ns").value, 104);
+    EXPECT_TRUE(time.at("all_ratio").value);
+    EXPECT_FALSE(time.at("separated_ns").value);
+    EXPECT_EQ(time.at("separated_ns").reason, "what was asked does not tell this kind of pair");
+    EXPECT_FALSE(time.at("overlapping_ratio").value);
+}
+
 }  // namespace
 }  // namespace edgewise::probes

@@ -73,6 +73,13 @@ TEST(Work, IsSharesOfWhatWasLookedAt) {
     counts.unchanged = 200;
     const auto not_looked = by_name(work::figures({}, counts));
     EXPECT_EQ(not_looked.at("unchanged").value, 0.25);
+    EXPECT_FALSE(not_looked.at("told_by_bounds").value) << "nobody asked them";
+    counts.told = 600;
+    const auto of_nearness = by_name(work::figures({}, counts, Needs::nearer));
+    EXPECT_EQ(of_nearness.at("told_by_bounds").value, 0.75);
+    EXPECT_FALSE(of_nearness.at("unchanged").value) << "most start nowhere";
+    const auto of_cold = by_name(work::figures({}, {}, Needs::nearer));
+    EXPECT_FALSE(of_cold.at("told_by_bounds").value) << "none starts warm";
     EXPECT_FALSE(not_looked.at("support_unchanged").value);
     const auto work = by_name(
         work::figures({100, 50, 25, 400, 80, 60, 72, 200, 500, {20, 60, 100, 20}, 40, 30, "", ""}, counts));

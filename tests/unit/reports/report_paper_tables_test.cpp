@@ -52,6 +52,32 @@ TEST(PaperTables, NeedsAreRatiosToThePlainCell) {
     EXPECT_THAT(grid.rows[0][6].why, HasSubstr("needs=distance"));
 }
 
+TEST(PaperTables, NearnessStandsBesideTheOtherNeeds) {
+    ReportData data;
+    add_scene(data, "paper_needs", "");
+    const auto add = [&](const char* axes, const MadeUp& figures) {
+        data.from_files.push_back(made_up_cell("paper_needs", "gjk", "{}", figures));
+        data.from_files.back().axes = axes;
+    };
+    add("", {{"time.all_ns", 100}, {"lines.lines_per_query", 9}});
+    add("needs=certificate", {{"time.all_ns", 400}});
+    add("needs=nearer+margin=1", {{"time.all_ns", 12}});
+    add("needs=nearer+margin=0.1",
+        {{"time.all_ns", 8}, {"lines.lines_per_query", 0.5}, {"work.told_by_bounds", 0.912}});
+    const TextGrid grid = all_needs_grid(data);
+    ASSERT_EQ(grid.rows.size(), 4U);
+    EXPECT_EQ(grid.rows[0].size(), grid.columns.size());
+    EXPECT_EQ(grid.rows[0][3].text, "nearer, margin 0.1");
+    EXPECT_EQ(grid.rows[1][3].text, "nearer, margin 1");
+    EXPECT_EQ(grid.rows[2][3].text, "witnesses");
+    EXPECT_EQ(grid.rows[3][3].text, "certificate");
+    EXPECT_EQ(grid.rows[0][4].text, "8");
+    EXPECT_EQ(grid.rows[0][5].text, "0.080");
+    EXPECT_EQ(grid.rows[0][6].text, "0.500");
+    EXPECT_EQ(grid.rows[0][7].text, "0.912");
+    EXPECT_FALSE(grid.rows[3][7].why.empty()) << "no bounds were asked";
+}
+
 TEST(PaperTables, RobustnessIsInPercentWithItsNumber) {
     ReportData data;
     add_scene(data, "paper_static", "");

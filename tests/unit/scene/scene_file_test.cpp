@@ -72,6 +72,14 @@ TEST(SceneFile, TurnsVelocitiesIntoSteps) {
     EXPECT_EQ(parsed(file.text).points.size(), 6U) << "its text reads back";
 }
 
+TEST(SceneFile, HasAMarginWhereNearnessIsAsked) {
+    const SceneFile file =
+        parsed(R"({"scene": "tumble", "shapes": ["cube8"], "needs": "nearer", "margin": 2})");
+    EXPECT_EQ(file.needs, Needs::nearer);
+    EXPECT_EQ(file.margin, 2);
+    EXPECT_EQ(parsed(R"({"scene": "tumble", "shapes": ["cube8"], "needs": "nearer"})").margin, 0);
+}
+
 struct BadFile {
     const char *text, *place, *allowed;
 };
@@ -100,6 +108,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "gravity": 9.81})", "'gravity'", "time_step"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "time_step": 0})", "time_step", "above 0"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "needs": "all"})", "'all'", "certificate"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "margin": 1})", "margin", "nearer"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "needs": "nearer", "margin": 0})", "margin",
+                "above 0"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "sharing": "no"})", "'no'", "per_instance"},
         BadFile{R"({"scene": "static", "shapes": ["cube8"], "sharing": "per_instance"})", "own_tables",
                 "occupancy"},

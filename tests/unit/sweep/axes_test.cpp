@@ -24,7 +24,7 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
     for (const char* text :
          {"", "contact_tolerance=0.001", "gap_tolerance=1e-06", "contact_tolerance=1e+20+gap_tolerance=0.01",
           "order=bfs", "order=spatial", "sharing=per_instance", "sharing=shared", "allocator=jemalloc",
-          "needs=verdict", "needs=certificate",
+          "needs=verdict", "needs=certificate", "needs=nearer+margin=0.1", "needs=nearer+margin=0.02",
           "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
     }
@@ -35,6 +35,9 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
     EXPECT_EQ(parse_axes("needs=witnesses").text(), "");
     EXPECT_TRUE(parse_axes("needs=verdict").query.verdict_only);
     EXPECT_FALSE(parse_axes("needs=depth").query.verdict_only);
+    EXPECT_EQ(parse_axes("needs=nearer").text(), "needs=nearer+margin=0.1") << "a condition of its figures";
+    EXPECT_EQ(parse_axes("margin=2+needs=nearer").margin, 2);
+    EXPECT_FALSE(parse_axes("needs=nearer").query.verdict_only) << "bounds come from whole distances";
 }
 
 TEST(Axes, ConcernOnlyWhatTheyChange) {
@@ -54,6 +57,12 @@ TEST(Axes, BadOnesAreOneClearLine) {
     EXPECT_NE(error_of("order=random").find("wants given|bfs|spatial"), std::string::npos);
     EXPECT_NE(error_of("sharing").find("wants shared|per_instance"), std::string::npos);
     EXPECT_NE(error_of("allocator=mine").find("wants arena|jemalloc|libc"), std::string::npos);
+    EXPECT_NE(error_of("margin=0.1").find("write both"), std::string::npos);
+    EXPECT_NE(error_of("needs=verdict+margin=0.1").find("write both"), std::string::npos);
+    EXPECT_NE(error_of("needs=nearer+margin=0").find("above 0"), std::string::npos);
+    EXPECT_NE(error_of("needs=nearer+margin=x").find("wants a number"), std::string::npos);
+    EXPECT_NE(error_of("needs=nearer+contact_tolerance=1").find("leave contact_tolerance out"),
+              std::string::npos);
     EXPECT_NE(error_of("speed=3").find("unknown; known: "), std::string::npos);
 }
 

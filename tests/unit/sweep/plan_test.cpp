@@ -116,8 +116,9 @@ std::vector<PaperScene> paper_scenes() {
     const Names in_static = {"aos_f64", "aos_f32", "linked_f64", "lean_f64", "points_neighbours_f64"};
     const Names thrashed = {"aos_f64", "linked_f64", "lean_f64"};
     const Names shared = {"sharing=shared"}, placed = {"sharing=shared", "order=bfs", "order=spatial"};
-    const Names asked = {"needs=verdict", "needs=distance", "needs=features", "needs=depth",
-                         "needs=certificate"};
+    const Names asked = {
+        "needs=nearer+margin=0.01", "needs=nearer",   "needs=nearer+margin=1", "needs=verdict",
+        "needs=distance",           "needs=features", "needs=depth",           "needs=certificate"};
     return {{"paper_static", in_static, {}},
             {"paper_linear_8", both, {}},
             {"paper_bodies", both, {}},

@@ -144,6 +144,40 @@ TEST_F(Verify, AGapToleranceAllowsThatPartOfTheDistance) {
     EXPECT_THAT(wrong(eps, {0, 0.008}), HasSubstr("wrong distance"));
 }
 
+/// Whatever the margin: below, at and above the distance of the pair.
+TEST_F(Verify, NearnessIsJudgedByItsMargin) {
+    const std::size_t i = first(Status::separated);
+    const double distance = answers_[i].distance;
+    const auto wrong_for = [&](double margin, const QueryOptions& options = {}) {
+        return what_is_wrong(shared_,
+                             check_nearness(shared_, shared_.workload().bodies, answers_, eps, options,
+                                            [&](const scene::Query&) { return margin; }),
+                             eps);
+    };
+    for (const double part : {0.5, 1.0, 2.0}) {
+        const double margin = part * distance;
+        const std::vector<Distance> exact = answers_;
+        for (Distance& answer : answers_)
+            answer.status = answer.distance < margin ? Status::touching : Status::separated;
+        EXPECT_EQ(wrong_for(margin), "") << part;
+        Status& status = answers_[i].status;
+        status = status == Status::touching ? Status::separated : Status::touching;
+        if (part == 1) {
+            EXPECT_EQ(wrong_for(margin), "") << "at the margin either is right";
+        } else {
+            EXPECT_THAT(wrong_for(margin), HasSubstr("1 of 60 checked answers are wrong")) << part;
+        }
+        status = Status::failed;
+        EXPECT_THAT(wrong_for(margin), HasSubstr("wrong verdict")) << part;
+        answers_ = exact;
+    }
+    for (Distance& answer : answers_)
+        answer.status = answer.distance < distance * 1.001 ? Status::touching : Status::separated;
+    answers_[i].status = Status::separated;
+    EXPECT_THAT(wrong_for(distance * 1.001), HasSubstr("1 of 60"));
+    EXPECT_EQ(wrong_for(distance * 1.001, {0, 0.002}), "") << "a gap tolerance makes distances longer";
+}
+
 TEST_F(Verify, UncheckedQueriesAreNotJudged) {
     ASSERT_EQ(shared_.checked()[1], 2U);
     answers_[1].distance += 1;

@@ -74,7 +74,8 @@ class LaneGjk {
                                                         const Number& reach, const Mask& held, Mask& ended) {
         const Number noise = Tolerance<Scalar>::support_noise * square_root<Scalar, n>(squared) * lanes_.size;
         const Mask separates = reach > noise;
-        const Mask verdict = verdict_only_ ? separates : Mask{};
+        Mask verdict{};
+        if (verdict_only_) verdict = reach - noise > square_root<Scalar, n>(contact_squared_ * squared);
         const Mask useless = (lanes_.steps == 1) & ~lanes_.is_cold & ~verdict &
                              (reach < static_cast<Scalar>(far_off) * squared);
         const Mask touching = (max_abs(v) <= Tolerance<Scalar>::contact_noise * lanes_.size) & ~separates;

@@ -12,6 +12,7 @@ namespace edgewise::store::vocabulary {
 // clang-format off
 inline constexpr FigureInfo answers[] = {
     {"work.unchanged", "1", Population::warm, Repeats::exactly, "part of warm queries that end where they started"},
+    {"work.told_by_bounds", "1", Population::warm, Repeats::exactly, "of needs=nearer: part of warm queries that the pair's bounds answer, without a look at a table"},
     {"work.support_unchanged", "1", Population::warm, Repeats::exactly, "of GJK: part of the last simplex's vertices that were in the one before"},
     {"work.support_near", "1", Population::warm, Repeats::exactly, "part of them that are beside a vertex of the one before"},
     {"work.hops_per_support", "1", Population::all, Repeats::exactly, "edges climbed per search of a support point"},

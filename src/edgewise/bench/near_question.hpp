@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+//
+// A query of which only this is asked: are the bodies nearer to each other than a margin? A pair of a warm
+// scene answers by its bounds where these tell; else the tables are asked for the whole distance, which
+// renews the bounds. A cold query has no past: the tables are asked, and no more than the verdict.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "edgewise/algorithms/near_pair.hpp"
+#include "edgewise/algorithms/observer.hpp"
+#include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/bench/near_margins.hpp"
+#include "edgewise/scene/workload.hpp"
+
+namespace edgewise::bench {
+
+/// A verdict in the form of an answer: `touching` and 0 for nearer, else `separated` and the margin; what was
+/// counted is that of the query `asked`. Steps are 0 where the bounds told. A failed query stays one.
+[[nodiscard]] inline Distance near_answer(bool nearer, double margin, const Distance& asked = {}) {
+    Distance answer;
+    answer.status = nearer ? Status::touching : Status::separated;
+    answer.distance = nearer ? 0 : margin;
+    answer.steps = asked.steps;
+    answer.cycles = asked.cycles;
+    answer.fallbacks = asked.fallbacks;
+    answer.refinements = asked.refinements;
+    answer.escapes = asked.escapes;
+    return answer;
+}
+
+/// Of a warm pair whose bounds do not tell.
+template <class Algorithm, class Table, class Pair, class Observer = NoObserver>
+[[nodiscard]] Distance ask_warm_near(const Table& a, const Table& b, const Transform<double>& a_from_b,
+                                     NearCache<Pair>& cache, double margin, const Radii& radii,
+                                     const QueryOptions& options, Observer&& observer = {}) {
+    const Distance answer = ask_near<Algorithm>(a, b, a_from_b, radii, cache, options, observer);
+    if (answer.status == Status::failed) return {};
+    return near_answer(answer.distance < margin, margin, answer);
+}
+
+template <class Algorithm, class Table, class Pair, class Observer = NoObserver>
+[[nodiscard]] Distance ask_cold_near(const Table& a, const Table& b, const Transform<double>& a_from_b,
+                                     Pair& pair, double margin, QueryOptions options,
+                                     Observer&& observer = {}) {
+    options.contact_tolerance = margin;
+    options.verdict_only = true;
+    const Distance answer = Algorithm::query(a, b, a_from_b, pair, options, observer);
+    if (answer.status == Status::failed) return {};
+    return near_answer(answer.status != Status::separated, margin, answer);
+}
+
+/// A pass over queries of a workload, as Runner::RangePass. Tables: gives a query's two tables.
+template <class Algorithm, class Table, class Tables>
+class NearPass {
+  public:
+    using Pair = typename Algorithm::template Pair<Table, Table>;
+    using Cache = NearCache<Pair>;
+
+    /// `cold`: of each pair of a warm scene, its cache when it knows nothing. All but `tables` must stay.
+    NearPass(const scene::Workload& workload, const NearMargins& margins, const QueryOptions& options,
+             Tables tables, const std::vector<Pair>& cold)
+        : workload_(workload), margins_(margins), options_(options), tables_(std::move(tables)) {
+        for (const Pair& pair : cold) cold_.push_back({{}, pair});
+        pairs_ = cold_;
+    }
+
+    [[gnu::noinline]] double operator()(std::size_t first, std::size_t last, Distance* answers) {
+        if (first == 0) pairs_ = cold_;
+        double sum = 0;
+        for (std::size_t i = first; i < last; ++i) {
+            const scene::Query& query = workload_.queries[i];
+            const double margin = margins_.margin(query);
+            if (const auto told = told_by_bounds(query, margin)) {
+                // No whole answer is made for nobody: it would take as long as the bounds.
+                sum += *told ? 0 : margin;
+                if (answers) answers[i] = near_answer(*told, margin);
+                continue;
+            }
+            const Distance answer = ask(query, margin);
+            if (answers) answers[i] = answer;
+            sum += answer.distance;
+        }
+        return sum;
+    }
+
+  private:
+    [[nodiscard]] std::optional<bool> told_by_bounds(const scene::Query& query, double margin) const {
+        if (!workload_.warm) return std::nullopt;
+        return pairs_[query.pair].bounds.nearer_than(margin, relative_pose(query.pose_a, query.pose_b));
+    }
+
+    /// Computes the pose again: handed over, it would stand in memory in the loop that seldom asks.
+    [[nodiscard]] [[gnu::noinline]] Distance ask(const scene::Query& query, double margin) {
+        const Transform<double> a_from_b = relative_pose(query.pose_a, query.pose_b);
+        const auto [a, b] = tables_(query);
+        if (workload_.warm)
+            return ask_warm_near<Algorithm>(*a, *b, a_from_b, pairs_[query.pair], margin,
+                                            margins_.radii(query), options_);
+        Pair pair(*a, *b);
+        return ask_cold_near<Algorithm>(*a, *b, a_from_b, pair, margin, options_);
+    }
+
+    const scene::Workload& workload_;
+    const NearMargins& margins_;
+    const QueryOptions& options_;
+    Tables tables_;
+    std::vector<Cache> cold_, pairs_;
+};
+
+}  // namespace edgewise::bench

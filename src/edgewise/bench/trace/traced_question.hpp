@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+//
+// One query through tables that report what is read of them, as a pass asks it: for what the options need, or
+// for nearness, where a pair's bounds may answer and nothing but them is read.
+#pragma once
+
+#include <cstdint>
+
+#include "edgewise/algorithms/near_pair.hpp"
+#include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/bench/near_question.hpp"
+#include "edgewise/bench/trace/trace_names.hpp"
+#include "edgewise/bench/trace/trace_places.hpp"
+#include "edgewise/measure/cache/trace.hpp"
+#include "edgewise/scene/workload.hpp"
+
+namespace edgewise::bench {
+
+/// Sets the step that reads are booked under: of V-Clip the state, of GJK the iterations.
+struct StepMarks {
+    measure::TraceSink &a, &b;
+
+    void visit(FeatureKind kind_a, FeatureKind kind_b) const { set(step_of(kind_a, kind_b)); }
+    void ask_gjk() const { set(TraceStep::settle); }
+    void iterate(std::uint8_t /*members*/) const { set(TraceStep::gjk_iteration); }
+    void set(TraceStep step) const {
+        a.set_step(static_cast<std::uint8_t>(step));
+        b.set_step(static_cast<std::uint8_t>(step));
+    }
+};
+
+/// Views of two tables, and their pair's cache. TracedTable: the table's layout with a loader that tells a
+/// TraceSink.
+template <class Algorithm, class TracedTable>
+struct TracedPair {
+    using AlgorithmType = Algorithm;
+
+    TracedTable a, b;
+    NearCache<typename Algorithm::template Pair<TracedTable, TracedTable>> cache;  ///< bounds unused by most
+
+    template <class Table>
+    TracedPair(const Table& table_a, const Table& table_b, measure::TraceSink& sink_a,
+               measure::TraceSink& sink_b)
+        : a(table_a, {&sink_a}), b(table_b, {&sink_b}), cache{{}, {a, b}} {}
+};
+
+/// Tells of accesses to the start of one pair's cache, which only warm scenes keep.
+struct PairTouch {
+    measure::TraceListener& listener;
+    const TracePlaces& places;
+    std::uint32_t pair;
+    bool warm;
+
+    void operator()(std::uint32_t bytes, measure::AccessKind kind) const {
+        if (!warm) return;
+        listener.on_access({places.pair_caches + std::uint64_t{pair} * places.pair_bytes, bytes, kind,
+                            pair_cache_field, static_cast<std::uint8_t>(TraceStep::pair_cache),
+                            measure::TraceSide::scene});
+    }
+};
+
+struct TracedQuestion {
+    const QueryOptions& options;
+    const NearMargins* near = nullptr;  ///< null: what is asked is more than nearness
+
+    /// A pair's cache is read first and written last, all of it unless its bounds tell.
+    template <class Traced>
+    [[nodiscard]] Distance ask(const scene::Query& query, Traced& traced, const StepMarks& marks,
+                               const PairTouch& touch) const {
+        using enum measure::AccessKind;
+        const Transform<double> a_from_b = relative_pose(query.pose_a, query.pose_b);
+        if (near && touch.warm) {
+            const double margin = near->margin(query);
+            if (const auto told = traced.cache.bounds.nearer_than(margin, a_from_b)) {
+                touch(sizeof(DistanceBounds), read);
+                return near_answer(*told, margin);
+            }
+        }
+        touch(touch.places.pair_bytes, read);
+        marks.set(TraceStep::start);
+        const Distance answer = ask_tables(query, traced, a_from_b, marks, touch.warm);
+        touch(touch.places.pair_bytes, write);
+        return answer;
+    }
+
+  private:
+    template <class Traced>
+    [[nodiscard]] Distance ask_tables(const scene::Query& query, Traced& traced,
+                                      const Transform<double>& a_from_b, const StepMarks& marks,
+                                      bool warm) const {
+        using Algorithm = typename Traced::AlgorithmType;
+        auto& [a, b, cache] = traced;
+        if (!near) return Algorithm::query(a, b, a_from_b, cache.pair, options, marks);
+        if (!warm)
+            return ask_cold_near<Algorithm>(a, b, a_from_b, cache.pair, near->margin(query), options, marks);
+        return ask_warm_near<Algorithm>(a, b, a_from_b, cache, near->margin(query), near->radii(query),
+                                        options, marks);
+    }
+};
+
+}  // namespace edgewise::bench
