@@ -28,6 +28,10 @@ void take_parameter(const std::string& text, scene::SceneParameters& parameters)
 void add_cell_options(CLI::App& command, studies::CellChoice& choice) {
     command.add_option("--table", choice.table, "table type")->capture_default_str();
     command.add_option("--algorithm", choice.algorithm, "vclip or gjk")->capture_default_str();
+    add_scene_options(command, choice);
+}
+
+void add_scene_options(CLI::App& command, studies::CellChoice& choice) {
     command.add_option("--scene", choice.scene, "scene")->capture_default_str();
     command.add_option("--shape", choice.shape, "built-in shape")->capture_default_str();
     command.add_option("--queries", choice.queries, "queries per pass")

@@ -83,6 +83,8 @@ template <class Value>
 /// Options that name one cell, for commands that look at one. The choice must live until the command's action
 /// is done.
 void add_cell_options(CLI::App& command, studies::CellChoice& choice);
+/// Those of its scene alone.
+void add_scene_options(CLI::App& command, studies::CellChoice& choice);
 
 /// A stability run into a store, with progress on stderr: for the command of that name and for the sweep.
 /// Ctrl-C stops after the row in hand. `on_row` may be empty.
@@ -95,6 +97,7 @@ void add_bytes(CLI::App& app, Context& context);
 void add_calibrate(CLI::App& app, Context& context);
 void add_crosscheck(CLI::App& app, Context& context);
 void add_draw(CLI::App& app, Context& context);
+void add_effort(CLI::App& app, Context& context);
 void add_heat(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 void add_machine(CLI::App& app, Context& context);

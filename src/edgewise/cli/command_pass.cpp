@@ -3,8 +3,8 @@
 // `edgewise pass`: runs passes over one cell's queries and nothing else, for tools that look at the whole
 // program. One pass first fills caches; the others are what is to be observed, and what Callgrind collects
 // when told not to begin at the start. Prints how many queries the first pass had and the sum of their
-// distances, so that whoever counts them knows that they were answered right. Not listed: `edgewise crosscheck`
-// and `edgewise effort` call it.
+// distances, so that whoever counts them knows that they were answered right. Not listed: `edgewise
+// crosscheck` and `edgewise effort` call it.
 #include <fmt/format.h>
 
 #include "edgewise/cli/command.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Callgrind, an independent simulator of two levels of caches and of a branch predictor: how it is called with
-// a given geometry, and what its output says. Its predictor is no processor's: two-bit counters by address and
-// recent history, and the last target of an indirect jump.
+// Callgrind, an independent simulator of two levels of caches and of a branch predictor: how it is called
+// with a given geometry, and what its output says. Its predictor is no processor's: two-bit counters by
+// address and recent history, and the last target of an indirect jump.
 #pragma once
 
 #include <filesystem>
