@@ -4,6 +4,7 @@
 // modelled mispredictions and misses per query and per step, beside a floor.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "edgewise/bench/build_info.hpp"
@@ -18,7 +19,7 @@ namespace edgewise::cli {
 namespace {
 
 struct EffortArguments {
-    studies::CellChoice cell = {.queries = 200, .checked = 50};
+    studies::CellChoice cell = studies::effort_cell;
     std::vector<std::string> layouts = {"aos_f64", "lean_f32", "points_soa_f64"}, algorithms = {"all"}, peers;
     std::string machine = studies::effort_machine;
     std::string store;
@@ -72,7 +73,7 @@ std::array<Column, 12> columns_for(const std::string& machine) {
 }
 
 void print_row(const studies::EffortRow& row, const std::string& machine) {
-    fmt::print("{:<22} {:<22}", row.cell.table, row.cell.algorithm);
+    fmt::print("{:<26} {:<22}", row.cell.table, row.cell.algorithm);
     for (const Column& column : columns_for(machine)) {
         const store::FigureRow* figure = find(row, column.figure);
         fmt::print(" {:>9}", figure && figure->value ? fmt::format("{:.2f}", *figure->value) : "-");
@@ -87,7 +88,7 @@ void print_row(const studies::EffortRow& row, const std::string& machine) {
 void print(const std::vector<studies::EffortRow>& rows, const EffortArguments& options) {
     fmt::print("per query of {} on {}, caches of {}\n", options.cell.scene, options.cell.shape,
                options.machine);
-    fmt::print("{:<22} {:<22}", "table type or library", "algorithm");
+    fmt::print("{:<26} {:<22}", "table type or library", "algorithm");
     for (const Column& column : columns_for(options.machine)) fmt::print(" {:>9}", column.title);
     fmt::print("\n");
     for (const studies::EffortRow& row : rows) print_row(row, options.machine);

@@ -61,32 +61,14 @@ void take_trace(const SingleCell& cell, double bytes_of_vertex, Effort& effort) 
 }
 
 /// Empty, or why the program's passes are not those that were checked.
-std::string check_program(const CellChoice& choice, const SingleCell& cell, const std::string& program) {
+std::string check_program(const CellChoice& choice, const Effort& effort, const std::string& program) {
     const auto outcome = measure::run_program(pass_command(choice, program, few_passes));
     if (!outcome.value) return outcome.reason;
     if (outcome.value->exit_code != 0) {
         const std::string& err = outcome.value->err;
         return fmt::format("{} cannot run it: {}", program, err.substr(0, err.find('\n')));
     }
-    return compare_passes(outcome.value->out, cell.runner().prepared_pass()(), cell.type().is_peer);
-}
-
-Counts count(const CellChoice& choice, const SingleCell& cell,
-             const measure::Expected<measure::CacheGeometry>& geometry,
-             const measure::Expected<std::string>& program) {
-    if (!geometry.value) return geometry.refusal();
-    if (!program.value) return program.refusal();
-    if (const std::string wrong = check_program(choice, cell, *program.value); !wrong.empty())
-        return Counts::none(wrong,
-                            cell.type().is_peer
-                                ? "build edgewise_sim, and the library for a processor without AVX-512"
-                                : "build edgewise_sim with EDGEWISE_SIM_LAYOUTS naming the table type");
-    const Counts few = callgrind_pass(choice, *geometry.value, *program.value, few_passes);
-    if (!few.value) return few;
-    const Counts many = callgrind_pass(choice, *geometry.value, *program.value, many_passes);
-    if (!many.value) return many;
-    return counts_per_query(*few.value, *many.value, many_passes - few_passes,
-                            static_cast<double>(cell.workload().queries.size()));
+    return compare_passes(outcome.value->out, effort.passed, effort.is_peer);
 }
 
 }  // namespace
@@ -115,8 +97,24 @@ std::string compare_passes(const std::string& printed, const bench::PassSum& exp
                        distances, expected.queries, expected.distances);
 }
 
-Effort measure_effort(const CellChoice& choice, const measure::Expected<measure::CacheGeometry>& geometry,
-                      const measure::Expected<std::string>& program) {
+Counts count_effort(const CellChoice& choice, const Effort& effort,
+                    const measure::Expected<measure::CacheGeometry>& geometry,
+                    const measure::Expected<std::string>& program) {
+    if (!geometry.value) return geometry.refusal();
+    if (!program.value) return program.refusal();
+    if (const std::string wrong = check_program(choice, effort, *program.value); !wrong.empty())
+        return Counts::none(
+            wrong, effort.is_peer ? "build edgewise_sim, and the library for a processor without AVX-512"
+                                  : "build edgewise_sim with EDGEWISE_SIM_LAYOUTS naming the table type");
+    const Counts few = callgrind_pass(choice, *geometry.value, *program.value, few_passes);
+    if (!few.value) return few;
+    const Counts many = callgrind_pass(choice, *geometry.value, *program.value, many_passes);
+    if (!many.value) return many;
+    return counts_per_query(*few.value, *many.value, many_passes - few_passes,
+                            static_cast<double>(effort.passed.queries));
+}
+
+Effort examine(const CellChoice& choice) {
     SingleCell cell(choice);
     const bench::TableType& type = cell.type();
     const Polyhedron& body = cell.runner().stored_bodies()[0];
@@ -140,7 +138,7 @@ Effort measure_effort(const CellChoice& choice, const measure::Expected<measure:
     const bool knows_neighbours = type.is_peer || ledger[Component::topology] > 0;
     effort.floor =
         proof_floor(cell.workload(), cell.runner().stored_bodies(), {knows_neighbours, bytes_of_vertex});
-    effort.counted = count(choice, cell, geometry, program);
+    effort.passed = cell.runner().prepared_pass()();
     return effort;
 }
 

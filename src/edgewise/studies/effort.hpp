@@ -28,7 +28,8 @@ struct Effort {
     std::string wrong;  ///< of checked answers; empty: all are right. A peer's are its own to have
     std::size_t vertices = 0, edges = 0, faces = 0;
     double table_bytes = 0, object_bytes = 0, pair_bytes = 0;  ///< of one shape's table, and of a pair
-    measure::Expected<measure::CallgrindCounts> counted;
+    bench::PassSum passed;                                     ///< what one pass of the queries gives
+    measure::Expected<measure::CallgrindCounts> counted = measure::Refusal{"not counted yet"};
     measure::Expected<double> steps, supports, vertices_read, lines_read;
     measure::Expected<ProofFloor> floor;
 };
@@ -44,9 +45,14 @@ struct Effort {
 [[nodiscard]] std::string compare_passes(const std::string& printed, const bench::PassSum& expected,
                                          bool is_peer);
 
-/// `program`: as program_for_valgrind says. Throws std::invalid_argument for a cell that cannot be made.
-[[nodiscard]] Effort measure_effort(const CellChoice& choice,
-                                    const measure::Expected<measure::CacheGeometry>& geometry,
-                                    const measure::Expected<std::string>& program);
+/// All but `counted`. Nothing else may allocate meanwhile: what a library's shapes take is seen on the heap.
+/// Throws std::invalid_argument for a cell that cannot be made.
+[[nodiscard]] Effort examine(const CellChoice& choice);
+
+/// The rest, of an effort that was examined, in processes of their own. `program`: as program_for_valgrind
+/// says.
+[[nodiscard]] measure::Expected<measure::CallgrindCounts> count_effort(
+    const CellChoice& choice, const Effort& effort, const measure::Expected<measure::CacheGeometry>& geometry,
+    const measure::Expected<std::string>& program);
 
 }  // namespace edgewise::studies

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "edgewise/bench/cell.hpp"
@@ -84,18 +86,24 @@ Number mispredictions_of(const measure::Expected<measure::CallgrindCounts>& coun
     return {*counted.value->mispredictions};
 }
 
-EffortRow measure_row(const Contender& contender, store::CellRow row,
-                      const measure::Expected<measure::CacheGeometry>& geometry,
-                      const measure::Expected<std::string>& program, const std::string& machine) {
+/// A row on its way: examined, or why it cannot be.
+struct Examined {
+    std::size_t place;
+    const Contender* contender;
+    store::CellRow row;
+    std::optional<Effort> effort;
+};
+
+Examined examine_row(std::size_t place, const Contender& contender, store::CellRow row) {
     try {
-        const Effort effort = measure_effort(contender.choice, geometry, program);
+        Effort effort = examine(contender.choice);
         row.status = effort.is_peer ? "judged" : effort.wrong.empty() ? "verified" : "failed";
         row.reason = effort.wrong;
-        return {row, effort_figures(effort, machine)};
+        return {place, &contender, std::move(row), std::move(effort)};
     } catch (const std::invalid_argument& problem) {  // bodies that the table cannot store
         row.status = "unavailable";
         row.reason = problem.what();
-        return {row, {}};
+        return {place, &contender, std::move(row), std::nullopt};
     }
 }
 
@@ -148,16 +156,19 @@ bool run_effort(const EffortPlan& plan, const std::function<bool(const store::Ce
     const auto geometry = geometry_of(plan.machine);
     const auto program = program_for_valgrind();
     const std::vector<Contender> all = contenders(plan);
+    std::vector<Examined> examined;
+    for (std::size_t place = 0; place < all.size() && !stop; ++place) {
+        store::CellRow row = row_of(all[place]);
+        if (wanted(row)) examined.push_back(examine_row(place, all[place], std::move(row)));
+    }
     std::mutex one_at_a_time;
-    bench::for_each_index(all.size(), [&](std::size_t place) {
-        const store::CellRow row = row_of(all[place]);
-        {
-            const std::scoped_lock lock(one_at_a_time);
-            if (stop || !wanted(row)) return;
-        }
-        const EffortRow measured = measure_row(all[place], row, geometry, program, plan.machine.name);
+    bench::for_each_index(examined.size(), [&](std::size_t i) {
+        if (stop) return;
+        auto& [place, contender, row, effort] = examined[i];
+        if (effort) effort->counted = count_effort(contender->choice, *effort, geometry, program);
         const std::scoped_lock lock(one_at_a_time);
-        on_row(place, measured);
+        on_row(place,
+               {row, effort ? effort_figures(*effort, plan.machine.name) : std::vector<store::FigureRow>{}});
     });
     return !stop;
 }

@@ -25,8 +25,15 @@ inline constexpr const char* effort_scene = "effort ";
 /// Whose first two levels Callgrind simulates when nobody says otherwise.
 inline constexpr const char* effort_machine = "skylake_sp";
 
+/// What is asked when nobody says otherwise: pairs that turn as in a simulation, large enough to climb on.
+inline const CellChoice effort_cell = {.scene = "tumble",
+                                       .shape = "sphere386",
+                                       .parameters = {{"rotation_step", 0.1}},
+                                       .queries = 200,
+                                       .checked = 50};
+
 struct EffortPlan {
-    CellChoice cell;  ///< scene, shape, parameters, queries, seed: of every row
+    CellChoice cell = effort_cell;  ///< scene, shape, parameters, queries, seed: of every row
     std::vector<const bench::TableType*> types, peers;
     std::vector<std::string> algorithms;
     measure::MachineChoice machine;
@@ -44,8 +51,9 @@ struct EffortRow {
 /// Every figure is a number or none with a reason. `machine`: its name, for figures of caches.
 [[nodiscard]] std::vector<store::FigureRow> effort_figures(const Effort& effort, const std::string& machine);
 
-/// Rows of which `wanted` is true, measured several at a time: nothing is timed. `on_row` is notified of each
-/// with its place in the plan's order, one at a time. False when it was stopped before the last.
+/// Rows of which `wanted` is true, examined one after the other, then counted several at a time. `on_row` is
+/// notified of each with its place in the plan's order, one at a time. False when it was stopped before the
+/// last.
 [[nodiscard]] bool run_effort(const EffortPlan& plan,
                               const std::function<bool(const store::CellRow&)>& wanted,
                               const std::function<void(std::size_t place, const EffortRow&)>& on_row,
