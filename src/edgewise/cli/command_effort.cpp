@@ -123,8 +123,12 @@ bool measure_rows(const EffortArguments& options, const studies::EffortPlan& pla
         store.put_build(build);
         done = studies::store_effort(plan, build.id, store, take, stop);
     }
+    progress.clear();
     for (auto& row : places)
         if (row) rows.push_back(std::move(*row));
+    if (done && rows.size() < places.size())
+        warn(fmt::format("{} of {} rows are in {} already", places.size() - rows.size(), places.size(),
+                         options.store));
     return done;
 }
 
