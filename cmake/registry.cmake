@@ -33,8 +33,12 @@ function(edgewise_layout LAYOUT)
     endforeach()
 endfunction()
 
-# edgewise_table_type_list(FILE TYPE...): writes the unit that lists these table types, in this order.
+# edgewise_table_type_list(FILE TYPE...): writes the unit that lists these table types, in this order. PEERS_FOLDER, where
+# it is set: the folder beside the program that holds its peers' modules.
 function(edgewise_table_type_list FILE)
+    if(NOT PEERS_FOLDER)
+        set(PEERS_FOLDER peers)
+    endif()
     foreach(type IN LISTS ARGN)
         string(APPEND TABLE_TYPE_DECLARATIONS "TableType table_type_${type}();\n")
         string(APPEND TABLE_TYPE_ENTRIES "table_type_${type}(), ")

@@ -11,8 +11,8 @@ needed='g++ cmake ninja-build git ca-certificates libeigen3-dev libqhull-dev lib
 nlohmann-json3-dev libcli11-dev libfmt-dev libjemalloc-dev libpfm4-dev libgtest-dev libgmock-dev'
 # Formatting, linting, fuzzing; the second opinions on exact distances and on modelled caches.
 wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev valgrind'
-# Other libraries to be measured beside ours, with EDGEWISE_PEERS=ON in the environment.
-wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev'
+# Other libraries to be measured beside ours, with EDGEWISE_PEERS=ON in the environment; and what counts their work.
+wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 
 say() { printf 'set-up: %s\n' "$*" >&2; }
@@ -89,7 +89,7 @@ if command -v apt-get >/dev/null 2>&1 && command -v dpkg-query >/dev/null 2>&1; 
     fi
     if [ "${EDGEWISE_PEERS:-}" = ON ]; then
         # shellcheck disable=SC2086  # a list of words
-        install_missing $wanted_by_peers || say "going on; those libraries will be left out"
+        install_missing $wanted_by_peers || say "going on; what needs those will be left out"
     fi
     if [ "$1" = sweep ]; then
         # shellcheck disable=SC2046  # a list of words

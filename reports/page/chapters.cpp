@@ -97,13 +97,17 @@ Chapter times_chapter(const ReportData& data) {
 
 /// Where other libraries were measured.
 std::optional<Chapter> peers_chapter(const ReportData& data) {
-    if (!has_peers(data)) return std::nullopt;
+    if (!has_peers(data) && data.effort.empty()) return std::nullopt;
     Chapter chapter{
         "peers", "Beside other libraries", prose("peers.md"), {{.grids = {peers_grid(data)}}}, "Peers"};
     for (const std::string& scene : scene_labels(data)) {
         TextGrid grid = peer_grid(data, scene);
         if (!grid.rows.empty()) chapter.blocks.push_back({.title = scene, .grids = {std::move(grid)}});
     }
+    if (!data.effort.empty())
+        chapter.blocks.push_back({.title = "What a query takes",
+                                  .paragraph = prose("effort.md"),
+                                  .grids = {effort_grid(data), effort_floor_grid(data)}});
     return chapter;
 }
 

@@ -77,7 +77,7 @@ std::string results_csv(const ReportData& data) {
                                "faces",         "seed",         "queries",   "status",
                                "status_reason", "probe",        "figure",    "state",
                                "value",         "unit",         "reason",    "remedy"});
-    for (const auto* cells : {&data.cells, &data.from_files, &data.paging, &data.peers}) {
+    for (const auto* cells : {&data.cells, &data.from_files, &data.paging, &data.effort, &data.peers}) {
         for (const ReportCell& cell : *cells) out += rows_of(data, cell);
     }
     return out;

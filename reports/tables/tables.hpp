@@ -61,6 +61,11 @@ struct Drawing {
 /// Edgewise beside them in one scene, time beside error: by shape, fastest first.
 [[nodiscard]] TextGrid peer_grid(const ReportData& data, const std::string& scene_label);
 
+/// What queries take, ours and other libraries', by scene and shape, fewest instructions first.
+[[nodiscard]] TextGrid effort_grid(const ReportData& data);
+/// The floor of each, and what was spent over it.
+[[nodiscard]] TextGrid effort_floor_grid(const ReportData& data);
+
 /// Worst errors and sums by algorithm and table type, over all cells.
 [[nodiscard]] TextGrid error_summary_grid(const ReportData& data);
 /// The error figures of every cell.

@@ -124,6 +124,12 @@ edgewise_mutant(sets_by_the_wrong_bits measure/cache/cache_level.hpp [[return ma
 edgewise_mutant(the_newest_line_leaves measure/cache/cache_level.cpp [[std::min_element(times, times + ways_) - times]] [[std::max_element(times, times + ways_) - times]]
     CacheModel.* ${unit}/measure/cache_model_test.cpp)
 
+# Effort
+edgewise_mutant(startup_is_counted studies/effort.cpp [[return (of_many - of_few) / passes / queries;]] [[return of_many / passes / queries;]]
+    Effort.Counts* ${unit}/studies/effort_test.cpp)
+edgewise_mutant(floor_without_itself studies/proof_floor.cpp [[1 + body.ring_of_vertex(v).size()]] [[body.ring_of_vertex(v).size()]]
+    ProofFloor.* ${unit}/studies/proof_floor_test.cpp)
+
 # The rules of claims
 edgewise_mutant(too_much_is_no_miss reports/paper/claims/claim_rules.cpp [[ours.high < part.wanted.low || ours.low > part.wanted.high]] [[ours.high < part.wanted.low]]
     *EveryClaim*:Claims.* ${claims})

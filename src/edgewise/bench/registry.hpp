@@ -60,6 +60,9 @@ struct AlgorithmInfo {
 /// What their query loops are compiled with beyond all other code: " query loops: -march=native".
 [[nodiscard]] const char* table_types_flags();
 
+/// The folder beside this program that holds its peers' modules, which are compiled as its query loops are.
+[[nodiscard]] const char* peers_folder_name();
+
 /// Names as a user writes them: "aos" (all its precisions), "aos_f64", "all". Throws std::invalid_argument
 /// that lists the known names.
 [[nodiscard]] std::vector<const TableType*> select_table_types(std::span<const std::string> names);

@@ -44,6 +44,10 @@ void add_margin_option(CLI::App& command, std::optional<double>& margin) {
 void add_cell_options(CLI::App& command, studies::CellChoice& choice) {
     command.add_option("--table", choice.table, "table type")->capture_default_str();
     command.add_option("--algorithm", choice.algorithm, "vclip or gjk")->capture_default_str();
+    add_scene_options(command, choice);
+}
+
+void add_scene_options(CLI::App& command, studies::CellChoice& choice) {
     command.add_option("--scene", choice.scene, "scene")->capture_default_str();
     command.add_option("--shape", choice.shape, "built-in shape")->capture_default_str();
     command.add_option("--queries", choice.queries, "queries per pass")

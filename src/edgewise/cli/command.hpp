@@ -83,6 +83,8 @@ template <class Value>
 /// Options that name one cell, for commands that look at one. The choice must live until the command's action
 /// is done.
 void add_cell_options(CLI::App& command, studies::CellChoice& choice);
+/// Those of its scene alone.
+void add_scene_options(CLI::App& command, studies::CellChoice& choice);
 
 /// --margin: what --needs nearer asks about.
 void add_margin_option(CLI::App& command, std::optional<double>& margin);
@@ -98,6 +100,7 @@ void add_bytes(CLI::App& app, Context& context);
 void add_calibrate(CLI::App& app, Context& context);
 void add_crosscheck(CLI::App& app, Context& context);
 void add_draw(CLI::App& app, Context& context);
+void add_effort(CLI::App& app, Context& context);
 void add_heat(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 void add_machine(CLI::App& app, Context& context);

@@ -31,9 +31,10 @@ measure::Expected<Compared> compare(const measure::MachineChoice& choice, const 
     if (!choice.machine.value) return Answer::none(choice.machine.reason);
     const auto geometry = measure::callgrind_geometry(*choice.machine.value);
     if (!geometry.value) return Answer::none(geometry.reason);
-    if (!program.value) return Answer::none(program.reason);
+    if (!program.value) return Answer::none(program.reason + "; " + program.remedy);
     const auto counts = studies::callgrind_pass(options.cell, *geometry.value, *program.value);
-    if (!counts.value) return Answer::none(counts.reason);
+    if (!counts.value)
+        return Answer::none(counts.reason + (counts.remedy.empty() ? "" : "; " + counts.remedy));
     std::optional<double> most;
     if (const auto fewer = studies::without_ways_of_the_stack(*geometry.value); fewer.value)
         most = studies::model_pass(cell, *fewer.value, true).d1_misses;

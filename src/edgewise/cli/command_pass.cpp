@@ -2,7 +2,11 @@
 //
 // `edgewise pass`: runs passes over one cell's queries and nothing else, for tools that look at the whole
 // program. One pass first fills caches; the others are what is to be observed, and what Callgrind collects
-// when told not to begin at the start. Not listed: `edgewise crosscheck` calls it.
+// when told not to begin at the start. Prints how many queries the first pass had and the sum of their
+// distances, so that whoever counts them knows that they were answered right. Not listed: `edgewise
+// crosscheck` and `edgewise effort` call it.
+#include <fmt/format.h>
+
 #include "edgewise/cli/command.hpp"
 #include "edgewise/measure/process/callgrind_region.hpp"
 
@@ -18,9 +22,12 @@ struct PassArguments {
 int run_pass(const PassArguments& options) {
     const studies::SingleCell cell(options.cell);
     const std::function<bench::PassSum()> pass = cell.runner().prepared_pass();
-    static_cast<void>(pass());
-    const measure::CallgrindRegion collected;
-    for (int i = 0; i < options.passes; ++i) static_cast<void>(pass());
+    const bench::PassSum first = pass();
+    {
+        const measure::CallgrindRegion collected;
+        for (int i = 0; i < options.passes; ++i) static_cast<void>(pass());
+    }
+    fmt::print("{} {}\n", first.queries, first.distances);
     return exit_done;
 }
 
@@ -31,6 +38,8 @@ void add_pass(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("pass", "Runs one cell's queries, for tools that watch");
     command->group("");
     add_cell_options(*command, options->cell);
+    command->add_option("--peer", options->cell.peer,
+                        "another library, in place of a table type and an algorithm");
     command->add_option("--passes", options->passes, "after the first")->check(CLI::Range(1, 1'000'000));
     command->callback([options, &context] { context.action = [=] { return run_pass(*options); }; });
 }

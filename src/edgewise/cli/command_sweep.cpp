@@ -4,6 +4,7 @@
 // next run goes on from there.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "edgewise/cli/progress.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
+#include "edgewise/studies/effort_rows.hpp"
 #include "edgewise/studies/paging_rows.hpp"
 #include "edgewise/sweep/run.hpp"
 
@@ -27,7 +29,7 @@ struct SweepArguments {
     std::vector<std::string> layouts, algorithms, peers, axes, scenes, shapes, meshes, caches, machines;
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
-    std::optional<std::size_t> stability;
+    std::optional<std::size_t> stability, effort;
     bool each_mesh = false;
     std::optional<std::uint64_t> seed;
 };
@@ -85,6 +87,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     plan.rounds = options.rounds.value_or(plan.rounds);
     plan.stability = options.stability.value_or(narrowed(options) ? 0 : plan.stability);
     if (narrowed(options)) plan.paging = 0;
+    plan.effort = options.effort.value_or(narrowed(options) ? 0 : plan.effort);
     plan.seed = options.seed.value_or(plan.seed);
     return plan;
 }
@@ -128,6 +131,24 @@ void run_paging_of(const sweep::Plan& of, store::Store& store, bool& stopped) {
         stop_on_signals());
 }
 
+/// What the queries take, of the sweep's table types, algorithms and peers, if the plan has it.
+void run_effort_of(const sweep::SweepWork& work, store::Store& store, bool& stopped) {
+    if (work.plan.effort == 0) return;
+    const std::string machines[] = {studies::effort_machine};
+    studies::EffortPlan plan{studies::effort_cell, work.types, work.peers, work.algorithms,
+                             measure::choose_machines(machines).front()};
+    plan.cell.queries = work.plan.effort;
+    plan.cell.checked = std::min(work.plan.checked, work.plan.effort);
+    plan.cell.seed = work.plan.seed;
+    Progress progress("effort", studies::effort_rows(plan));
+    stopped = !studies::store_effort(
+        plan, bench::this_build().id, store,
+        [&](std::size_t, const studies::EffortRow& row) {
+            progress.advance(1, row.cell.algorithm + " " + row.cell.table);
+        },
+        stop_on_signals());
+}
+
 void print_summary(const sweep::SweepSummary& summary, const studies::StabilitySummary& stability,
                    const std::string& store, const std::string& page, bool json) {
     if (json) {
@@ -163,6 +184,7 @@ int run_sweep(const SweepArguments& options, bool json) {
         if (!summary.stopped) stability = run_stability_of(work, store);
         summary.stopped = summary.stopped || stability.stopped;
         if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
+        if (!summary.stopped) run_effort_of(work, store, summary.stopped);
     }
     if (summary.stopped) {
         warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there",
@@ -204,6 +226,7 @@ void add_sweep(CLI::App& app, Context& context) {
         ->check(at_least_one);
     command->add_option("--rounds", options.rounds, "timed rounds per cell")->check(at_least_one);
     command->add_option("--stability", options.stability, "hard cases per family; 0: no stability run");
+    command->add_option("--effort", options.effort, "queries counted by Callgrind per cell; 0: none");
     command->add_option("--seed", options.seed, "seed of scenes and orders");
 }
 

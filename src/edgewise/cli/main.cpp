@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
     add_heat(app, context);
     add_paging(app, context);
     add_crosscheck(app, context);
+    add_effort(app, context);
     add_calibrate(app, context);
     add_bench(app, context);
     add_pass(app, context);

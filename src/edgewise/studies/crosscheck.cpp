@@ -3,15 +3,11 @@
 
 #include <fmt/format.h>
 #include <linux/perf_event.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
 
-#include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/measure/cache/cache_model.hpp"
 #include "edgewise/measure/counters/event_choice.hpp"
@@ -21,7 +17,6 @@ namespace edgewise::studies {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Count = measure::Expected<double>;
 using Text = measure::Expected<std::string>;
 
@@ -56,38 +51,6 @@ class ModelListener final : public measure::TraceListener {
     bool with_poses_;
     std::uint64_t query_ = 0;
 };
-
-/// The hidden command that runs passes and nothing else (cli/command_pass.cpp).
-std::vector<std::string> pass_command(const CellChoice& choice, const std::string& program, int passes) {
-    std::vector<std::string> command = {program,       "pass",
-                                        "--table",     choice.table,
-                                        "--algorithm", choice.algorithm,
-                                        "--scene",     choice.scene,
-                                        "--shape",     choice.shape,
-                                        "--queries",   std::to_string(choice.queries),
-                                        "--seed",      std::to_string(choice.seed),
-                                        "--passes",    std::to_string(passes)};
-    if (choice.needs != Needs::witnesses) {
-        command.emplace_back("--needs");
-        command.emplace_back(to_string(choice.needs));
-    }
-    if (choice.margin) {
-        command.emplace_back("--margin");
-        command.push_back(fmt::format("{}", *choice.margin));
-    }
-    for (const auto& [name, value] : choice.parameters) {
-        command.emplace_back("--parameter");
-        command.push_back(fmt::format("{}={}", name, value));
-    }
-    return command;
-}
-
-std::string read_file(const fs::path& file) {
-    std::ifstream stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 /// How perf is asked for an event: by its raw code, or by its own name of the few that have one.
 std::optional<std::string> perf_name(const measure::ChosenEvent& event) {
@@ -164,25 +127,6 @@ measure::Expected<measure::CacheGeometry> without_ways_of_the_stack(measure::Cac
     return {std::move(geometry)};
 }
 
-measure::Expected<measure::CallgrindCounts> callgrind_pass(const CellChoice& choice,
-                                                           const measure::CacheGeometry& geometry,
-                                                           const std::string& program) {
-    using Answer = measure::Expected<measure::CallgrindCounts>;
-    const fs::path output = fs::temp_directory_path() / fmt::format("edgewise-callgrind-{}", getpid());
-    const auto outcome =
-        measure::run_program(measure::callgrind_command(geometry, output, pass_command(choice, program, 1)));
-    const std::string text = read_file(output);
-    std::error_code ignored;
-    fs::remove(output, ignored);
-    if (!outcome.value) return Answer::none(outcome.reason + "; install valgrind");
-    if (outcome.value->exit_code != 0) {
-        const std::string& err = outcome.value->err;
-        return Answer::none(fmt::format("valgrind ended with {}: {}", outcome.value->exit_code,
-                                        err.substr(err.size() > 300 ? err.size() - 300 : 0)));
-    }
-    return measure::parse_callgrind(text);
-}
-
 std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program,
                                  const measure::Cpu& cpu) {
     std::vector<PerfCount> counts;
@@ -194,19 +138,6 @@ std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& pr
                 {event.event, event.encoding, event.level, count_by_perf(choice, program, event)});
     }
     return counts;
-}
-
-measure::Expected<std::string> program_for_valgrind() {
-    const fs::path self = fs::read_symlink("/proc/self/exe");
-    const std::string flags = bench::this_build().flags;
-    if (flags.find("-march=native") == std::string::npos && flags.find("v4") == std::string::npos)
-        return {self.string()};
-    const fs::path sim = self.parent_path() / "edgewise_sim";
-    if (fs::exists(sim)) return {sim.string()};
-    return Text::none(fmt::format(
-        "this program may use instructions that Valgrind does not know, and {} is not there; make it with "
-        "sh cmake/build_preset.sh release edgewise_sim",
-        sim.string()));
 }
 
 }  // namespace edgewise::studies

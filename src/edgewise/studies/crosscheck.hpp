@@ -12,8 +12,7 @@
 
 #include "edgewise/measure/expected.hpp"
 #include "edgewise/measure/machine/cpu.hpp"
-#include "edgewise/measure/process/callgrind.hpp"
-#include "edgewise/studies/single_cell.hpp"
+#include "edgewise/studies/callgrind_pass.hpp"
 
 namespace edgewise::studies {
 
@@ -28,10 +27,6 @@ namespace edgewise::studies {
 [[nodiscard]] measure::Expected<measure::CacheGeometry> without_ways_of_the_stack(
     measure::CacheGeometry geometry);
 
-/// The same under Callgrind. `program`: Edgewise, built for a processor that Valgrind knows.
-[[nodiscard]] measure::Expected<measure::CallgrindCounts> callgrind_pass(
-    const CellChoice& choice, const measure::CacheGeometry& geometry, const std::string& program);
-
 /// An event as `perf stat` counts it over one pass in user mode: the difference of many passes and one, so
 /// that all else falls out.
 struct PerfCount {
@@ -43,8 +38,5 @@ struct PerfCount {
 /// machine does not count them, or perf does not all the time.
 [[nodiscard]] std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program,
                                                const measure::Cpu& cpu);
-
-/// A program that Valgrind can run: this one, or edgewise_sim beside it. Unknown: how to make it.
-[[nodiscard]] measure::Expected<std::string> program_for_valgrind();
 
 }  // namespace edgewise::studies

@@ -5,19 +5,27 @@
 
 #include <stdexcept>
 
+#include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::studies {
 
 namespace {
 
-const bench::TableType& table_type(const std::string& name) {
-    const std::string names[] = {name};
-    const auto found = bench::select_table_types(names);
+const bench::TableType& type_of(const CellChoice& choice) {
+    const bool is_peer = !choice.peer.empty();
+    const std::string names[] = {is_peer ? choice.peer : choice.table};
+    const auto found = is_peer ? bench::select_peer_types(names) : bench::select_table_types(names);
     if (found.size() > 1)
-        throw std::invalid_argument(
-            fmt::format("'{}' names several table types; name one, such as '{}'", name, found.front()->name));
+        throw std::invalid_argument(fmt::format("'{}' names several {}; name one, such as '{}'", names[0],
+                                                is_peer ? "peers" : "table types", found.front()->name));
     return *found.front();
+}
+
+/// A peer has one, of its own name.
+std::string algorithm_of(const CellChoice& choice, const bench::TableType& type) {
+    const std::string names[] = {choice.algorithm};
+    return type.is_peer ? type.algorithms.front() : bench::select_algorithms(names).front();
 }
 
 std::unique_ptr<sweep::SharedQueries> shared_queries(const CellChoice& choice) {
@@ -25,6 +33,7 @@ std::unique_ptr<sweep::SharedQueries> shared_queries(const CellChoice& choice) {
     sweep::Plan plan;
     plan.queries = choice.queries;
     plan.seed = choice.seed;
+    plan.checked = choice.checked;
     return std::make_unique<sweep::SharedQueries>(plan, sweep::SceneChoice{choice.scene, choice.parameters},
                                                   shape);
 }
@@ -32,16 +41,17 @@ std::unique_ptr<sweep::SharedQueries> shared_queries(const CellChoice& choice) {
 }  // namespace
 
 SingleCell::SingleCell(const CellChoice& choice, const bench::TableOptions& placing)
-    : type_(&table_type(choice.table)), shared_(shared_queries(choice)) {
-    const std::string names[] = {choice.algorithm};
-    const std::string algorithm = bench::select_algorithms(names).front();
-    if (!type_->serves(algorithm))
-        throw std::invalid_argument(fmt::format("{} does not serve {}", type_->name, algorithm));
-    runner_ = type_->make_runner(algorithm);
+    : type_(&type_of(choice)), algorithm_(algorithm_of(choice, *type_)), shared_(shared_queries(choice)) {
+    if (!type_->serves(algorithm_))
+        throw std::invalid_argument(fmt::format("{} does not serve {}", type_->name, algorithm_));
     if (choice.margin && choice.needs != Needs::nearer)
         throw std::invalid_argument("a margin is of needs nearer: give both");
-    runner_->configure(
-        {.needs = choice.needs, .tables = placing, .margin = choice.margin.value_or(bench::usual_margin)});
+    if (type_->is_peer && choice.needs != Needs::witnesses)
+        throw std::invalid_argument(fmt::format("{} answers with witnesses: leave needs out", type_->name));
+    runner_ = type_->make_runner(algorithm_);
+    bench::RunnerOptions options{.tables = placing, .margin = choice.margin.value_or(bench::usual_margin)};
+    options.set_needs(choice.needs);
+    runner_->configure(options);
     if (const std::string error = runner_->load(workload()); !error.empty())
         throw std::invalid_argument(error);
 }

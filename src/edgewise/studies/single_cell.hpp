@@ -19,6 +19,8 @@ struct CellChoice {
     std::uint64_t seed = 1;
     Needs needs = Needs::witnesses;     ///< what is asked of every answer
     std::optional<double> margin = {};  ///< of Needs::nearer; else the usual one
+    std::string peer = {};    ///< another library, as for select_peer_types: in place of table and algorithm
+    std::size_t checked = 0;  ///< queries to be compared with exact answers by those who ask for that
 };
 
 class SingleCell {
@@ -28,10 +30,13 @@ class SingleCell {
 
     [[nodiscard]] const bench::TableType& type() const { return *type_; }
     [[nodiscard]] const scene::Workload& workload() const { return shared_->workload(); }
+    [[nodiscard]] const std::string& algorithm() const { return algorithm_; }
     [[nodiscard]] const bench::Runner& runner() const { return *runner_; }
+    [[nodiscard]] sweep::SharedQueries& shared() { return *shared_; }
 
   private:
     const bench::TableType* type_;
+    std::string algorithm_;
     std::unique_ptr<sweep::SharedQueries> shared_;
     std::unique_ptr<bench::Runner> runner_;
 };

@@ -27,6 +27,7 @@ TEST(Callgrind, IsGivenTheGeometry) {
     EXPECT_THAT(command, Contains("--D1=16384,4,32"));
     EXPECT_THAT(command, Contains("--LL=262144,8,32"));
     EXPECT_THAT(command, Contains("--cache-sim=yes"));
+    EXPECT_THAT(command, Contains("--branch-sim=yes"));
     EXPECT_EQ(command.back(), "word");
 }
 
@@ -49,6 +50,23 @@ TEST(Callgrind, IsReadWithItsTrailingZeros) {
     EXPECT_EQ(counts.value->ll_misses, 0);
     EXPECT_THAT(parse_callgrind("events: Ir\ntotals: 5\n").reason, HasSubstr("Dr"));
     EXPECT_FALSE(parse_callgrind("").value);
+}
+
+/// As Callgrind 3.19 wrote it: conditional branches and indirect ones, of which none were mispredicted.
+TEST(Callgrind, IsReadWithItsBranches) {
+    const auto counts = parse_callgrind(
+        "events: Ir Dr Dw I1mr D1mr D1mw ILmr DLmr DLmw Bc Bcm Bi Bim\n"
+        "summary: 803739 173805 88539 580 932 61 3 1 0 57234 6956 317\n\n"
+        "totals: 803730 173805 88533 578 932 61 2 1 0 57234 6956 317\n");
+    ASSERT_TRUE(counts.value) << counts.reason;
+    EXPECT_EQ(counts.value->instructions, 803730);
+    EXPECT_EQ(counts.value->d1_misses, 993);
+    EXPECT_EQ(counts.value->mispredictions, 6956);
+    const auto indirect = parse_callgrind(
+        "events: Ir Dr Dw I1mr D1mr D1mw ILmr DLmr DLmw Bc Bcm Bi Bim\ntotals: 9 0 0 0 0 0 0 0 0 5 2 4 3\n");
+    EXPECT_EQ(indirect.value.value().mispredictions, 5);
+    const auto without = parse_callgrind("events: Ir Dr Dw I1mr D1mr D1mw ILmr DLmr DLmw\ntotals: 9 1 1\n");
+    EXPECT_FALSE(without.value.value().mispredictions) << "no branches were simulated: not none missed";
 }
 
 TEST(ChildProcess, TellsWhatAProgramSaid) {

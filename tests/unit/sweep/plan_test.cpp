@@ -90,6 +90,8 @@ TEST(Plan, QuickAndPaperKeepTheirPromises) {
     const Plan quick = make_plan("quick"), paper = make_plan("paper");
     EXPECT_GE(cells(quick), 100U);
     EXPECT_GE(quick.checked, 200U);
+    EXPECT_EQ(quick.effort, 0U) << "it needs valgrind and a second program";
+    EXPECT_GT(make_plan("peers").effort, 0U);
     EXPECT_GE(paper.checked, 2000U);
     EXPECT_EQ(paper.queries, 30000U);
 }

@@ -61,7 +61,7 @@ TableType type_of(const peers::PeerInfo& info) {
 }  // namespace
 
 std::filesystem::path peers_folder() {
-    return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "peers";
+    return std::filesystem::read_symlink("/proc/self/exe").parent_path() / peers_folder_name();
 }
 
 std::span<const peers::PeerInfo* const> peers_found() {

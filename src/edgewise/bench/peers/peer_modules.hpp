@@ -28,7 +28,7 @@ namespace edgewise::bench {
 /// lists the known names; where there are none at all, what to do.
 [[nodiscard]] std::vector<const TableType*> select_peer_types(std::span<const std::string> names);
 
-/// Where they are: in `peers` beside the program.
+/// Where they are: in a folder beside the program (peers_folder_name).
 [[nodiscard]] std::filesystem::path peers_folder();
 
 }  // namespace edgewise::bench

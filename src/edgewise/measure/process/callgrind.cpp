@@ -35,6 +35,7 @@ std::vector<std::string> callgrind_command(const CacheGeometry& geometry, const 
     std::vector<std::string> command = {"valgrind",
                                         "--tool=callgrind",
                                         "--cache-sim=yes",
+                                        "--branch-sim=yes",
                                         fmt::format("--I1=32768,8,{}", geometry.line_bytes),
                                         cache("D1", 0),
                                         cache("LL", 1),
@@ -60,12 +61,15 @@ Expected<CallgrindCounts> parse_callgrind(const std::string& text) {
             for (std::size_t i = 0; i < names.size() && words >> value; ++i) events[names[i]] = value;
         }
     }
-    for (const char* needed : {"Ir", "Dr", "Dw", "D1mr", "D1mw", "DLmr", "DLmw"}) {
-        if (std::find(names.begin(), names.end(), needed) == names.end())
-            return Refusal{fmt::format("Callgrind's output lacks the event {}", needed)};
-    }
-    return {CallgrindCounts{events["Ir"], events["Dr"] + events["Dw"], events["D1mr"] + events["D1mw"],
-                            events["DLmr"] + events["DLmw"]}};
+    const auto has = [&](const char* name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const char* needed : {"Ir", "Dr", "Dw", "D1mr", "D1mw", "DLmr", "DLmw"})
+        if (!has(needed)) return Refusal{fmt::format("Callgrind's output lacks the event {}", needed)};
+    CallgrindCounts counts{events["Ir"], events["Dr"] + events["Dw"], events["D1mr"] + events["D1mw"],
+                           events["DLmr"] + events["DLmw"]};
+    if (has("Bcm") && has("Bim")) counts.mispredictions = events["Bcm"] + events["Bim"];
+    return {counts};
 }
 
 }  // namespace edgewise::measure

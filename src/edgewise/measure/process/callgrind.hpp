@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Callgrind, an independent simulator of two levels of caches: how it is called with a given geometry, and
-// what its output says.
+// Callgrind, an independent simulator of two levels of caches and of a branch predictor: how it is called
+// with a given geometry, and what its output says. Its predictor is no processor's: two-bit counters by
+// address and recent history, and the last target of an indirect jump.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,8 @@ namespace edgewise::measure {
 
 struct CallgrindCounts {
     double instructions = 0, accesses = 0, d1_misses = 0, ll_misses = 0;
+    /// Of conditional and indirect branches, as modelled; nothing where no branches were simulated.
+    std::optional<double> mispredictions = {};
 };
 
 /// The machine's first two levels as Callgrind simulates them: LRU, an access across lines as one. Unknown:

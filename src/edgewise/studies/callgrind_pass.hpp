@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Passes over one cell's queries in a process of its own, for tools that watch whole programs, and what
+// Callgrind counts of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/measure/expected.hpp"
+#include "edgewise/measure/process/callgrind.hpp"
+#include "edgewise/studies/single_cell.hpp"
+
+namespace edgewise::studies {
+
+/// The hidden command that runs one pass to warm up, so many more that are to be counted, and nothing else
+/// (cli/command_pass.cpp).
+[[nodiscard]] std::vector<std::string> pass_command(const CellChoice& choice, const std::string& program,
+                                                    int passes);
+
+/// So many passes under Callgrind, all together. `program`: Edgewise, built for a processor that Valgrind
+/// knows. Several may run at a time.
+[[nodiscard]] measure::Expected<measure::CallgrindCounts> callgrind_pass(
+    const CellChoice& choice, const measure::CacheGeometry& geometry, const std::string& program,
+    int passes = 1);
+
+/// A program that Valgrind can run: this one, or edgewise_sim beside it. Unknown: how to make it.
+[[nodiscard]] measure::Expected<std::string> program_for_valgrind();
+
+}  // namespace edgewise::studies

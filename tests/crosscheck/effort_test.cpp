@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise effort` in the program that Valgrind can run: a library of known cost, whose instructions it must
+// find, ours twice over, and what it says where something is missing.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "cells_paths.hpp"
+#include "effort_paths.hpp"
+#include "program.hpp"
+
+namespace edgewise {
+namespace {
+
+using namespace cli_test;
+using nlohmann::json;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// The program beside modules of this test.
+std::string program_in(const Folder& folder) {
+    const fs::path program = folder / "edgewise_sim";
+    std::error_code other_disk;
+    fs::create_hard_link(cells_program, program, other_disk);
+    if (other_disk) fs::copy_file(cells_program, program);
+    fs::create_directory(folder / "sim_peers");
+    for (const auto& module : fs::directory_iterator(known_cost_modules))
+        fs::copy_file(module.path(), folder / "sim_peers" / module.path().filename());
+    return program;
+}
+
+/// By table type and algorithm; of GJK on aos_f64 unless said otherwise.
+std::map<std::string, json> effort(const Folder& folder, const Arguments& more,
+                                   const Arguments& environment = {}) {
+    Arguments arguments = environment;
+    arguments.insert(arguments.end(),
+                     {program_in(folder), "effort", "--json", "--layouts", "aos_f64", "--algorithms", "gjk",
+                      "--shape", "sphere38", "--queries", "50", "--checked", "10"});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = Process("/usr/bin/env", arguments, folder).wait();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::map<std::string, json> rows;
+    if (outcome.exit_code != 0) return rows;
+    const json printed = json::parse(outcome.out);
+    for (const json& row : printed.at("effort")) rows[row.at("table")] = row;
+    return rows;
+}
+
+double value(const json& row, const char* figure) {
+    const json& found = row.at("figures").at(figure);
+    EXPECT_TRUE(found.at("value").is_number()) << figure << ": " << found;
+    return found.at("value").is_number() ? found.at("value").get<double>() : std::nan("");
+}
+
+/// Around the loop a query costs the bench's own bookkeeping. The difference between the two libraries is the
+/// loop alone, to the instruction.
+TEST(EffortOfAPeer, FindsAKnownNumberOfInstructions) {
+    const Folder folder;
+    const auto rows = effort(folder, {"--peers", "known_cost"});
+    ASSERT_EQ(rows.size(), 3U);
+    const json &lesser = rows.at("known_cost_f64"), &greater = rows.at("known_cost_mixed");
+    const double less = value(lesser, "effort.instructions"), more = value(greater, "effort.instructions");
+    EXPECT_GE(less, 2 * 1000);
+    EXPECT_LE(less, 2 * 1000 + 100);
+    EXPECT_NEAR(more - less, 2 * (5000 - 1000), 0.5);
+    EXPECT_LE(value(lesser, "effort.mispredictions"), 3);
+    std::printf("effort: %.2f and %.2f instructions per query of loops of 2000 and 10000\n", less, more);
+    EXPECT_EQ(lesser.at("status"), "judged");
+    EXPECT_THAT(lesser.at("reason").dump(), HasSubstr("wrong")) << "it answers 1 whatever it is asked";
+    EXPECT_THAT(lesser.at("figures").at("effort.steps").at("reason").dump(), HasSubstr("library"));
+    // The coordinates of 38 vertices, and what the allocator adds.
+    EXPECT_GE(value(lesser, "bytes.table_bytes"), 38 * 24);
+    EXPECT_LE(value(lesser, "bytes.table_bytes"), 38 * 24 + 64);
+}
+
+/// Instructions and branches are the program's alone; where the stack lies, which decides a few misses, is
+/// the environment's.
+TEST(Effort, IsTheSameInAnotherEnvironment) {
+    const Folder here, there;
+    const auto first = effort(here, {}).at("aos_f64");
+    const auto second =
+        effort(there, {}, {"-i", "PATH=/usr/bin:/bin", "PADDING=" + std::string(3000, 'x')}).at("aos_f64");
+    for (const auto& [name, figure] : first.at("figures").items()) {
+        const json& other = second.at("figures").at(name);
+        if (!figure.at("value").is_number()) {
+            EXPECT_EQ(figure, other) << name;
+            continue;
+        }
+        const double a = figure.at("value"), b = other.at("value");
+        const double slack = name.ends_with("_misses") ? 2 : 1e-3 * a;
+        EXPECT_NEAR(a, b, slack) << name;
+    }
+    EXPECT_GT(value(first, "effort.instructions"), 500);
+    EXPECT_GT(value(first, "effort.mispredictions"), 1);
+    EXPECT_GT(value(first, "effort.lines_over_floor"), 1);
+    std::printf("effort: %.2f and %.2f instructions, %.3f and %.3f mispredictions per query\n",
+                value(first, "effort.instructions"), value(second, "effort.instructions"),
+                value(first, "effort.mispredictions"), value(second, "effort.mispredictions"));
+}
+
+TEST(Effort, WithoutValgrindSaysSo) {
+    const Folder folder;
+    const json row = effort(folder, {}, {"-i", "PATH=/nowhere"}).at("aos_f64");
+    const json& figure = row.at("figures").at("effort.instructions");
+    EXPECT_TRUE(figure.at("value").is_null());
+    EXPECT_THAT(figure.at("reason").dump(), HasSubstr("valgrind"));
+    EXPECT_THAT(figure.at("remedy").dump(), HasSubstr("install valgrind"));
+    EXPECT_GT(value(row, "effort.steps"), 0);
+}
+
+}  // namespace
+}  // namespace edgewise
