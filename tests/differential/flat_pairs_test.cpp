@@ -14,13 +14,14 @@
 #include "judged.hpp"
 #include "query_poses.hpp"
 #include "stored_bodies.hpp"
-#include "table_under_test.hpp"
+#include "tables_under_test.hpp"
 
 namespace edgewise {
 namespace {
 
 constexpr int pairs_a_setting = 300;
 
+template <class Table>
 std::vector<NamedBody> bodies() {
     const auto hull = [](const std::vector<Vec3d>& points) {
         const auto body = hull_of_any(points);
@@ -36,17 +37,18 @@ std::vector<NamedBody> bodies() {
 
 /// Planes stored in single tell V-Clip which feature is closest to some 1e-7 only, however well the distance
 /// is computed then.
-template <class Algorithm>
+template <class Algorithm, class Table>
 constexpr bool planes_are_rounded =
     std::is_same_v<Algorithm, VClip>&& stored_eps<Table> > 2 * compute_eps<Table>;
 
-struct Tally {
+template <class Table>
+struct FlatTally {
     std::array<double, classes> error{};
     double witness = 0;
     int wrong = 0, apart = 0, contact = 0, generic = 0, generic_fallbacks = 0;
 
     void add(const Distance& answer, const CheckedPair& checked, const Judged& judged) {
-        double& worst = error[static_cast<std::size_t>(classify(checked))];
+        double& worst = error[static_cast<std::size_t>(classify<Table>(checked))];
         worst = std::max(worst, judged.distance_error);
         witness = std::max(witness, judged.witness_error);
         wrong += judged.verdict_wrong;
@@ -58,8 +60,8 @@ struct Tally {
     }
 };
 
-template <class Algorithm>
-void compare(const NamedBody& of_a, const NamedBody& of_b, Tally& tally) {
+template <class Algorithm, class Table>
+void compare(const NamedBody& of_a, const NamedBody& of_b, FlatTally<Table>& tally) {
     const Table a(of_a.body, Algorithm::parts), b(of_b.body, Algorithm::parts);
     using Pair = typename Algorithm::template Pair<Table, Table>;
     PairMaker maker(of_a.body, of_b.body, 3);
@@ -81,19 +83,21 @@ class FlatPairs : public ::testing::Test {};
 TYPED_TEST_SUITE(FlatPairs, TableTypes);
 
 TYPED_TEST(FlatPairs, AnswersAreRightFromAnyStart) {
+    using Table = typename TypeParam::Table;
     for_each_algorithm<Table>([&]<class Algorithm>(Algorithm) {
-        Tally tally;
-        for (const NamedBody& a : bodies()) {
-            for (const NamedBody& b : bodies()) compare<Algorithm>(a, b, tally);
+        constexpr bool rounded = planes_are_rounded<Algorithm, Table>;
+        FlatTally<Table> tally;
+        for (const NamedBody& a : bodies<Table>()) {
+            for (const NamedBody& b : bodies<Table>()) compare<Algorithm>(a, b, tally);
         }
         std::printf(
             "%s %s: error %.2g, close and parallel %.2g, witness %.2g, %d apart, %d in contact, fallbacks %d "
             "of %d\n",
-            TableUnderTest::name, std::string(Algorithm::name).c_str(), tally.error[0], tally.error[1],
+            TypeParam::name, std::string(Algorithm::name).c_str(), tally.error[0], tally.error[1],
             tally.witness, tally.apart, tally.contact, tally.generic_fallbacks, tally.generic);
-        EXPECT_LE(tally.error[0], planes_are_rounded<Algorithm> ? 1e-9 : error_allowed(Class::plain));
-        EXPECT_LE(tally.error[1], planes_are_rounded<Algorithm> ? 1e-3 : error_allowed(Class::parallel));
-        EXPECT_LE(tally.witness, verified_error);
+        EXPECT_LE(tally.error[0], rounded ? 1e-9 : error_allowed<Table>(Class::plain));
+        EXPECT_LE(tally.error[1], rounded ? 1e-3 : error_allowed<Table>(Class::parallel));
+        EXPECT_LE(tally.witness, verified_error<Table>);
         EXPECT_GT(tally.apart, 1000);
         EXPECT_GT(tally.contact, 200);
         EXPECT_GT(tally.generic, 500);

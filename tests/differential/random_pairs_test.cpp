@@ -20,12 +20,13 @@
 #include "judged.hpp"
 #include "query_poses.hpp"
 #include "stored_bodies.hpp"
-#include "table_under_test.hpp"
+#include "tables_under_test.hpp"
 
 namespace edgewise {
 namespace {
 
 constexpr int pairs_a_shape = 1500;
+template <class Table>
 constexpr bool stored_in_double = stored_eps<Table> <= Tolerance<double>::eps;
 
 /// The states that V-Clip was in: three kinds by three; face-face never is.
@@ -40,6 +41,7 @@ struct States : NoObserver {
 template <class Algorithm>
 constexpr bool is_vclip = std::is_same_v<Algorithm, VClip>;
 
+template <class Table>
 struct RandomTally {
     std::array<double, classes> error{};  ///< of distance and place
     std::array<int, classes> worst{};     ///< the pair that has it
@@ -50,7 +52,7 @@ struct RandomTally {
     long steps = 0;
 
     void add(int number, const Distance& answer, const CheckedPair& checked, const Judged& judged) {
-        const auto kind = static_cast<std::size_t>(classify(checked));
+        const auto kind = static_cast<std::size_t>(classify<Table>(checked));
         const double both = std::max(judged.distance_error, judged.outside);
         if (both > error[kind] || judged.verdict_wrong) worst[kind] = number;
         error[kind] = std::max(error[kind], both);
@@ -73,6 +75,7 @@ struct Setting {
 };
 
 /// A shape beside the same shape at three quarters of its size.
+template <class Table>
 Setting make_setting(const std::string& name) {
     const auto body = scene::make_shape(name);
     EXPECT_TRUE(body) << body.error;
@@ -84,7 +87,7 @@ Setting make_setting(const std::string& name) {
     return setting;
 }
 
-template <class Algorithm>
+template <class Algorithm, class Table>
 Distance ask(const Table& a, const Table& b, const Transform<double>& pose,
              typename Algorithm::template Pair<Table, Table>& pair, States& states) {
     if constexpr (is_vclip<Algorithm>) {
@@ -95,21 +98,23 @@ Distance ask(const Table& a, const Table& b, const Transform<double>& pose,
     }
 }
 
-void expect_right(const RandomTally& tally, const std::string& name) {
+template <class Table>
+void expect_right(const RandomTally<Table>& tally, const std::string& name) {
     for (const Class kind : {Class::plain, Class::parallel}) {
         const auto at = static_cast<std::size_t>(kind);
-        EXPECT_LE(tally.error[at], error_allowed(kind)) << name << ", pair " << tally.worst[at];
+        EXPECT_LE(tally.error[at], error_allowed<Table>(kind)) << name << ", pair " << tally.worst[at];
     }
     EXPECT_EQ(tally.wrong[0], 0) << name << ", last pair " << tally.worst[0];
-    EXPECT_LE(tally.witness, verified_error) << name;
-    EXPECT_LE(tally.clear_fallbacks, stored_in_double ? 0 : tally.clear / 1000) << name;
-    if (stored_in_double) {
+    EXPECT_LE(tally.witness, verified_error<Table>) << name;
+    EXPECT_LE(tally.clear_fallbacks, stored_in_double<Table> ? 0 : tally.clear / 1000) << name;
+    if (stored_in_double<Table>) {
         EXPECT_EQ(tally.fallbacks[0], 0) << name;
     }
     EXPECT_GT(tally.clear, pairs_a_shape / 4) << name;
 }
 
-void print(const RandomTally& tally, const std::string& name) {
+template <class Table>
+void print(const RandomTally<Table>& tally, const std::string& name) {
     std::printf(
         "%s: error %.2g, close and parallel %.2g, witness %.2g; wrong %d, %d; %.2f steps; fallbacks %d/%d "
         "clear,",
@@ -121,9 +126,9 @@ void print(const RandomTally& tally, const std::string& name) {
 }
 
 /// The answers to all pairs of a setting, each judged; `ask_one(pose)` is the query.
-template <class Ask>
+template <class Table, class Ask>
 void expect_right_answers(const Setting& setting, const std::string& name, Ask ask_one) {
-    RandomTally tally;
+    RandomTally<Table> tally;
     int number = 0;
     for (const CheckedPair& checked : setting.pairs) {
         const Distance answer = ask_one(checked.a_from_b);
@@ -133,19 +138,20 @@ void expect_right_answers(const Setting& setting, const std::string& name, Ask a
     expect_right(tally, name);
 }
 
-template <class Algorithm>
+template <class Algorithm, class Type>
 void compare_random(const Setting& setting) {
+    using Table = typename Type::Table;
     const Table a(setting.a, Algorithm::parts), b(setting.b, Algorithm::parts);
     using Pair = typename Algorithm::template Pair<Table, Table>;
     const std::string name =
-        std::string(TableUnderTest::name) + " " + std::string(Algorithm::name) + " " + setting.name;
+        std::string(Type::name) + " " + std::string(Algorithm::name) + " " + setting.name;
     States states;
-    expect_right_answers(setting, name + " cold", [&](const Transform<double>& pose) {
+    expect_right_answers<Table>(setting, name + " cold", [&](const Transform<double>& pose) {
         Pair cold(a, b);
         return ask<Algorithm>(a, b, pose, cold, states);
     });
     Pair warm(a, b);
-    expect_right_answers(setting, name + " warm", [&](const Transform<double>& pose) {
+    expect_right_answers<Table>(setting, name + " warm", [&](const Transform<double>& pose) {
         return ask<Algorithm>(a, b, pose, warm, states);
     });
     if (is_vclip<Algorithm>) {
@@ -200,11 +206,13 @@ TYPED_TEST_SUITE(RandomPairs, TableTypes);
 
 /// One test: most of its time goes into the exact answers, which all of its parts need.
 TYPED_TEST(RandomPairs, AnswersAreRightFromAnyStart) {
+    using Table = typename TypeParam::Table;
     for (const char* name : {"tetra4", "cube8", "sphere38", "sphere386"}) {
-        const Setting setting = make_setting(name);
+        const Setting setting = make_setting<Table>(name);
         expect_every_regime(setting);
-        for_each_algorithm<Table>([&]<class Algorithm>(Algorithm) { compare_random<Algorithm>(setting); });
-        if constexpr (has_features<Table>) expect_vclip_stays<typename TypeParam::Table>(setting);
+        for_each_algorithm<Table>(
+            [&]<class Algorithm>(Algorithm) { compare_random<Algorithm, TypeParam>(setting); });
+        if constexpr (has_features<Table>) expect_vclip_stays<Table>(setting);
     }
 }
 

@@ -12,12 +12,9 @@
 // --answers: nor do traces.
 #include <fmt/core.h>
 
-#include <cstdio>
-#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "edgewise/bench/cell.hpp"
@@ -25,6 +22,7 @@
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
+#include "golden_main.hpp"
 
 namespace edgewise {
 namespace {
@@ -120,8 +118,8 @@ void add_traces(Prints& prints) {
 Prints all_prints(bool details) {
     Prints prints;
     for (const scene::SceneInfo& scene : scene::list_scenes()) {
-        // The questions of tumble, to more tables and closer by.
-        if (scene.name == "pressure" || scene.name == "proximity") continue;
+        // The questions of tumble, to more tables and closer by; those of cold, at other gaps.
+        if (scene.name == "pressure" || scene.name == "proximity" || scene.name == "gap") continue;
         for (const char* shape : shapes) {
             auto body = scene::make_shape(shape);
             if (!body) throw std::runtime_error(body.error);
@@ -137,81 +135,31 @@ Prints all_prints(bool details) {
     return prints;
 }
 
-using Lines = std::map<std::string, std::string>;  // what -> hash
-
-Lines lines_of(const Prints& prints) {
-    Lines lines;
-    for (const auto& [what, print] : prints) lines[what] = print.hex();
-    return lines;
-}
-
-Lines read_lines(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::runtime_error(file + ": cannot be read");
-    Lines lines;
-    for (std::string line; std::getline(stream, line);) {
-        const std::size_t space = line.rfind(' ');
-        if (space != std::string::npos) lines[line.substr(0, space)] = line.substr(space + 1);
-    }
-    return lines;
-}
-
-void write(std::FILE* to, const Lines& lines) {
-    for (const auto& [what, hash] : lines) fmt::print(to, "{} {}\n", what, hash);
-}
-
-/// How many lines differ, are missing or are too many; each is named.
-int differences(const Lines& found, const Lines& expected, bool some, bool answers) {
-    int count = 0;
-    for (const auto& [what, hash] : found) {
-        if (answers && what.starts_with("trace ")) continue;
-        const auto place = expected.find(what);
-        if (place != expected.end() && place->second == hash) continue;
-        ++count;
-        fmt::print(stderr, "{}: {} here, {} in the file\n", what, hash,
-                   place == expected.end() ? "missing" : place->second);
-    }
-    for (const auto& [what, hash] : expected) {
-        if (some || found.count(what)) continue;
-        ++count;
-        fmt::print(stderr, "{}: in the file, but not in this program\n", what);
-    }
-    return count;
-}
-
-int run(std::vector<std::string> arguments) {
-    const bool some = std::erase(arguments, "--some") > 0, answers = std::erase(arguments, "--answers") > 0;
-    const bool update = arguments.size() == 2 && arguments[0] == "--update";
-    const bool details = arguments.size() == 1 && arguments[0] == "--details";
-    if (arguments.size() != 1 && !update) {
-        fmt::print(stderr, "usage: golden_answers [--some] [--answers] FILE | --update FILE | --details\n");
-        return 2;
-    }
-    const Lines found = lines_of(all_prints(details));
-    if (details) {
-        write(stdout, found);
-        return 0;
-    }
-    if (update) {
-        std::FILE* const file = std::fopen(arguments[1].c_str(), "w");
-        if (!file) throw std::runtime_error(arguments[1] + ": cannot be written");
-        write(file, found);
-        return std::fclose(file);
-    }
-    const int count = differences(found, read_lines(arguments.back()), some, answers);
-    fmt::print("{} of {} hashes differ\n", count, found.size());
-    if (count > 0) fmt::print(stderr, "if this was meant: golden_answers --update {}\n", arguments.back());
-    return count > 0 ? 1 : 0;
+golden::Rows rows_of(const Prints& prints) {
+    golden::Rows rows;
+    for (const auto& [what, print] : prints) rows[what] = print.hex();
+    return rows;
 }
 
 }  // namespace
 }  // namespace edgewise
 
 int main(int count, char** values) {
-    try {
-        return edgewise::run({values + 1, values + count});
-    } catch (const std::exception& problem) {
-        fmt::print(stderr, "golden_answers: {}\n", problem.what());
-        return 2;
-    }
+    using namespace edgewise;
+    std::vector<std::string> arguments(values + 1, values + count);
+    const bool answers = std::erase(arguments, "--answers") > 0;
+    const auto alike = [&](const std::string& what, const std::string& found, const std::string& expected) {
+        return found == expected || (answers && what.starts_with("trace "));
+    };
+    const golden::Program program{"golden_answers",
+                                  "[--some] [--answers] FILE | --update FILE | --details",
+                                  "hashes differ",
+                                  1,
+                                  [] { return rows_of(all_prints(false)); },
+                                  alike};
+    return golden::run_or_say_why(program, [&] {
+        if (arguments != std::vector<std::string>{"--details"}) return golden::run(program, arguments);
+        golden::write_rows(stdout, rows_of(all_prints(true)));
+        return 0;
+    });
 }

@@ -10,8 +10,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -22,6 +20,7 @@
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
+#include "golden_main.hpp"
 
 namespace edgewise {
 namespace {
@@ -95,74 +94,42 @@ std::string text_of(const Work& work) {
     return fmt::format("{:.3f} steps {:.2f} reads {:.2f} lines", work.steps, work.reads, work.lines);
 }
 
-Works read_works(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::runtime_error(file + ": cannot be read");
-    Works works;
-    for (std::string line; std::getline(stream, line);) {
-        std::istringstream words(line);
-        std::string type, algorithm, scene, shape, unit;
-        Work work;
-        words >> type >> algorithm >> scene >> shape >> work.steps >> unit >> work.reads >> unit >>
-            work.lines >> unit;
-        if (!words) throw std::runtime_error(file + ": not a line of work: " + line);
-        works[fmt::format("{} {} {} {}", type, algorithm, scene, shape)] = work;
-    }
-    return works;
+Work work_of(const std::string& text) {
+    std::istringstream words(text);
+    std::string unit;
+    Work work;
+    words >> work.steps >> unit >> work.reads >> unit >> work.lines >> unit;
+    if (!words) throw std::runtime_error("not figures of work: " + text);
+    return work;
 }
 
 bool alike(double found, double expected) { return std::abs(found - expected) <= slack * expected; }
 
-/// How many rows differ by more than the slack, are missing or are too many; each is named.
-int differences(const Works& found, const Works& expected, bool some) {
-    int count = 0;
-    for (const auto& [what, work] : found) {
-        const auto place = expected.find(what);
-        if (place != expected.end() && alike(work.steps, place->second.steps) &&
-            alike(work.reads, place->second.reads) && alike(work.lines, place->second.lines))
-            continue;
-        ++count;
-        fmt::print(stderr, "{}: {} here, {} in the file\n", what, text_of(work),
-                   place == expected.end() ? "missing" : text_of(place->second));
-    }
-    for (const auto& [what, work] : expected) {
-        if (some || found.count(what)) continue;
-        ++count;
-        fmt::print(stderr, "{}: in the file, but not in this program\n", what);
-    }
-    return count;
+bool alike_rows(const std::string& /*what*/, const std::string& found_text,
+                const std::string& expected_text) {
+    const Work found = work_of(found_text), expected = work_of(expected_text);
+    return alike(found.steps, expected.steps) && alike(found.reads, expected.reads) &&
+           alike(found.lines, expected.lines);
 }
 
-int update(const std::string& file, const Works& works) {
-    std::FILE* const stream = std::fopen(file.c_str(), "w");
-    if (!stream) throw std::runtime_error(file + ": cannot be written");
-    for (const auto& [what, work] : works) fmt::print(stream, "{} {}\n", what, text_of(work));
-    return std::fclose(stream);
-}
-
-int run(std::vector<std::string> arguments) {
-    const bool some = std::erase(arguments, "--some") > 0;
-    const bool updates = std::erase(arguments, "--update") > 0;
-    if (arguments.size() != 1 || (some && updates)) {
-        fmt::print(stderr, "usage: golden_work [--some] FILE | --update FILE\n");
-        return 2;
-    }
-    const Works found = all_works();
-    if (updates) return update(arguments[0], found);
-    const int count = differences(found, read_works(arguments[0]), some);
-    fmt::print("{} of {} rows differ by more than {:.0f} %\n", count, found.size(), 100 * slack);
-    if (count > 0) fmt::print(stderr, "if this was meant: golden_work --update {}\n", arguments[0]);
-    return count > 0 ? 1 : 0;
+golden::Rows rows() {
+    golden::Rows rows;
+    for (const auto& [what, work] : all_works()) rows[what] = text_of(work);
+    return rows;
 }
 
 }  // namespace
 }  // namespace edgewise
 
 int main(int count, char** values) {
-    try {
-        return edgewise::run({values + 1, values + count});
-    } catch (const std::exception& problem) {
-        fmt::print(stderr, "golden_work: {}\n", problem.what());
-        return 2;
-    }
+    using namespace edgewise;
+    const golden::Program program{"golden_work",
+                                  "[--some] FILE | --update FILE",
+                                  fmt::format("rows differ by more than {:.0f} %", 100 * slack),
+                                  6,
+                                  rows,
+                                  alike_rows};
+    return golden::run_or_say_why(program, [&] {
+        return golden::run(program, {values + 1, values + count});
+    });
 }

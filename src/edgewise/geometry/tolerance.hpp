@@ -165,6 +165,10 @@ inline constexpr double convex_volume_share = 1 - 1e-4;
 /// of distances, not exact ones; every finer digit costs distance evaluations.
 inline constexpr double placement_tolerance = 1e-4;
 
+/// Relative to the body's size: the same of the scene `gap`, whose gaps are what it is about. Half of it is
+/// for the search, half for cutting offsets of up to 16 sizes to 24 bits (2^-25 x 16 = 4.8e-7).
+inline constexpr double gap_placement_tolerance = 1e-6;
+
 /// Verdict band (truth/accuracy_band.hpp), in rounding steps of the scale of a pair: a gap or a depth inside
 /// it is below what the precision can tell. About the steps of a pose, a rotated vertex and a plane together.
 inline constexpr double verdict_band_steps = 16;

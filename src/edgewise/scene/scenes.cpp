@@ -16,8 +16,8 @@ namespace edgewise::scene {
 namespace {
 
 const std::vector<SceneKind>& scenes() {
-    static const std::vector<SceneKind> all = {static_scene(), cold_scene(), tumble_scene(),
-                                               proximity_scene(), pressure_scene()};
+    static const std::vector<SceneKind> all = {static_scene(), cold_scene(),      gap_scene(),
+                                               tumble_scene(), proximity_scene(), pressure_scene()};
     return all;
 }
 

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/support.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/layouts/lean_seeds.hpp"
@@ -19,6 +20,10 @@
 
 namespace edgewise {
 namespace {
+
+/// layout_parts may not include algorithms, so each has the number for itself: a cold climb asks a table of
+/// so many vertices for a seed, and the table has one from so many on.
+static_assert(seeds_from == scan_cold_below);
 
 Vec3d axis_of(int place) { return Vec3d(place / 9 - 1, place / 3 % 3 - 1, place % 3 - 1); }
 

@@ -83,6 +83,7 @@ struct SceneKind {
 
 [[nodiscard]] SceneKind static_scene();
 [[nodiscard]] SceneKind cold_scene();
+[[nodiscard]] SceneKind gap_scene();
 [[nodiscard]] SceneKind tumble_scene();
 [[nodiscard]] SceneKind proximity_scene();
 [[nodiscard]] SceneKind pressure_scene();

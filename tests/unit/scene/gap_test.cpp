@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+//
+// The scene `gap`: the gaps that were asked for, measured by exact arithmetic, in every regime.
+//
+// A pair in contact is judged by two things. Drawn back along the line of approach by as much as was asked
+// for, t, B stands off by less than the bound: so deep it is along that line. And the exact depth, the
+// shortest way out, is between t w / s and t: the signed distance along the line is convex, 0 at the place s
+// of contact, and -w or less where the centres meet, w being twice the inner radius about them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "brute_force.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/scene/kinds/scene_setup.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/truth/depth/exact_depth.hpp"
+#include "edgewise/truth/exact_distance.hpp"
+
+namespace edgewise::scene {
+namespace {
+
+/// In body sizes: the placement's own, and a rounding of poses.
+constexpr double bound = gap_placement_tolerance * (1 + 1e-6);
+
+Workload gap_scene_of(const Polyhedron& body, const SceneParameters& given, std::size_t count,
+                      std::uint64_t seed = 5) {
+    auto workload = make_scene("gap", body, given, seed, count, truth::brute_force_distance);
+    EXPECT_TRUE(workload) << workload.error;
+    return std::move(*workload);
+}
+
+/// One pair, everything in body sizes.
+struct PlacedPair {
+    const Polyhedron& body;
+    Pose a, b;
+
+    [[nodiscard]] double size() const { return extent(body.vertices); }
+    [[nodiscard]] Vec3d way() const {
+        const Vec3d centre = vertex_mean(body.vertices);
+        return b.apply(centre) - a.apply(centre);
+    }
+    /// With B drawn back along the line of approach.
+    [[nodiscard]] double distance(double back = 0) const {
+        Pose pose = b;
+        pose.translation += way() * (back * size() / norm(way()));
+        return truth::exact_distance(body.vertices, a, body.vertices, pose).or_throw().distance / size();
+    }
+    [[nodiscard]] double depth() const {
+        return truth::exact_depth(body.vertices, a, body.vertices, b).or_throw().depth / size();
+    }
+};
+
+double inner_radius(const Polyhedron& body) {
+    const Vec3d centre = vertex_mean(body.vertices);
+    double least = reach(body.vertices, centre);
+    for (const Plane<double>& plane : body.face_planes)
+        least = std::min(least, -(dot(plane.normal, centre) + plane.offset));
+    return least;
+}
+
+void expect_depth(const PlacedPair& pair, double asked) {
+    const double at_contact = norm(pair.way()) / pair.size() + asked;
+    const double slope = 2 * inner_radius(pair.body) / pair.size() / at_contact;  // or more, on the line
+    EXPECT_GT(pair.distance(asked + bound), 0) << "drawn back by what was asked, B stands off";
+    EXPECT_LT(pair.distance(asked), 2 * bound) << "but just";
+    EXPECT_EQ(pair.distance(asked - 2 * bound / slope), 0) << "and by less it does not";
+    EXPECT_LE(pair.depth(), asked + bound);
+    EXPECT_GE(pair.depth(), (asked - 2 * bound / slope) * slope);
+}
+
+/// Whatever the gaps, the pairs have them: of one gap for all, what was asked is known of each.
+TEST(Gap, IsTheOneAskedFor) {
+    for (const char* name : {"tetra4", "cube8", "sphere38"}) {
+        const Polyhedron body = *make_shape(name);
+        for (const double asked : {-0.1, -0.01, -0.0001, 0.0, 0.001, 0.1, 1.0}) {
+            double worst = 0, shallowest = 1;
+            for (const Query& query : gap_scene_of(body, {{"gap", asked}, {"span", 0}}, 12).queries) {
+                const PlacedPair pair{body, query.pose_a, query.pose_b};
+                if (asked < 0) {
+                    expect_depth(pair, -asked);
+                    shallowest = std::min(shallowest, pair.depth() / -asked);
+                }
+                worst = std::max(worst, std::abs(pair.distance() - std::max(asked, 0.0)));
+            }
+            std::printf(
+                "%-8s gap %7.4f: worst error of the distance %.1e sizes; shortest way out at least "
+                "%.2f of the way in\n",
+                name, asked, worst, asked < 0 ? shallowest : 1);
+            EXPECT_LE(worst, asked == 0 ? 2 * bound : bound) << "to touch is sought a tolerance off";
+        }
+    }
+}
+
+/// Of n gaps one lies in each n-th of the range: sorted, none is farther than 1/n from its even place.
+TEST(Gap, AreSpreadEvenlyOverEveryRegime) {
+    const Polyhedron body = *make_shape("cube8");
+    constexpr std::size_t count = 1100;
+    const Workload w = gap_scene_of(body, {}, count);
+    std::array<std::size_t, 3> visited{};  // penetrating, near contact (0.01 sizes), beyond
+    std::vector<double> distances;
+    for (const Query& query : w.queries) {
+        const PlacedPair pair{body, query.pose_a, query.pose_b};
+        const double distance = pair.distance();
+        distances.push_back(distance);
+        ++visited[distance == 0 ? 0 : distance < 0.01 ? 1 : 2];
+    }
+    EXPECT_FALSE(std::is_sorted(distances.begin(), distances.end())) << "in random order";
+    std::sort(distances.begin(), distances.end());
+    double worst = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double place = -0.1 + 1.1 * static_cast<double>(i) / count;
+        const double after = std::max(distances[i] - std::max(place, 0.0), 0.0);
+        const double before = std::max(std::max(place, 0.0) - distances[i], 0.0);
+        worst = std::max({worst, after, before});
+    }
+    std::printf(
+        "of %zu pairs %zu penetrate, %zu are near contact, %zu beyond; worst step from even %.5f sizes\n",
+        count, visited[0], visited[1], visited[2], worst);
+    EXPECT_NEAR(double(visited[0]), 100, 1);
+    EXPECT_NEAR(double(visited[1]), 10, 1);
+    EXPECT_NEAR(double(visited[2]), 990, 2);
+    EXPECT_LE(worst, 1.1 / count + bound);
+    EXPECT_GT(distances.back(), 0.998);
+}
+
+/// A plate pushed in farther than it is thick comes out at its other side.
+TEST(Gap, ThatThinBodiesCannotHaveIsRefused) {
+    Polyhedron plate = *make_shape("cube8");
+    for (Vec3d& v : plate.vertices) v.z() *= 0.01;
+    for (Plane<double>& plane : plate.face_planes)
+        if (std::abs(plane.normal.z()) > 0.5) plane.offset *= 0.01;
+    const auto made =
+        make_scene("gap", plate, {{"gap", -0.5}, {"span", 0}}, 1, 200, truth::brute_force_distance);
+    ASSERT_FALSE(made);
+    EXPECT_NE(made.error.find("raise gap"), std::string::npos) << made.error;
+    EXPECT_EQ(gap_scene_of(plate, {{"gap", 0.001}}, 20).queries.size(), 20U);
+}
+
+}  // namespace
+}  // namespace edgewise::scene
