@@ -57,10 +57,15 @@ edgewise_mutant(verdict_goes_on_to_the_distance algorithms/gjk.hpp [[if (verdict
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
 edgewise_mutant(verdict_forgets_the_tolerance algorithms/gjk.hpp [[reach_ - noise > std::sqrt(contact_squared_ * squared)]] [[reach_ > noise]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
-edgewise_mutant(normal_points_from_b_to_a algorithms/gjk.hpp [[(-1 / distance)]] [[(1 / distance)]]
+edgewise_mutant(normal_points_from_b_to_a algorithms/gjk_answer.hpp [[(-1 / distance)]] [[(1 / distance)]]
     *Normal* ${unit}/algorithms/normal_test.cpp)
 edgewise_mutant(old_pairs_are_followed algorithms/penetration/start.hpp [[if (!pair.belongs_to(a, b)) return SimplexPair<TableA, TableB>(a, b);]] [[]]
     RebuiltTable* ${unit}/algorithms/rebuilt_table_test.cpp)
+
+edgewise_mutant(batch_climbs_are_scanned algorithms/gjk_batch.hpp [[return !may_climb(table) || count < (is_cold ? scan_cold_below : scan_below);]] [[return true;]]
+    GjkBatches/* ${unit}/algorithms/gjk_batch_test.cpp)
+edgewise_mutant(batch_follows_old_pairs algorithms/gjk_batch.hpp [[pair.count == 0 || !pair.belongs_to(*given.a, *given.b)]] [[pair.count == 0]]
+    GjkBatch.* ${unit}/algorithms/gjk_batch_test.cpp)
 
 # V-Clip
 edgewise_mutant(close_normal_by_witness_points algorithms/vclip/trust.hpp [[result.normal = *normal;]] [[]]
