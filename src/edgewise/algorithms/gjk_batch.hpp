@@ -31,22 +31,34 @@ struct PairQuery {
     SimplexPair<TableA, TableB>* pair;
 };
 
+/// A table whose handles count the vertices from 0: a lane can name them.
+template <class Table>
+concept LaneTable = SupportTable<Table> && std::unsigned_integral<typename Table::Vertex> && requires {
+    requires Table::counts_vertices;
+};
+
 /// Whether a scan finds this table's support points, and so lanes can.
-template <SupportTable Table>
+template <LaneTable Table>
 [[nodiscard]] bool fits_lane(const Table& table, bool is_cold) {
-    if constexpr (std::unsigned_integral<typename Table::Vertex> &&
-                  requires { requires Table::counts_vertices; }) {
-        const std::size_t count = table.vertex_count();
-        if (count > most_lane_vertices) return false;
-        if constexpr (ClimbingTable<Table>)
-            return !may_climb(table) || count < (is_cold ? scan_cold_below : scan_below);
-        return true;
-    } else {
-        return false;
-    }
+    const std::size_t count = table.vertex_count();
+    if (count > most_lane_vertices) return false;
+    if constexpr (ClimbingTable<Table>)
+        return !may_climb(table) || count < (is_cold ? scan_cold_below : scan_below);
+    return true;
 }
 
-template <SupportTable TableA, SupportTable TableB>
+/// Asks for the memory of a query that is to come.
+template <class Query>
+void fetch_ahead(std::span<const Query> queries, std::size_t of) {
+    constexpr std::size_t ahead = 8;
+    if (of + ahead >= queries.size()) return;
+    const Query& query = queries[of + ahead];
+    __builtin_prefetch(query.a);
+    __builtin_prefetch(query.b);
+    __builtin_prefetch(query.pair);
+}
+
+template <LaneTable TableA, LaneTable TableB>
 class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
   public:
     using Scalar = ComputeOf<TableA>;
@@ -60,14 +72,14 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     void run(LaneWidth width) {
         if (width != LaneWidth::none) return run_lanes(*this, options_, width);
         for (; next_ < queries_.size(); ++next_) {
-            fetch(next_ + ahead);
+            fetch_ahead(queries_, next_);
             ask(next_);
         }
     }
 
     [[nodiscard]] bool next(int lane, LaneQuery<Scalar>& query) override {
         for (; next_ < queries_.size(); ++next_) {
-            fetch(next_ + ahead);
+            fetch_ahead(queries_, next_);
             if (!start(queries_[next_], query)) {
                 ask(next_);
                 continue;
@@ -109,7 +121,6 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     [[nodiscard]] std::size_t asked_singly() const { return asked_singly_; }
 
   private:
-    static constexpr std::size_t ahead = 8;       ///< queries whose tables are fetched meanwhile
     static constexpr std::size_t most_lanes = 8;  ///< 256 bits of float
 
     struct InLane {
@@ -120,13 +131,6 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     template <class Table>
     static void write(const Table& table, LaneVertices<Scalar> vertices) {
         for (const auto v : table.all_vertices()) vertices.push(table.vertex(v));
-    }
-
-    void fetch(std::size_t number) const {
-        if (number >= queries_.size()) return;
-        __builtin_prefetch(queries_[number].a);
-        __builtin_prefetch(queries_[number].b);
-        __builtin_prefetch(queries_[number].pair);
     }
 
     void ask(std::size_t number) {
@@ -181,7 +185,15 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
 template <SupportTable TableA, SupportTable TableB>
 void query_batch(std::span<const PairQuery<TableA, TableB>> queries, std::span<Distance> answers,
                  const QueryOptions& options = {}, LaneWidth width = best_lanes()) {
-    GjkBatch<TableA, TableB>(queries, answers, options).run(width);
+    if constexpr (LaneTable<TableA> && LaneTable<TableB>) {
+        GjkBatch<TableA, TableB>(queries, answers, options).run(width);
+    } else {
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            fetch_ahead(queries, i);
+            const auto& [a, b, a_from_b, pair] = queries[i];
+            answers[i] = Gjk::query(*a, *b, a_from_b, *pair, options);
+        }
+    }
 }
 
 }  // namespace edgewise

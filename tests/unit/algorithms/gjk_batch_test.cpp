@@ -12,6 +12,7 @@
 
 #include "edgewise/layouts/aos.hpp"
 #include "edgewise/layouts/lean.hpp"
+#include "edgewise/layouts/linked.hpp"
 #include "edgewise/layouts/points_soa.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
@@ -150,6 +151,17 @@ TEST(GjkBatch, NeedsNoLanes) {
     GjkBatch<Table, Table> batch(crowd.queries, answers, {});
     batch.run(LaneWidth::none);
     EXPECT_EQ(batch.asked_singly(), 500U);
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+}
+
+/// Handles that are addresses: one query after the other.
+TEST(GjkBatch, TakesTablesThatFitNoLane) {
+    using Table = linked<f64>;
+    static_assert(!LaneTable<Table>);
+    Crowd<Table> crowd(500);
+    const std::vector<Distance> expected = crowd.one_by_one({});
+    std::vector<Distance> answers(500);
+    query_batch<Table, Table>(crowd.queries, answers);
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
 }
 
