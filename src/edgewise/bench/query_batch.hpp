@@ -9,8 +9,11 @@
 #include <cassert>
 #include <cstddef>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "edgewise/algorithms/gjk_batch.hpp"
+#include "edgewise/scene/workload.hpp"
 
 namespace edgewise::bench {
 
@@ -56,8 +59,58 @@ class QueryBatch {
     std::array<PairQuery<Table, Table>, most> queries_;
     std::array<Pair, most> cold_;
     std::array<Distance, most> answers_;
-    std::array<std::size_t, most> numbers_;
+    std::array<std::size_t, most> numbers_{};
     std::size_t count_ = 0;
+};
+
+/// A pass over queries of a workload, as Runner::RangePass, that asks them in batches. A batch ends where a
+/// pair of it comes again, since its next query starts from this one's. Tables: gives a query's two tables;
+/// Pay: is called with every query, its pair and its answer.
+template <class Table, class Tables, class Pay>
+class BatchPass {
+  public:
+    using Pair = SimplexPair<Table, Table>;
+
+    /// `cold`: of each pair of a warm scene, its cache when it knows nothing. The workload must stay.
+    BatchPass(const scene::Workload& workload, const QueryOptions& options, Tables tables, Pay pay,
+              const std::vector<Pair>& cold)
+        : workload_(workload),
+          tables_(std::move(tables)),
+          pay_(std::move(pay)),
+          cold_(cold),
+          pairs_(cold),
+          batch_(options) {}
+
+    double operator()(std::size_t first, std::size_t last, Distance* answers) {
+        if (first == 0) std::copy(cold_.begin(), cold_.end(), pairs_.begin());
+        double sum = 0;
+        for (std::size_t i = first; i < last; ++i) {
+            const scene::Query& query = workload_.queries[i];
+            Pair* pair = workload_.warm ? &pairs_[query.pair] : nullptr;
+            if (batch_.is_full() || (pair && batch_.holds(*pair))) sum += ask(answers);
+            const auto [a, b] = tables_(query);
+            batch_.add(i, *a, *b, relative_pose(query.pose_a, query.pose_b), pair);
+        }
+        return sum + ask(answers);
+    }
+
+  private:
+    /// The sum of the batch's distances.
+    double ask(Distance* answers) {
+        double sum = 0;
+        batch_.ask([&](std::size_t i, const Pair& pair, const Distance& answer) {
+            pay_(workload_.queries[i], pair, answer);
+            if (answers) answers[i] = answer;
+            sum += answer.distance;
+        });
+        return sum;
+    }
+
+    const scene::Workload& workload_;
+    Tables tables_;
+    Pay pay_;
+    std::vector<Pair> cold_, pairs_;
+    QueryBatch<Table> batch_;
 };
 
 }  // namespace edgewise::bench

@@ -92,13 +92,7 @@ class RunnerFor final : public Runner {
         if (asks_nearness()) return near_pass();
         const std::vector<Pair> cold = cold_pairs();
         if constexpr (std::is_same_v<Algorithm, Gjk>) {
-            if (options().batch) {
-                return [this, cold, pairs = cold, batch = QueryBatch<Table>(options().query)](
-                           std::size_t first, std::size_t last, Distance* answers) mutable {
-                    if (first == 0) std::copy(cold.begin(), cold.end(), pairs.begin());
-                    return run_batches(first, last, pairs, batch, answers);
-                };
-            }
+            if (options().batch) return batch_pass(cold);
         }
         return [this, cold, pairs = cold](std::size_t first, std::size_t last, Distance* answers) mutable {
             if (first == 0) std::copy(cold.begin(), cold.end(), pairs.begin());
@@ -162,6 +156,14 @@ class RunnerFor final : public Runner {
             prepared().workload(), margins(), options().query, tables, cold_pairs());
     }
 
+    [[nodiscard]] RangePass batch_pass(const std::vector<Pair>& cold) const {
+        const auto pay = [this](const scene::Query& query, const Pair& pair, const Distance& answer) {
+            if (options().needs > Needs::witnesses) pay_for_more(query, pair, answer);
+        };
+        return BatchPass<Table, decltype(tables_of_queries()), decltype(pay)>(
+            prepared().workload(), options().query, tables_of_queries(), pay, cold);
+    }
+
     [[nodiscard]] Pair cold_pair(const scene::Query& query) const {
         return Pair(tables_[table_a(query)], tables_[table_b(query)]);
     }
@@ -191,29 +193,6 @@ class RunnerFor final : public Runner {
             if (answers) answers[i] = answer;
             sum += answer.distance;
         }
-        return sum;
-    }
-
-    /// As run; a batch ends where a pair of it comes again, since its next query starts from this one's.
-    double run_batches(std::size_t first, std::size_t last, std::vector<Pair>& pairs,
-                       QueryBatch<Table>& batch, Distance* answers) const {
-        const scene::Workload& workload = prepared().workload();
-        double sum = 0;
-        const auto ask_all = [&] {
-            batch.ask([&](std::size_t i, const Pair& pair, const Distance& answer) {
-                if (options().needs > Needs::witnesses) pay_for_more(workload.queries[i], pair, answer);
-                if (answers) answers[i] = answer;
-                sum += answer.distance;
-            });
-        };
-        for (std::size_t i = first; i < last; ++i) {
-            const scene::Query& query = workload.queries[i];
-            if (batch.is_full() || (workload.warm && batch.holds(pairs[query.pair]))) ask_all();
-            const Table &a = tables_[table_a(query)], &b = tables_[table_b(query)];
-            batch.add(i, a, b, relative_pose(query.pose_a, query.pose_b),
-                      workload.warm ? &pairs[query.pair] : nullptr);
-        }
-        ask_all();
         return sum;
     }
 

@@ -24,8 +24,8 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
     for (const char* text :
          {"", "contact_tolerance=0.001", "gap_tolerance=1e-06", "contact_tolerance=1e+20+gap_tolerance=0.01",
           "order=bfs", "order=spatial", "sharing=per_instance", "sharing=shared", "allocator=jemalloc",
-          "needs=verdict", "needs=certificate", "needs=nearer+margin=0.1", "needs=nearer+margin=0.02",
-          "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
+          "batch=yes", "needs=verdict", "needs=certificate", "needs=nearer+margin=0.1",
+          "needs=nearer+margin=0.02", "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
     }
     EXPECT_EQ(parse_axes("gap_tolerance=0.010+contact_tolerance=1").text(),
@@ -58,6 +58,8 @@ TEST(Axes, BadOnesAreOneClearLine) {
     EXPECT_NE(error_of("sharing").find("wants shared|per_instance"), std::string::npos);
     EXPECT_NE(error_of("allocator=mine").find("wants arena|jemalloc|libc"), std::string::npos);
     EXPECT_NE(error_of("margin=0.1").find("write both"), std::string::npos);
+    EXPECT_NE(error_of("needs=nearer+batch=yes").find("leave batch out"), std::string::npos);
+    EXPECT_NE(error_of("batch=maybe").find("no|yes"), std::string::npos);
     EXPECT_NE(error_of("needs=verdict+margin=0.1").find("write both"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+margin=0").find("above 0"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+margin=x").find("wants a number"), std::string::npos);

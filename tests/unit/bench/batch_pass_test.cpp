@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/studies/single_cell.hpp"
+
+namespace edgewise::bench {
+namespace {
+
+struct BatchedScene {
+    const char *kind, *shape;
+    scene::SceneParameters parameters;
+};
+
+std::vector<Distance> answers_of(const studies::SingleCell& cell, bool batch) {
+    const auto runner = cell.type().make_runner("gjk");
+    RunnerOptions options;
+    options.batch = batch;
+    runner->configure(options);
+    EXPECT_EQ(runner->load(cell.workload()), "");
+    const Runner::RangePass pass = runner->prepared_range();
+    std::vector<Distance> answers(cell.workload().queries.size());
+    // Twice, and in two parts: pairs go on, and are set back.
+    for (int i = 0; i < 2; ++i) {
+        static_cast<void>(pass(0, answers.size() / 3, answers.data()));
+        static_cast<void>(pass(answers.size() / 3, answers.size(), answers.data()));
+    }
+    return answers;
+}
+
+bool same_answer(const Distance& a, const Distance& b) {
+    const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
+    return a.status == b.status && a.steps == b.steps && same(a.distance, b.distance) &&
+           same(a.point_a, b.point_a) && same(a.point_b, b.point_b) && same(a.normal, b.normal);
+}
+
+/// Independent queries, pairs that come again in every frame, and one pair many times in a row.
+TEST(BatchPass, AnswersAsOneByOne) {
+    const BatchedScene scenes[] = {{"cold", "cube8", {}},
+                                   {"cold", "sphere38", {}},
+                                   {"tumble", "cube8", {{"in_time_order", 1}, {"bodies", 30}}},
+                                   {"tumble", "sphere8", {}}};
+    std::size_t asked = 0, separated = 0;
+    for (const BatchedScene& scene : scenes) {
+        for (const std::string table : {"lean_f64", "points_soa_f32", "points_soa_f64", "linked_f64"}) {
+            const studies::SingleCell cell({.table = table,
+                                            .algorithm = "gjk",
+                                            .scene = scene.kind,
+                                            .shape = scene.shape,
+                                            .parameters = scene.parameters});
+            const std::vector<Distance> one = answers_of(cell, false);
+            const std::vector<Distance> batch = answers_of(cell, true);
+            for (std::size_t i = 0; i < one.size(); ++i) {
+                EXPECT_TRUE(same_answer(one[i], batch[i])) << scene.kind << ' ' << table << ' ' << i;
+                ++asked;
+                separated += one[i].status == Status::separated;
+            }
+        }
+    }
+    EXPECT_GT(separated, asked / 4);
+    EXPECT_LT(separated, asked);
+    std::printf("%zu answers of batches are those of single queries, %zu of them separated\n", asked,
+                separated);
+}
+
+}  // namespace
+}  // namespace edgewise::bench
