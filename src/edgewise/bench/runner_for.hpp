@@ -84,7 +84,7 @@ class RunnerFor final : public Runner {
         if (!in_range(query)) return {};
         Pair pair = cold_pair(query);
         NamedAnswer result;
-        name(query, pair, ask_plain(query, pair), Needs::depth, result);
+        name_answer(asked(query), pair, ask_plain(query, pair), Needs::depth, result);
         return prepared().scale().back(std::move(result));
     }
 
@@ -151,14 +151,13 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] RangePass near_pass() const {
-        const auto tables = tables_of_queries();
         return NearPass<Algorithm, Table, decltype(tables_of_queries())>(
-            prepared().workload(), margins(), options().query, tables, cold_pairs());
+            prepared().workload(), margins(), options().query, tables_of_queries(), cold_pairs());
     }
 
     [[nodiscard]] RangePass batch_pass(const std::vector<Pair>& cold) const {
         const auto pay = [this](const scene::Query& query, const Pair& pair, const Distance& answer) {
-            if (options().needs > Needs::witnesses) pay_for_more(query, pair, answer);
+            pay_for_needs(query, pair, answer);
         };
         return BatchPass<Table, decltype(tables_of_queries()), decltype(pay)>(
             prepared().workload(), options().query, tables_of_queries(), pay, cold);
@@ -203,26 +202,18 @@ class RunnerFor final : public Runner {
 
     [[nodiscard]] Distance ask(const scene::Query& query, Pair& pair) const {
         const Distance answer = ask_plain(query, pair);
-        if (options().needs > Needs::witnesses) pay_for_more(query, pair, answer);
+        pay_for_needs(query, pair, answer);
         return answer;
     }
 
-    /// What is asked beyond distance and witnesses, computed and thrown away.
-    [[gnu::noinline]] void pay_for_more(const scene::Query& query, const Pair& pair,
-                                        const Distance& answer) const {
-        NamedAnswer more;
-        name(query, pair, answer, options().needs, more);
-        volatile double sink = more.depth;
-        if (options().needs == Needs::certificate) sink = certified_width(more, query, prepared().bodies());
-        static_cast<void>(sink);
+    void pay_for_needs(const scene::Query& query, const Pair& pair, const Distance& answer) const {
+        if (options().needs > Needs::witnesses)
+            pay_for_more(asked(query), pair, answer, options().needs, prepared().bodies());
     }
 
-    void name(const scene::Query& query, const Pair& pair, const Distance& distance, Needs needs,
-              NamedAnswer& result) const {
-        name_answer(
-            AskedPair<Table>{tables_[table_a(query)], tables_[table_b(query)],
-                             prepared().bodies()[query.body_a], prepared().bodies()[query.body_b], query},
-            pair, distance, needs, result);
+    [[nodiscard]] AskedPair<Table> asked(const scene::Query& query) const {
+        return {tables_[table_a(query)], tables_[table_b(query)], prepared().bodies()[query.body_a],
+                prepared().bodies()[query.body_b], query};
     }
 
     std::vector<Table> tables_;
