@@ -47,7 +47,7 @@ TEST(BatchPass, AnswersAsOneByOne) {
                                    {"tumble", "sphere8", {}}};
     std::size_t asked = 0, separated = 0;
     for (const BatchedScene& scene : scenes) {
-        for (const std::string table : {"lean_f64", "points_soa_f32", "points_soa_f64", "linked_f64"}) {
+        for (const std::string table : {"lean_f64", "lean_f32", "points_soa_f64", "linked_f64"}) {
             const studies::SingleCell cell({.table = table,
                                             .algorithm = "gjk",
                                             .scene = scene.kind,
