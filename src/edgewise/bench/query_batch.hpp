@@ -87,23 +87,22 @@ class BatchPass {
         for (std::size_t i = first; i < last; ++i) {
             const scene::Query& query = workload_.queries[i];
             Pair* pair = workload_.warm ? &pairs_[query.pair] : nullptr;
-            if (batch_.is_full() || (pair && batch_.holds(*pair))) sum += ask(answers);
+            if (batch_.is_full() || (pair && batch_.holds(*pair))) ask(answers, sum);
             const auto [a, b] = tables_(query);
             batch_.add(i, *a, *b, relative_pose(query.pose_a, query.pose_b), pair);
         }
-        return sum + ask(answers);
+        ask(answers, sum);
+        return sum;
     }
 
   private:
-    /// The sum of the batch's distances.
-    double ask(Distance* answers) {
-        double sum = 0;
+    /// Adds distances one by one, in the order of queries: a sum has the bits of a pass that asks singly.
+    void ask(Distance* answers, double& sum) {
         batch_.ask([&](std::size_t i, const Pair& pair, const Distance& answer) {
             pay_(workload_.queries[i], pair, answer);
             if (answers) answers[i] = answer;
             sum += answer.distance;
         });
-        return sum;
     }
 
     const scene::Workload& workload_;
