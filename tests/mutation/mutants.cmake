@@ -64,7 +64,7 @@ edgewise_mutant(old_pairs_are_followed algorithms/penetration/start.hpp [[if (!p
 
 edgewise_mutant(batch_climbs_are_scanned algorithms/gjk_batch.hpp [[return !may_climb(table) || count < (is_cold ? scan_cold_below : scan_below);]] [[return true;]]
     GjkBatches/* ${unit}/algorithms/gjk_batch_test.cpp)
-edgewise_mutant(batch_follows_old_pairs algorithms/gjk_batch.hpp [[pair.count == 0 || !pair.belongs_to(*given.a, *given.b)]] [[pair.count == 0]]
+edgewise_mutant(batch_follows_old_pairs algorithms/gjk_batch.hpp [[!pair.starts_warm(*given.a, *given.b)]] [[pair.count == 0]]
     GjkBatch.* ${unit}/algorithms/gjk_batch_test.cpp)
 
 # V-Clip

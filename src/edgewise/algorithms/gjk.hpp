@@ -68,12 +68,11 @@ class GjkRun {
 
   private:
     void start(const Pair& pair) {
-        assert(pair.count <= 4);
-        if (pair.count == 0 || !pair.belongs_to(a_, b_)) {
-            is_cold_ = true;
+        is_cold_ = !pair.starts_warm(a_, b_);
+        if (is_cold_) {
             start_between_origins();
         } else {
-            for (std::uint32_t i = 0; i < pair.count; ++i) add(pair.vertex_a[i], pair.vertex_b[i]);
+            sub_.add_last(pair, a_, b_, a_from_b_);
         }
         sub_.solve_first();
     }
@@ -108,10 +107,6 @@ class GjkRun {
         return is_cold_ ? cold_support(table, direction, last) : support(table, direction, last);
     }
 
-    void add(typename TableA::Vertex a, typename TableB::Vertex b) {
-        sub_.add(a, b, a_.vertex(a), a_from_b_.point(b_.vertex(b)));
-    }
-
     /// One support point further; false when nothing is left to gain.
     [[nodiscard]] bool advance(Scalar squared) {
         const auto& simplex = sub_.simplex();
@@ -123,7 +118,7 @@ class GjkRun {
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
         if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared)) return false;
-        if (steps_ == 1 && reach_ < static_cast<Scalar>(far_off) * squared && start_nearer(squared))
+        if (steps_ == 1 && reach_ < static_cast<Scalar>(far_off_simplex) * squared && start_nearer(squared))
             return true;
         if (simplex.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
             return false;

@@ -58,6 +58,11 @@ void fetch_ahead(std::span<const Query> queries, std::size_t of) {
     __builtin_prefetch(query.pair);
 }
 
+template <class Query>
+[[nodiscard]] Distance ask_one(const Query& query, const QueryOptions& options) {
+    return Gjk::query(*query.a, *query.b, query.a_from_b, *query.pair, options);
+}
+
 template <LaneTable TableA, LaneTable TableB>
 class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
   public:
@@ -69,13 +74,8 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
         assert(queries.size() == answers.size());
     }
 
-    void run(LaneWidth width) {
-        if (width != LaneWidth::none) return run_lanes(*this, options_, width);
-        for (; next_ < queries_.size(); ++next_) {
-            fetch_ahead(queries_, next_);
-            ask(next_);
-        }
-    }
+    /// width: not none.
+    void run(LaneWidth width) { run_lanes(*this, options_, width); }
 
     [[nodiscard]] bool next(int lane, LaneQuery<Scalar>& query) override {
         for (; next_ < queries_.size(); ++next_) {
@@ -135,14 +135,13 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
 
     void ask(std::size_t number) {
         ++asked_singly_;
-        const Query& query = queries_[number];
-        answers_[number] = Gjk::query(*query.a, *query.b, query.a_from_b, *query.pair, options_);
+        answers_[number] = ask_one(queries_[number], options_);
     }
 
     /// As GjkRun starts; false: not for lanes.
     [[nodiscard]] bool start(const Query& given, LaneQuery<Scalar>& query) const {
         const auto& pair = *given.pair;
-        const bool is_cold = pair.count == 0 || !pair.belongs_to(*given.a, *given.b);
+        const bool is_cold = !pair.starts_warm(*given.a, *given.b);
         if (!fits_lane(*given.a, is_cold) || !fits_lane(*given.b, is_cold)) return false;
         query.a_from_b = cast<Scalar>(given.a_from_b);
         query.table_a = given.a;
@@ -154,10 +153,7 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
 
     [[nodiscard]] static bool start_warm(const Query& given, LaneQuery<Scalar>& query) {
         SubDistance<TableA, TableB> sub;
-        const auto& pair = *given.pair;
-        for (std::uint32_t i = 0; i < pair.count; ++i)
-            sub.add(pair.vertex_a[i], pair.vertex_b[i], given.a->vertex(pair.vertex_a[i]),
-                    query.a_from_b.point(given.b->vertex(pair.vertex_b[i])));
+        sub.add_last(*given.pair, *given.a, *given.b, query.a_from_b);
         sub.solve_first();
         const auto& simplex = sub.simplex();
         if (simplex.count == 4) return false;
@@ -185,14 +181,13 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
 template <SupportTable TableA, SupportTable TableB>
 void query_batch(std::span<const PairQuery<TableA, TableB>> queries, std::span<Distance> answers,
                  const QueryOptions& options = {}, LaneWidth width = best_lanes()) {
+    assert(queries.size() == answers.size());
     if constexpr (LaneTable<TableA> && LaneTable<TableB>) {
-        GjkBatch<TableA, TableB>(queries, answers, options).run(width);
-    } else {
-        for (std::size_t i = 0; i < queries.size(); ++i) {
-            fetch_ahead(queries, i);
-            const auto& [a, b, a_from_b, pair] = queries[i];
-            answers[i] = Gjk::query(*a, *b, a_from_b, *pair, options);
-        }
+        if (width != LaneWidth::none) return GjkBatch<TableA, TableB>(queries, answers, options).run(width);
+    }
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        fetch_ahead(queries, i);
+        answers[i] = ask_one(queries[i], options);
     }
 }
 

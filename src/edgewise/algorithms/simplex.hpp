@@ -72,7 +72,7 @@ struct Simplex {
 
 /// Of the squared distance: a last simplex whose closest point promises no more than this is far off. A
 /// matter of time, not of right answers.
-inline constexpr double far_off = 0.5;
+inline constexpr double far_off_simplex = 0.5;
 
 /// What a pair keeps from one query to the next: the vertices of its last simplex.
 template <SupportTable TableA, SupportTable TableB>
@@ -96,6 +96,11 @@ struct SimplexPair {
     /// False after a rebuild: the handles may lead anywhere, and no query follows them.
     [[nodiscard]] bool belongs_to(const TableA& a, const TableB& b) const {
         return tables == (identity_of(a, b) & identity_mask);
+    }
+
+    /// Whether the next query of these tables starts from what is held.
+    [[nodiscard]] bool starts_warm(const TableA& a, const TableB& b) const {
+        return count != 0 && belongs_to(a, b);
     }
 
   private:

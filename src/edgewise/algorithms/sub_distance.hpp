@@ -6,6 +6,8 @@
 #pragma once
 
 #include <array>
+#include <cassert>
+#include <cstdint>
 
 #include "edgewise/algorithms/cofactors.hpp"
 #include "edgewise/algorithms/johnson.hpp"
@@ -38,6 +40,16 @@ class SubDistance {
     void add(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& on_a,
              const Vec3<Scalar>& on_b) {
         simplex_.push(a, b, on_a, on_b);
+    }
+    /// Those that a pair keeps of its last query, where they are now.
+    void add_last(const SimplexPair<TableA, TableB>& pair, const TableA& a, const TableB& b,
+                  const Transform<Scalar>& a_from_b) {
+        assert(pair.count <= 4);
+        for (std::uint32_t i = 0; i < pair.count; ++i) {
+            const auto v = pair.vertex_a[i];
+            const auto w = pair.vertex_b[i];
+            add(v, w, a.vertex(v), a_from_b.point(b.vertex(w)));
+        }
     }
     void solve_first() {
         if (!still_inside()) solve(false);

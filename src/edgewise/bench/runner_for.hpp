@@ -12,9 +12,9 @@
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip.hpp"
+#include "edgewise/bench/batch_pass.hpp"
 #include "edgewise/bench/name_answer.hpp"
 #include "edgewise/bench/near_question.hpp"
-#include "edgewise/bench/query_batch.hpp"
 #include "edgewise/bench/runner.hpp"
 #include "edgewise/bench/trace/trace_queries.hpp"
 #include "edgewise/layout_parts/write_geometry.hpp"

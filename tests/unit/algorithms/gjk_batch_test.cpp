@@ -148,9 +148,7 @@ TEST(GjkBatch, NeedsNoLanes) {
     Crowd<Table> crowd(500);
     const std::vector<Distance> expected = crowd.one_by_one({});
     std::vector<Distance> answers(500);
-    GjkBatch<Table, Table> batch(crowd.queries, answers, {});
-    batch.run(LaneWidth::none);
-    EXPECT_EQ(batch.asked_singly(), 500U);
+    query_batch<Table, Table>(crowd.queries, answers, {}, LaneWidth::none);
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
 }
 

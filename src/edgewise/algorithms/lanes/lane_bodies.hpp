@@ -8,7 +8,7 @@
 #include <cassert>
 
 #include "edgewise/algorithms/lanes/lane_source.hpp"
-#include "edgewise/geometry/lane_vector.hpp"
+#include "edgewise/algorithms/lanes/lane_vector.hpp"
 
 namespace edgewise {
 

@@ -11,8 +11,8 @@
 #include <cstddef>
 
 #include "edgewise/algorithms/cofactors.hpp"
+#include "edgewise/algorithms/lanes/lane_vector.hpp"
 #include "edgewise/algorithms/subset.hpp"
-#include "edgewise/geometry/lane_vector.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise {
@@ -29,10 +29,10 @@ class LaneClosest {
     /// counts: 1 to 4 points per lane.
     [[gnu::always_inline]] LaneClosest(const Points& w, const Mask& counts) {
         add_cofactors(w);
-        if (any(counts == 4)) add_volumes(w);
+        if (any_lane(counts == 4)) add_volumes(w);
         choose(counts);
         weigh(w);
-        if (any(is_triangle())) find_foot(w);
+        if (any_lane(is_triangle())) find_foot(w);
         try_others(w, counts);
     }
 

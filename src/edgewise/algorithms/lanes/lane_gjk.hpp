@@ -9,9 +9,9 @@
 #include "edgewise/algorithms/lanes/lane_closest.hpp"
 #include "edgewise/algorithms/lanes/lane_source.hpp"
 #include "edgewise/algorithms/lanes/lane_state.hpp"
+#include "edgewise/algorithms/lanes/lane_vector.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/simplex.hpp"
-#include "edgewise/geometry/lane_vector.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise {
@@ -32,7 +32,7 @@ class LaneGjk {
     /// All queries of the source.
     [[gnu::always_inline]] void run() {
         for (int lane = 0; lane < n; ++lane) lanes_.load(lane, source_);
-        while (any(lanes_.is_active)) iterate();
+        while (any_lane(lanes_.is_active)) iterate();
     }
 
   private:
@@ -59,7 +59,7 @@ class LaneGjk {
         lanes_.keep(closest);
         lanes_.starts = Mask{};
         single &= lanes_.is_active & ~ended;
-        if (any(single | ended)) replace(ended, single);
+        if (any_lane(single | ended)) replace(ended, single);
     }
 
     [[gnu::always_inline]] void replace(const Mask& ended, const Mask& single) {
@@ -77,13 +77,13 @@ class LaneGjk {
         Mask verdict{};
         if (verdict_only_) verdict = reach - noise > square_root<Scalar, n>(contact_squared_ * squared);
         const Mask useless = (lanes_.steps == 1) & ~lanes_.is_cold & ~verdict &
-                             (reach < static_cast<Scalar>(far_off) * squared);
+                             (reach < static_cast<Scalar>(far_off_simplex) * squared);
         const Mask touching = (max_abs(v) <= Tolerance<Scalar>::contact_noise * lanes_.size) & ~separates;
         const Mask ends = verdict | held | (squared - reach <= larger(noise, Number(gap_ * squared)));
         const Mask single = ~lanes_.starts & ((squared <= contact_squared_) | useless | (ends & touching) |
                                               (lanes_.steps > most_steps));
         ended = ends & ~single & ~lanes_.starts & lanes_.is_active;
-        if (any(ended)) {
+        if (any_lane(ended)) {
             for (int lane = 0; lane < n; ++lane) {
                 if (ended[lane]) source_.take(lane, lanes_.answer(lane));
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Numbers of several queries side by side: lane i of every register belongs to query i. The compiler's own
-// vector types, so that one text makes SSE, AVX, AVX-512 or NEON of it; every operation is that of the
+// vector types, so that one text makes SSE, AVX or NEON of it; every operation is that of the
 // scalar code, lane by lane, in the order of geometry/vec.hpp: the same bits.
 #pragma once
 
@@ -65,12 +65,11 @@ template <class Scalar, int n>
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// a where the mask is set, else b; of numbers or of whole numbers. By their bits: one operation of AVX-512,
-/// and g++ 12 cannot compile `mask ? a : b` of registers that the rest of the program does not have.
+/// a where the mask is set, else b; of numbers or of whole numbers.
 template <class Mask, class Number>
 requires(sizeof(Mask) == sizeof(Number)) [[nodiscard]] [[gnu::always_inline]] inline Number
     select(const Mask& mask, const Number& a, const Number& b) {
-    return (Number)((mask & (Mask)a) | (~mask & (Mask)b));
+    return mask ? a : b;
 }
 template <class Mask, class Scalar, int n>
 [[nodiscard]] [[gnu::always_inline]] inline LaneVec<Scalar, n> select(const Mask& mask,
@@ -104,7 +103,7 @@ template <class Scalar, int n>
 
 /// Whether any lane's mask is set.
 template <class Mask>
-[[nodiscard]] [[gnu::always_inline]] inline bool any(const Mask& mask) {
+[[nodiscard]] [[gnu::always_inline]] inline bool any_lane(const Mask& mask) {
     constexpr int n = sizeof(Mask) / sizeof(mask[0]);
     std::remove_cvref_t<decltype(mask[0])> all = 0;
 #pragma GCC unroll 16
