@@ -125,15 +125,17 @@ class GjkWatch {
         Pair& pair = workload_.warm ? pairs_[query.pair] : cold;
         const Pair before = pair;
         const ClimbCounts counts_before = counts_;
-        SubsetWatch subsets(work_, before.count);
+        SubsetWatch subsets(work_, before.count());
         static_cast<void>(Gjk::query(a, b, relative_pose(query.pose_a, query.pose_b), pair, {}, subsets));
         ++work_.queries;
-        book_climbs(counts_before, std::max(1U, before.count));
-        if (before.count == 0) return;
-        compare_vertices(a, std::span(pair.vertex_a).first(pair.count),
-                         std::span(before.vertex_a).first(before.count), work_);
-        compare_vertices(b, std::span(pair.vertex_b).first(pair.count),
-                         std::span(before.vertex_b).first(before.count), work_);
+        book_climbs(counts_before, std::max(1U, before.count()));
+        if (before.count() == 0) return;
+        const auto now_a = pair.vertices_a(), before_a = before.vertices_a();
+        const auto now_b = pair.vertices_b(), before_b = before.vertices_b();
+        compare_vertices(a, std::span(now_a).first(pair.count()), std::span(before_a).first(before.count()),
+                         work_);
+        compare_vertices(b, std::span(now_b).first(pair.count()), std::span(before_b).first(before.count()),
+                         work_);
     }
 
   private:

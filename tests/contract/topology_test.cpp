@@ -6,8 +6,11 @@
 // answers.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <set>
 
+#include "edgewise/algorithms/vclip/feature_pair.hpp"
+#include "edgewise/table/feature_name.hpp"
 #include "stored_bodies.hpp"
 #include "tables_under_test.hpp"
 
@@ -55,6 +58,45 @@ TYPED_TEST(Topology, VerticesAreExactAndNeighboursInOrder) {
         SCOPED_TRACE(name);
         expect_same_support(T(body, Parts::support), body);
         expect_same_support(T(body, Parts::features), body);
+    }
+}
+
+/// Numbers of features lead back to their handles, differ, and others lead nowhere.
+template <class T>
+void expect_named_features(const T& table) {
+    std::set<std::uint32_t> edges, faces;
+    for (const auto v : table.all_vertices()) {
+        for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
+            const std::uint32_t name = table.edge_name(edge);
+            edges.insert(name);
+            EXPECT_LT(name, 1U << feature_name_bits);
+            ASSERT_TRUE(table.edge_named(name).has_value());
+            EXPECT_TRUE(*table.edge_named(name) == edge);
+        }
+    }
+    for (const auto face : table.all_faces()) {
+        const std::uint32_t name = table.face_name(face);
+        EXPECT_TRUE(faces.insert(name).second);
+        ASSERT_TRUE(table.face_named(name).has_value());
+        EXPECT_TRUE(*table.face_named(name) == face);
+    }
+    const std::uint32_t beyond = (1U << feature_name_bits) - 1;
+    EXPECT_FALSE(table.edge_named(beyond).has_value());
+    EXPECT_FALSE(table.face_named(beyond).has_value());
+    EXPECT_EQ(edges.empty(), table.vertex_count() < 2);
+}
+
+TYPED_TEST(Topology, FeaturesHaveNumbers) {
+    using T = typename TypeParam::Table;
+    if constexpr (NamesFeatures<T>) {
+        for (const auto& [name, body] : test_bodies<T>()) {
+            SCOPED_TRACE(name);
+            expect_named_features(T(body, Parts::features));
+        }
+        EXPECT_EQ(sizeof(FeaturePair<T, T>), 8U);
+    } else {
+        constexpr bool counts = requires { requires T::counts_vertices; };
+        EXPECT_FALSE(counts && FeatureTable<T>) << "a table that counts its vertices can count its features";
     }
 }
 

@@ -100,9 +100,7 @@ Outcome from_every_start(const T& table, const Polyhedron& cube, const CheckedPa
     for (const auto& a : features) {
         for (const auto& b : features) {
             if (a.kind() == FeatureKind::face && b.kind() == FeatureKind::face) continue;
-            FeaturePair<T, T> pair(table, table);
-            pair.a = a.of(table);
-            pair.b = b.of(table);
+            FeaturePair<T, T> pair(table, table, {a, b});
             const Distance answer = VClip::query(table, table, checked.a_from_b, pair);
             const Judged judged = judge_answer(answer, checked, cube, cube);
             ++outcome.starts;

@@ -64,8 +64,13 @@ edgewise_mutant(old_pairs_are_followed algorithms/penetration/start.hpp [[if (!p
 
 edgewise_mutant(batch_climbs_are_scanned algorithms/gjk_batch.hpp [[return !may_climb(table) || count < (is_cold ? scan_cold_below : scan_below);]] [[return true;]]
     GjkBatches/* ${unit}/algorithms/gjk_batch_test.cpp)
-edgewise_mutant(batch_follows_old_pairs algorithms/gjk_batch.hpp [[!pair.starts_warm(*given.a, *given.b)]] [[pair.count == 0]]
+edgewise_mutant(batch_follows_old_pairs algorithms/gjk_batch.hpp [[!pair.starts_warm(*given.a, *given.b)]] [[pair.count() == 0]]
     GjkBatch.* ${unit}/algorithms/gjk_batch_test.cpp)
+
+edgewise_mutant(pairs_keep_any_handle algorithms/simplex_pair.hpp [[return corner.a <= handle && corner.b <= handle;]] [[return true;]]
+    PairCache.* ${unit}/algorithms/pair_cache_test.cpp)
+edgewise_mutant(features_of_old_tables_are_followed algorithms/vclip/feature_pair.hpp [[if (!belongs_to(table_a, table_b)) return Features<TableA, TableB>::first_of(table_a, table_b);]] [[]]
+    RebuiltTable.* ${unit}/algorithms/rebuilt_table_test.cpp)
 
 # V-Clip
 edgewise_mutant(close_normal_by_witness_points algorithms/vclip/trust.hpp [[result.normal = *normal;]] [[]]

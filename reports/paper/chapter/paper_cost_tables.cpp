@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <map>
 #include <string_view>
@@ -18,7 +19,6 @@
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/source_facts.hpp"
 #include "edgewise/reports/tables/tables.hpp"
-#include "edgewise/table/needs.hpp"
 
 namespace edgewise::reports {
 
@@ -88,11 +88,15 @@ std::string need_name(const std::string& axes) {
 
 /// Least asked first: nearness by its margins, witnesses behind the distance.
 std::vector<const ReportCell*> by_need(const ByAxes& cells) {
+    // As in table/needs.hpp, which a report does not see.
+    constexpr std::array<std::string_view, 7> order = {"nearer",   "verdict", "distance",   "witnesses",
+                                                       "features", "depth",   "certificate"};
     const auto place = [&](const ReportCell* cell) {
         const std::string name = need_name(cell->axes);
         const std::size_t mark = name.find(margin_mark);
         const std::string margin = mark == name.npos ? "0" : name.substr(mark + margin_mark.size());
-        return std::tuple(needs_from(name.substr(0, mark)), std::strtod(margin.c_str(), nullptr), cell->axes);
+        return std::tuple(std::find(order.begin(), order.end(), name.substr(0, mark)) - order.begin(),
+                          std::strtod(margin.c_str(), nullptr), cell->axes);
     };
     std::vector<const ReportCell*> sorted;
     for (const auto& [axes, cell] : cells) sorted.push_back(cell);

@@ -108,9 +108,11 @@ template <SupportTable TableA, SupportTable TableB, class Pair>
     const Transform<Scalar> transform = cast<Scalar>(a_from_b);
     const Vec3<Scalar> normal = cast<Scalar>(answer.normal);
     const auto& ended = simplex_of(a, b, pair);
-    assert(ended.count > 0);
-    const auto on_a = support(a, normal, ended.vertex_a[0]);
-    const auto on_b = support(b, Vec3<Scalar>(-transform.direction_back(normal)), ended.vertex_b[0]);
+    const bool is_kept = ended.count() > 0;
+    const auto from_a = is_kept ? ended.corner(0).a : a.first_vertex();
+    const auto from_b = is_kept ? ended.corner(0).b : b.first_vertex();
+    const auto on_a = support(a, normal, from_a);
+    const auto on_b = support(b, Vec3<Scalar>(-transform.direction_back(normal)), from_b);
     const Scalar gap = dot(normal, Vec3<Scalar>(transform.point(on_b.point) - on_a.point));
     const double most = norm(Vec3d(answer.point_b - answer.point_a)) + noise;
     return {std::clamp(static_cast<double>(gap) - noise, 0.0, most), most};

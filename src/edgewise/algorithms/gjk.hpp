@@ -25,6 +25,7 @@
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/simplex.hpp"
+#include "edgewise/algorithms/simplex_pair.hpp"
 #include "edgewise/algorithms/sub_distance.hpp"
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/geometry/tolerance.hpp"
@@ -133,8 +134,7 @@ class GjkRun {
     }
 
     [[nodiscard]] Distance finish(Pair& pair, Status status) const {
-        pair.belong_to(a_, b_);
-        pair.hold(sub_.simplex());
+        pair.hold(a_, b_, sub_.simplex());
         return gjk_answer(sub_.simplex(), sub_.closest(), status, steps_);
     }
 

@@ -110,8 +110,7 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
         }
         closest.weight = answer.weight;
         closest.point = answer.closest;
-        query.pair->belong_to(*query.a, *query.b);
-        query.pair->hold(simplex);
+        query.pair->hold(*query.a, *query.b, simplex);
         answers_[number] = within(options_, gjk_answer(simplex, closest, Status::separated, answer.steps));
     }
 

@@ -23,7 +23,7 @@
 
 #include "edgewise/algorithms/penetration/difference.hpp"
 #include "edgewise/algorithms/penetration/polytope.hpp"
-#include "edgewise/algorithms/simplex.hpp"
+#include "edgewise/algorithms/simplex_pair.hpp"
 
 namespace edgewise {
 
@@ -70,9 +70,11 @@ template <SupportTable TableA, SupportTable TableB>
     const auto transform = cast<ComputeOf<TableA>>(a_from_b);
     const epa::DifferenceOf<TableA, TableB> difference(a, b, transform);
     std::array<epa::Corner, 4> corners{difference.corner(a.first_vertex(), b.first_vertex())};
-    const std::size_t count = start.belongs_to(a, b) ? start.count : 0;
-    for (std::size_t i = 0; i < count; ++i)
-        corners[i] = difference.corner(start.vertex_a[i], start.vertex_b[i]);
+    const std::uint32_t count = start.belongs_to(a, b) ? start.count() : 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const auto [v, w] = start.corner(i);
+        corners[i] = difference.corner(v, w);
+    }
     return penetration(difference, std::span(corners).first(count == 0 ? 1 : count), space);
 }
 

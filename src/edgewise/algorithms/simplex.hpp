@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// GJK's simplex while a query runs, and what a pair keeps of it for the next.
+// GJK's simplex while a query runs.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstdint>
 
 #include "edgewise/algorithms/subset.hpp"
 #include "edgewise/table/contract.hpp"
-#include "edgewise/table/identity.hpp"
 
 namespace edgewise {
 
@@ -73,38 +71,5 @@ struct Simplex {
 /// Of the squared distance: a last simplex whose closest point promises no more than this is far off. A
 /// matter of time, not of right answers.
 inline constexpr double far_off_simplex = 0.5;
-
-/// What a pair keeps from one query to the next: the vertices of its last simplex.
-template <SupportTable TableA, SupportTable TableB>
-struct SimplexPair {
-    std::uint32_t count : 3 = 0;    ///< 0: cold
-    std::uint32_t tables : 29 = 0;  ///< whose vertices they are (table/identity.hpp)
-    std::array<typename TableA::Vertex, 4> vertex_a{};
-    std::array<typename TableB::Vertex, 4> vertex_b{};
-
-    SimplexPair() = default;
-    SimplexPair(const TableA& a, const TableB& b) { belong_to(a, b); }
-
-    void belong_to(const TableA& a, const TableB& b) { tables = identity_of(a, b) & identity_mask; }
-    void hold(const Simplex<TableA, TableB>& simplex) {
-        count = static_cast<std::uint32_t>(simplex.count) & 7U;
-        for (int i = 0; i < simplex.count; ++i) {
-            vertex_a[i] = simplex.vertex_a[i];
-            vertex_b[i] = simplex.vertex_b[i];
-        }
-    }
-    /// False after a rebuild: the handles may lead anywhere, and no query follows them.
-    [[nodiscard]] bool belongs_to(const TableA& a, const TableB& b) const {
-        return tables == (identity_of(a, b) & identity_mask);
-    }
-
-    /// Whether the next query of these tables starts from what is held.
-    [[nodiscard]] bool starts_warm(const TableA& a, const TableB& b) const {
-        return count != 0 && belongs_to(a, b);
-    }
-
-  private:
-    static constexpr std::uint32_t identity_mask = (1U << 29) - 1;
-};
 
 }  // namespace edgewise

@@ -6,14 +6,15 @@
 #pragma once
 
 #include <array>
-#include <cassert>
 #include <cstdint>
 
 #include "edgewise/algorithms/cofactors.hpp"
 #include "edgewise/algorithms/johnson.hpp"
 #include "edgewise/algorithms/simplex.hpp"
+#include "edgewise/algorithms/simplex_pair.hpp"
 #include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/double_double.hpp"
+#include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
 
@@ -44,10 +45,9 @@ class SubDistance {
     /// Those that a pair keeps of its last query, where they are now.
     void add_last(const SimplexPair<TableA, TableB>& pair, const TableA& a, const TableB& b,
                   const Transform<Scalar>& a_from_b) {
-        assert(pair.count <= 4);
-        for (std::uint32_t i = 0; i < pair.count; ++i) {
-            const auto v = pair.vertex_a[i];
-            const auto w = pair.vertex_b[i];
+        const std::uint32_t count = pair.count();
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const auto [v, w] = pair.corner(i);
             add(v, w, a.vertex(v), a_from_b.point(b.vertex(w)));
         }
     }

@@ -28,6 +28,7 @@
 #include "edgewise/algorithms/vclip/edge_edge.hpp"
 #include "edgewise/algorithms/vclip/edge_face.hpp"
 #include "edgewise/algorithms/vclip/fallback.hpp"
+#include "edgewise/algorithms/vclip/feature_pair.hpp"
 #include "edgewise/algorithms/vclip/seeded_start.hpp"
 #include "edgewise/algorithms/vclip/trust.hpp"
 #include "edgewise/algorithms/vclip/vertex_edge.hpp"
@@ -35,23 +36,6 @@
 #include "edgewise/algorithms/vclip/vertex_vertex.hpp"
 
 namespace edgewise {
-
-/// What a pair keeps from one query to the next: its last pair of closest features.
-template <FeatureTable TableA, FeatureTable TableB>
-struct FeaturePair {
-    Feature<TableA> a;
-    Feature<TableB> b;
-
-    /// Cold: any vertices will do.
-    FeaturePair(const TableA& table_a, const TableB& table_b)
-        : a(Feature<TableA>::of_vertex(table_a.first_vertex()).of(table_a)),
-          b(Feature<TableB>::of_vertex(table_b.first_vertex()).of(table_b)) {}
-
-    /// False after a rebuild: the handles may lead anywhere, and no query follows them.
-    [[nodiscard]] bool belongs_to(const TableA& table_a, const TableB& table_b) const {
-        return a.is_of(table_a) && b.is_of(table_b);
-    }
-};
 
 namespace vclip {
 
@@ -153,17 +137,16 @@ struct VClip {
                                         Observer&& observer = {}) {
         const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
-        if (!pair.belongs_to(a, b)) pair = FeaturePair<TableA, TableB>(a, b);
-        vclip::Body<TableA> body_a{a, into_a, pair.a};
-        vclip::Body<TableB> body_b{b, into_b, pair.b};
+        const Features<TableA, TableB> start = pair.start(a, b);
+        vclip::Body<TableA> body_a{a, into_a, start.a};
+        vclip::Body<TableB> body_b{b, into_b, start.b};
         const Distance result = [&] {
             if constexpr (is_traced<TableA> || !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>)
                 return vclip::walk(body_a, body_b, observer);
             else
                 return vclip::run(body_a, body_b);
         }();
-        pair.a = body_a.feature.of(a);
-        pair.b = body_b.feature.of(b);
+        pair = {a, b, {body_a.feature, body_b.feature}};
         return within(options, result);
     }
 };

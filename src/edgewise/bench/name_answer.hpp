@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -58,15 +59,18 @@ template <class TableA, class TableB>
 [[nodiscard]] std::pair<NamedFeature, NamedFeature> name_features(const FeaturePair<TableA, TableB>& pair,
                                                                   const TableA& a, const Polyhedron& body_a,
                                                                   const TableB& b, const Polyhedron& body_b) {
-    return {name_feature(a, body_a, pair.a), name_feature(b, body_b, pair.b)};
+    const Features<TableA, TableB> last = pair.start(a, b);
+    return {name_feature(a, body_a, last.a), name_feature(b, body_b, last.b)};
 }
 
 template <class TableA, class TableB>
 [[nodiscard]] std::pair<NamedFeature, NamedFeature> name_features(const SimplexPair<TableA, TableB>& pair,
                                                                   const TableA& a, const Polyhedron& body_a,
                                                                   const TableB& b, const Polyhedron& body_b) {
-    return {name_simplex(a, body_a, std::span(pair.vertex_a).first(pair.count)),
-            name_simplex(b, body_b, std::span(pair.vertex_b).first(pair.count))};
+    const auto of_a = pair.vertices_a();
+    const auto of_b = pair.vertices_b();
+    return {name_simplex<TableA>(a, body_a, std::span(of_a).first(pair.count())),
+            name_simplex<TableB>(b, body_b, std::span(of_b).first(pair.count()))};
 }
 
 /// What a query was about.
@@ -90,9 +94,9 @@ void measure_contact(const AskedPair<Table>& asked, const Pair& pair, const Dist
     const double noise = static_cast<double>(Tolerance<ComputeOf<Table>>::contact_noise) * size;
     auto simplex = simplex_of(a, b, pair);
     static_cast<void>(run_gjk(a, b, cast<ComputeOf<Table>>(a_from_b), simplex, QueryOptions{}));
-    for (std::uint32_t i = 0; i < simplex.count; ++i) {
-        answer.proof_a.push_back(a.index_of(simplex.vertex_a[i]));
-        answer.proof_b.push_back(b.index_of(simplex.vertex_b[i]));
+    for (std::uint32_t i = 0; i < simplex.count(); ++i) {
+        answer.proof_a.push_back(a.index_of(simplex.corner(i).a));
+        answer.proof_b.push_back(b.index_of(simplex.corner(i).b));
     }
     Distance contact = distance;
     contact.status = overlap.depth > noise ? Status::overlapping : Status::touching;

@@ -229,6 +229,9 @@ Result<Polyhedron> build_polyhedron(const FaceRings& input) {
     std::string error = ring_error(input);
     if (!error.empty()) return Result<Polyhedron>::failure(std::move(error));
     const std::vector<Side> sides = sorted_sides(input);
+    if (sides.size() / 2 > most_edges)
+        return Result<Polyhedron>::failure(
+            message("a body of ", sides.size() / 2, " edges; ", most_edges, " are the most, simplify it"));
     error = pairing_error(input, sides);
     if (!error.empty()) return Result<Polyhedron>::failure(std::move(error));
     Polyhedron body;

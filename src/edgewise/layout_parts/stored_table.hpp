@@ -22,6 +22,8 @@
 
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -83,6 +85,15 @@ class StoredTable : public BlockTable<P, Loader> {
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
         assert(v < facts_.vertex_count);
         return read_vector<Compute>(loader_, at_.vertex(v), Field::vertex);
+    }
+
+    [[nodiscard]] std::uint32_t edge_name(Edge e) const { return e; }
+    [[nodiscard]] std::uint32_t face_name(Face f) const { return f; }
+    [[nodiscard]] std::optional<Edge> edge_named(std::uint32_t name) const {
+        return name < facts_.edge_count() ? std::optional<Edge>(name) : std::nullopt;
+    }
+    [[nodiscard]] std::optional<Face> face_named(std::uint32_t name) const {
+        return name < facts_.face_count ? std::optional<Face>(name) : std::nullopt;
     }
 
     [[nodiscard]] Vertex tail(Edge e) const { return end(e, 0); }

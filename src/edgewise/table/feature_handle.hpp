@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A feature of a table: a kind and the layout's own handle for it. Two of these, each marked with the table
-// that it is of, are all that V-Clip keeps of a pair from one query to the next.
+// that it is of, are what V-Clip keeps of a pair from one query to the next where features have no numbers
+// (feature_name.hpp).
 #pragma once
 
 #include <cassert>

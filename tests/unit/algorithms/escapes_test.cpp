@@ -32,10 +32,10 @@ TEST(Escapes, AVertexBehindTheBodyLeavesTheFaceItIsUnder) {
     const std::vector<Vec3d> corner = {{0, 0, 0}, {-1, 1, 0}, {-1, -1, 1}, {-1, -1, -1}};
     const Polyhedron a = *convex_hull(corner), b = *scene::make_shape("cube8");
     const ReferenceTable table_a(a), table_b(b);
-    Pair pair(table_a, table_b);
     const auto tip = std::find(a.vertices.begin(), a.vertices.end(), corner[0]) - a.vertices.begin();
-    pair.a = Feature<ReferenceTable>::of_vertex(static_cast<Index>(tip));
-    pair.b = Feature<ReferenceTable>::of_face(face_ahead(b));
+    Pair pair(table_a, table_b,
+              {Feature<ReferenceTable>::of_vertex(static_cast<Index>(tip)),
+               Feature<ReferenceTable>::of_face(face_ahead(b))});
     const Distance answer = VClip::query(table_a, table_b, shifted(2), pair);
     EXPECT_EQ(answer.escapes, 1);
     EXPECT_EQ(answer.steps, 2);

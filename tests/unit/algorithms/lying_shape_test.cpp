@@ -63,7 +63,7 @@ TEST(LyingShape, GjkGivesUp) {
     EXPECT_DEBUG_DEATH(answer = Gjk::query(shape, origin, in_place, pair), "does not converge");
     EXPECT_EQ(answer.status, Status::failed);
     EXPECT_EQ(answer.distance, 0);
-    EXPECT_EQ(pair.count, 0U) << "the next query starts cold";
+    EXPECT_EQ(pair.count(), 0U) << "the next query starts cold";
     EXPECT_EQ(answer.steps, most_gjk_iterations);
 }
 

@@ -181,12 +181,10 @@ TEST(Penetration, EveryStartGivesTheSameDepth) {
         const double truth = testing::brute_depth(a, b, pose).depth;
         if (truth <= 0) continue;
         SimplexPair<Canonical, Canonical> start;
-        start.count = static_cast<std::uint32_t>(rng.below(5)) & 7U;
+        const std::uint64_t count = rng.below(5);
         const std::uint64_t choice = 1 + rng.below(4);  // few vertices: duplicates and lines
-        for (int k = 0; k < 4; ++k) {
-            start.vertex_a[k] = static_cast<Index>(rng.below(choice));
-            start.vertex_b[k] = static_cast<Index>(rng.below(choice));
-        }
+        for (std::uint64_t k = 0; k < count; ++k)
+            start.push({static_cast<Index>(rng.below(choice)), static_cast<Index>(rng.below(choice))});
         const Penetration answer = ask<Canonical>(a, b, pose, start);
         EXPECT_TRUE(answer.converged);
         worst = std::max(worst, std::abs(answer.depth - truth));

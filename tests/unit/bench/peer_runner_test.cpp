@@ -38,7 +38,7 @@ struct OwnGjk {
 
     static peers::PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b,
                                    Cache& cache) {
-        warm_starts += cache.pair.count > 0;
+        warm_starts += cache.pair.count() > 0;
         const Distance found = to_world(
             Gjk::query(Canonical(a.body), Canonical(b.body), relative_pose(at_a.pose, at_b.pose), cache.pair),
             at_a.pose);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "edgewise/geometry/polyhedron_builder.hpp"
 #include "geometry_bodies.hpp"
 
 namespace edgewise {
@@ -230,6 +231,23 @@ TEST(FromFaces, RefusesWhatIsNotConvex) {
     sliver.push_back({8, 5, 7});
     sliver.push_back({4, 5, 8});
     expect_refused(middle, sliver, "no area");
+}
+
+TEST(Polyhedron, RefusesMoreEdgesThanAPairCanName) {
+    for (const std::size_t count : {most_edges, most_edges + 1}) {
+        FaceRings polygon;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double x = static_cast<double>(i) / static_cast<double>(count);
+            polygon.vertices.emplace_back(x, x * x, 0);
+            polygon.input_index.push_back(static_cast<Index>(i));
+        }
+        polygon.rings.push_back(polygon.input_index);
+        polygon.rings.emplace_back(polygon.input_index.rbegin(), polygon.input_index.rend());
+        const Result<Polyhedron> body = build_polyhedron(polygon);
+        EXPECT_EQ(static_cast<bool>(body), count <= most_edges) << body.error;
+        if (count > most_edges)
+            EXPECT_NE(body.error.find("2097151 are the most"), std::string::npos) << body.error;
+    }
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ template <FeatureTable TableA, FeatureTable TableB>
 [[nodiscard]] SimplexPair<TableA, TableB> simplex_of(const TableA& a, const TableB& b,
                                                      const FeaturePair<TableA, TableB>& pair) {
     if (!pair.belongs_to(a, b)) return SimplexPair<TableA, TableB>(a, b);
-    return vclip::feature_simplex(a, pair.a, b, pair.b);
+    const Features<TableA, TableB> last = pair.start(a, b);
+    return vclip::feature_simplex(a, last.a, b, last.b);
 }
 
 }  // namespace edgewise

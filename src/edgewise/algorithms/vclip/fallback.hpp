@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <span>
 
 #include "edgewise/algorithms/gjk.hpp"
@@ -56,12 +57,15 @@ template <class TableA, class TableB>
             return run_gjk(a.table, b.table, a.from_other, simplex, QueryOptions{});
     }();
     if (answer.status == Status::failed) return answer;
-    a.feature = feature_spanning(a.table, std::span(simplex.vertex_a).first(simplex.count));
-    b.feature = feature_spanning(b.table, std::span(simplex.vertex_b).first(simplex.count));
+    const std::uint32_t count = simplex.count();
+    if (count == 0) return answer;
+    const auto of_a = simplex.vertices_a();
+    const auto of_b = simplex.vertices_b();
+    a.feature = feature_spanning(a.table, std::span(of_a).first(count));
+    b.feature = feature_spanning(b.table, std::span(of_b).first(count));
     // Two faces are no state; one of them gives way to a vertex of the simplex.
-    if (a.feature.kind() == FeatureKind::face && b.feature.kind() == FeatureKind::face) {
-        b.move_to_vertex(simplex.vertex_b[0]);
-    }
+    if (a.feature.kind() == FeatureKind::face && b.feature.kind() == FeatureKind::face)
+        b.move_to_vertex(of_b[0]);
     return answer;
 }
 

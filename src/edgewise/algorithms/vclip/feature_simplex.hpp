@@ -46,9 +46,7 @@ template <FeatureTable TableA, FeatureTable TableB>
     const std::uint32_t count_a = corners_of(a, feature_a, of_a), count_b = corners_of(b, feature_b, of_b);
     SimplexPair<TableA, TableB> simplex(a, b);
     for (std::uint32_t i = 0; i < std::max(count_a, count_b); ++i) {
-        simplex.vertex_a[i] = of_a[i % count_a];
-        simplex.vertex_b[i] = of_b[i % count_b];
-        ++simplex.count;
+        simplex.push({of_a[i % count_a], of_b[i % count_b]});
     }
     return simplex;
 }

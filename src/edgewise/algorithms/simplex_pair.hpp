@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+//
+// What a pair keeps of GJK from one query to the next: the vertices of its last simplex, in 32 bytes where
+// handles are whole numbers. Four words, of which each holds two handles of 28 bits and a byte of the note
+// that says how many there are and of which tables.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <concepts>
+#include <cstdint>
+
+#include "edgewise/algorithms/simplex.hpp"
+#include "edgewise/table/contract.hpp"
+#include "edgewise/table/identity.hpp"
+
+namespace edgewise {
+
+/// Of A's and B's vertices, whose difference is a point of a simplex.
+template <SupportTable TableA, SupportTable TableB>
+struct VertexPair {
+    typename TableA::Vertex a;
+    typename TableB::Vertex b;
+
+    [[nodiscard]] bool operator==(const VertexPair&) const = default;
+};
+
+/// Four pairs of vertices and a note of 32 bits, whatever the handles.
+template <SupportTable TableA, SupportTable TableB>
+class PlainCorners {
+  public:
+    [[nodiscard]] std::uint32_t note() const { return note_; }
+    [[nodiscard]] VertexPair<TableA, TableB> corner(std::uint32_t i) const { return corners_[i]; }
+    [[nodiscard]] static bool fits(const VertexPair<TableA, TableB>&) { return true; }
+    void set_note(std::uint32_t note) { note_ = note; }
+    void set(std::uint32_t i, const VertexPair<TableA, TableB>& corner) { corners_[i] = corner; }
+
+  private:
+    std::array<VertexPair<TableA, TableB>, 4> corners_{};
+    std::uint32_t note_ = 0;
+};
+
+/// The same of handles that are whole numbers below 2^28.
+template <SupportTable TableA, SupportTable TableB>
+class PackedCorners {
+  public:
+    [[nodiscard]] std::uint32_t note() const {
+        std::uint64_t note = 0;
+        for (int i = 0; i < 4; ++i) note |= words_[i] >> note_at << 8 * i;
+        return static_cast<std::uint32_t>(note);
+    }
+    [[nodiscard]] VertexPair<TableA, TableB> corner(std::uint32_t i) const {
+        return {static_cast<typename TableA::Vertex>(words_[i] & handle),
+                static_cast<typename TableB::Vertex>(words_[i] >> handle_bits & handle)};
+    }
+    [[nodiscard]] static bool fits(const VertexPair<TableA, TableB>& corner) {
+        return corner.a <= handle && corner.b <= handle;
+    }
+    void set_note(std::uint32_t note) {
+        for (int i = 0; i < 4; ++i)
+            words_[i] = (words_[i] & both_handles) | std::uint64_t{note >> 8 * i & 0xff} << note_at;
+    }
+    void set(std::uint32_t i, const VertexPair<TableA, TableB>& corner) {
+        assert(fits(corner));
+        words_[i] = (words_[i] & ~both_handles) | corner.a | std::uint64_t{corner.b} << handle_bits;
+    }
+
+  private:
+    static constexpr int handle_bits = 28, note_at = 2 * handle_bits;
+    static constexpr std::uint64_t handle = (std::uint64_t{1} << handle_bits) - 1,
+                                   both_handles = (std::uint64_t{1} << note_at) - 1;
+
+    alignas(32) std::array<std::uint64_t, 4> words_{};  ///< never in two lines
+};
+
+template <class Table>
+concept HasNumberedVertices = std::unsigned_integral<typename Table::Vertex> &&
+                              sizeof(typename Table::Vertex) <= 4;
+
+template <SupportTable TableA, SupportTable TableB>
+struct CornersFor {
+    using Type = PlainCorners<TableA, TableB>;
+};
+template <SupportTable TableA, SupportTable TableB>
+requires HasNumberedVertices<TableA> && HasNumberedVertices<TableB>
+struct CornersFor<TableA, TableB> {
+    using Type = PackedCorners<TableA, TableB>;
+};
+
+/// A pair kept over a rebuild of its tables starts cold, and so does one whose handles are too large to keep.
+template <SupportTable TableA, SupportTable TableB>
+class SimplexPair {
+  public:
+    using Corner = VertexPair<TableA, TableB>;
+
+    SimplexPair() = default;
+    SimplexPair(const TableA& a, const TableB& b) { corners_.set_note(note_of(a, b, 0)); }
+
+    /// Vertices held; 0: cold.
+    [[nodiscard]] std::uint32_t count() const { return corners_.note() & most; }
+    [[nodiscard]] Corner corner(std::uint32_t i) const {
+        assert(i < count());
+        return corners_.corner(i);
+    }
+
+    /// All of A's, and of B's: the first count() of four.
+    [[nodiscard]] std::array<typename TableA::Vertex, 4> vertices_a() const {
+        std::array<typename TableA::Vertex, 4> vertices{};
+        for (std::uint32_t i = 0; i < count(); ++i) vertices[i] = corner(i).a;
+        return vertices;
+    }
+    [[nodiscard]] std::array<typename TableB::Vertex, 4> vertices_b() const {
+        std::array<typename TableB::Vertex, 4> vertices{};
+        for (std::uint32_t i = 0; i < count(); ++i) vertices[i] = corner(i).b;
+        return vertices;
+    }
+
+    /// False after a rebuild: the handles may lead anywhere, and no query follows them.
+    [[nodiscard]] bool belongs_to(const TableA& a, const TableB& b) const {
+        return (corners_.note() & ~most) == note_of(a, b, 0);
+    }
+    /// Whether the next query of these tables starts from what is held.
+    [[nodiscard]] bool starts_warm(const TableA& a, const TableB& b) const {
+        const std::uint32_t note = corners_.note();
+        return (note & most) != 0 && (note & ~most) == note_of(a, b, 0);
+    }
+
+    /// Of these tables, and no vertices yet.
+    void belong_to(const TableA& a, const TableB& b) { corners_.set_note(note_of(a, b, 0)); }
+    /// One more, up to four.
+    void push(const Corner& corner) {
+        const std::uint32_t before = count();
+        assert(before < 4);
+        if (!Corners::fits(corner)) return;
+        corners_.set(before, corner);
+        corners_.set_note(corners_.note() + 1);
+    }
+    /// Of these tables, and a simplex of theirs.
+    void hold(const TableA& a, const TableB& b, const Simplex<TableA, TableB>& simplex) {
+        bool all_fit = true;
+        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(simplex.count); ++i) {
+            const Corner corner = {simplex.vertex_a[i], simplex.vertex_b[i]};
+            all_fit = all_fit && Corners::fits(corner);
+            if (all_fit) corners_.set(i, corner);
+        }
+        corners_.set_note(note_of(a, b, all_fit ? static_cast<std::uint32_t>(simplex.count) : 0));
+    }
+
+    /// The same vertices of the same tables.
+    [[nodiscard]] bool operator==(const SimplexPair& other) const {
+        if (corners_.note() != other.corners_.note()) return false;
+        for (std::uint32_t i = 0; i < count(); ++i)
+            if (corner(i) != other.corner(i)) return false;
+        return true;
+    }
+
+  private:
+    using Corners = typename CornersFor<TableA, TableB>::Type;
+
+    static constexpr std::uint32_t most = 7;  ///< the note's bits that count
+
+    [[nodiscard]] static std::uint32_t note_of(const TableA& a, const TableB& b, std::uint32_t count) {
+        return identity_of(a, b) << 3 | count;
+    }
+
+    Corners corners_;
+};
+
+}  // namespace edgewise
