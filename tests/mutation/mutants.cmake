@@ -66,6 +66,12 @@ edgewise_mutant(batch_climbs_are_scanned algorithms/gjk_batch.hpp [[return !may_
     GjkBatches/* ${unit}/algorithms/gjk_batch_test.cpp)
 edgewise_mutant(batch_follows_old_pairs algorithms/gjk_batch.hpp [[!pair.starts_warm(*given.a, *given.b)]] [[pair.count == 0]]
     GjkBatch.* ${unit}/algorithms/gjk_batch_test.cpp)
+edgewise_mutant(parts_answer_in_the_first_places algorithms/parallel_batch.hpp [[answers.subspan(part.begin(), part.size())]] [[answers.subspan(0, part.size())]]
+    ParallelBatches/*AreToTheBit* ${unit}/algorithms/parallel_batch_test.cpp)
+edgewise_mutant(batch_stays_in_one_thread algorithms/parallel_batch.hpp [[tbb::task_arena arena(threads);]] [[tbb::task_arena arena(1);]]
+    ParallelBatch.AsksInSoManyThreads ${unit}/algorithms/parallel_batch_test.cpp)
+edgewise_mutant(frames_ask_a_pair_again bench/frame_batches.hpp [[asked[workload.queries[i].pair]++ : 0]] [[asked[workload.queries[i].pair] : 0]]
+    FrameBatches.AskNoPairTwice* ${unit}/bench/frame_batches_test.cpp)
 
 # V-Clip
 edgewise_mutant(close_normal_by_witness_points algorithms/vclip/trust.hpp [[result.normal = *normal;]] [[]]
