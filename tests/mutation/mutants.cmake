@@ -72,6 +72,8 @@ edgewise_mutant(batch_stays_in_one_thread algorithms/parallel_batch.hpp [[tbb::t
     ParallelBatch.AsksInSoManyThreads ${unit}/algorithms/parallel_batch_test.cpp)
 edgewise_mutant(frames_ask_a_pair_again bench/frame_batches.hpp [[asked[workload.queries[i].pair]++ : 0]] [[asked[workload.queries[i].pair] : 0]]
     FrameBatches.AskNoPairTwice* ${unit}/bench/frame_batches_test.cpp)
+edgewise_mutant(other_sums_pass studies/threads/scaling.cpp [[if (sum == single) return {};]] [[return {};]]
+    Scaling.HoldsSums* ${unit}/studies/scaling_test.cpp)
 
 # V-Clip
 edgewise_mutant(close_normal_by_witness_points algorithms/vclip/trust.hpp [[result.normal = *normal;]] [[]]
