@@ -14,6 +14,7 @@
 #include "edgewise/algorithms/simplex.hpp"
 #include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/double_double.hpp"
+#include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
 
