@@ -8,7 +8,7 @@
 set -eu
 
 needed='g++ cmake ninja-build git ca-certificates libeigen3-dev libqhull-dev libassimp-dev libgmp-dev libsqlite3-dev
-nlohmann-json3-dev libcli11-dev libfmt-dev libjemalloc-dev libpfm4-dev libgtest-dev libgmock-dev'
+nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libjemalloc-dev libpfm4-dev libgtest-dev libgmock-dev'
 # Formatting, linting, fuzzing; the second opinions on exact distances and on modelled caches.
 wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev valgrind'
 # Other libraries to be measured beside ours, with EDGEWISE_PEERS=ON in the environment; and what counts their work.

@@ -44,7 +44,7 @@ if(EDGEWISE_SANITIZE)
     list(REMOVE_ITEM sources ${steered})
     add_library(edgewise_steering OBJECT ${steered})
     target_link_libraries(edgewise_steering
-        PRIVATE edgewise_library nlohmann_json::nlohmann_json fmt::fmt SQLite::SQLite3 edgewise_flags)
+        PRIVATE edgewise_library nlohmann_json::nlohmann_json fmt::fmt SQLite::SQLite3 TBB::tbb edgewise_flags)
     target_compile_options(edgewise_steering PRIVATE -O0)
     edgewise_unite(edgewise_steering src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp)
     edgewise_precompile(edgewise_steering <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map>
@@ -59,7 +59,7 @@ add_library(edgewise_core STATIC ${steering}
     ${PROJECT_BINARY_DIR}/registry/store_schema.cpp)
 add_dependencies(edgewise_core edgewise_build_info)
 target_link_libraries(edgewise_core
-    PUBLIC edgewise_library nlohmann_json::nlohmann_json fmt::fmt ${GMPXX_LIBRARY} ${GMP_LIBRARY}
+    PUBLIC edgewise_library nlohmann_json::nlohmann_json fmt::fmt TBB::tbb ${GMPXX_LIBRARY} ${GMP_LIBRARY}
     PRIVATE SQLite::SQLite3 ${EDGEWISE_LIBPFM_LIBRARY} ${CMAKE_DL_LIBS} edgewise_flags)
 if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
@@ -68,7 +68,7 @@ edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kerne
 # What mutants (tests/mutation) replace is linked by itself.
 edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp src/edgewise/measure/cache/cache_level.cpp
     src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp src/edgewise/studies/proof_floor.cpp
-    src/edgewise/truth/accuracy_band.cpp
+    src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/accuracy_band.cpp
     src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp src/edgewise/truth/moore_wilhelms.cpp
     src/edgewise/truth/optimality.cpp src/edgewise/truth/support_filter.cpp)
 if(EDGEWISE_SANITIZE)  # the judge takes its time, and lays out no memory by hand: the library's own checks in place of sanitizers

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR: installs the package, moves it, looks for what must
-# not be in it, builds README's example and the installed one with it (no machine tuning, no flags from outside; with
-# clang++ too where there is one) and compares what they print with what README says.
+# not be in it, builds README's example, the installed one and one over threads with it (no machine tuning, no flags
+# from outside; with clang++ too where there is one) and compares what they print with what README says.
 cmake_minimum_required(VERSION 3.25)
 set(ENV{CXXFLAGS} "")
 set(ENV{LDFLAGS} "")
@@ -23,7 +23,7 @@ function(check_exported_files PREFIX)
     endif()
     foreach(file IN LISTS files)
         file(READ ${file} text)
-        foreach(word -march -mtune -fsanitize ${BUILD} ${SOURCE})
+        foreach(word -march -mtune -fsanitize TBB ${BUILD} ${SOURCE})
             string(FIND "${text}" "${word}" at)
             if(NOT at EQUAL -1)
                 message(SEND_ERROR "${file} names ${word}")
@@ -39,6 +39,10 @@ function(check_installed_headers PREFIX)
         message(FATAL_ERROR "only ${count} headers were installed")
     endif()
     foreach(header IN LISTS headers)
+        file(STRINGS ${header} threaded REGEX "^#include <tbb/")
+        if(threaded AND NOT header MATCHES "/parallel_batch.hpp$")
+            message(SEND_ERROR "${header} includes TBB, which the package does not bring")
+        endif()
         file(STRINGS ${header} lines REGEX "^#include \"edgewise/")
         foreach(line IN LISTS lines)
             string(REGEX REPLACE "^#include \"(.*)\".*" "\\1" name "${line}")
@@ -92,6 +96,7 @@ function(check_consumer COMPILER FOLDER)
     expect_output("README's example" ${FOLDER}/consumer "${expected}")
     expect_output("own_shape.cpp" ${FOLDER}/own_shape
         "separated 2 along 1 0 0;separated 0.5 along 1 0 0;overlapping 0.25 along 1 0 0")
+    expect_output("many_pairs.cpp" ${FOLDER}/many_pairs "500500 500500")
 endfunction()
 
 function(expect_output WHAT PROGRAM EXPECTED)

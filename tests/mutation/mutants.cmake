@@ -66,6 +66,14 @@ edgewise_mutant(batch_climbs_are_scanned algorithms/gjk_batch.hpp [[return !may_
     GjkBatches/* ${unit}/algorithms/gjk_batch_test.cpp)
 edgewise_mutant(batch_follows_old_pairs algorithms/gjk_batch.hpp [[!pair.starts_warm(*given.a, *given.b)]] [[pair.count() == 0]]
     GjkBatch.* ${unit}/algorithms/gjk_batch_test.cpp)
+edgewise_mutant(parts_answer_in_the_first_places algorithms/parallel_batch.hpp [[answers.subspan(part.begin(), part.size())]] [[answers.subspan(0, part.size())]]
+    ParallelBatches/*AreToTheBit* ${unit}/algorithms/parallel_batch_test.cpp)
+edgewise_mutant(batch_stays_in_one_thread algorithms/parallel_batch.hpp [[tbb::task_arena arena(threads);]] [[tbb::task_arena arena(1);]]
+    ParallelBatch.AsksInSoManyThreads ${unit}/algorithms/parallel_batch_test.cpp)
+edgewise_mutant(frames_ask_a_pair_again bench/frame_batches.hpp [[asked[workload.queries[i].pair]++ : 0]] [[asked[workload.queries[i].pair] : 0]]
+    FrameBatches.AskNoPairTwice* ${unit}/bench/frame_batches_test.cpp)
+edgewise_mutant(other_sums_pass studies/threads/scaling.cpp [[if (sum == single) return {};]] [[return {};]]
+    Scaling.HoldsSums* ${unit}/studies/scaling_test.cpp)
 
 edgewise_mutant(pairs_keep_any_handle algorithms/simplex_pair.hpp [[return corner.a <= handle && corner.b <= handle;]] [[return true;]]
     PairCache.* ${unit}/algorithms/pair_cache_test.cpp)

@@ -12,24 +12,15 @@
 #include <cstdint>
 #include <span>
 
-#include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/gjk_answer.hpp"
 #include "edgewise/algorithms/lanes/lane_source.hpp"
 #include "edgewise/algorithms/lanes/lane_width.hpp"
+#include "edgewise/algorithms/pair_query.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/sub_distance.hpp"
 #include "edgewise/algorithms/support.hpp"
 
 namespace edgewise {
-
-/// One query: as Gjk::query takes it. No two of a batch may share a pair.
-template <SupportTable TableA, SupportTable TableB>
-struct PairQuery {
-    const TableA* a;
-    const TableB* b;
-    Transform<double> a_from_b;
-    SimplexPair<TableA, TableB>* pair;
-};
 
 /// A table whose handles count the vertices from 0: a lane can name them.
 template <class Table>
@@ -47,22 +38,7 @@ template <LaneTable Table>
     return true;
 }
 
-/// Asks for the memory of a query that is to come.
-template <class Query>
-void fetch_ahead(std::span<const Query> queries, std::size_t of) {
-    constexpr std::size_t ahead = 8;
-    if (of + ahead >= queries.size()) return;
-    const Query& query = queries[of + ahead];
-    __builtin_prefetch(query.a);
-    __builtin_prefetch(query.b);
-    __builtin_prefetch(query.pair);
-}
-
-template <class Query>
-[[nodiscard]] Distance ask_one(const Query& query, const QueryOptions& options) {
-    return Gjk::query(*query.a, *query.b, query.a_from_b, *query.pair, options);
-}
-
+/// query_batch's work where lanes can do it.
 template <LaneTable TableA, LaneTable TableB>
 class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
   public:
@@ -174,20 +150,5 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     std::size_t next_ = 0, asked_singly_ = 0;
     std::array<InLane, most_lanes> in_lane_;
 };
-
-/// Answers queries[i] in answers[i]. Disjoint parts of a batch may run in as many threads: nothing is shared
-/// but tables, which are read.
-template <SupportTable TableA, SupportTable TableB>
-void query_batch(std::span<const PairQuery<TableA, TableB>> queries, std::span<Distance> answers,
-                 const QueryOptions& options = {}, LaneWidth width = best_lanes()) {
-    assert(queries.size() == answers.size());
-    if constexpr (LaneTable<TableA> && LaneTable<TableB>) {
-        if (width != LaneWidth::none) return GjkBatch<TableA, TableB>(queries, answers, options).run(width);
-    }
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-        fetch_ahead(queries, i);
-        answers[i] = ask_one(queries[i], options);
-    }
-}
 
 }  // namespace edgewise

@@ -16,10 +16,10 @@
 namespace edgewise::bench {
 
 /// Tables: gives a query's two tables; Pay: is called with every query, its pair and its answer.
-template <class Table, class Tables, class Pay>
+template <class Algorithm, class Table, class Tables, class Pay>
 class BatchPass {
   public:
-    using Pair = SimplexPair<Table, Table>;
+    using Pair = typename Algorithm::template Pair<Table, Table>;
 
     /// `cold`: of each pair of a warm scene, its cache when it knows nothing. The workload must stay.
     BatchPass(const scene::Workload& workload, const QueryOptions& options, Tables tables, Pay pay,
@@ -70,7 +70,7 @@ class BatchPass {
     std::vector<Pair> cold_, pairs_;
     std::vector<std::uint64_t> asked_in_;  ///< by pair: the last batch that it was in
     std::uint64_t batch_number_ = 1;
-    QueryBatch<Table> batch_;
+    QueryBatch<Algorithm, Table> batch_;
 };
 
 }  // namespace edgewise::bench

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// A workload's queries collected for GJK's batch: as many as stay in the first-level cache with their
+// A workload's queries collected for a batch: as many as stay in the first-level cache with their
 // answers.
 #pragma once
 
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <optional>
 #include <span>
 
-#include "edgewise/algorithms/gjk_batch.hpp"
+#include "edgewise/algorithms/query_batch.hpp"
 
 namespace edgewise::bench {
 
-template <class Table>
+template <class Algorithm, class Table>
 class QueryBatch {
   public:
-    using Pair = SimplexPair<Table, Table>;
+    using Pair = typename Algorithm::template Pair<Table, Table>;
 
     explicit QueryBatch(const QueryOptions& options) : options_(options) {}
 
@@ -27,8 +28,7 @@ class QueryBatch {
              Pair* pair) {
         assert(!is_full());
         if (!pair) {
-            cold_[count_] = Pair(a, b);
-            pair = &cold_[count_];
+            pair = &cold_[count_].emplace(a, b);
         }
         numbers_[count_] = number;
         queries_[count_++] = {&a, &b, a_from_b, pair};
@@ -37,8 +37,8 @@ class QueryBatch {
     /// Asks all, tells take(number, pair, answer) of each, and is empty.
     template <class Take>
     void ask(const Take& take) {
-        query_batch<Table, Table>(std::span(queries_).first(count_), std::span(answers_).first(count_),
-                                  options_);
+        query_batch<Table, Table, Algorithm>(std::span(queries_).first(count_),
+                                             std::span(answers_).first(count_), options_);
         for (std::size_t i = 0; i < count_; ++i) take(numbers_[i], *queries_[i].pair, answers_[i]);
         count_ = 0;
     }
@@ -47,8 +47,8 @@ class QueryBatch {
     static constexpr std::size_t most = 64;
 
     QueryOptions options_;
-    std::array<PairQuery<Table, Table>, most> queries_;
-    std::array<Pair, most> cold_;
+    std::array<PairQuery<Table, Table, Algorithm>, most> queries_;
+    std::array<std::optional<Pair>, most> cold_;
     std::array<Distance, most> answers_;
     std::array<std::size_t, most> numbers_{};
     std::size_t count_ = 0;

@@ -17,6 +17,7 @@
 #include "edgewise/bench/near_margins.hpp"
 #include "edgewise/bench/prepared_workload.hpp"
 #include "edgewise/bench/runner_options.hpp"
+#include "edgewise/bench/threaded_pass.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 #include "edgewise/measure/round.hpp"
 #include "edgewise/scene/workload.hpp"
@@ -105,6 +106,10 @@ class Runner {
     /// runner's unit; answers, in that unit too, are written from answers[first] on unless it is null.
     using RangePass = std::function<double(std::size_t first, std::size_t last, Distance* answers)>;
     [[nodiscard]] virtual RangePass prepared_range() const = 0;
+
+    /// The loaded queries as batches over threads; not to outlive the runner. Of what passes ask of every
+    /// answer it knows verdicts, distances and witnesses. Null: the runner cannot, as a library's.
+    [[nodiscard]] virtual std::unique_ptr<ThreadedPass> prepared_frames() const { return nullptr; }
 
     /// Bytes of the first table's block, and of the object that holds it.
     [[nodiscard]] virtual Ledger ledger() const = 0;

@@ -13,6 +13,7 @@
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/bench/batch_pass.hpp"
+#include "edgewise/bench/frame_batches.hpp"
 #include "edgewise/bench/name_answer.hpp"
 #include "edgewise/bench/near_question.hpp"
 #include "edgewise/bench/runner.hpp"
@@ -68,11 +69,25 @@ template <class Table>
     return maps;
 }
 
+/// One cache for each pair of a warm scene, each on its own bodies' tables. tables: gives a query's two.
+template <class Pair, class Tables>
+[[nodiscard]] std::vector<Pair> cold_pairs_of(const scene::Workload& workload, const Tables& tables) {
+    if (!workload.warm || workload.queries.empty()) return {};
+    const auto cold_pair = [&](const scene::Query& query) {
+        const auto [a, b] = tables(query);
+        return Pair(*a, *b);
+    };
+    std::vector<Pair> pairs(workload.pair_count, cold_pair(workload.queries.front()));
+    for (const scene::Query& query : workload.queries) pairs[query.pair] = cold_pair(query);
+    return pairs;
+}
+
 /// TracedTable: the same layout with a loader that tells a TraceSink.
 template <class Algorithm, class Table, class TracedTable>
 class RunnerFor final : public Runner {
   public:
     using Pair = typename Algorithm::template Pair<Table, Table>;
+    using Frames = FrameBatches<Algorithm, Table>;
 
     RunnerFor() : Runner(std::is_same_v<ComputeOf<Table>, float>) {}
 
@@ -91,13 +106,15 @@ class RunnerFor final : public Runner {
     [[nodiscard]] RangePass prepared_range() const override {
         if (asks_nearness()) return near_pass();
         const std::vector<Pair> cold = cold_pairs();
-        if constexpr (std::is_same_v<Algorithm, Gjk>) {
-            if (options().batch) return batch_pass(cold);
-        }
+        if (options().batch) return batch_pass(cold);
         return [this, cold, pairs = cold](std::size_t first, std::size_t last, Distance* answers) mutable {
             if (first == 0) std::copy(cold.begin(), cold.end(), pairs.begin());
             return run(first, last, pairs, answers);
         };
+    }
+
+    [[nodiscard]] std::unique_ptr<ThreadedPass> prepared_frames() const override {
+        return std::make_unique<Frames>(prepared().workload(), options().query, tables_of_queries());
     }
 
     PassSum trace(std::size_t limit, measure::TraceListener& listener, Distance* answers) const override {
@@ -159,7 +176,7 @@ class RunnerFor final : public Runner {
         const auto pay = [this](const scene::Query& query, const Pair& pair, const Distance& answer) {
             pay_for_needs(query, pair, answer);
         };
-        return BatchPass<Table, decltype(tables_of_queries()), decltype(pay)>(
+        return BatchPass<Algorithm, Table, decltype(tables_of_queries()), decltype(pay)>(
             prepared().workload(), options().query, tables_of_queries(), pay, cold);
     }
 
@@ -167,13 +184,8 @@ class RunnerFor final : public Runner {
         return Pair(tables_[table_a(query)], tables_[table_b(query)]);
     }
 
-    /// One cache for each pair of a warm scene, each on its own bodies' tables.
     [[nodiscard]] std::vector<Pair> cold_pairs() const {
-        const scene::Workload& workload = prepared().workload();
-        if (!workload.warm) return {};
-        std::vector<Pair> pairs(workload.pair_count, Pair(tables_[0], tables_[0]));
-        for (const scene::Query& query : workload.queries) pairs[query.pair] = cold_pair(query);
-        return pairs;
+        return cold_pairs_of<Pair>(prepared().workload(), tables_of_queries());
     }
 
     /// Queries first .. last - 1; the sum of their distances.

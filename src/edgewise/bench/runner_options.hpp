@@ -36,7 +36,7 @@ struct RunnerOptions {
     Needs needs = Needs::witnesses;  ///< what passes ask of every answer, and pay for
     TableOptions tables = {};
     double margin = usual_margin;  ///< of Needs::nearer, over the extent of the larger of a query's bodies
-    bool batch = false;            ///< pairs in a row that differ are asked together; GJK only
+    bool batch = false;            ///< pairs in a row that differ are asked together
 
     /// For a verdict alone queries end as soon as it is known.
     void set_needs(Needs wanted) {

@@ -108,6 +108,7 @@ void add_paging(CLI::App& app, Context& context);
 void add_pass(CLI::App& app, Context& context);
 void add_query(CLI::App& app, Context& context);
 void add_report(CLI::App& app, Context& context);
+void add_scaling(CLI::App& app, Context& context);
 void add_stability(CLI::App& app, Context& context);
 void add_sweep(CLI::App& app, Context& context);
 

@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
     add_paging(app, context);
     add_crosscheck(app, context);
     add_effort(app, context);
+    add_scaling(app, context);
     add_calibrate(app, context);
     add_bench(app, context);
     add_pass(app, context);

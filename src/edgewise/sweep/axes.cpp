@@ -95,7 +95,8 @@ const std::vector<AxisInfo>& axes_known() {
         {"order", order_values, "how a body's vertices are numbered, and so what lies side by side"},
         {"sharing", sharing_values, "one table per body, or one for each instance in the scene"},
         {"allocator", allocator_values, "where tables take their memory from"},
-        {"batch", batch_values, "GJK's pairs in a row that differ are asked together, several side by side"},
+        {"batch", batch_values,
+         "pairs in a row that differ are asked together, GJK's of small bodies side by side"},
         {"needs", needs_values, "what the scene asks of every answer, and pays for"},
         {"margin", "RATIO", "of needs=nearer: the distance asked about, over the larger body's extent"},
     };
@@ -121,7 +122,7 @@ std::string Axes::text() const {
 
 bool Axes::concerns(std::string_view algorithm) const {
     return tables != bench::TableOptions{} || needs != Needs::witnesses || query.contact_tolerance != 0 ||
-           ((query.gap_tolerance != 0 || batch) && algorithm == "gjk");
+           batch || (query.gap_tolerance != 0 && algorithm == "gjk");
 }
 
 Axes parse_axes(std::string_view text) {

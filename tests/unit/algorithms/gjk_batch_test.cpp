@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/algorithms/gjk_batch.hpp"
+#include "edgewise/algorithms/query_batch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -14,57 +13,11 @@
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/layouts/linked.hpp"
 #include "edgewise/layouts/points_soa.hpp"
-#include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "pair_crowd.hpp"
 
 namespace edgewise {
 namespace {
-
-/// Bodies of 4 to 386 vertices, in pairs of any two, far, near and overlapping; each pair twice, to be asked
-/// by itself and in a batch.
-template <class Table>
-struct Crowd {
-    using Pairs = std::vector<SimplexPair<Table, Table>>;
-    std::vector<Table> tables;
-    Pairs single_pairs, batch_pairs;
-    std::vector<PairQuery<Table, Table>> queries;
-
-    explicit Crowd(std::size_t count) : single_pairs(count), batch_pairs(count) {
-        for (const char* shape : {"tetra4", "cube8", "sphere8", "sphere18", "sphere38", "sphere386"})
-            tables.emplace_back(scene::make_shape(shape).or_throw(), Parts::support);
-        scene::Rng rng(7);
-        for (std::size_t i = 0; i < count; ++i) {
-            const Table &a = tables[i % 5 + (i % 31 == 0)], &b = tables[i * 7 / 3 % 5];
-            const Vec3d offset = rng.on_sphere() * rng.uniform(0.5, 5);
-            queries.push_back({&a, &b, {rng.rotation(), offset}, &batch_pairs[i]});
-        }
-    }
-    /// Another frame: every pair moved by up to this much.
-    void move(double step) {
-        scene::Rng rng(3);
-        for (auto& query : queries) query.a_from_b.translation += rng.in_ball() * step;
-    }
-    std::vector<Distance> one_by_one(const QueryOptions& options) {
-        std::vector<Distance> answers;
-        for (std::size_t i = 0; i < queries.size(); ++i) {
-            const auto& query = queries[i];
-            answers.push_back(Gjk::query(*query.a, *query.b, query.a_from_b, single_pairs[i], options));
-        }
-        return answers;
-    }
-};
-
-bool same_bits(const Distance& a, const Distance& b) {
-    const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
-    return a.status == b.status && a.steps == b.steps && same(a.distance, b.distance) &&
-           same(a.point_a, b.point_a) && same(a.point_b, b.point_b) && same(a.normal, b.normal);
-}
-
-std::vector<LaneWidth> widths() {
-    std::vector<LaneWidth> result = {LaneWidth::bits_128};
-    if (best_lanes() != LaneWidth::none) result.push_back(best_lanes());
-    return result;
-}
 
 template <class Table>
 class GjkBatches : public testing::Test {};
@@ -76,7 +29,7 @@ TYPED_TEST_SUITE(GjkBatches, Tables);
 template <class Table>
 void expect_same_frames(const QueryOptions& options, LaneWidth width) {
     constexpr std::size_t count = 3000;
-    Crowd<Table> crowd(count);
+    PairCrowd<Table> crowd(count);
     std::size_t in_lanes = 0, singly = 0, different = 0;
     for (const double step : {0.0, 0.001, 0.01, 0.1, 1.0}) {
         crowd.move(step);
@@ -97,11 +50,11 @@ void expect_same_frames(const QueryOptions& options, LaneWidth width) {
 }
 
 TYPED_TEST(GjkBatches, AreToTheBitSingleQueriesInEveryWidth) {
-    for (const LaneWidth width : widths()) expect_same_frames<TypeParam>({}, width);
+    for (const LaneWidth width : lane_widths()) expect_same_frames<TypeParam>({}, width);
 }
 
 TYPED_TEST(GjkBatches, HonourTheOptions) {
-    for (const LaneWidth width : widths()) {
+    for (const LaneWidth width : lane_widths()) {
         expect_same_frames<TypeParam>({.contact_tolerance = 0.3}, width);
         expect_same_frames<TypeParam>({.gap_tolerance = 1e-2}, width);
         expect_same_frames<TypeParam>({.verdict_only = true}, width);
@@ -109,7 +62,7 @@ TYPED_TEST(GjkBatches, HonourTheOptions) {
 }
 
 TYPED_TEST(GjkBatches, AreTheSameInTwoThreads) {
-    Crowd<TypeParam> crowd(2000);
+    PairCrowd<TypeParam> crowd(2000);
     const std::vector<Distance> expected = crowd.one_by_one({});
     std::vector<Distance> answers(2000);
     const auto part = [&](std::size_t first, std::size_t count) {
@@ -125,7 +78,7 @@ TYPED_TEST(GjkBatches, AreTheSameInTwoThreads) {
 /// Tables rebuilt since: their pairs start cold.
 TEST(GjkBatch, FollowsNoHandleOfARebuiltTable) {
     using Table = points_soa<f64>;
-    Crowd<Table> crowd(500);
+    PairCrowd<Table> crowd(500);
     static_cast<void>(crowd.one_by_one({}));
     crowd.batch_pairs = crowd.single_pairs;
     for (Table& table : crowd.tables) table = Table(scene::make_shape("tetra4").or_throw(), Parts::support);
@@ -137,7 +90,7 @@ TEST(GjkBatch, FollowsNoHandleOfARebuiltTable) {
 
 TEST(GjkBatch, NeedsNoLanes) {
     using Table = points_soa<f64>;
-    Crowd<Table> crowd(500);
+    PairCrowd<Table> crowd(500);
     const std::vector<Distance> expected = crowd.one_by_one({});
     std::vector<Distance> answers(500);
     query_batch<Table, Table>(crowd.queries, answers, {}, LaneWidth::none);
@@ -148,7 +101,7 @@ TEST(GjkBatch, NeedsNoLanes) {
 TEST(GjkBatch, TakesTablesThatFitNoLane) {
     using Table = linked<f64>;
     static_assert(!LaneTable<Table>);
-    Crowd<Table> crowd(500);
+    PairCrowd<Table> crowd(500);
     const std::vector<Distance> expected = crowd.one_by_one({});
     std::vector<Distance> answers(500);
     query_batch<Table, Table>(crowd.queries, answers);
@@ -158,7 +111,7 @@ TEST(GjkBatch, TakesTablesThatFitNoLane) {
 TEST(GjkBatch, TakesAnyNumberOfQueries) {
     using Table = lean<f32>;
     for (const std::size_t count : {0U, 1U, 3U, 17U}) {
-        Crowd<Table> crowd(count);
+        PairCrowd<Table> crowd(count);
         const std::vector<Distance> expected = crowd.one_by_one({});
         std::vector<Distance> answers(count);
         query_batch<Table, Table>(crowd.queries, answers);

@@ -46,6 +46,7 @@ TEST(Axes, ConcernOnlyWhatTheyChange) {
     EXPECT_FALSE(parse_axes("gap_tolerance=0.1").concerns("vclip"));
     EXPECT_TRUE(parse_axes("contact_tolerance=0.1").concerns("vclip"));
     EXPECT_TRUE(parse_axes("order=bfs").concerns("vclip"));
+    EXPECT_TRUE(parse_axes("batch=yes").concerns("vclip"));
     EXPECT_TRUE(parse_axes("allocator=libc").concerns("gjk"));
 }
 

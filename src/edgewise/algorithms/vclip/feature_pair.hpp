@@ -24,6 +24,8 @@ struct Features {
         return {Feature<TableA>::of_vertex(table_a.first_vertex()),
                 Feature<TableB>::of_vertex(table_b.first_vertex())};
     }
+
+    [[nodiscard]] bool operator==(const Features&) const = default;
 };
 
 /// Handles of any kind, each marked with its table.
@@ -37,6 +39,7 @@ class PlainFeatures {
         return held_.a.is_of(table_a) && held_.b.is_of(table_b);
     }
     [[nodiscard]] const Features<TableA, TableB>& in(const TableA&, const TableB&) const { return held_; }
+    [[nodiscard]] bool operator==(const PlainFeatures&) const = default;
 
   private:
     Features<TableA, TableB> held_;
@@ -64,6 +67,7 @@ class PackedFeatures {
         return {feature_named(table_a, static_cast<FeatureKind>(kind_a_), name_a_),
                 feature_named(table_b, static_cast<FeatureKind>(kind_b_), name_b_)};
     }
+    [[nodiscard]] bool operator==(const PackedFeatures&) const = default;
 
   private:
     static constexpr int mark_bits = 64 - 2 * (feature_name_bits + 2);
@@ -111,6 +115,8 @@ class FeaturePair {
         if (!belongs_to(table_a, table_b)) return Features<TableA, TableB>::first_of(table_a, table_b);
         return held_.in(table_a, table_b);
     }
+    /// The same features, of the same tables.
+    [[nodiscard]] bool operator==(const FeaturePair&) const = default;
 
   private:
     typename FeaturesFor<TableA, TableB>::Type held_;

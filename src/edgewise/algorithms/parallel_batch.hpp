@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// A batch over threads: parts of it, disjoint, by oneTBB (Debian: libtbb-dev). Pairs know nothing of each
+// other, so every answer is to the bit that of a single query, whoever asks it and beside which others.
+//
+// The one header that includes TBB. The package does not link it: a program that includes this header links
+// TBB::tbb itself (find_package(TBB)), and others need no TBB.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <span>
+
+#include "edgewise/algorithms/query_batch.hpp"
+
+namespace edgewise {
+
+/// How many queries a thread takes at once, at most: some hundred, so that handing them out costs nothing
+/// beside them; fewer of a batch that would else not go round.
+[[nodiscard]] inline std::size_t queries_per_part(std::size_t queries, const tbb::task_arena& arena) {
+    constexpr std::size_t parts_each = 4, least = 32, most = 256;
+    const auto threads = static_cast<std::size_t>(arena.max_concurrency());
+    return std::clamp(queries / (parts_each * threads), least, most);
+}
+
+/// query_batch in as many threads as the arena has. For those who ask batch after batch: they keep the arena.
+template <SupportTable TableA, SupportTable TableB, class Algorithm = Gjk>
+void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
+                          const QueryOptions& options, tbb::task_arena& arena,
+                          LaneWidth width = best_lanes()) {
+    assert(queries.size() == answers.size());
+    using Range = tbb::blocked_range<std::size_t>;
+    const auto ask = [&](const Range& part) {
+        query_batch<TableA, TableB, Algorithm>(queries.subspan(part.begin(), part.size()),
+                                               answers.subspan(part.begin(), part.size()), options, width);
+    };
+    arena.execute([&] {
+        tbb::parallel_for(Range(0, queries.size(), queries_per_part(queries.size(), arena)), ask,
+                          tbb::simple_partitioner());
+    });
+}
+
+/// Answers queries[i] in answers[i] in at most so many threads, the caller's among them; 1 or more. TBB runs
+/// no more of them than the machine has cores (tbb::global_control says otherwise). Returns when all is done.
+template <SupportTable TableA, SupportTable TableB, class Algorithm = Gjk>
+void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
+                          const QueryOptions& options, int threads, LaneWidth width = best_lanes()) {
+    assert(threads >= 1);
+    tbb::task_arena arena(threads);
+    query_batch_parallel<TableA, TableB, Algorithm>(queries, answers, options, arena, width);
+}
+
+}  // namespace edgewise

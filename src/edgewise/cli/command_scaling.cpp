@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise scaling`: queries per second of one cell over threads that share tables, and over threads that
+// each have their own.
+#include <fmt/format.h>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/progress.hpp"
+#include "edgewise/studies/threads/scaling.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct ScalingArguments {
+    studies::CellChoice cell = studies::scaling_cell;
+    std::vector<int> threads;
+    int rounds = studies::ScalingPlan{}.rounds;
+};
+
+nlohmann::json json_of(const studies::WayOfSharing& way) {
+    return {
+        {"queries_per_second", way.per_second}, {"speed_up", way.speed_up}, {"efficiency", way.efficiency}};
+}
+
+nlohmann::json json_of(const studies::Scaling& scaling, const ScalingArguments& options) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const studies::ScalingRow& row : scaling.rows)
+        rows.push_back({{"threads", row.threads},
+                        {"shared", json_of(row.shared)},
+                        {"apart", json_of(row.apart)},
+                        {"contention", row.contention}});
+    return {{"table", scaling.table},
+            {"algorithm", scaling.algorithm},
+            {"scene", options.cell.scene},
+            {"shape", options.cell.shape},
+            {"cores", studies::usable_cores()},
+            {"queries", scaling.queries},
+            {"frames", scaling.frames},
+            {"table_bytes", scaling.table_bytes},
+            {"rounds", options.rounds},
+            {"checked", scaling.checked},
+            {"passes", scaling.passes},
+            {"wrong", or_null(scaling.wrong)},
+            {"rows", rows}};
+}
+
+void print(const studies::Scaling& scaling, const ScalingArguments& options) {
+    fmt::print("{} on {}, {} on {}: {} queries in {} frames, tables of {:.2f} MiB, {} cores\n",
+               scaling.algorithm, scaling.table, options.cell.scene, options.cell.shape, scaling.queries,
+               scaling.frames, scaling.table_bytes / (1 << 20), studies::usable_cores());
+    fmt::print("{:>7}   {:^35}   {:^47}\n", "", "shared tables", "tables of their own");
+    fmt::print("{:>7}   {:>13} {:>9} {:>11}   {:>13} {:>9} {:>11} {:>11}\n", "threads", "queries per s",
+               "speed-up", "efficiency", "queries per s", "speed-up", "efficiency", "contention");
+    for (const studies::ScalingRow& row : scaling.rows)
+        fmt::print("{:>7}   {:>13.0f} {:>9.2f} {:>11.2f}   {:>13.0f} {:>9.2f} {:>11.2f} {:>11.2f}\n",
+                   row.threads, row.shared.per_second, row.shared.speed_up, row.shared.efficiency,
+                   row.apart.per_second, row.apart.speed_up, row.apart.efficiency, row.contention);
+    fmt::print(
+        "Medians of {} rounds. Contention: a thread's time beside the others, over its time alone. {} answers were "
+        "checked exactly; {} passes gave the single queries' sum to the bit.\n",
+        options.rounds, scaling.checked, scaling.passes);
+}
+
+int run_scaling(const ScalingArguments& options, bool json) {
+    const studies::ScalingPlan plan{
+        options.cell, studies::scaling_threads(options.threads, studies::usable_cores()), options.rounds};
+    Progress progress("scaling", static_cast<std::size_t>(plan.rounds));
+    const std::atomic<bool>& stop = stop_on_signals();
+    const studies::Scaling scaling = studies::measure_scaling(
+        plan, [&] { progress.advance(); }, stop);
+    progress.clear();
+    if (json) {
+        fmt::print("{}\n", json_of(scaling, options).dump());
+    } else if (scaling.wrong.empty()) {
+        print(scaling, options);
+    } else {
+        fmt::print("{} on {}: {}\n", scaling.algorithm, scaling.table, scaling.wrong);
+    }
+    return scaling.wrong.empty() && !stop ? exit_done : exit_check_failed;
+}
+
+}  // namespace
+
+void add_scaling(CLI::App& app, Context& context) {
+    auto [command, options] = add_command(
+        app, context, "scaling",
+        "Queries per second over threads that share tables, and over threads with their own", run_scaling);
+    add_cell_options(*command, options.cell);
+    command->add_option("--checked", options.cell.checked, "queries checked exactly");
+    command
+        ->add_option("--threads", options.threads,
+                     "numbers of threads, such as 2,4; 1 is always measured; else 1, 2, 4, ... and all cores")
+        ->delimiter(',');
+    command->add_option("--rounds", options.rounds, "rounds; medians are printed")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+}
+
+}  // namespace edgewise::cli

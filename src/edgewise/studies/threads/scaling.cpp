@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/threads/scaling.hpp"
+
+#include <fmt/format.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "edgewise/measure/statistics.hpp"
+#include "edgewise/studies/threads/thread_race.hpp"
+#include "edgewise/sweep/verify.hpp"
+
+namespace edgewise::studies {
+
+namespace {
+
+/// What one number of threads took, by round.
+struct RoundTimes {
+    std::vector<double> shared_ns;   ///< of a pass
+    std::vector<double> apart_ns;    ///< median of the threads' own
+    std::vector<double> apart_rate;  ///< queries per second of all threads
+};
+
+bench::RunnerOptions runner_options(const CellChoice& choice) {
+    if (choice.needs == Needs::nearer || choice.needs > Needs::witnesses)
+        throw std::invalid_argument(
+            fmt::format("needs {}: batches answer verdict, distance and witnesses; ask for one of these",
+                        to_string(choice.needs)));
+    bench::RunnerOptions options;
+    options.set_needs(choice.needs);
+    return options;
+}
+
+double middle(std::vector<double> values) { return measure::median(values).value_or(0); }
+
+/// Rates of the same rounds over those of one thread.
+WayOfSharing way_of(int threads, const std::vector<double>& rates, const std::vector<double>& of_one) {
+    WayOfSharing way;
+    way.per_second = middle(rates);
+    way.speed_up = middle(measure::paired_ratios(rates, of_one));
+    way.efficiency = way.speed_up / threads;
+    return way;
+}
+
+class ScalingRun {
+  public:
+    explicit ScalingRun(const ScalingPlan& plan)
+        : plan_(plan), options_(runner_options(plan.cell)), cell_(plan.cell), times_(plan.threads.size()) {
+        for (int i = 0; i < plan.threads.back(); ++i) copies_.emplace_back(cell_, options_);
+        shared_ = cell_.runner().prepared_frames();
+        const std::size_t queries = cell_.workload().queries.size();
+        single_sum_ = cell_.runner().prepared_range()(0, queries, nullptr);
+        found_.table = cell_.type().name;
+        found_.algorithm = cell_.algorithm();
+        found_.queries = queries;
+        found_.frames = shared_->frames();
+        found_.table_bytes = cell_.runner().memory().requested;
+        check_answers();
+    }
+
+    [[nodiscard]] bool is_wrong() const { return !found_.wrong.empty(); }
+
+    void round() {
+        for (std::size_t i = 0; i < plan_.threads.size() && !is_wrong(); ++i) {
+            const int threads = plan_.threads[i];
+            const TimedPass together = time_shared(*shared_, threads);
+            check_sum(together, threads, "share the tables");
+            const std::vector<TimedPass> alone =
+                time_apart(std::span(copies_).first(static_cast<std::size_t>(threads)));
+            for (const TimedPass& pass : alone) check_sum(pass, threads, "have their own");
+            book(together, alone, times_[i]);
+        }
+    }
+
+    [[nodiscard]] Scaling take() {
+        const bool nothing = is_wrong() || times_.front().shared_ns.empty();
+        for (std::size_t i = 0; i < plan_.threads.size() && !nothing; ++i) found_.rows.push_back(row(i));
+        return found_;
+    }
+
+  private:
+    void check_answers() {
+        QueryOptions asked = options_.query;
+        asked.verdict_only = asked.verdict_only || cell_.type().verdict_only;
+        const auto checked = sweep::check_answers(cell_.shared(), cell_.runner().stored_bodies(),
+                                                  cell_.runner().answer(), cell_.type().eps, asked);
+        found_.checked = checked.size();
+        found_.wrong = sweep::what_is_wrong(cell_.shared(), checked, cell_.type().eps);
+    }
+
+    void check_sum(const TimedPass& pass, int threads, const char* how) {
+        ++found_.passes;
+        if (!is_wrong()) found_.wrong = compare_sums(pass.sum, single_sum_, threads, how);
+    }
+
+    void book(const TimedPass& together, const std::vector<TimedPass>& alone, RoundTimes& times) const {
+        const double pass_of_seconds = static_cast<double>(found_.queries) * 1e9;
+        std::vector<double> ns;
+        double rate = 0;
+        for (const TimedPass& pass : alone) {
+            ns.push_back(pass.ns);
+            rate += pass_of_seconds / pass.ns;
+        }
+        times.shared_ns.push_back(together.ns);
+        times.apart_ns.push_back(middle(ns));
+        times.apart_rate.push_back(rate);
+    }
+
+    [[nodiscard]] std::vector<double> shared_rates(std::size_t i) const {
+        std::vector<double> rates;
+        for (const double ns : times_[i].shared_ns)
+            rates.push_back(static_cast<double>(found_.queries) * 1e9 / ns);
+        return rates;
+    }
+
+    /// The plan's first number of threads is one.
+    [[nodiscard]] ScalingRow row(std::size_t i) const {
+        const int threads = plan_.threads[i];
+        return {threads, way_of(threads, shared_rates(i), shared_rates(0)),
+                way_of(threads, times_[i].apart_rate, times_[0].apart_rate),
+                middle(measure::paired_ratios(times_[i].apart_ns, times_[0].apart_ns))};
+    }
+
+    const ScalingPlan& plan_;
+    bench::RunnerOptions options_;
+    SingleCell cell_;
+    std::vector<CellCopy> copies_;
+    std::unique_ptr<bench::ThreadedPass> shared_;
+    double single_sum_ = 0;
+    std::vector<RoundTimes> times_;  ///< by place in the plan
+    Scaling found_;
+};
+
+}  // namespace
+
+int usable_cores() { return tbb::info::default_concurrency(); }
+
+std::vector<int> scaling_threads(std::span<const int> asked, int cores) {
+    std::set<int> threads = {1};
+    for (const int count : asked) {
+        if (count < 1 || count > cores)
+            throw std::invalid_argument(fmt::format(
+                "--threads {}: this program has {} cores, and threads that take turns on one do not scale; "
+                "ask for 1 to {}",
+                count, cores, cores));
+        threads.insert(count);
+    }
+    if (asked.empty()) {
+        for (int count = 1; count < cores; count *= 2) threads.insert(count);
+        threads.insert(cores);
+    }
+    return {threads.begin(), threads.end()};
+}
+
+std::string compare_sums(double sum, double single, int threads, const char* that_do) {
+    if (sum == single) return {};
+    return fmt::format("{} threads that {} gave other answers: distances add up to {}, not {}", threads,
+                       that_do, sum, single);
+}
+
+Scaling measure_scaling(const ScalingPlan& plan, const std::function<void()>& on_round,
+                        const std::atomic<bool>& stop) {
+    ScalingRun run(plan);
+    for (int i = 0; i < plan.rounds && !stop && !run.is_wrong(); ++i) {
+        run.round();
+        on_round();
+    }
+    return run.take();
+}
+
+}  // namespace edgewise::studies

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// How queries scale over threads, in two ways of sharing. Shared: all threads ask one set of tables, each
+// frame's batch divided among them (algorithms/parallel_batch.hpp); what does not scale is the handing out,
+// the wait for a frame's last part, and the caches. Apart: each thread asks tables, pairs and poses of its
+// own, and waits for nobody; what one loses there to the others is the cache and the memory that they share,
+// and a clock that falls when more cores work. Threads go where the system puts them, and with simultaneous
+// multithreading two may be on one core.
+//
+// Every measurement is a pass that fills caches, then one that is timed. Numbers of threads and ways take
+// turns in every round, and what is compared is of the same round.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/studies/single_cell.hpp"
+
+namespace edgewise::studies {
+
+/// What is asked when nobody says otherwise: a table for each of 600 bodies, more than a second cache holds.
+inline const CellChoice scaling_cell = {.table = "lean_f64",
+                                        .algorithm = "vclip",
+                                        .scene = "pressure",
+                                        .shape = "sphere386",
+                                        .queries = 6000,
+                                        .checked = 50};
+
+struct ScalingPlan {
+    CellChoice cell = scaling_cell;
+    std::vector<int> threads = {1};  ///< as scaling_threads gives them
+    int rounds = 9;
+};
+
+/// Medians over rounds.
+struct WayOfSharing {
+    double per_second = 0;  ///< queries of all threads
+    double speed_up = 0;    ///< over one thread in the same way
+    double efficiency = 0;  ///< speed-up over threads
+};
+
+struct ScalingRow {
+    int threads = 1;
+    WayOfSharing shared, apart;
+    double contention = 0;  ///< apart: a thread's time for its pass beside the others, over one alone
+};
+
+struct Scaling {
+    std::string table, algorithm;
+    std::size_t queries = 0, frames = 0;  ///< of a pass
+    double table_bytes = 0;               ///< of all tables of one set
+    std::size_t checked = 0;              ///< answers held against exact ones
+    std::size_t passes = 0;               ///< whose sums were held against that of single queries
+    std::string wrong;                    ///< empty: all are right
+    std::vector<ScalingRow> rows;         ///< in the plan's order; none where something is wrong
+};
+
+/// Cores that this process may use.
+[[nodiscard]] int usable_cores();
+
+/// What is measured: 1 and those asked for, once each and in order; if none are, 1, 2, 4, ... and all
+/// cores. Throws std::invalid_argument for more than there are: they would take turns, which is no scaling.
+[[nodiscard]] std::vector<int> scaling_threads(std::span<const int> asked, int cores);
+
+/// Empty, or what is wrong with a pass of so many threads that do this: to the bit its sum is that of single
+/// queries.
+[[nodiscard]] std::string compare_sums(double sum, double single, int threads, const char* that_do);
+
+/// on_round is called after each round. Rows are of the rounds that were done when `stop` was seen, if any.
+/// Throws std::invalid_argument for a cell that cannot be made, or asks for what batches do not answer.
+[[nodiscard]] Scaling measure_scaling(const ScalingPlan& plan, const std::function<void()>& on_round,
+                                      const std::atomic<bool>& stop);
+
+}  // namespace edgewise::studies
