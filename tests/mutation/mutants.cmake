@@ -148,6 +148,14 @@ edgewise_mutant(startup_is_counted studies/effort.cpp [[return (of_many - of_few
 edgewise_mutant(floor_without_itself studies/proof_floor.cpp [[1 + body.ring_of_vertex(v).size()]] [[body.ring_of_vertex(v).size()]]
     ProofFloor.* ${unit}/studies/proof_floor_test.cpp)
 
+# The guard on speed
+edgewise_mutant(the_median_alone_fails studies/gate/verdict.cpp [[if (now.low > baseline.value * (1 + slack))]] [[if (now.value > baseline.value * (1 + slack))]]
+    Gate.* ${unit}/studies/gate_verdict_test.cpp)
+edgewise_mutant(a_slowdown_needs_all_of_two_intervals studies/gate/verdict.cpp [[if (now.low > baseline.value * (1 + slack))]] [[if (now.low > baseline.high * (1 + slack))]]
+    Gate.* ${unit}/studies/gate_verdict_test.cpp)
+edgewise_mutant(nothing_compared_passes studies/gate/verdict.hpp [[return !rows.empty() && count]] [[return count]]
+    Gate.* ${unit}/studies/gate_verdict_test.cpp)
+
 # The rules of claims
 edgewise_mutant(too_much_is_no_miss reports/paper/claims/claim_rules.cpp [[ours.high < part.wanted.low || ours.low > part.wanted.high]] [[ours.high < part.wanted.low]]
     *EveryClaim*:Claims.* ${claims})

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise bench`: how fast Edgewise's own measuring is.
+// `edgewise bench`: how fast Edgewise's own measuring is; with --gate, whether queries became slower.
 #include <fmt/format.h>
 
-#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/bench_gate.hpp"
 #include "edgewise/studies/model_speed.hpp"
 
 namespace edgewise::cli {
@@ -13,9 +13,11 @@ namespace {
 struct BenchArguments {
     studies::CellChoice cell;
     int repetitions = 7;
+    GateArguments gate;
 };
 
 int run_bench(const BenchArguments& options, bool json) {
+    if (!options.gate.file.empty()) return run_gate_command(options.gate, options.cell.queries, json);
     const studies::SingleCell cell(options.cell);
     const std::vector<studies::ModelSpeed> speeds = studies::model_speeds(cell, options.repetitions);
     nlohmann::json rows = nlohmann::json::array();
@@ -36,13 +38,16 @@ int run_bench(const BenchArguments& options, bool json) {
 }  // namespace
 
 void add_bench(CLI::App& app, Context& context) {
-    auto [command, options] =
-        add_command(app, context, "bench", "How fast the cache model and the reuse distances are", run_bench);
+    auto [command, options] = add_command(
+        app, context, "bench",
+        "How fast the cache model and the reuse distances are; --gate: whether queries became slower",
+        run_bench);
     add_cell_options(*command, options.cell);
     command
         ->add_option("--repetitions", options.repetitions,
                      "repetitions of each measurement; the median is printed")
         ->check(CLI::Range(1, 1000));
+    add_gate_options(*command, options.gate);
 }
 
 }  // namespace edgewise::cli

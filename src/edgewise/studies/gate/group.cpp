@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/gate/group.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/sweep/axes.hpp"
+#include "edgewise/sweep/verify.hpp"
+
+namespace edgewise::studies {
+
+namespace {
+
+constexpr const char* reference_table = "aos_f64";
+constexpr const char* reference_algorithm = "vclip";
+constexpr const char* batch_axis = "batch=yes";
+constexpr std::size_t gate_checked = 20;  ///< answers per cell held against exact arithmetic
+
+const bench::TableType& reference_type() {
+    const auto types = bench::table_types();
+    const auto found = std::find_if(types.begin(), types.end(), [](const bench::TableType& type) {
+        return type.name == reference_table;
+    });
+    if (found == types.end())
+        throw std::invalid_argument(
+            fmt::format("the gate divides by {} of {}, which this program lacks: name it in EDGEWISE_LAYOUTS",
+                        reference_algorithm, reference_table));
+    return *found;
+}
+
+struct GateCellChoice {
+    const bench::TableType* type;
+    std::string algorithm, axes;
+};
+
+/// The reference first, and once.
+std::vector<GateCellChoice> cells_of(const GatePlan& plan, const GateScene& scene) {
+    std::vector<GateCellChoice> cells = {{&reference_type(), reference_algorithm, ""}};
+    for (const bench::TableType* type : plan.types) {
+        for (const std::string& algorithm : type->algorithms) {
+            if (type->name != reference_table || algorithm != reference_algorithm)
+                cells.push_back({type, algorithm, ""});
+            if (algorithm == "gjk" && scene.kind == std::string_view("cold"))
+                cells.push_back({type, algorithm, batch_axis});
+        }
+    }
+    return cells;
+}
+
+sweep::Plan plan_for(const GatePlan& plan) {
+    sweep::Plan queries;
+    queries.queries = plan.queries;
+    queries.checked = gate_checked;
+    return queries;
+}
+
+/// The faster of two passes: the first finds its tables out of the caches, and an interrupt seldom hits both.
+double ns_per_query(const bench::Runner& runner, double clock_cost_ns) {
+    const auto first = runner.time({}, clock_cost_ns).all(), second = runner.time({}, clock_cost_ns).all();
+    return std::min(first.value_or(0), second.value_or(0));
+}
+
+}  // namespace
+
+const std::vector<GateScene>& gate_scenes() {
+    // 40 tables of the paper's record with 386 vertices take 10 MB.
+    static const std::vector<GateScene> scenes = {
+        {"cold", "cold", {}},
+        {"tumble_0.01", "tumble", {{"rotation_step", 0.01}}},
+        {"tumble_1", "tumble", {{"rotation_step", 1}}},
+        {"tumble_random", "tumble", {{"random_orientation", 1}, {"rotation_step", 0}}},
+        {"pressure", "pressure", {{"bodies", 40}}}};
+    return scenes;
+}
+
+const std::vector<std::string>& gate_shapes() {
+    static const std::vector<std::string> shapes = {"cube8", "sphere38", "sphere386"};
+    return shapes;
+}
+
+GateGroup::GateGroup(const GatePlan& plan, const GateScene& scene, const std::string& shape,
+                     std::vector<std::string>& wrong)
+    : shared_(plan_for(plan), {scene.kind, scene.parameters},
+              {shape, "built-in", scene::make_shape(shape).or_throw(), {}}) {
+    for (const GateCellChoice& choice : cells_of(plan, scene)) {
+        Cell cell;
+        cell.entry = {choice.algorithm, choice.type->name, scene.name, shape, choice.axes, {}, {}};
+        const std::string problem = prepare(cell, *choice.type);
+        if (!problem.empty()) wrong.push_back(cell.entry.name() + ": " + problem);
+        const bool is_reference = cells_.empty();
+        if (is_reference) cell.entry.over = GateOver::kernel;
+        if (problem.empty() || is_reference) cells_.push_back(std::move(cell));
+    }
+}
+
+std::string GateGroup::prepare(Cell& cell, const bench::TableType& type) {
+    const sweep::Axes axes = sweep::parse_axes(cell.entry.axes);
+    cell.runner = type.make_runner(cell.entry.algorithm);
+    cell.runner->configure(axes);
+    if (std::string error = cell.runner->load(shared_.workload()); !error.empty())
+        throw std::invalid_argument(cell.entry.name() + ": " + error);
+    const std::vector<Distance> answers = cell.runner->answer();
+    return sweep::what_is_wrong(
+        shared_, sweep::check_answers(shared_, cell.runner->stored_bodies(), answers, type.eps, axes.query),
+        type.eps);
+}
+
+void GateGroup::time_round(int number, const GateKernel& kernel, double clock_cost_ns) {
+    std::vector<std::size_t> order(cells_.size() + 1);  // the last is the kernel
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    scene::Rng rng(static_cast<std::uint64_t>(number) + 1);
+    rng.shuffle(order);
+    for (const std::size_t i : order) {
+        if (i < cells_.size()) {
+            cells_[i].ns.push_back(ns_per_query(*cells_[i].runner, clock_cost_ns));
+        } else {
+            kernel_ns_.push_back(std::min(kernel.time_ns(), kernel.time_ns()));
+        }
+    }
+}
+
+std::vector<GateEntry> GateGroup::entries() const {
+    std::vector<GateEntry> entries;
+    for (const Cell& cell : cells_) {
+        entries.push_back(cell.entry);
+        const bool is_reference = cell.entry.over == GateOver::kernel;
+        const auto ratio = gate_ratio(cell.ns, is_reference ? kernel_ns_ : cells_.front().ns);
+        if (!ratio)
+            throw std::invalid_argument(fmt::format(
+                "{}: no ratio with an interval; give more --queries or --rounds", cell.entry.name()));
+        entries.back().ratio = *ratio;
+    }
+    return entries;
+}
+
+}  // namespace edgewise::studies

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// One scene on one body with every cell that a guard on speed times there: table types, algorithms, and GJK
+// asked in batches where pairs are cold. The first cell is the reference.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "edgewise/studies/gate/kernel.hpp"
+#include "edgewise/studies/gate/run.hpp"
+#include "edgewise/sweep/shared_queries.hpp"
+
+namespace edgewise::studies {
+
+/// A scene of the fixed set under a name of its own.
+struct GateScene {
+    const char* name;
+    const char* kind;
+    scene::SceneParameters parameters;
+};
+
+[[nodiscard]] const std::vector<GateScene>& gate_scenes();
+[[nodiscard]] const std::vector<std::string>& gate_shapes();
+
+class GateGroup {
+  public:
+    /// Makes every cell and checks its answers; what is wrong with some goes to `wrong`. Throws as run_gate.
+    GateGroup(const GatePlan& plan, const GateScene& scene, const std::string& shape,
+              std::vector<std::string>& wrong);
+
+    /// Times every cell and the kernel once, in an order drawn for this round.
+    void time_round(int number, const GateKernel& kernel, double clock_cost_ns);
+
+    /// From all rounds. Throws std::invalid_argument where they are too few.
+    [[nodiscard]] std::vector<GateEntry> entries() const;
+
+  private:
+    struct Cell {
+        GateEntry entry;
+        std::unique_ptr<bench::Runner> runner;
+        std::vector<double> ns;  ///< per query, round by round
+    };
+
+    /// Loads it and checks it: what is wrong with its answers, or nothing.
+    [[nodiscard]] std::string prepare(Cell& cell, const bench::TableType& type);
+
+    sweep::SharedQueries shared_;
+    std::vector<Cell> cells_;
+    std::vector<double> kernel_ns_;
+};
+
+}  // namespace edgewise::studies

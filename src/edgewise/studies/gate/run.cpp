@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/gate/run.hpp"
+
+#include "edgewise/bench/build_info.hpp"
+#include "edgewise/measure/machine/machine.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/studies/gate/group.hpp"
+#include "edgewise/studies/gate/kernel.hpp"
+
+namespace edgewise::studies {
+
+namespace {
+
+GateRecord record_without_entries(const GatePlan& plan) {
+    const store::BuildRow build = bench::this_build();
+    GateRecord record;
+    record.machine = measure::read_machine().cpu.name.value.value_or("unknown");
+    record.git_revision = build.git_revision;
+    record.compiler = build.compiler;
+    record.flags = build.flags;
+    record.build_type = build.build_type;
+    record.rounds = plan.rounds;
+    record.queries = plan.queries;
+    return record;
+}
+
+/// False when it was stopped.
+bool add_group(const GatePlan& plan, const GateScene& scene, const std::string& shape,
+               const std::atomic<bool>& stop, GateRun& run) {
+    const GateKernel kernel;
+    GateGroup group(plan, scene, shape, run.wrong);
+    const double clock_cost_ns = measure::calibrate();
+    for (int round = 0; round < plan.rounds; ++round) {
+        if (stop) return false;
+        group.time_round(round, kernel, clock_cost_ns);
+    }
+    for (GateEntry& entry : group.entries()) run.record.entries.push_back(std::move(entry));
+    return true;
+}
+
+}  // namespace
+
+std::size_t gate_groups() { return gate_scenes().size() * gate_shapes().size(); }
+
+std::optional<GateRun> run_gate(const GatePlan& plan,
+                                const std::function<void(const std::string& group)>& on_group,
+                                const std::atomic<bool>& stop) {
+    GateRun run{record_without_entries(plan), {}};
+    for (const GateScene& scene : gate_scenes()) {
+        for (const std::string& shape : gate_shapes()) {
+            if (!add_group(plan, scene, shape, stop, run)) return std::nullopt;
+            on_group(std::string(scene.name) + " " + shape);
+        }
+    }
+    return run;
+}
+
+}  // namespace edgewise::studies

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// The measurements of a guard on speed: a fixed set of small workloads, one scene on one body at a time, all
+// its cells in interleaved rounds with the reference and the kernel. A cell's answers are checked before it
+// is timed.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/studies/gate/entry.hpp"
+
+namespace edgewise::studies {
+
+struct GatePlan {
+    std::vector<const bench::TableType*> types;  ///< the reference's own need not be among them
+    int rounds = 17;
+    std::size_t queries = 1000;  ///< per pass
+};
+
+struct GateRun {
+    GateRecord record;
+    std::vector<std::string>
+        wrong;  ///< cells that gave wrong answers, and what is wrong; only a reference has its entry then
+};
+
+/// Scenes times bodies: how often `on_group` is called.
+[[nodiscard]] std::size_t gate_groups();
+
+/// Nothing when `stop` was set. Throws std::invalid_argument when the program lacks the reference's table
+/// type, or for rounds and queries too few to tell a ratio by.
+[[nodiscard]] std::optional<GateRun> run_gate(const GatePlan& plan,
+                                              const std::function<void(const std::string& group)>& on_group,
+                                              const std::atomic<bool>& stop);
+
+}  // namespace edgewise::studies

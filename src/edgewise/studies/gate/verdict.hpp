@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// Whether a run is slower than its baseline. Pure: two records in, a report out.
+//
+// An entry fails where its ratio's whole interval lies above the baseline's ratio times (1 + slack): noise
+// widens the interval, and what the interval holds is no slowdown. The baseline's own interval decides
+// nothing; its median is what later runs are held to.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/studies/gate/entry.hpp"
+
+namespace edgewise::studies {
+
+enum class GateVerdict : std::uint8_t {
+    slower,  ///< fails
+    same,
+    faster,  ///< its whole interval lies below the baseline over (1 + slack): worth a new baseline
+};
+
+[[nodiscard]] const char* to_string(GateVerdict verdict);
+
+struct GateRow {
+    GateEntry now;
+    GateRatio baseline;
+    GateVerdict verdict = GateVerdict::same;
+
+    [[nodiscard]] double change() const { return now.ratio.value / baseline.value; }
+    /// Change that even the lower end of the interval shows.
+    [[nodiscard]] double least_change() const { return now.ratio.low / baseline.value; }
+};
+
+struct GateReport {
+    std::vector<GateRow> rows;         ///< worst first: by least_change
+    std::vector<std::string> missing;  ///< entries of the baseline that were not measured
+    std::vector<std::string> added;    ///< measured entries that the baseline lacks
+    std::vector<std::string> notes;    ///< what makes the comparison worth less, one line each
+
+    [[nodiscard]] std::size_t count(GateVerdict verdict) const;
+    /// Nothing is slower, and something was compared at all.
+    [[nodiscard]] bool passed() const { return !rows.empty() && count(GateVerdict::slower) == 0; }
+};
+
+/// `slack` (not negative): in place of the baseline's.
+[[nodiscard]] GateReport compare_gate(const GateRecord& baseline, const GateRecord& now, double slack);
+
+}  // namespace edgewise::studies

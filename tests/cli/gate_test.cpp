@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise bench --gate`: a baseline is written and compared with, and what it names. No test here depends
+// on how long anything takes: slacks are huge, and a slower entry is one whose baseline was made tiny.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const Arguments gate_arguments = {"bench",     "--gate", "b.json",    "--rounds", "6",
+                                  "--queries", "200",    "--layouts", "lean_f64"};
+
+Arguments gate_with(const Arguments& more) {
+    Arguments all = gate_arguments;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+TEST(BenchGate, ComparesWithWhatItWrote) {
+    const Folder folder;
+    const Outcome written = run(gate_with({"--write", "--slack", "50"}), folder);
+    ASSERT_EQ(written.exit_code, 0) << written.err;
+    json baseline = json::parse(text_of(folder / "b.json"));
+    EXPECT_EQ(baseline["slack"], 50);
+    EXPECT_EQ(baseline["rounds"], 6);
+    // 15 groups of a reference, V-Clip and GJK; GJK's batches in the three that are cold.
+    EXPECT_EQ(baseline["entries"].size(), 15u * 3 + 3);
+
+    const Outcome same = run(gate_with({"--json"}), folder);
+    ASSERT_EQ(same.exit_code, 0) << same.out << same.err;
+    EXPECT_EQ(json::parse(same.out)["compared"].size(), baseline["entries"].size());
+
+    json& tiny = baseline["entries"][4];
+    tiny["ratio"] = tiny["ratio"].get<double>() * 1e-9;
+    baseline["entries"][7]["table"] = "gone";
+    baseline["machine"] = "another machine of mine";
+    folder.write("b.json", baseline.dump());
+    const Outcome slower = run(gate_with({}), folder);
+    EXPECT_EQ(slower.exit_code, 1) << slower.err;
+    const std::vector<std::string> lines = lines_of(slower.out);
+    ASSERT_GT(lines.size(), 2u);
+    for (const char* part : {"algorithm", "table", "scene", "shape"})
+        EXPECT_THAT(lines[1], HasSubstr(tiny[part].get<std::string>())) << "worst first";
+    EXPECT_THAT(lines[1], HasSubstr("slower"));
+    EXPECT_THAT(slower.out, HasSubstr("not in the baseline: "));
+    EXPECT_THAT(slower.out, HasSubstr("another machine of mine"));
+    EXPECT_THAT(slower.out, HasSubstr(": 1 slower"));
+}
+
+TEST(BenchGate, BadInputIsOneLine) {
+    const Folder folder;
+    folder.write("b.json", "{\"gate\": 1,");
+    Outcome outcome = run(gate_with({}), folder);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("b.json"));
+    EXPECT_THAT(outcome.err, HasSubstr("--write"));
+    for (const Arguments& more : {Arguments{"--scene", "cold"}, Arguments{"--slack", "-1"}}) {
+        outcome = run(gate_with(more), folder);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_THAT(outcome.err, HasSubstr(more.front()));
+        EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
+    }
+    outcome = run({"bench", "--write"}, folder);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("--gate"));
+    outcome = run({"bench", "--gate", "none.json"}, folder);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("none.json"));
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test
