@@ -208,6 +208,16 @@ TEST_P(Query, TouchesWithinTheContactTolerance) {
     EXPECT_EQ(answers_of(ask(line, {"--contact-tolerance", "0.124"}))[0]["status"], "separated");
 }
 
+TEST_P(Query, SolvesWithEitherSolver) {
+    const std::string line = pair_line("near", tetrahedron, 1.125);
+    const auto by_default = answers_of(ask(line));
+    EXPECT_EQ(answers_of(ask(line, {"--sub-distance", "cofactors"})), by_default);
+    EXPECT_EQ(answers_of(ask(line, {"--sub-distance", "johnson"})), by_default);
+    const auto unknown = ask(line, {"--sub-distance", "volumes"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("--sub-distance volumes: unknown; known: cofactors, johnson"));
+}
+
 TEST_P(Query, TakesFacesAsGiven) {
     json cube;
     for (const int x : {0, 1}) {

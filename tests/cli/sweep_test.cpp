@@ -45,13 +45,15 @@ TEST(Sweep, MeasuresEveryCellAndSaysSoInJson) {
 
 TEST(Sweep, TakesFurtherAxesOneAtATimeBesideThePlainCells) {
     const Folder folder;
-    const Outcome outcome = run(with(tiny, {"--axes", "contact_tolerance=0.01,gap_tolerance=0.001"}), folder);
+    const Outcome outcome = run(
+        with(tiny, {"--axes", "contact_tolerance=0.01,gap_tolerance=0.001,sub_distance=johnson"}), folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json summary = json::parse(outcome.out);
-    // The gap is GJK's alone: three cells for V-Clip's two.
-    EXPECT_EQ(summary["cells"], 4 * 3 * (2 + 3));
+    // The gap and the solver are GJK's alone: four cells for V-Clip's two.
+    EXPECT_EQ(summary["cells"], 4 * 3 * (2 + 4));
     EXPECT_EQ(summary["verified"], summary["cells"]);
     EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("aos_f32 gap_tolerance=0.001"));
+    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("aos_f64 sub_distance=johnson"));
 
     const Outcome unknown = run(with(tiny, {"--axes", "colour=red"}), folder);
     EXPECT_EQ(unknown.exit_code, 2);

@@ -34,6 +34,12 @@ edgewise_mutant(johnson_foot_of_slivers algorithms/subset.hpp [[if (sliver || he
     Johnson.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(cofactors_ask_no_second_opinion algorithms/cofactors.hpp [[if (count == 4 && weigh_passing<4>(w, allowed, found)) return;]]
     [[if (count == 4 && (weigh_passing<4>(w, allowed, found) || true)) return;]] Cofactors.* ${unit}/algorithms/johnson_test.cpp)
+edgewise_mutant(johnson_is_not_asked algorithms/sub_distance.hpp [[return solver == SubDistanceSolver::cofactors ? Way::cofactors : Way::johnson;]] [[return Way::cofactors;]]
+    SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
+edgewise_mutant(batch_takes_johnson_into_lanes algorithms/gjk_batch.hpp [[if (by_cofactors && width != LaneWidth::none)]] [[if (width != LaneWidth::none)]]
+    SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
+edgewise_mutant(johnson_does_not_reach_the_run algorithms/gjk.hpp [[sub_(options.sub_distance),]] [[sub_(),]]
+    SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]
     *Support* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(climb_stops_at_level_vertices algorithms/support.hpp [[|| !leave_level(table, direction, band, best)) return best;]] [[|| true) return best;]]

@@ -45,6 +45,7 @@ class GjkRun {
         : a_(a),
           b_(b),
           a_from_b_(a_from_b),
+          sub_(options.sub_distance),
           contact_squared_(static_cast<Scalar>(options.contact_tolerance * options.contact_tolerance)),
           gap_(static_cast<Scalar>(options.gap_tolerance)),
           verdict_only_(options.verdict_only) {

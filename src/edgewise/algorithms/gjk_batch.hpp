@@ -2,7 +2,8 @@
 //
 // GJK for many pairs at once: pairs in, answers out, each to the bit that of Gjk::query. Small bodies, whose
 // support points a scan finds, are answered several at a time, one per lane of the processor's registers
-// (lanes/lane_gjk.hpp); others one after the other, while the memory of the next is being fetched.
+// (lanes/lane_gjk.hpp); others one after the other, while the memory of the next is being fetched. Lanes
+// solve by cofactors: where another solver is asked for, all are asked one after the other.
 #pragma once
 
 #include <array>
@@ -48,6 +49,7 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     GjkBatch(std::span<const Query> queries, std::span<Distance> answers, const QueryOptions& options)
         : queries_(queries), answers_(answers), options_(options) {
         assert(queries.size() == answers.size());
+        assert(options.sub_distance == SubDistanceSolver::cofactors && "lanes know no other");
     }
 
     /// width: not none.

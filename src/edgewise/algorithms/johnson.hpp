@@ -16,9 +16,9 @@
 // distance and takes the nearest; positive weights always give a point of the simplex, so that answer is
 // never a lie.
 //
-// Johnson, not signed volumes throughout, is the default because it is what the reproduced paper ran, and
-// because the backup already covers flat simplices. Most simplices are decided without its loops, by the same
-// cofactors (cofactors.hpp).
+// Johnson, not signed volumes throughout, because it is what the reproduced paper ran, and because the backup
+// already covers flat simplices. Unless it is asked for (sub_distance_solver.hpp), most simplices are decided
+// without its loops, by the same cofactors (cofactors.hpp).
 #pragma once
 
 #include <algorithm>
@@ -80,7 +80,7 @@ class Johnson {
     [[nodiscard]] bool holds_origin() { return count_ == 4 && volumes_hold_origin(); }
     [[nodiscard]] Closest inside() const { return weigh(whole); }
 
-    /// Out of line: asked only where the signs of the cofactors do not tell (cofactors.hpp).
+    /// Out of line: unless chosen, asked only where the signs of the cofactors do not tell (cofactors.hpp).
     [[nodiscard]] [[gnu::noinline]] Closest closest() {
         if (Closest found; ascend(found)) return found;
         if (count_ == 4 && volumes_hold_origin()) return weigh(whole);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What a caller may give away of an answer for speed or robustness. Nothing, unless asked: both default to
-// "as exact as the type allows". The paper's tolerances (section 3.4) are of these two kinds.
+// What a caller may give away of an answer for speed or robustness, and how it is found. Nothing is given
+// away unless asked: both tolerances default to "as exact as the type allows". The paper's (section 3.4) are
+// of these two kinds.
 #pragma once
 
 #include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/sub_distance_solver.hpp"
 
 namespace edgewise {
 
@@ -18,6 +20,8 @@ struct QueryOptions {
     /// contact tolerance, and the distance of separated bodies is then an upper bound. V-Clip knows its
     /// verdict no sooner than its distance.
     bool verdict_only = false;
+    /// GJK's; V-Clip has none of its own, and where it asks GJK that solves as by default.
+    SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;
 };
 
 /// An answer as the options ask for it. A distance within the tolerance stays as found: for GJK, which

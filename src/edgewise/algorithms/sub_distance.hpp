@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// GJK's sub-distance: the simplex while a query runs, and its point nearest to the origin, in as wide an
-// arithmetic as it takes. Close, thin and undecided simplices are solved in wider arithmetic, and so is every
-// one from where rounding hides a gain on.
+// GJK's sub-distance: the simplex while a query runs, and its point nearest to the origin, by the solver that
+// was chosen (sub_distance_solver.hpp), in as wide an arithmetic as it takes. Close, thin and undecided
+// simplices are solved in wider arithmetic, and so is every one from where rounding hides a gain on.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 #include "edgewise/algorithms/johnson.hpp"
 #include "edgewise/algorithms/simplex.hpp"
 #include "edgewise/algorithms/simplex_pair.hpp"
+#include "edgewise/algorithms/sub_distance_solver.hpp"
 #include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/double_double.hpp"
 #include "edgewise/geometry/pose.hpp"
@@ -27,6 +28,9 @@ class SubDistance {
     using Points = Simplex<TableA, TableB>;
     using Closest = ClosestOfSimplex<Scalar>;
 
+    explicit SubDistance(SubDistanceSolver solver = SubDistanceSolver::cofactors)
+        : solver_(solver), way_(way_of(solver)) {}
+
     /// Points from which nothing was dropped that the closest point rests on.
     [[nodiscard]] const Points& simplex() const { return simplex_; }
     [[nodiscard]] const Closest& closest() const { return closest_; }
@@ -35,7 +39,7 @@ class SubDistance {
     void clear() {
         simplex_.count = 0;
         simplex_.size = 0;
-        careful_ = false;
+        way_ = way_of(solver_);
     }
     /// One of a query's first points, up to four; then solve_first().
     void add(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& on_a,
@@ -52,7 +56,8 @@ class SubDistance {
         }
     }
     void solve_first() {
-        if (!still_inside()) solve(false);
+        const bool by_signs = simplex_.count == 4 && way_ == Way::cofactors;
+        if (!(by_signs && still_inside())) solve(false);
         simplex_.keep(closest_);
     }
 
@@ -74,6 +79,14 @@ class SubDistance {
     }
 
   private:
+    /// How the next simplex is solved. One word tells both the solver and whether it is still trusted: the
+    /// solver costs the loop of a query no branch of its own.
+    enum class Way : std::uint8_t { cofactors, johnson, wide };
+
+    [[nodiscard]] static constexpr Way way_of(SubDistanceSolver solver) {
+        return solver == SubDistanceSolver::cofactors ? Way::cofactors : Way::johnson;
+    }
+
     /// A pair that overlapped most likely still does: four signs tell, where fourteen subsets would be tried.
     [[nodiscard]] bool still_inside() {
         Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
@@ -83,14 +96,27 @@ class SubDistance {
     }
 
     void solve(bool newest_belongs) {
-        if (!careful_) {
+        if (way_ == Way::cofactors) {
             find_closest(simplex_.difference, simplex_.count, newest_belongs, closest_);
-            if (closest_.members == Johnson<Scalar>::whole) return;
-            const Scalar close = Tolerance<Scalar>::close * simplex_.size;
-            const bool far = squared_norm(closest_.point) >= close * close;
-            if (far && !closest_.backup && !closest_.thin) return;
+            if (is_sure()) return;
+        } else if (way_ == Way::johnson && search()) {
+            return;
         }
         solve_wide();
+    }
+
+    /// Johnson's search; whether its answer will do. Out of line: only asked where it was chosen.
+    [[nodiscard]] [[gnu::noinline]] bool search() {
+        closest_ = Johnson<Scalar>(simplex_.difference, simplex_.count).closest();
+        return is_sure();
+    }
+
+    /// Not close, thin or undecided.
+    [[nodiscard]] bool is_sure() const {
+        if (closest_.members == Johnson<Scalar>::whole) return true;
+        const Scalar close = Tolerance<Scalar>::close * simplex_.size;
+        const bool far = squared_norm(closest_.point) >= close * close;
+        return far && !closest_.backup && !closest_.thin;
     }
 
     /// Near the origin the cofactors cancel: the direction of what is left is noise, or the wrong members are
@@ -109,7 +135,7 @@ class SubDistance {
 
     [[nodiscard]] bool gains(Scalar before) const {
         if (closest_.members == Johnson<Scalar>::whole) return true;
-        return !careful_ && squared_norm(closest_.point) < before;
+        return way_ != Way::wide && squared_norm(closest_.point) < before;
     }
 
     /// The duality gap is open but the distance did not fall: along a valley of nearly parallel sides it
@@ -118,8 +144,8 @@ class SubDistance {
     /// the simplex that is left: of a sliver that may come out larger, and the run would cycle.) False if
     /// even so nothing is gained.
     [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic() {
-        if (!careful_) {
-            careful_ = true;
+        if (way_ != Way::wide) {
+            way_ = Way::wide;
             --simplex_.count;  // without the newest
             unrounded_ = solve_wide();
             ++simplex_.count;
@@ -133,8 +159,9 @@ class SubDistance {
 
     Points simplex_;
     Closest closest_;
-    bool careful_ = false;       ///< every sub-distance in wider arithmetic
-    Wider<Scalar> unrounded_{};  ///< squared distance, when careful
+    SubDistanceSolver solver_;
+    Way way_;
+    Wider<Scalar> unrounded_{};  ///< squared distance, of Way::wide
 };
 
 }  // namespace edgewise

@@ -32,6 +32,19 @@ Needs needs_named(const std::string& name) {
 
 }  // namespace
 
+void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver) {
+    const std::string known = fmt::format("{}", fmt::join(sub_distance_solver_names, ", "));
+    command.add_option_function<std::string>(
+        "--sub-distance",
+        [&solver, known](const std::string& name) {
+            const auto named = sub_distance_solver_from(name);
+            if (!named)
+                throw CLI::ValidationError(fmt::format("--sub-distance {}: unknown; known: {}", name, known));
+            solver = *named;
+        },
+        fmt::format("how GJK solves its simplices: {} [{}]", known, to_string(solver)));
+}
+
 void add_margin_option(CLI::App& command, std::optional<double>& margin) {
     command
         .add_option("--margin", margin,
@@ -64,6 +77,7 @@ void add_scene_options(CLI::App& command, studies::CellChoice& choice) {
         "--needs", [&choice](const std::string& name) { choice.needs = needs_named(name); },
         fmt::format("what is asked of every answer: {}", fmt::join(needs_names, ", ")));
     add_margin_option(command, choice.margin);
+    add_sub_distance_option(command, choice.sub_distance);
 }
 
 }  // namespace edgewise::cli

@@ -86,6 +86,9 @@ void add_cell_options(CLI::App& command, studies::CellChoice& choice);
 /// Those of its scene alone.
 void add_scene_options(CLI::App& command, studies::CellChoice& choice);
 
+/// --sub-distance: how GJK solves its simplices, by name.
+void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver);
+
 /// --margin: what --needs nearer asks about.
 void add_margin_option(CLI::App& command, std::optional<double>& margin);
 

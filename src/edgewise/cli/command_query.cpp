@@ -187,6 +187,7 @@ void add_query(CLI::App& app, Context& context) {
     command->add_option("--needs", options.needs, fmt::format("{}", fmt::join(needs_names, ", ")))
         ->capture_default_str();
     add_margin_option(*command, options.margin);
+    add_sub_distance_option(*command, options.query.sub_distance);
     command
         ->add_option("--contact-tolerance", options.query.contact_tolerance,
                      "bodies as near as this or nearer are touching, in the bodies' own unit")

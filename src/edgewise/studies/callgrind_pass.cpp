@@ -52,6 +52,8 @@ std::vector<std::string> pass_command(const CellChoice& choice, const std::strin
     }
     if (choice.needs != Needs::witnesses) add("--needs", std::string(to_string(choice.needs)));
     if (choice.margin) add("--margin", fmt::format("{}", *choice.margin));
+    if (choice.sub_distance != SubDistanceSolver::cofactors)
+        add("--sub-distance", std::string(to_string(choice.sub_distance)));
     for (const auto& [name, value] : choice.parameters) add("--parameter", fmt::format("{}={}", name, value));
     return command;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/studies/effort_rows.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <mutex>
 #include <optional>
@@ -51,6 +53,8 @@ store::CellRow row_of(const Contender& contender) {
     row.scene = effort_scene + choice.scene;
     row.scene_parameters =
         bench::parameters_json(scene::complete_parameters(choice.scene, choice.parameters).or_throw());
+    if (choice.sub_distance != SubDistanceSolver::cofactors && choice.algorithm == "gjk")
+        row.axes = fmt::format("sub_distance={}", to_string(choice.sub_distance));
     row.shape = choice.shape;
     row.shape_source = "built-in";
     row.algorithm = choice.algorithm;

@@ -50,6 +50,7 @@ SingleCell::SingleCell(const CellChoice& choice, const bench::TableOptions& plac
         throw std::invalid_argument(fmt::format("{} answers with witnesses: leave needs out", type_->name));
     runner_ = type_->make_runner(algorithm_);
     bench::RunnerOptions options{.tables = placing, .margin = choice.margin.value_or(bench::usual_margin)};
+    options.query.sub_distance = choice.sub_distance;
     options.set_needs(choice.needs);
     runner_->configure(options);
     if (const std::string error = runner_->load(workload()); !error.empty())

@@ -17,8 +17,9 @@ struct CellChoice {
     scene::SceneParameters parameters = {};  ///< those that differ from the scene's defaults
     std::size_t queries = 1000;
     std::uint64_t seed = 1;
-    Needs needs = Needs::witnesses;     ///< what is asked of every answer
-    std::optional<double> margin = {};  ///< of Needs::nearer; else the usual one
+    Needs needs = Needs::witnesses;                                 ///< what is asked of every answer
+    std::optional<double> margin = {};                              ///< of Needs::nearer; else the usual one
+    SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;  ///< GJK's
     std::string peer = {};    ///< another library, as for select_peer_types: in place of table and algorithm
     std::size_t checked = 0;  ///< queries to be compared with exact answers by those who ask for that
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The further axes of a cell, beyond scene, shape, algorithm and table type: what a query may give away, and
-// how tables are placed. As text, in plans, on the command line, in the store and in the report alike:
-// "gap_tolerance=1e-06", several joined by '+'. A sweep takes them one at a time around the plain cell, not
-// their product.
+// The further axes of a cell, beyond scene, shape, algorithm and table type: what a query may give away, how
+// it is solved, and how tables are placed. As text, in plans, on the command line, in the store and in the
+// report alike: "gap_tolerance=1e-06", several joined by '+'. A sweep takes them one at a time around the
+// plain cell, not their product.
 #pragma once
 
 #include <string>

@@ -61,6 +61,23 @@ TYPED_TEST(GjkBatches, HonourTheOptions) {
     }
 }
 
+/// Which no lane knows: one query after the other.
+TYPED_TEST(GjkBatches, AskOneByOneForJohnsonsSearch) {
+    constexpr std::size_t count = 1000;
+    const QueryOptions options{.sub_distance = SubDistanceSolver::johnson};
+    Crowd<TypeParam> crowd(count);
+    for (const double step : {0.0, 0.01, 1.0}) {
+        crowd.move(step);
+        const std::vector<Distance> expected = crowd.one_by_one(options);
+        std::vector<Distance> answers(count);
+        query_batch<TypeParam, TypeParam>(crowd.queries, answers, options, LaneWidth::bits_128);
+        for (std::size_t i = 0; i < count; ++i) {
+            EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+            EXPECT_TRUE(same_pair(crowd.single_pairs[i], crowd.batch_pairs[i])) << i;
+        }
+    }
+}
+
 TYPED_TEST(GjkBatches, AreTheSameInTwoThreads) {
     PairCrowd<TypeParam> crowd(2000);
     const std::vector<Distance> expected = crowd.one_by_one({});

@@ -24,8 +24,9 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
     for (const char* text :
          {"", "contact_tolerance=0.001", "gap_tolerance=1e-06", "contact_tolerance=1e+20+gap_tolerance=0.01",
           "order=bfs", "order=spatial", "sharing=per_instance", "sharing=shared", "allocator=jemalloc",
-          "batch=yes", "needs=verdict", "needs=certificate", "needs=nearer+margin=0.1",
-          "needs=nearer+margin=0.02", "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
+          "batch=yes", "sub_distance=johnson", "needs=verdict", "needs=certificate",
+          "needs=nearer+margin=0.1", "needs=nearer+margin=0.02",
+          "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
     }
     EXPECT_EQ(parse_axes("gap_tolerance=0.010+contact_tolerance=1").text(),
@@ -33,6 +34,8 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
     EXPECT_EQ(parse_axes("gap_tolerance=0").text(), "");
     EXPECT_EQ(parse_axes("order=given+allocator=arena").text(), "");
     EXPECT_EQ(parse_axes("needs=witnesses").text(), "");
+    EXPECT_EQ(parse_axes("sub_distance=cofactors").text(), "");
+    EXPECT_EQ(parse_axes("sub_distance=johnson").query.sub_distance, SubDistanceSolver::johnson);
     EXPECT_TRUE(parse_axes("needs=verdict").query.verdict_only);
     EXPECT_FALSE(parse_axes("needs=depth").query.verdict_only);
     EXPECT_EQ(parse_axes("needs=nearer").text(), "needs=nearer+margin=0.1") << "a condition of its figures";
@@ -44,6 +47,8 @@ TEST(Axes, ConcernOnlyWhatTheyChange) {
     EXPECT_FALSE(Axes{}.concerns("gjk"));
     EXPECT_TRUE(parse_axes("gap_tolerance=0.1").concerns("gjk"));
     EXPECT_FALSE(parse_axes("gap_tolerance=0.1").concerns("vclip"));
+    EXPECT_TRUE(parse_axes("sub_distance=johnson").concerns("gjk"));
+    EXPECT_FALSE(parse_axes("sub_distance=johnson").concerns("vclip"));
     EXPECT_TRUE(parse_axes("contact_tolerance=0.1").concerns("vclip"));
     EXPECT_TRUE(parse_axes("order=bfs").concerns("vclip"));
     EXPECT_TRUE(parse_axes("batch=yes").concerns("vclip"));
@@ -61,6 +66,7 @@ TEST(Axes, BadOnesAreOneClearLine) {
     EXPECT_NE(error_of("margin=0.1").find("write both"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+batch=yes").find("leave batch out"), std::string::npos);
     EXPECT_NE(error_of("batch=maybe").find("no|yes"), std::string::npos);
+    EXPECT_NE(error_of("sub_distance=volumes").find("wants cofactors|johnson"), std::string::npos);
     EXPECT_NE(error_of("needs=verdict+margin=0.1").find("write both"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+margin=0").find("above 0"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+margin=x").find("wants a number"), std::string::npos);

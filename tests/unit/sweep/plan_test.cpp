@@ -117,12 +117,13 @@ std::vector<PaperScene> paper_scenes() {
     const Names timed = {"aos_f64", "aos_f32", "lean_f64", "points_neighbours_f64"};
     const Names in_static = {"aos_f64", "aos_f32", "linked_f64", "lean_f64", "points_neighbours_f64"};
     const Names thrashed = {"aos_f64", "linked_f64", "lean_f64"};
-    const Names shared = {"sharing=shared"}, placed = {"sharing=shared", "order=bfs", "order=spatial"};
+    const Names shared = {"sharing=shared"}, solved = {"sub_distance=johnson"},
+                placed = {"sharing=shared", "order=bfs", "order=spatial"};
     const Names asked = {
         "needs=nearer+margin=0.01", "needs=nearer",   "needs=nearer+margin=1", "needs=verdict",
         "needs=distance",           "needs=features", "needs=depth",           "needs=certificate"};
     return {{"paper_static", in_static, {}},
-            {"paper_linear_8", both, {}},
+            {"paper_linear_8", both, solved},
             {"paper_bodies", both, {}},
             {"paper_bodies_shrinking", both, {}},
             {"paper_angular_8", timed, shared},
@@ -130,7 +131,7 @@ std::vector<PaperScene> paper_scenes() {
             {"paper_angular_386", timed, shared},
             {"paper_proximity", timed, {}},
             {"paper_complexity", both, {}},
-            {"paper_cold", both, {}},
+            {"paper_cold", both, solved},
             {"paper_needs", both, asked},
             {"paper_caches_here", both, {}},
             {"paper_thrash_8", thrashed, placed},
