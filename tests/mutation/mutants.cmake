@@ -36,7 +36,7 @@ edgewise_mutant(cofactors_ask_no_second_opinion algorithms/cofactors.hpp [[if (c
     [[if (count == 4 && (weigh_passing<4>(w, allowed, found) || true)) return;]] Cofactors.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(johnson_is_not_asked algorithms/sub_distance.hpp [[return solver == SubDistanceSolver::cofactors ? Way::cofactors : Way::johnson;]] [[return Way::cofactors;]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
-edgewise_mutant(batch_takes_johnson_into_lanes algorithms/gjk_batch.hpp [[if (by_cofactors && width != LaneWidth::none)]] [[if (width != LaneWidth::none)]]
+edgewise_mutant(batch_takes_johnson_into_lanes algorithms/query_batch.hpp [[if (by_cofactors && width != LaneWidth::none)]] [[if (width != LaneWidth::none)]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
 edgewise_mutant(johnson_does_not_reach_the_run algorithms/gjk.hpp [[sub_(options.sub_distance),]] [[sub_(),]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
