@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/measure/statistics.hpp"
@@ -44,6 +45,8 @@ class error {
             store::figure("error.checked", checked),
             worst("error.worst_error_stored", answers, &measure::CheckedAnswer::error_stored),
             worst("error.worst_error_given", answers, &measure::CheckedAnswer::error_given),
+            at_quantile("error.p50_error_given", answers, &measure::CheckedAnswer::error_given, 0.5),
+            p999_given(answers),
             at_quantile("error.p99_error_stored", answers, &measure::CheckedAnswer::error_stored, 0.99),
             worst("error.witness_error", answers, &measure::CheckedAnswer::witness_error),
             store::figure("error.wrong_verdicts", count([](Answer a) { return a.verdict_wrong; })),
@@ -62,6 +65,10 @@ class error {
         add_control(answers, all);
         return all;
     }
+
+    /// Checked answers that a p99.9 needs: of fewer not one answer is in the worst thousandth, and it would
+    /// be read off the two largest errors.
+    static constexpr std::size_t least_for_p999 = 1000;
 
   private:
     static void leave_out_distances(std::vector<measure::Figure>& all, const char* reason) {
@@ -102,6 +109,16 @@ class error {
     static measure::Figure worst(const store::FigureName& name, Answers answers,
                                  double measure::CheckedAnswer::*error) {
         return at_quantile(name, answers, error, 1.0);
+    }
+
+    static measure::Figure p999_given(Answers answers) {
+        const store::FigureName name("error.p999_error_given");
+        if (answers.size() >= least_for_p999)
+            return at_quantile(name, answers, &measure::CheckedAnswer::error_given, 0.999);
+        return store::no_figure(name,
+                                "of " + std::to_string(answers.size()) +
+                                    " checked answers a p99.9 would say no more than the worst",
+                                "check " + std::to_string(least_for_p999) + " queries or more (--checked)");
     }
 
     static measure::Figure at_quantile(const store::FigureName& name, Answers answers,

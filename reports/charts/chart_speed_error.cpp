@@ -1,84 +1,173 @@
 // SPDX-License-Identifier: MIT
 //
-// Speed against error: what accuracy a nanosecond buys. Log-log; an error of exactly 0 has no place on a
-// logarithmic axis, so it is drawn on a labelled floor one decade or more below the smallest error.
+// Speed against error: what accuracy a nanosecond buys, a panel for each shape of the scene chosen, with the
+// front of time and the error chosen as a step line. The axis of errors is the same whatever is chosen, so
+// that choices can be compared.
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
+#include <map>
+#include <set>
 
 #include "edgewise/reports/charts/charts.hpp"
-#include "edgewise/reports/tables/tables.hpp"
+#include "edgewise/reports/charts/error_axis.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/fronts.hpp"
+#include "edgewise/store/palette.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-void speed_error_add_row(const ReportCell& cell, ChartRows& rows) {
-    const auto ns = rows.omitted.positive(cell.figure("time.separated_ns"),
-                                          "a time of 0 has no place on a logarithmic axis", "time: ");
-    if (!ns) return;
-    const measure::Figure error = cell.figure("error.worst_error_given");
-    if (!error.value) return rows.omitted.add("error: " + error.reason);
+constexpr std::size_t most_panels = 12;  ///< of one scene, in view at once
+constexpr const char* another_library = "another library";
+
+/// "p50_front"
+std::string member(const ErrorKind& kind, const char* what = "") { return std::string(kind.id) + what; }
+
+/// A null where there is no such error.
+ChartJson speed_error_row(const FrontPoint& point) {
+    const ReportCell& cell = *point.cell;
     ChartJson row = cell_json(cell);
-    row["ns"] = *ns;
-    row["error"] = *error.value;
-    rows.values.push_back(std::move(row));
+    row["holder"] = cell.layout;  // a layout, or a library
+    row["kind"] = cell.judged() ? another_library : cell.algorithm;
+    if (const std::string gap = gap_tolerance_of(cell); !gap.empty()) row["tolerance"] = gap;
+    row["ns"] = point.ns;
+    for (std::size_t kind = 0; kind < error_kind_count; ++kind) {
+        const auto& error = point.errors[kind];
+        row[member(error_kinds[kind])] = error ? ChartJson(*error) : ChartJson();
+        row[member(error_kinds[kind], "_front")] = bool(point.on_front[kind]);
+    }
+    return row;
 }
 
-/// A whole power of ten below every positive error; writes "drawn", the place on the axis, into each row.
-double place_on_axis(ChartJson& values) {
-    double least = 1e-15;
+/// A row for each; the fastest of a tolerance has it as its label: on each, labels would hide each other.
+void add_rows_of(const FrontPanel& panel, ChartJson& rows) {
+    std::set<std::string> labelled;
+    for (const FrontPoint& point : panel.points) {
+        rows.push_back(speed_error_row(point));
+        const std::string gap = gap_tolerance_of(*point.cell);
+        if (!gap.empty() && labelled.insert(gap).second) rows.back()["label"] = "gap " + gap;
+    }
+}
+
+/// A row for each point; notes what has none.
+ChartJson speed_error_rows(const Fronts& fronts, std::vector<std::string>& notes) {
+    ChartJson rows = ChartJson::array();
+    std::map<std::string, std::size_t> panels, not_drawn;
+    for (const auto& [cell, why] : fronts.left_out) ++not_drawn[why];
+    for (const FrontPanel& panel : fronts.panels) {
+        if (panels[panel.scene_label]++ < most_panels) {
+            add_rows_of(panel, rows);
+        } else {
+            not_drawn[fmt::format("of shapes beyond the {} smallest of their scene", most_panels)] +=
+                panel.points.size();
+        }
+    }
+    for (const auto& [why, count] : not_drawn)
+        notes.push_back(fmt::format("Not drawn: {} ({}).", plural(count, "cell"), why));
+    return rows;
+}
+
+/// Writes "p50_drawn" and the like, the places on the axis, into each row.
+ErrorAxis place_on_axis(ChartJson& values) {
+    std::vector<double> errors;
     for (const ChartJson& row : values)
-        if (row["error"] > 0) least = std::min(least, row["error"].get<double>());
-    double floor = 1e-15;
-    while (floor > least / 10 && floor > 1e-300) floor /= 10;
-    for (ChartJson& row : values) row["drawn"] = row["error"] > 0 ? row["error"].get<double>() : floor;
-    return floor;
+        for (const ErrorKind& kind : error_kinds)
+            if (row[member(kind)].is_number()) errors.push_back(row[member(kind)].get<double>());
+    ErrorAxis axis(std::move(errors));
+    for (ChartJson& row : values) {
+        for (const ErrorKind& kind : error_kinds) {
+            const ChartJson error = row[member(kind)];
+            row[member(kind, "_drawn")] =
+                error.is_number() ? ChartJson(axis.place(error.get<double>())) : error;
+        }
+    }
+    return axis;
 }
 
-/// Even powers of ten among the errors, and the floor where something stands on it. A tick beyond the data
-/// would be drawn beside the panel.
-ChartJson ticks(const ChartJson& values, double floor) {
-    double least = 1e300, largest = 0;
-    ChartJson places = ChartJson::array();
-    for (const ChartJson& row : values) {
-        if (row["error"] == 0 && places.empty()) places.push_back(floor);
-        if (row["error"] > 0) least = std::min(least, row["error"].get<double>());
-        largest = std::max(largest, row["error"].get<double>());
+/// How many points have no place on the axis, or one that means nothing.
+void note_places(const ChartJson& values, std::vector<std::string>& notes) {
+    for (const ErrorKind& kind : error_kinds) {
+        std::size_t zeros = 0, missing = 0;
+        for (const ChartJson& row : values) {
+            zeros += row[member(kind)] == 0;
+            missing += row[member(kind)].is_null();
+        }
+        const auto note = [&](std::size_t count, const std::string& text) {
+            if (count > 0)
+                notes.push_back(fmt::format("{} of {} points have {}", count, values.size(), text));
+        };
+        note(zeros, fmt::format("a {} error of exactly 0: they stand on the dotted line at the left edge, "
+                                "whose place on the axis means nothing.",
+                                kind.title));
+        note(missing, fmt::format("no {} error: they are not drawn with it.", kind.title));
     }
-    for (int power = -300; power <= 300; power += 2) {
-        // Read from text: a product of tens would miss the decimal value by a rounding.
-        const double place = std::stod(fmt::format("1e{}", power));
-        if (place >= (places.empty() ? least : 10 * floor) && place <= largest) places.push_back(place);
-    }
-    return places;
+}
+
+/// In order of the panels.
+ChartJson scenes_drawn(const Fronts& fronts) {
+    ChartJson scenes = ChartJson::array();
+    for (const FrontPanel& panel : fronts.panels)
+        if (scenes.empty() || scenes.back() != panel.scene_label) scenes.push_back(panel.scene_label);
+    return scenes;
+}
+
+/// The scene that is shown until another is chosen: that with the most points, of these the first.
+ChartJson first_scene(const ChartJson& values, const ChartJson& scenes) {
+    std::map<std::string, std::size_t> points;
+    for (const ChartJson& row : values) ++points[row["scene"].get<std::string>()];
+    return *std::max_element(scenes.begin(), scenes.end(), [&](const ChartJson& a, const ChartJson& b) {
+        return points[a.get<std::string>()] < points[b.get<std::string>()];
+    });
+}
+
+/// Layouts with the colours that they have everywhere, then libraries.
+void add_holders(ChartJson& slots, const ReportData& data, const ChartJson& values) {
+    ChartJson holders = order_slots(data, values)["layouts"], colours = ChartJson::array();
+    std::set<std::string> libraries;
+    for (const ChartJson& row : values)
+        if (row["kind"] == another_library) libraries.insert(row["holder"].get<std::string>());
+    for (const std::string& library : libraries) holders.push_back(library);
+    for (std::size_t i = 0; i < holders.size(); ++i)
+        colours.push_back(store::layout_colours[i % store::layout_colours.size()]);
+    slots["holders"] = holders, slots["holder_colours"] = colours;
+}
+
+/// Algorithms with the shapes that they have everywhere, then squares.
+void add_kinds(ChartJson& slots, const ReportData& data) {
+    const ChartJson orders = order_slots(data, ChartJson::array());
+    slots["kinds"] = orders["algorithms"], slots["kind_shapes"] = orders["algorithm_shapes"];
+    slots["kinds"].push_back(another_library);
+    slots["kind_shapes"].push_back("square");
+}
+
+ChartJson axis_slots(const ErrorAxis& axis) {
+    ChartJson floors = ChartJson::array();
+    if (axis.has_zeros()) floors.push_back({{"floor", axis.floor()}});
+    return {{"floors", floors},
+            {"ticks", axis.ticks()},
+            {"domain", axis.domain()},
+            {"tick_label", axis.tick_label()}};
 }
 
 }  // namespace
 
 Chart speed_error_chart(const ReportData& data) {
     Chart chart = chart_of_file("speed_error");
-    ChartRows rows;
-    for (const ReportCell& cell : data.cells)
-        if (cell.verified()) speed_error_add_row(cell, rows);
+    const Fronts fronts = fronts_of(data);
+    ChartRows rows{speed_error_rows(fronts, chart.notes), {}};
     if (!take_rows(chart, rows)) return chart;
-    ChartJson &values = rows.values, floors = ChartJson::array();
-    const double floor = place_on_axis(values);
-    const auto zeros =
-        std::count_if(values.begin(), values.end(), [](const auto& row) { return row["error"] == 0; });
-    if (zeros > 0) {
-        floors.push_back(ChartJson::object({{"floor", floor}}));
-        chart.notes.push_back(fmt::format(
-            "{} of {} points have an error of exactly 0: they stand on the dotted line at the left edge, "
-            "whose place on the axis means nothing.",
-            zeros, values.size()));
-    }
-    draw(chart, data, values,
-         {{"floors", floors},
-          {"ticks", ticks(values, floor)},
-          {"tick_label",
-           fmt::format("datum.value < {:g} ? 'exactly 0' : format(datum.value, '.0e')", floor * 2)}});
+    const ErrorAxis axis = place_on_axis(rows.values);
+    note_places(rows.values, chart.notes);
+    const ChartJson scenes = scenes_drawn(fronts), first = first_scene(rows.values, scenes);
+    chart.notes.push_back(
+        fmt::format("Shown until another is chosen: {}, worst error.", first.get<std::string>()));
+    ChartJson slots = axis_slots(axis);
+    slots["drawn_scenes"] = scenes, slots["first_scene"] = first;
+    add_kinds(slots, data);
+    add_holders(slots, data, rows.values);
+    draw(chart, data, rows.values, slots);
     return chart;
 }
 

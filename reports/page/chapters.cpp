@@ -111,6 +111,22 @@ std::optional<Chapter> peers_chapter(const ReportData& data) {
     return chapter;
 }
 
+/// The reference shape in full view, all shapes folded.
+Chapter fronts_chapter(const ReportData& data) {
+    const std::string shape = reference_shape(data);
+    Chapter chapter{"fronts",
+                    "Speed against error",
+                    prose("fronts.md"),
+                    {{.title = shape, .grids = {front_grid(data, shape)}, .page_only = true}},
+                    "Fronts"};
+    TextGrid all = front_grid(data, "");
+    std::string fold = fmt::format("All scenes and shapes ({})", plural(all.rows.size(), "row"));
+    chapter.blocks.push_back({.grids = {std::move(all)}, .fold = std::move(fold)});
+    if (TextGrid left_out = left_out_grid(data); !left_out.rows.empty())
+        chapter.blocks.push_back({.grids = {std::move(left_out)}});
+    return chapter;
+}
+
 Chapter errors_chapter(const ReportData& data) {
     return {"errors",
             "Errors",
@@ -144,8 +160,9 @@ std::vector<Chapter> report_chapters(const ReportData& data, const std::vector<C
     for (const Addition& addition : additions())
         if (auto chapter = addition.chapter(data, charts)) chapters.push_back(std::move(*chapter));
     if (auto chapter = peers_chapter(data)) chapters.push_back(std::move(*chapter));
-    for (const auto chapter : {bytes_chapter, layouts_chapter, caches_chapter, counters_chapter,
-                               times_chapter, errors_chapter, stability_chapter, cells_chapter})
+    for (const auto chapter :
+         {bytes_chapter, layouts_chapter, caches_chapter, counters_chapter, times_chapter, fronts_chapter,
+          errors_chapter, stability_chapter, cells_chapter})
         chapters.push_back(chapter(data));
     return chapters;
 }

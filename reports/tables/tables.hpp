@@ -61,6 +61,11 @@ struct Drawing {
 /// Edgewise beside them in one scene, time beside error: by shape, fastest first.
 [[nodiscard]] TextGrid peer_grid(const ReportData& data, const std::string& scene_label);
 
+/// Who is on a Pareto front of time and error, by scene and shape, fastest first; an empty `shape` means all.
+[[nodiscard]] TextGrid front_grid(const ReportData& data, const std::string& shape);
+/// Who is among the points of no front, and why.
+[[nodiscard]] TextGrid left_out_grid(const ReportData& data);
+
 /// What queries take, ours and other libraries', by scene and shape, fewest instructions first.
 [[nodiscard]] TextGrid effort_grid(const ReportData& data);
 /// The floor of each, and what was spent over it.

@@ -168,6 +168,14 @@ edgewise_mutant(too_much_is_no_miss reports/paper/claims/claim_rules.cpp [[ours.
 edgewise_mutant(straddling_is_met reports/paper/claims/claim_rules.cpp [[ours.low < part.wanted.low || ours.high > part.wanted.high]] [[ours.low < part.wanted.low && ours.high > part.wanted.high]]
     Claims.* ${claims})
 
+# The Pareto front of time and error
+edgewise_mutant(equal_points_beat_each_other reports/tables/pareto_front.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && point.ns >= last->ns) continue;]]
+    ParetoFront.* ${unit}/reports/pareto_front_test.cpp)
+edgewise_mutant(as_slow_is_no_worse reports/tables/pareto_front.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && !equal && point.ns > last->ns) continue;]]
+    ParetoFront.* ${unit}/reports/pareto_front_test.cpp)
+edgewise_mutant(tail_of_too_few probes/error.hpp [[if (answers.size() >= least_for_p999)]] [[if (!answers.empty())]]
+    Error.HasQuantiles* ${unit}/probes/error_test.cpp)
+
 # Store
 edgewise_mutant(old_figures_stay store/store.cpp [[delete from figure where build = ? and hash = ?]] [[delete from figure where build = ? and hash = ? and 0]]
     StoreTest.* ${unit}/store/store_test.cpp)

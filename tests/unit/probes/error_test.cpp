@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The worst of known errors, and counts of verdicts.
+// The worst of known errors, their quantiles, and counts of verdicts.
 #include "edgewise/probes/error.hpp"
 
 #include <gtest/gtest.h>
@@ -55,6 +55,33 @@ TEST(Error, OfTheControlIsCountedOrSaidNotToBeAsked) {
     EXPECT_EQ(error.at("control_checked").value, 3);
     EXPECT_EQ(error.at("control_disagreements").value, 2);
     EXPECT_EQ(error.at("control_disagreements_outside_band").value, 1);
+}
+
+/// Errors 1 to `count`, in no order: 17 has no divisor in common with the counts that are asked for.
+std::vector<measure::CheckedAnswer> ranked_answers(std::size_t count) {
+    std::vector<measure::CheckedAnswer> checked(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        checked[i].error_given = static_cast<double>(1 + i * 17 % count);
+        checked[i].error_stored = 1e9;
+    }
+    return checked;
+}
+
+TEST(Error, HasQuantilesOfTheGivenBodiesWhereThereAreEnoughAnswers) {
+    // By hand: 0.5 x 1000 and 0.999 x 1000 steps above the least of 1001.
+    const auto of_1001 = by_name(error::figures(ranked_answers(1001), {}));
+    EXPECT_EQ(of_1001.at("p50_error_given").value, 501);
+    EXPECT_DOUBLE_EQ(of_1001.at("p999_error_given").value.value_or(0), 1000);
+    EXPECT_EQ(of_1001.at("worst_error_given").value, 1001);
+
+    const auto of_1000 = by_name(error::figures(ranked_answers(1000), {}));
+    const double p999 = of_1000.at("p999_error_given").value.value_or(0);
+    EXPECT_TRUE(p999 > 998 && p999 < 1000) << p999 << ": it differs from the worst";
+
+    const measure::Figure of_999 = by_name(error::figures(ranked_answers(999), {})).at("p999_error_given");
+    EXPECT_FALSE(of_999.value);
+    EXPECT_NE(of_999.reason.find("999 checked answers"), std::string::npos) << of_999.reason;
+    EXPECT_NE(of_999.remedy.find("1000"), std::string::npos) << of_999.remedy;
 }
 
 TEST(Error, OfNoAnswerIsNoNumber) {

@@ -40,27 +40,6 @@ TEST(MedianInterval, HoldsNinetyFivePercentByCounting) {
     EXPECT_FALSE(median_interval({1}));
 }
 
-TEST(SpeedError, ExactZerosStandOnALabelledFloor) {
-    ReportData data;
-    for (const double error : {0.0, 3e-16, 2e-7}) {
-        ReportCell cell;
-        cell.hash = std::to_string(error), cell.scene_label = "cold", cell.status = "verified";
-        cell.figures = {{{"worst_error_given", error, "scale"}, "error"},
-                        {{"separated_ns", 10.0, "ns"}, "time"}};
-        data.cells.push_back(cell);
-    }
-    const Chart chart = speed_error_chart(data);
-    const auto& values = chart.spec["data"]["values"];
-    ASSERT_EQ(values.size(), 3u);
-    EXPECT_GT(values[0]["drawn"], 0.0);
-    EXPECT_LT(values[0]["drawn"], 3e-17);
-    EXPECT_EQ(values[0]["error"], 0.0);
-    EXPECT_EQ(values[1]["drawn"], values[1]["error"]);
-    EXPECT_NE(chart.spec.dump().find("exactly 0"), std::string::npos);
-    ASSERT_EQ(chart.notes.size(), 1u);
-    EXPECT_EQ(chart.notes[0].find("1 of 3 points have an error of exactly 0"), 0u);
-}
-
 TEST(Charts, LayoutsKeepTheirColourWhateverElseIsThere) {
     ReportData data;
     for (const char* layout : {"soa", "lean", "aos"}) {

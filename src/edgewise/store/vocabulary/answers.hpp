@@ -24,6 +24,8 @@ inline constexpr FigureInfo answers[] = {
     {"error.checked", "queries", Population::checked, Repeats::exactly, "queries compared with exact answers"},
     {"error.worst_error_stored", "scale", Population::checked, Repeats::exactly, "largest error of a distance, against the exact answer of the bodies that the table holds"},
     {"error.worst_error_given", "scale", Population::checked, Repeats::exactly, "the same against the bodies as given"},
+    {"error.p50_error_given", "scale", Population::checked, Repeats::exactly, "median error of a distance against the bodies as given"},
+    {"error.p999_error_given", "scale", Population::checked, Repeats::exactly, "its 99.9th percentile; of 1000 checked queries or more: of fewer it would be the two largest errors, so it is left out"},
     {"error.p99_error_stored", "scale", Population::checked, Repeats::exactly, "99th percentile of the first"},
     {"error.witness_error", "scale", Population::checked, Repeats::exactly, "largest difference of the distance and that of the witness points"},
     {"error.wrong_verdicts", "queries", Population::checked, Repeats::exactly, "wrong verdicts outside the band where rounding decides"},
