@@ -23,14 +23,17 @@ double separated_ns(const ReportCell& cell) {
     return cell.figure(store::separated_time.ns).value.value_or(std::numeric_limits<double>::infinity());
 }
 
-/// The plain cells of a scene and shape, ours and theirs, fastest first.
+/// Pairs in a row that are asked together: the same question, so beside the plain cells.
+constexpr std::string_view batched = "batch=yes";
+
+/// The cells of a scene and shape that ask for the whole answer, ours and theirs, fastest first.
 std::vector<const ReportCell*> side_by_side(const ReportData& data, const std::string& scene_label,
                                             const std::string& shape) {
     std::vector<const ReportCell*> cells;
     for (const auto* from : {&data.cells, &data.peers}) {
         for (const ReportCell& cell : *from) {
             if (cell.scene_label == scene_label && cell.shape == shape && cell.is_timed() &&
-                cell.axes.empty())
+                (cell.axes.empty() || cell.axes == batched))
                 cells.push_back(&cell);
         }
     }

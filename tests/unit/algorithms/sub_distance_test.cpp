@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
-#include "edgewise/algorithms/gjk_batch.hpp"
+#include "edgewise/algorithms/query_batch.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/layouts/points_soa.hpp"
 #include "edgewise/scene/rng.hpp"

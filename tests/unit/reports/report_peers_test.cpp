@@ -58,6 +58,19 @@ TEST(PeerTables, StandFastestFirstWithRatiosToTheFastestThatGivesDistances) {
     EXPECT_EQ(grid.rows[2][3].text, "f64");
 }
 
+TEST(PeerTables, ShowBatchesAndNoOtherAxis) {
+    ReportData data = made_up_data();
+    for (const char* axes : {"batch=yes", "gap_tolerance=0.01"}) {
+        data.cells.push_back(made_up("verified", "gjk", 25, 1e-16));
+        data.cells.back().axes = axes;
+        data.cells.back().table += std::string(" ") + axes;
+    }
+    const TextGrid grid = peer_grid(data, "cold");
+    ASSERT_EQ(grid.rows.size(), 5U);
+    EXPECT_EQ(grid.rows[1][3].text, "lean_f64 batch=yes");
+    EXPECT_EQ(grid.rows[1][5].text, "0.25 (0.25 to 0.25)");
+}
+
 TEST(PeerTables, ShowNoSceneOrShapeWithoutThem) {
     ReportData data = made_up_data();
     EXPECT_TRUE(peer_grid(data, "tumble").rows.empty());
