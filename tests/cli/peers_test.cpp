@@ -34,7 +34,7 @@ TEST(Peers, AreMeasuredAndJudgedBesideOurs) {
             folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json summary = json::parse(outcome.out);
-    EXPECT_EQ(summary["verified"], 2) << "V-Clip and GJK";
+    EXPECT_EQ(summary["verified"], 6) << "V-Clip and GJK, both in batches too, and GJK with two tolerances";
     EXPECT_EQ(summary["failed"], 0);
     EXPECT_EQ(summary["judged"], peers_built());
     EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("## Beside other libraries"));

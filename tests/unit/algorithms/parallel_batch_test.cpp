@@ -66,8 +66,8 @@ Differences differences(LaneWidth width, int threads, const QueryOptions& option
         std::vector<Distance> answers(count);
         query_batch_parallel<Table, Table, Algorithm>(crowd.queries, answers, options, threads, width);
         for (std::size_t i = 0; i < count; ++i) {
-            found.different += !same_bits(expected[i], answers[i]) ||
-                               crowd.single_pairs[i] != crowd.batch_pairs[i];
+            found.different +=
+                !same_bits(expected[i], answers[i]) || crowd.single_pairs[i] != crowd.batch_pairs[i];
             found.separated += expected[i].status == Status::separated;
             found.overlapping += expected[i].status == Status::overlapping;
         }

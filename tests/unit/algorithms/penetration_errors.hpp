@@ -25,7 +25,7 @@ namespace edgewise::testing {
 
 template <class Table>
 [[nodiscard]] Penetration ask(const Polyhedron& a, const Polyhedron& b, const Transform<double>& pose,
-                              SimplexPair<Table, Table> start) {
+                              const SimplexPair<Table, Table>& start) {
     PenetrationSpace space;
     return penetration(Table(a), Table(b), pose, start, space);
 }
