@@ -83,7 +83,7 @@ void expect_way(const WayOfSharing& way, int threads) {
 
 TEST(Scaling, HasARowForEachNumberOfThreads) {
     const tbb::global_control three(tbb::global_control::max_allowed_parallelism, 3);
-    for (const auto& [table, algorithm] : {std::pair{"lean_f64", "vclip"}, {"points_soa_f32", "gjk"}}) {
+    for (const auto& [table, algorithm] : {std::pair{"lean_f64", "vclip"}, {"points_soa_f64", "gjk"}}) {
         int rounds = 0;
         const ScalingPlan plan{small_cell(table, algorithm), {1, 2, 3}, 3};
         const Scaling found = measure_scaling(
