@@ -37,9 +37,15 @@ measure::CheckedAnswer without_errors(const truth::ExactDistance& exact) {
     return result;
 }
 
+/// By how much an answer may be too long: by gap_tolerance of itself, so by a little more of the true
+/// distance.
+double most_given_away(const QueryOptions& options, double distance) {
+    return options.gap_tolerance / (1 - options.gap_tolerance) * distance;
+}
+
 measure::CheckedAnswer check(const Distance& answer, truth::ExactDistance stored, truth::ExactDistance given,
                              const truth::AccuracyBand& band, const QueryOptions& options) {
-    const double given_away = options.gap_tolerance * stored.distance / band.scale;
+    const double given_away = most_given_away(options, stored.distance) / band.scale;
     stored = beyond(stored, options.contact_tolerance);
     given = beyond(given, options.contact_tolerance);
     const truth::JudgedAnswer judged{answer.status == Status::separated,
@@ -63,7 +69,7 @@ measure::CheckedAnswer check_near(const Distance& answer, const truth::ExactDist
     const bool nearer = answer.status == Status::touching;
     const double beyond = exact.distance - margin;
     result.in_band = std::abs(beyond) <= band.band;
-    const bool right = nearer ? beyond < 0 : beyond + options.gap_tolerance * exact.distance >= 0;
+    const bool right = nearer ? beyond < 0 : beyond + most_given_away(options, exact.distance) >= 0;
     const bool is_answer = nearer || answer.status == Status::separated;
     result.verdict_wrong = !is_answer || !(right || result.in_band);
     return result;

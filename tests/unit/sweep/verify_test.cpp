@@ -178,6 +178,23 @@ TEST_F(Verify, NearnessIsJudgedByItsMargin) {
     EXPECT_EQ(wrong_for(distance * 1.001, {0, 0.002}), "") << "a gap tolerance makes distances longer";
 }
 
+/// A relative width of the answer itself: of the true distance it is a little more.
+TEST_F(Verify, AGapToleranceIsAPartOfTheAnswer) {
+    const QueryOptions options{.gap_tolerance = 0.01};
+    const std::vector<Distance> exact = answers_;
+    const auto wrong_when_longer = [&](double factor) {
+        for (std::size_t i = 0; i < answers_.size(); ++i) {
+            answers_[i].distance = exact[i].distance * factor;
+            answers_[i].point_a = exact[i].point_a * factor;
+        }
+        return what_is_wrong(shared_,
+                             check_answers(shared_, shared_.workload().bodies, answers_, eps, options), eps);
+    };
+    EXPECT_EQ(wrong_when_longer(1.01 + 5e-5), "");
+    EXPECT_EQ(wrong_when_longer(1 / 0.99 - 1e-9), "");
+    EXPECT_THAT(wrong_when_longer(1 / 0.99 + 1e-6), HasSubstr("wrong distance"));
+}
+
 TEST_F(Verify, UncheckedQueriesAreNotJudged) {
     ASSERT_EQ(shared_.checked()[1], 2U);
     answers_[1].distance += 1;
