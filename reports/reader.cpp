@@ -10,6 +10,14 @@
 
 namespace edgewise::reports {
 
+std::optional<std::string> ReportCell::axis(std::string_view name) const {
+    const std::string joined = "+" + axes, start = "+" + std::string(name) + "=";
+    const std::size_t at = joined.find(start);
+    if (at == joined.npos) return std::nullopt;
+    const std::size_t from = at + start.size();
+    return joined.substr(from, joined.find('+', from) - from);
+}
+
 namespace {
 
 std::vector<ReportCell> reader_in_order(std::vector<store::StoredCell> stored) {

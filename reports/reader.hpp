@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,9 @@ namespace edgewise::reports {
 /// `axes` are part of `table` here, since their cells stand beside the plain ones.
 struct ReportCell : store::StoredCell {
     std::string scene_label;  ///< scene, and the parameters that tell it from its namesakes
+
+    /// The value of an axis; null where the cell has none of that name.
+    [[nodiscard]] std::optional<std::string> axis(std::string_view name) const;
 };
 
 struct ReportData {

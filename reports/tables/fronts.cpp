@@ -12,19 +12,9 @@ namespace edgewise::reports {
 
 namespace {
 
-/// The value of an axis among those joined by '+', up to the next '+'; null where it is not among them.
-std::optional<std::string> axis_value(const std::string& axes, const std::string& name) {
-    const std::string joined = "+" + axes, start = "+" + name + "=";
-    const std::size_t at = joined.find(start);
-    if (at == joined.npos) return std::nullopt;
-    const std::size_t from = at + start.size();
-    const std::size_t end = joined.find('+', from);
-    return joined.substr(from, end == joined.npos ? end : end - from);
-}
-
 /// Axes that place tables, and GJK's tolerance, leave the question as it is.
 bool asks_another_question(const ReportCell& cell) {
-    return axis_value(cell.axes, "needs") || axis_value(cell.axes, "contact_tolerance");
+    return cell.axis("needs") || cell.axis("contact_tolerance");
 }
 
 /// Why a timed cell has no place beside the others; empty: it has one, and `point` is it.
@@ -70,9 +60,7 @@ bool FrontPanel::has_peers() const {
                        [](const FrontPoint& point) { return point.cell->judged(); });
 }
 
-std::string gap_tolerance_of(const ReportCell& cell) {
-    return axis_value(cell.axes, "gap_tolerance").value_or("");
-}
+std::string gap_tolerance_of(const ReportCell& cell) { return cell.axis("gap_tolerance").value_or(""); }
 
 Fronts fronts_of(const ReportData& data) {
     const std::vector<std::string> scenes = scene_labels(data);

@@ -159,6 +159,8 @@ edgewise_mutant(the_median_alone_fails studies/gate/verdict.cpp [[if (now.low > 
     Gate.* ${unit}/studies/gate_verdict_test.cpp)
 edgewise_mutant(a_slowdown_needs_all_of_two_intervals studies/gate/verdict.cpp [[if (now.low > baseline.value * (1 + slack))]] [[if (now.low > baseline.high * (1 + slack))]]
     Gate.* ${unit}/studies/gate_verdict_test.cpp)
+edgewise_mutant(a_second_look_accuses studies/gate/verdict.cpp [[if (found->second->ratio.low < entry.ratio.low)]] [[if (found->second->ratio.low > entry.ratio.low)]]
+    Gate.* ${unit}/studies/gate_verdict_test.cpp)
 edgewise_mutant(nothing_compared_passes studies/gate/verdict.hpp [[return !rows.empty() && count]] [[return count]]
     Gate.* ${unit}/studies/gate_verdict_test.cpp)
 

@@ -74,16 +74,10 @@ GridCell needs_ratio_of(const ByAxes& cells, const std::string& need, const stor
 }
 
 /// How a need is named for people: "nearer, margin 0.1".
-std::string need_name(const std::string& axes) {
-    const auto value_of = [&](std::string_view axis) {
-        const std::size_t at = axes.find(axis);
-        if (at == std::string::npos) return std::string();
-        const std::size_t from = at + axis.size();
-        return axes.substr(from, axes.find('+', from) - from);
-    };
-    const std::string need = value_of("needs="), margin = value_of("margin=");
-    if (need.empty()) return "witnesses";
-    return margin.empty() ? need : need + std::string(margin_mark) + margin;
+std::string need_name(const ReportCell& cell) {
+    const auto need = cell.axis("needs"), margin = cell.axis("margin");
+    if (!need) return "witnesses";
+    return margin ? *need + std::string(margin_mark) + *margin : *need;
 }
 
 /// Least asked first: nearness by its margins, witnesses behind the distance.
@@ -92,7 +86,7 @@ std::vector<const ReportCell*> by_need(const ByAxes& cells) {
     constexpr std::array<std::string_view, 7> order = {"nearer",   "verdict", "distance",   "witnesses",
                                                        "features", "depth",   "certificate"};
     const auto place = [&](const ReportCell* cell) {
-        const std::string name = need_name(cell->axes);
+        const std::string name = need_name(*cell);
         const std::size_t mark = name.find(margin_mark);
         const std::string margin = mark == name.npos ? "0" : name.substr(mark + margin_mark.size());
         return std::tuple(std::find(order.begin(), order.end(), name.substr(0, mark)) - order.begin(),
@@ -166,7 +160,7 @@ TextGrid all_needs_grid(const ReportData& data) {
         const auto plain = cells.find("");
         for (const ReportCell* cell : by_need(cells)) {
             const measure::Figure ns = cell->figure("time.all_ns");
-            grid.rows.push_back(grid_row(shape, algorithm, table, need_name(cell->axes), ns,
+            grid.rows.push_back(grid_row(shape, algorithm, table, need_name(*cell), ns,
                                          plain == cells.end()
                                              ? missing_cell("the store has no plain cell to compare with")
                                              : ratio_cell(ns, plain->second->figure("time.all_ns")),

@@ -125,8 +125,6 @@ class SimplexPair {
         return (note & most) != 0 && (note & ~most) == note_of(a, b, 0);
     }
 
-    /// Of these tables, and no vertices yet.
-    void belong_to(const TableA& a, const TableB& b) { corners_.set_note(note_of(a, b, 0)); }
     /// One more, up to four.
     void push(const Corner& corner) {
         const std::uint32_t before = count();

@@ -28,6 +28,9 @@ using HalfEdge = std::uint32_t;
 /// On both sides of the edge of a segment.
 inline constexpr Index no_face = 0xffffffff;
 
+/// A body of more is refused: a pair keeps two of its features in 8 bytes (table/feature_name.hpp).
+inline constexpr std::size_t most_edges = (std::size_t{1} << 21) - 1;
+
 struct PolyhedronEdge {
     Index tail, head;   ///< vertices
     Index left, right;  ///< faces, or no_face

@@ -21,9 +21,6 @@ struct FaceRings {
     std::vector<std::vector<Index>> rings;
 };
 
-/// A body of more is refused: a pair keeps two of its features in 8 bytes (table/feature_name.hpp).
-inline constexpr std::size_t most_edges = (std::size_t{1} << 21) - 1;
-
 /// Rings of positions in `chosen`, which are indices of points: only the vertices in use, in the order of the
 /// input, and named by it.
 [[nodiscard]] FaceRings in_input_order(std::span<const Vec3d> points, std::span<const Index> chosen,

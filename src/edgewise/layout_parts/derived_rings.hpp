@@ -142,6 +142,7 @@ class DerivedRings : public BlockTable<P, Loader, typename P::Compute> {
     /// Set in the number of a half-edge whose vertex and place in its ring do not fit: its place among all of
     /// them follows, and its vertex is searched for.
     static constexpr std::uint32_t by_place = 1U << (feature_name_bits - 1);
+    static_assert(2 * most_edges < by_place, "a half-edge's place needs bits of its own");
 
     /// What a vertex leaves of a number for the place in its ring.
     [[nodiscard]] int place_bits() const {

@@ -138,6 +138,58 @@ TEST(Gate, AReferenceThatChangedIsTold) {
     EXPECT_THAT(report.notes[0], HasSubstr(baseline.entries[0].name()));
 }
 
+/// What a second look says of entries that seem slower, and of no other.
+TEST(Gate, ASecondLookAcquitsAndNeverAccuses) {
+    const GateRecord baseline = gate_of({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
+    GateRecord now = gate_of({{1, 1, 1}, {2, 1.5, 3}, {1.6, 1.4, 2}});
+    const GateReport report = compare_gate(baseline, now, 0.1);
+    ASSERT_EQ(report.count(GateVerdict::slower), 2u);
+    look_again(now, report, gate_of({{5, 4, 6}, {1.05, 1, 1.2}, {1.8, 1.7, 1.9}}));
+    EXPECT_EQ(now.entries[0].ratio.value, 1) << "it did not seem slower";
+    EXPECT_EQ(now.entries[1].ratio.value, 1.05) << "acquitted";
+    EXPECT_EQ(now.entries[2].ratio.value, 1.6) << "the kinder of two";
+    EXPECT_THAT(slower_names(compare_gate(baseline, now, 0.1)), ElementsAre(baseline.entries[2].name()));
+}
+
+TEST(Gate, GroupsOfWhatSeemsSlowerAreNamedOnce) {
+    GateRecord baseline = gate_of({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
+    baseline.entries[3].shape = "sphere38";
+    GateRecord now = baseline;
+    for (const std::size_t slower : {1, 2, 3}) now.entries[slower].ratio = {2, 1.9, 2.1};
+    EXPECT_THAT(suspect_groups(compare_gate(baseline, now, 0.1)),
+                testing::UnorderedElementsAre("cold cube8", "cold sphere38"));
+    EXPECT_THAT(suspect_groups(compare_gate(baseline, baseline, 0.1)), IsEmpty());
+}
+
+/// Over many builds that are right, one look errs on some where intervals are as wrong as 95 % ones may be;
+/// three looks on none, and a slowdown outlasts them all.
+TEST(Gate, ThreeLooksErrLessThanOneAndMissNothing) {
+    const GateRecord baseline = drawn_record(1, none_slowed, 1);
+    constexpr double tight = 0.012;  // a slack below the noise of a median of 17 rounds
+    std::size_t one_look = 0, three_looks = 0, missed = 0;
+    for (std::uint64_t seed = 2; seed < 2 + drawn_runs; ++seed) {
+        for (const bool slow : {false, true}) {
+            const std::size_t slowed = slow ? 7 : none_slowed;
+            GateRecord now = drawn_record(seed, slowed, 1.3);
+            GateReport report = compare_gate(baseline, now, tight);
+            if (!slow) one_look += report.count(GateVerdict::slower);
+            for (std::uint64_t look = 1; look <= 2; ++look) {
+                look_again(now, report, drawn_record(seed + 1000 * look, slowed, 1.3));
+                report = compare_gate(baseline, now, tight);
+            }
+            if (!slow) three_looks += report.count(GateVerdict::slower);
+            const std::vector<std::string> names = slower_names(report);
+            missed +=
+                slow && std::find(names.begin(), names.end(), baseline.entries[7].name()) == names.end();
+        }
+    }
+    std::printf("gate: of %llu right builds one look accused %zu entries, three looks %zu; missed %zu\n",
+                static_cast<unsigned long long>(drawn_runs), one_look, three_looks, missed);
+    EXPECT_GT(one_look, 0u) << "noise was none";
+    EXPECT_LT(4 * three_looks, one_look);
+    EXPECT_EQ(missed, 0u);
+}
+
 TEST(Gate, RatiosAreOfTheSameRound) {
     const std::vector<double> times = {2, 4, 6, 8, 10, 12}, beside = {1, 2, 3, 4, 5, 6};
     const auto ratio = gate_ratio(times, beside);

@@ -12,6 +12,10 @@ std::string GateEntry::name() const {
     return axes.empty() ? name : name + " " + axes;
 }
 
+std::string gate_group_name(const std::string& scene, const std::string& shape) {
+    return scene + " " + shape;
+}
+
 std::optional<GateRatio> gate_ratio(std::span<const double> times, std::span<const double> beside) {
     const std::vector<double> ratios = measure::paired_ratios(times, beside);
     if (!std::all_of(ratios.begin(), ratios.end(), [](double ratio) { return ratio > 0; }))

@@ -33,6 +33,9 @@ struct GateEntry {
     [[nodiscard]] std::string name() const;
 };
 
+/// What is measured in the same rounds, and divided by one reference: "cold cube8".
+[[nodiscard]] std::string gate_group_name(const std::string& scene, const std::string& shape);
+
 /// All of one run.
 struct GateRecord {
     std::string machine;  ///< the processor's name

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/studies/gate/run.hpp"
 
+#include <algorithm>
+
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/measure/stopwatch.hpp"
@@ -24,6 +26,11 @@ GateRecord record_without_entries(const GatePlan& plan) {
     return record;
 }
 
+bool is_asked_for(const GatePlan& plan, const std::string& group) {
+    return plan.groups.empty() ||
+           std::find(plan.groups.begin(), plan.groups.end(), group) != plan.groups.end();
+}
+
 /// False when it was stopped.
 bool add_group(const GatePlan& plan, const GateScene& scene, const std::string& shape,
                const std::atomic<bool>& stop, GateRun& run) {
@@ -40,7 +47,12 @@ bool add_group(const GatePlan& plan, const GateScene& scene, const std::string& 
 
 }  // namespace
 
-std::size_t gate_groups() { return gate_scenes().size() * gate_shapes().size(); }
+std::vector<std::string> gate_groups() {
+    std::vector<std::string> groups;
+    for (const GateScene& scene : gate_scenes())
+        for (const std::string& shape : gate_shapes()) groups.push_back(gate_group_name(scene.name, shape));
+    return groups;
+}
 
 std::optional<GateRun> run_gate(const GatePlan& plan,
                                 const std::function<void(const std::string& group)>& on_group,
@@ -48,8 +60,10 @@ std::optional<GateRun> run_gate(const GatePlan& plan,
     GateRun run{record_without_entries(plan), {}};
     for (const GateScene& scene : gate_scenes()) {
         for (const std::string& shape : gate_shapes()) {
+            const std::string name = gate_group_name(scene.name, shape);
+            if (!is_asked_for(plan, name)) continue;
             if (!add_group(plan, scene, shape, stop, run)) return std::nullopt;
-            on_group(std::string(scene.name) + " " + shape);
+            on_group(name);
         }
     }
     return run;

@@ -19,7 +19,8 @@ namespace edgewise::studies {
 struct GatePlan {
     std::vector<const bench::TableType*> types;  ///< the reference's own need not be among them
     int rounds = 17;
-    std::size_t queries = 1000;  ///< per pass
+    std::size_t queries = 1000;       ///< per pass
+    std::vector<std::string> groups;  ///< only these, as gate_groups names them; empty: all
 };
 
 struct GateRun {
@@ -28,8 +29,8 @@ struct GateRun {
         wrong;  ///< cells that gave wrong answers, and what is wrong; only a reference has its entry then
 };
 
-/// Scenes times bodies: how often `on_group` is called.
-[[nodiscard]] std::size_t gate_groups();
+/// Every scene on every body: "cold cube8".
+[[nodiscard]] std::vector<std::string> gate_groups();
 
 /// Nothing when `stop` was set. Throws std::invalid_argument when the program lacks the reference's table
 /// type, or for rounds and queries too few to tell a ratio by.

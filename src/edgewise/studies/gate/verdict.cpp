@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
+#include <set>
 
 namespace edgewise::studies {
 
@@ -73,6 +74,29 @@ GateReport compare_gate(const GateRecord& baseline, const GateRecord& now, doubl
                      [](const GateRow& a, const GateRow& b) { return a.least_change() > b.least_change(); });
     note_references(report);
     return report;
+}
+
+std::vector<std::string> suspect_groups(const GateReport& report) {
+    std::vector<std::string> groups;
+    for (const GateRow& row : report.rows) {
+        const std::string group = gate_group_name(row.now.scene, row.now.shape);
+        if (row.verdict == GateVerdict::slower &&
+            std::find(groups.begin(), groups.end(), group) == groups.end())
+            groups.push_back(group);
+    }
+    return groups;
+}
+
+void look_again(GateRecord& now, const GateReport& report, const GateRecord& again) {
+    std::set<std::string> suspects;
+    for (const GateRow& row : report.rows)
+        if (row.verdict == GateVerdict::slower) suspects.insert(row.now.name());
+    const auto second = entries_by_name(again);
+    for (GateEntry& entry : now.entries) {
+        const auto found = second.find(entry.name());
+        if (found == second.end() || !suspects.contains(entry.name())) continue;
+        if (found->second->ratio.low < entry.ratio.low) entry.ratio = found->second->ratio;
+    }
 }
 
 }  // namespace edgewise::studies
