@@ -12,6 +12,7 @@
 #include <set>
 #include <tuple>
 
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {

@@ -174,8 +174,8 @@ TEST(Claims, AreJudgedFromAnyStore) {
     EXPECT_TRUE(all["machine"].is_object());
     EXPECT_GT(all["claims"].size(), 25u);
     for (const json& claim : all["claims"]) {
-        for (const char* key :
-             {"id", "section", "claim", "paper", "ours", "unit", "verdict", "reason", "rule"})
+        for (const char* key : {"id", "kind", "section", "claim", "paper", "ours", "unit", "verdict",
+                                "reason", "rule", "conditions"})
             EXPECT_TRUE(claim[key].is_string()) << key;
         EXPECT_TRUE(claim["deterministic"].is_boolean());
     }

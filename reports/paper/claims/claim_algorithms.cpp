@@ -54,22 +54,6 @@ Claim judge_neighbours(const ReportData& data) {
     return judge_claim("support_unchanged_or_near", parts);
 }
 
-Claim judge_degenerate(const ReportData& data) {
-    Evidence all = no_evidence("no stability run of gjk on aos_f64 is stored");
-    for (const ReportCell& row : data.stability) {
-        if (row.algorithm != "gjk" || row.table != "aos_f64") continue;
-        Evidence helped = exact_evidence(all.value.value_or(0));
-        for (const store::FigureName& name :
-             std::initializer_list<store::FigureName>{"stability.refinements", "stability.fallbacks"}) {
-            const measure::Figure figure = row.figure(name);
-            helped = sum(helped, figure.value ? exact_evidence(*figure.value) : no_evidence(figure.reason));
-        }
-        // A family without the figures says nothing of the others.
-        if (helped.value || !all.value) all = helped;
-    }
-    return judge_claim("dependent_points_fail", {{"recomputed", all, more_than(0)}});
-}
-
 Claim judge_early(const ReportData& data) {
     const CellKey standing = gjk_key("paper_static", "cube8");
     std::vector<ClaimPart> parts = {
@@ -80,13 +64,6 @@ Claim judge_early(const ReportData& data) {
                          figure_of(data, standing, store::FigureName("work.accepted_{number}").of(size)),
                          only_shown(), "1"});
     return judge_claim("subdistance_accepts_early", parts);
-}
-
-Claim judge_analog(const ReportData& data) {
-    const auto agree = [&](int vertices) {
-        return figure_of(data, gjk_key("paper_static", paper_shape(vertices)), "work.features_agree");
-    };
-    return judge_claim("gjk_analog_of_features", by_size("", agree, at_least(nearly_always)));
 }
 
 }  // namespace
@@ -101,9 +78,7 @@ std::vector<Claim> algorithm_claims(const ReportData& data) {
             judge_claim("hill_climbing_beats_scan",
                         {{"exponent", growth_exponent(climbs(data)), at_most(below_scan)}}),
             judge_neighbours(data),
-            judge_early(data),
-            judge_degenerate(data),
-            judge_analog(data)};
+            judge_early(data)};
 }
 
 }  // namespace edgewise::reports

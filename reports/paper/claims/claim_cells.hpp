@@ -68,7 +68,6 @@ struct CurveRange {
 [[nodiscard]] std::vector<Evidence> values_of(const std::vector<CurvePoint>& curve);
 
 [[nodiscard]] std::vector<Claim> memory_claims(const ReportData& data);
-[[nodiscard]] std::vector<Claim> cost_claims(const ReportData& data);
 [[nodiscard]] std::vector<Claim> performance_claims(const ReportData& data);
 [[nodiscard]] std::vector<Claim> coherence_claims(const ReportData& data);
 [[nodiscard]] std::vector<Claim> scalability_claims(const ReportData& data);

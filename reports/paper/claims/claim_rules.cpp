@@ -6,6 +6,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -84,12 +86,15 @@ std::map<std::string, Claim> read_claims() {
     for (const auto& entry : nlohmann::json::parse(report_text("claims.json"))) {
         Claim& claim = claims[entry["id"]];
         claim.id = entry["id"];
+        claim.kind = entry["kind"];
         claim.section = entry["section"];
         claim.claim = joined_lines(entry["claim"]);
         claim.paper = entry["paper"];
         claim.unit = entry["unit"];
         claim.rule = joined_lines(entry["rule"]);
         claim.deterministic = entry["deterministic"];
+        if (entry.contains("not_identifiable"))
+            claim.not_identifiable = joined_lines(entry["not_identifiable"]);
     }
     return claims;
 }
@@ -104,14 +109,16 @@ void take_verdict(const Findings& findings, Claim& claim) {
     } else if (!findings.straddling.empty()) {
         claim.verdict = "inconclusive";
         claim.reason = findings.straddling;
+    } else if (!claim.not_identifiable.empty()) {
+        claim.verdict = "consistent, not identifiable";
+        claim.reason = claim.not_identifiable;
     } else {
         claim.verdict = "reproduced";
     }
 }
 
-std::string of_reading(const TimeStepReading& reading, const Claim& claim) {
-    return fmt::format("{} {}{}", reading.name, claim.verdict,
-                       claim.reason.empty() ? "" : " (" + claim.reason + ")");
+std::string of_variant(const std::string& name, const Claim& claim) {
+    return fmt::format("{} {}{}", name, claim.verdict, claim.reason.empty() ? "" : " (" + claim.reason + ")");
 }
 
 }  // namespace
@@ -142,23 +149,43 @@ Claim judge_claim(const std::string& id, const std::vector<ClaimPart>& parts) {
     return claim;
 }
 
-Claim both_readings(const std::string& id, const std::function<PartList(const TimeStepReading&)>& parts) {
-    const Claim fast = judge_claim(id, parts(reading_60th)), slow = judge_claim(id, parts(reading_half));
-    Claim claim = fast;
-    claim.rule += " Both readings of the time step, 1/60 s and 1/2 s, must agree.";
+Claim judge_variants(const std::string& id, const std::string& assumption,
+                     const std::vector<ClaimVariant>& variants) {
+    assert(!variants.empty());
+    std::vector<Claim> claims;
+    for (const ClaimVariant& variant : variants) claims.push_back(judge_claim(id, variant.parts));
+    Claim claim = claims.front();
+    claim.rule += fmt::format(" Whatever the {}.", assumption);
     claim.ours.clear();
-    if (!fast.ours.empty()) claim.ours = fmt::format("{}: {}", reading_60th.name, fast.ours);
-    if (!slow.ours.empty())
-        claim.ours = joined(claim.ours, fmt::format("{}: {}", reading_half.name, slow.ours));
-    if (fast.verdict == "reproduced" && slow.verdict == "reproduced") return claim;
-    if (fast.reason == slow.reason) return claim;
-    claim.reason = of_reading(reading_60th, fast) + "; " + of_reading(reading_half, slow);
-    if (fast.verdict == slow.verdict) return claim;
-    const bool unmeasured = fast.verdict == "not measured" || slow.verdict == "not measured";
-    claim.verdict = unmeasured ? "not measured" : "inconclusive";
-    if (!unmeasured)
-        claim.reason = "depends on the time step, which the paper does not name: " + claim.reason;
+    std::string reasons;
+    for (std::size_t i = 0; i < claims.size(); ++i) {
+        if (!claims[i].ours.empty())
+            claim.ours = joined(claim.ours, fmt::format("{}: {}", variants[i].name, claims[i].ours));
+        reasons = joined(reasons, of_variant(variants[i].name, claims[i]));
+    }
+    const auto all_are = [&](const auto& property) {
+        return std::all_of(claims.begin(), claims.end(),
+                           [&](const Claim& one) { return one.*property == claims.front().*property; });
+    };
+    if (all_are(&Claim::reason) && all_are(&Claim::verdict)) return claim;
+    claim.reason = reasons;
+    if (all_are(&Claim::verdict)) return claim;
+    for (const char* undecided : {"not measured", "inconclusive"}) {
+        claim.verdict = undecided;
+        if (std::any_of(claims.begin(), claims.end(),
+                        [&](const Claim& one) { return one.verdict == undecided; }))
+            return claim;
+    }
+    claim.verdict = "depends on: " + assumption;
+    claim.reason = fmt::format("the paper does not name its {}: {}", assumption, reasons);
     return claim;
+}
+
+Claim both_readings(const std::string& id, const std::function<PartList(const TimeStepReading&)>& parts) {
+    std::vector<ClaimVariant> variants;
+    for (const TimeStepReading& reading : {reading_60th, reading_half})
+        variants.push_back({reading.name, parts(reading)});
+    return judge_variants(id, "time step", variants);
 }
 
 }  // namespace edgewise::reports

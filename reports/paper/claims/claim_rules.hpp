@@ -48,8 +48,17 @@ inline constexpr TimeStepReading reading_60th{"at steps of 1/60 s", 1.0 / 60};
 inline constexpr TimeStepReading reading_half{"at steps of 1/2 s", 0.5};
 
 using PartList = std::vector<ClaimPart>;
-/// One verdict of both readings, each with the parts that it is given: the common one, else inconclusive,
-/// since it depends on the time step. Not measured where a reading is.
+
+/// One value of something that the paper does not say, and the evidence under it.
+struct ClaimVariant {
+    std::string name;
+    PartList parts;
+};
+/// The verdict that all variants share; not measured, or else inconclusive, where one of them is; "depends
+/// on: ASSUMPTION" where they decide otherwise. There must be some.
+[[nodiscard]] Claim judge_variants(const std::string& id, const std::string& assumption,
+                                   const std::vector<ClaimVariant>& variants);
+/// The variants of both readings.
 [[nodiscard]] Claim both_readings(const std::string& id,
                                   const std::function<PartList(const TimeStepReading&)>& parts);
 

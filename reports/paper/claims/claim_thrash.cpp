@@ -14,14 +14,8 @@ namespace {
 constexpr double considerable = 2;
 /// What goes when its cause goes: at least half.
 constexpr double cause_gone = 0.5;
-/// 256 KiB, the second level of a Pentium III Coppermine and an Athlon Thunderbird; what "fast access
-/// on-board cache" was in 2001.
-constexpr double cache_of_2001 = 256.0 * 1024;
 /// Queries are traced by the thousand: fewer misses than this are none, and a ratio to them is no number.
 constexpr double least_misses = 0.001;
-/// Slower by half: beyond what noise of a shared machine does to a median.
-constexpr double slower_here = 1.5;
-
 constexpr const char* machines[] = {"pentium3_coppermine", "pentium2_deschutes", "athlon_thunderbird"};
 
 /// Of one of the scenes paper_thrash_*, geometric mean over the speeds in a reading's range of figure 8.
@@ -71,13 +65,6 @@ Claim judge_cause(const ReportData& data) {
     });
 }
 
-Claim judge_knee(const ReportData& data) {
-    return both_readings("working_set_beyond_cache", [&](const TimeStepReading& reading) {
-        return PartList{{"knee", thrash_mean(data, 386, "vclip", "aos_f64", reading, "reuse.line_knee_bytes"),
-                         more_than(cache_of_2001)}};
-    });
-}
-
 Claim judge_locality(const ReportData& data) {
     return both_readings("more_lines_than_gjk", [&](const TimeStepReading& reading) {
         const auto lines = [&](const char* algorithm) {
@@ -87,23 +74,11 @@ Claim judge_locality(const ReportData& data) {
     });
 }
 
-Claim judge_here(const ReportData& data) {
-    const auto curve = time_curve(cells_along(data, vclip_key("paper_caches_here"), "bodies"));
-    const Evidence growth = curve.size() < 2
-                                ? no_evidence("paper_caches_here has fewer than two numbers of bodies")
-                                : quotient(curve.back().y, curve.front().y);
-    return judge_claim("thrash_measured_today", {{"most over fewest bodies", growth, at_least(slower_here)}});
-}
-
 }  // namespace
 
 std::vector<Claim> thrash_claims(const ReportData& data) {
-    return {judge_knee(data),
-            judge_locality(data),
-            judge_misses(data, "cache_misses_grow_at_386", 38, "vclip"),
-            judge_misses(data, "cache_misses_spare_gjk", 386, "gjk"),
-            judge_cause(data),
-            judge_here(data)};
+    return {judge_locality(data), judge_misses(data, "cache_misses_grow_at_386", 38, "vclip"),
+            judge_misses(data, "cache_misses_spare_gjk", 386, "gjk"), judge_cause(data)};
 }
 
 }  // namespace edgewise::reports

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/reports/paper/claims/claim_cells.hpp"
+#include "edgewise/reports/paper/claims/claim_conditions.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -22,6 +23,7 @@ std::string claims_json(const ReportData& data, const std::vector<Claim>& claims
     ClaimJson all = ClaimJson::array();
     for (const Claim& claim : claims)
         all.push_back({{"id", claim.id},
+                       {"kind", claim.kind},
                        {"section", claim.section},
                        {"claim", claim.claim},
                        {"paper", claim.paper},
@@ -29,11 +31,20 @@ std::string claims_json(const ReportData& data, const std::vector<Claim>& claims
                        {"unit", claim.unit},
                        {"verdict", claim.verdict},
                        {"reason", claim.reason},
+                       {"conditions", claim.conditions},
                        {"rule", claim.rule},
                        {"deterministic", claim.deterministic}});
     const ClaimJson machine = ClaimJson::parse(data.build.machine_json, nullptr, false);
     const ClaimJson out = {{"claims", all}, {"machine", machine.is_discarded() ? nullptr : machine}};
     return out.dump(-1, ' ', false, ClaimJson::error_handler_t::replace) + "\n";
+}
+
+/// What weighs most first.
+constexpr const char* kinds_of_claims[] = {"primary", "mechanism", "background"};
+
+std::ptrdiff_t place_of_kind(const Claim& claim) {
+    return std::find(std::begin(kinds_of_claims), std::end(kinds_of_claims), claim.kind) -
+           std::begin(kinds_of_claims);
 }
 
 /// A verdict with its number of a footnote where nothing was measured, as in every other table.
@@ -46,24 +57,31 @@ GridCell verdict_cell(const Claim& claim) {
 std::vector<Claim> judge_claims(const ReportData& data) {
     std::vector<Claim> all;
     for (const auto group :
-         {cost_claims, performance_claims, coherence_claims, scalability_claims, complexity_claims,
-          memory_claims, thrash_claims, paging_claims, robustness_claims, ease_claims, algorithm_claims}) {
+         {performance_claims, coherence_claims, scalability_claims, complexity_claims, memory_claims,
+          thrash_claims, paging_claims, robustness_claims, ease_claims, algorithm_claims}) {
         std::vector<Claim> claims = group(data);
         std::move(claims.begin(), claims.end(), std::back_inserter(all));
     }
+    for (Claim& claim : all) claim.conditions = claim_conditions(data, claim.deterministic);
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Claim& a, const Claim& b) { return place_of_kind(a) < place_of_kind(b); });
     return all;
 }
 
 std::string claims_summary(const std::vector<Claim>& claims) {
-    std::string out = plural(claims.size(), "claim") + ":";
-    const char* comma = " ";
-    for (const char* verdict : {"reproduced", "not reproduced", "inconclusive", "not measured"}) {
-        const auto count = std::count_if(claims.begin(), claims.end(),
-                                         [&](const Claim& claim) { return claim.verdict == verdict; });
-        out += fmt::format("{}{} {}", comma, count, verdict);
-        comma = ", ";
+    std::vector<std::pair<std::string, std::string>> names_by_verdict;  // in the order of the first of each
+    for (const Claim& claim : claims) {
+        if (claim.kind != kinds_of_claims[0]) continue;
+        const auto found = std::find_if(names_by_verdict.begin(), names_by_verdict.end(),
+                                        [&](const auto& entry) { return entry.first == claim.verdict; });
+        if (found == names_by_verdict.end())
+            names_by_verdict.emplace_back(claim.verdict, claim.id);
+        else
+            append(found->second, claim.id);
     }
-    return out;
+    std::string out;
+    for (const auto& [verdict, names] : names_by_verdict) append(out, verdict + ": " + names, "; ");
+    return "Primary findings " + out;
 }
 
 /// A line of short columns, then one for each longer text.
@@ -75,27 +93,29 @@ std::string claims_text(const ReportData& data, bool json) {
         id = std::max(id, claim.id.size());
         section = std::max(section, claim.section.size());
     }
-    std::string out = fmt::format("{:<{}}  {:<{}}  {}\n", "claim", id, "section", section, "verdict");
+    std::string out =
+        fmt::format("{:<{}}  {:<10}  {:<{}}  {}\n", "claim", id, "kind", "section", section, "verdict");
     for (const Claim& claim : claims) {
-        out += fmt::format("{:<{}}  {:<{}}  {}\n", claim.id, id, claim.section, section, claim.verdict);
+        out += fmt::format("{:<{}}  {:<10}  {:<{}}  {}\n", claim.id, id, claim.kind, claim.section, section,
+                           claim.verdict);
         out += fmt::format("    {}\n    paper: {}\n", claim.claim, claim.paper);
         if (!claim.ours.empty()) out += fmt::format("    here: {}\n", claim.ours);
         if (!claim.reason.empty()) out += fmt::format("    why: {}\n", claim.reason);
+        if (claim.verdict != "not measured") out += fmt::format("    holds: {}\n", claim.conditions);
     }
     return out + claims_summary(claims) + "\n";
 }
 
 TextGrid claims_grid(const ReportData& data) {
     const std::vector<Claim> claims = judge_claims(data);
-    TextGrid grid{
-        claims_summary(claims),
-        columns_of("section|claim|paper|here, with 95 % intervals|verdict|why|rule|depends on times"),
-        {}};
+    TextGrid grid{claims_summary(claims),
+                  columns_of("kind|section|claim|paper|here, with 95 % intervals|verdict|why|rule|holds"),
+                  {}};
     for (const Claim& claim : claims) {
         const bool measured = claim.verdict != "not measured";
-        grid.rows.push_back(grid_row(claim.section, claim.claim, claim.paper, claim.ours, verdict_cell(claim),
-                                     measured ? claim.reason : "", claim.rule,
-                                     claim.deterministic ? "no" : "yes"));
+        grid.rows.push_back(grid_row(claim.kind, claim.section, claim.claim, claim.paper, claim.ours,
+                                     verdict_cell(claim), measured ? claim.reason : "", claim.rule,
+                                     claim.conditions));
     }
     return grid;
 }

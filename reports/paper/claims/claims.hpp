@@ -13,26 +13,31 @@
 
 namespace edgewise::reports {
 
-/// "reproduced": every part of the evidence meets the rule with its whole interval. "not reproduced": some
-/// part misses it with its whole interval. "inconclusive": an interval straddles the rule, or two readings of
-/// the paper differ. "not measured": some part is missing, and none refutes.
+/// "reproduced": every part of the evidence meets the rule with its whole interval. "consistent, not
+/// identifiable": the same, where other causes than the paper's would meet it too. "not reproduced": some
+/// part misses it with its whole interval. "depends on: time step": two readings of the paper differ.
+/// "inconclusive": an interval straddles the rule. "not measured": some part is missing, and none refutes.
 struct Claim {
     std::string id;       ///< "bytes_per_edge_double"
+    std::string kind;     ///< "primary" finding, "mechanism" that explains one, or "background"
     std::string section;  ///< of the paper
     std::string claim;    ///< what it says, in our words
     std::string paper;    ///< its figure
     std::string ours;     ///< values, each with its 95 % interval in brackets where there is one
     std::string unit;     ///< of the values that bear no other; "1": a ratio or a share
     std::string verdict;
-    std::string reason;          ///< of every verdict but "reproduced"
-    std::string rule;            ///< in words, with what is wanted of each part
-    bool deterministic = false;  ///< the evidence depends on no time and on no kernel: same in every run
+    std::string reason;            ///< of every verdict but "reproduced"
+    std::string conditions;        ///< where the verdict holds: seeds, and the machine where times decide
+    std::string not_identifiable;  ///< what else would meet the rule; empty: nothing that we know of
+    std::string rule;              ///< in words, with what is wanted of each part
+    bool deterministic = false;    ///< the evidence depends on no time and on no kernel: same in every run
 };
 
-/// All claims, in the order of the paper's criteria; the same ones for every store.
+/// All claims: primary findings, then mechanisms, then background, each in the order of the paper's criteria;
+/// the same ones for every store.
 [[nodiscard]] std::vector<Claim> judge_claims(const ReportData& data);
 
-/// "N claims: 20 reproduced, 9 not reproduced, 5 inconclusive, 7 not measured", whatever N is.
+/// Primary findings by verdict, by name: a number of claims would be no result, since they weigh differently.
 [[nodiscard]] std::string claims_summary(const std::vector<Claim>& claims);
 
 /// What the command `claims` prints. A claim that is not reproduced is a finding, not an error.

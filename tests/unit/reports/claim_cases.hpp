@@ -21,6 +21,7 @@ struct ClaimCase {
     std::function<ReportData(double)> make;
     double reproduced, not_reproduced;
     std::optional<double> straddling = std::nullopt;
+    bool identifiable = true;  ///< false: where the rule is met the claim is consistent, no more
 };
 
 [[nodiscard]] std::vector<ClaimCase> speed_cases();   ///< cost, performance, coherence, complexity

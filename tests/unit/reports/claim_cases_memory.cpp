@@ -68,24 +68,10 @@ ReportData misses_by_table(double without) {
     return data;
 }
 
-ReportData knee(double bytes) {
-    ReportData data;
-    add_thrash(data, 386, "vclip", {{"reuse.line_knee_bytes", bytes}});
-    return data;
-}
-
 ReportData lines(double vclip) {
     ReportData data;
     add_thrash(data, 386, "vclip", {{"reuse.lines_per_query", vclip}});
     add_thrash(data, 386, "gjk", {{"reuse.lines_per_query", 1}});
-    return data;
-}
-
-ReportData here(double most) {
-    ReportData data;
-    for (const double count : {75., 600., 9600.})
-        add_cell(data, {"paper_caches_here", "sphere386", "vclip", "bodies", count},
-                 made_time(count > 1000 ? most : 1));
     return data;
 }
 
@@ -118,18 +104,23 @@ ReportData paging(double vclip_faults, double gjk_faults, double us) {
 
 std::vector<ClaimCase> memory_cases() {
     return {
-        {"bytes_per_edge_double", [](double x) { return slopes(x, 84); }, 168, 200},
-        {"bytes_halved_in_single", [](double x) { return slopes(168, x); }, 84, 100},
+        {.id = "bytes_per_edge_double",
+         .make = [](double x) { return slopes(x, 84); },
+         .reproduced = 168,
+         .not_reproduced = 200,
+         .identifiable = false},
+        {.id = "bytes_halved_in_single",
+         .make = [](double x) { return slopes(168, x); },
+         .reproduced = 84,
+         .not_reproduced = 100,
+         .identifiable = false},
         {"memory_linear_in_edges", bytes_by_size, 240, 400},
         {"memory_overhead_of_vclip", [](double x) { return table_bytes(1000 * x, 1000); }, 10, 1.2},
         {"hundreds_fill_memory", [](double x) { return table_bytes(x, 1); }, 268992, 1000},
-        {"working_set_beyond_cache", knee, 1e6, 1e5},
         {"more_lines_than_gjk", lines, 3, 0.5},
         {"cache_misses_grow_at_386", misses_by_size, 5, 1},
         {"cache_misses_spare_gjk", misses_by_algorithm, 5, 1},
         {"thrash_caused_by_tables", misses_by_table, 0.1, 0.9},
-        {"thrash_measured_today", here, 2, 1, 1.5},
-        {"memory_too_small_swaps", [](double x) { return paging(x, 0, 50); }, 1, 0.001},
         {"swapping_spares_gjk", [](double x) { return paging(1, x, 50); }, 0, 0.5},
         {"swapping_explains_figure_8", [](double x) { return paging(1, 0, x); }, 20, 2},
     };

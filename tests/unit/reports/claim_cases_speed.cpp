@@ -7,16 +7,6 @@ namespace edgewise::reports {
 
 namespace {
 
-ReportData bodies_cost(double equation_1, double equation_2) {
-    ReportData data;
-    for (const double bodies : {10., 100., 1000.})
-        add_cell(data, {"paper_bodies", "cube8", "vclip", "bodies", bodies},
-                 {{"cost.equation_1_ns", equation_1 * bodies},
-                  {"cost.equation_2_ns", equation_2 * bodies},
-                  {"cost.step_ns", bodies}});
-    return data;
-}
-
 ReportData of_static(const std::function<double(const std::string&, int)>& ns) {
     ReportData data;
     for (const std::string& algorithm : both_algorithms)
@@ -134,8 +124,6 @@ ReportData erratic(double fall) {
 std::vector<ClaimCase> speed_cases() {
     const auto slower = [](double vclip) { return angular(386)(1 / vclip); };
     return {
-        {"equation_2_predicts_step", [](double x) { return bodies_cost(1, x); }, 1, 1.5},
-        {"updates_count", [](double x) { return bodies_cost(x, 1); }, 0.7, 0.99},
         {"simplest_bodies_fastest",
          [](double x) { return of_static([=](const std::string&, int n) { return n < 38 ? 1 : x; }); }, 2,
          0.5, 1},
