@@ -141,7 +141,7 @@ void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes) 
     const std::size_t step = (values.size() + rows - 1) / rows;
     ChartJson kept = ChartJson::array();
     for (std::size_t i = 0; i < values.size(); i += step) kept.push_back(values[i]);
-    notes.push_back(fmt::format("{} of {} rows are drawn, every {}th; results.csv has them all.", kept.size(),
+    notes.push_back(fmt::format("{} of {} rows are drawn, every {}th; the store has them all.", kept.size(),
                                 values.size(), step));
     values = std::move(kept);
 }
@@ -180,7 +180,7 @@ TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fiel
         grid.rows.push_back(std::move(row));
     }
     if (values.size() > rows)
-        grid.caption = fmt::format("The first {} of {} rows; results.csv has them all.", rows, values.size());
+        grid.caption = fmt::format("The first {} of {} rows; the store has them all.", rows, values.size());
     return grid;
 }
 

@@ -11,6 +11,7 @@
 #include "edgewise/reports/page/bundles.hpp"
 #include "edgewise/reports/page/files.hpp"
 #include "edgewise/reports/page/page.hpp"
+#include "edgewise/reports/results/wide_results.hpp"
 
 namespace edgewise::reports {
 
@@ -47,7 +48,7 @@ ReportSummary write_report(const std::string& store, const std::string& out_dire
     const std::vector<Chart> charts = all_charts(data);
     const std::string scripts = bundle_scripts(bundle_directory);
     const StaticPictures pictures = write_pictures(charts, out, bundle_directory);
-    write_file(out / "results.csv", results_csv(data));
+    write_results(data, out);
     write_file(out / "report.md", report_markdown(data, charts, pictures));
     write_file(out / "index.html", page_html(data, charts, pictures, scripts));
     return summary(data, pictures, !scripts.empty(), out / "index.html");

@@ -176,6 +176,14 @@ edgewise_mutant(as_slow_is_no_worse reports/tables/pareto_front.cpp [[if (last &
 edgewise_mutant(tail_of_too_few probes/error.hpp [[if (answers.size() >= least_for_p999)]] [[if (!answers.empty())]]
     Error.HasQuantiles* ${unit}/probes/error_test.cpp)
 
+# Files of results
+edgewise_mutant(formulas_are_left_alone reports/results/csv_row.cpp [["=+-@\t\r\n'"]] [["=+@\t\r\n'"]]
+    CsvRow.* ${unit}/reports/results_test.cpp)
+edgewise_mutant(breakdowns_are_columns reports/results/main_figures.cpp [[if (!is_family(infos[i]->key)) plain]] [[plain]]
+    WideResults.* ${unit}/reports/results_test.cpp)
+edgewise_mutant(policies_are_columns reports/results/main_figures.cpp [[if (key.find('/') != std::string::npos) return std::nullopt;]] [[]]
+    WideResults.Leave* ${unit}/reports/results_test.cpp)
+
 # Store
 edgewise_mutant(old_figures_stay store/store.cpp [[delete from figure where build = ? and hash = ?]] [[delete from figure where build = ? and hash = ? and 0]]
     StoreTest.* ${unit}/store/store_test.cpp)
