@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A sweep's files of results and `edgewise export`, number by number beside the store that they are of.
+// A sweep's files of results and `edgewise export`, number by number beside the store that they are of; and
+// two stores' claims beside each other.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -96,6 +97,43 @@ TEST(Export, OfWhatTheStoreLacksIsOneLine) {
         EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr(words));
     }
+}
+
+/// A store of cubes and one without their V-Clip differ in what is said of V-Clip's bytes.
+TEST(Claims, AreComparedBetweenStores) {
+    const Folder folder;
+    ASSERT_EQ(run(rich, folder).exit_code, 0);
+    Arguments poorer = rich;
+    poorer.back() = "t.db";
+    poorer.insert(poorer.end(), {"--algorithms", "gjk"});
+    ASSERT_EQ(run(poorer, folder).exit_code, 0);
+
+    const Outcome same = run({"claims", "s.db", "--diff", "s.db"}, folder);
+    EXPECT_EQ(same.exit_code, 0) << same.err;
+    EXPECT_EQ(lines_of(same.out).size(), 1u);
+    const Outcome differs = run({"claims", "s.db", "--diff", "t.db", "--json"}, folder);
+    EXPECT_EQ(differs.exit_code, 1) << differs.err;
+    const json found = json::parse(differs.out);
+    const auto verdicts = [&](const char* store) {
+        std::map<std::string, std::string> all;
+        const json judged = json::parse(run({"claims", store, "--json"}, folder).out);
+        for (const json& claim : judged.at("claims")) all[claim["id"]] = claim["verdict"];
+        return all;
+    };
+    const auto first = verdicts("s.db"), second = verdicts("t.db");
+    std::size_t expected = 0;
+    for (const auto& [id, verdict] : first) expected += verdict != second.at(id);
+    EXPECT_EQ(found["differing"].size(), expected);
+    EXPECT_EQ(found["claims"], first.size());
+    for (const json& claim : found["differing"]) {
+        EXPECT_EQ(claim["first"]["verdict"], first.at(claim["id"]));
+        EXPECT_EQ(claim["second"]["verdict"], second.at(claim["id"]));
+    }
+    const Outcome bad = run({"claims", "s.db", "--diff", "missing.db"}, folder);
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_EQ(bad.out, "");
+    EXPECT_EQ(lines_of(bad.err).size(), 1u) << bad.err;
+    EXPECT_THAT(bad.err, HasSubstr("missing.db"));
 }
 
 }  // namespace

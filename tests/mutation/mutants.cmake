@@ -168,6 +168,9 @@ edgewise_mutant(too_much_is_no_miss reports/paper/claims/claim_rules.cpp [[ours.
 edgewise_mutant(straddling_is_met reports/paper/claims/claim_rules.cpp [[ours.low < part.wanted.low || ours.high > part.wanted.high]] [[ours.low < part.wanted.low && ours.high > part.wanted.high]]
     Claims.* ${claims})
 
+edgewise_mutant(every_claim_differs reports/paper/claims/claims_diff.cpp [[if (ours[i].verdict != theirs.at(i).verdict)]] [[if (ours[i].ours != theirs.at(i).ours)]]
+    ClaimsDiff.* ${claims} ${unit}/reports/claims_diff_test.cpp)
+
 # The Pareto front of time and error
 edgewise_mutant(equal_points_beat_each_other reports/tables/pareto_front.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && point.ns >= last->ns) continue;]]
     ParetoFront.* ${unit}/reports/pareto_front_test.cpp)
