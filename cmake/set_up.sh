@@ -21,9 +21,10 @@ give_up() {
     exit 2
 }
 
-# For the charts. npm brings hundreds of packages, so it is asked for only while the chart bundles are not there.
+# For the charts, as PDF too. npm brings hundreds of packages, so it is asked for only while the chart bundles are not there.
 names_for_charts() {
     command -v node >/dev/null 2>&1 || echo nodejs
+    command -v rsvg-convert >/dev/null 2>&1 || echo librsvg2-bin fonts-dejavu-core
     [ -f "$root/build/release/charts/vega-embed.min.js" ] || command -v npm >/dev/null 2>&1 || echo npm
 }
 

@@ -94,7 +94,14 @@ Chart chart_of_file(const std::string& name) {
     std::string how_to_read;
     for (const ChartJson& line : file["how_to_read"])
         how_to_read += (how_to_read.empty() ? "" : " ") + line.get<std::string>();
-    return {name, file["title"], how_to_read, nullptr, {}, {}, file.value("section", ""), file};
+    return {.name = name,
+            .title = file["title"],
+            .how_to_read = how_to_read,
+            .spec = nullptr,
+            .notes = {},
+            .fallback = {},
+            .section = file.value("section", ""),
+            .file = file};
 }
 
 bool take_rows(Chart& chart, ChartRows& rows, const std::string& noun) {
@@ -116,6 +123,7 @@ void draw(Chart& chart, const ReportData& data, const ChartJson& values, const C
     all["values"] = values;
     all.update(slots);
     chart.spec = fill_spec(chart.file, all);
+    chart.points = values;
 }
 
 ChartJson order_slots(const ReportData& data, const ChartJson& values) {

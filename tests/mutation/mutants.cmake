@@ -187,6 +187,9 @@ edgewise_mutant(breakdowns_are_columns reports/results/main_figures.cpp [[if (!i
 edgewise_mutant(policies_are_columns reports/results/main_figures.cpp [[if (key.find('/') != std::string::npos) return std::nullopt;]] [[]]
     WideResults.Leave* ${unit}/reports/results_test.cpp)
 
+edgewise_mutant(commands_of_other_builds reports/page/paper_figures.cpp [[if (key.starts_with(prefix) && value == data.build.id)]] [[if (key.starts_with(prefix))]]
+    Report.HasThePoints* ${unit}/reports/paper_figures_test.cpp)
+
 # Store
 edgewise_mutant(old_figures_stay store/store.cpp [[delete from figure where build = ? and hash = ?]] [[delete from figure where build = ? and hash = ? and 0]]
     StoreTest.* ${unit}/store/store_test.cpp)
