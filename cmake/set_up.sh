@@ -7,10 +7,10 @@
 # the report's charts and real bodies come from; without those a sweep still runs. Everything it says goes to stderr.
 set -eu
 
-needed='g++ cmake ninja-build git ca-certificates libeigen3-dev libqhull-dev libassimp-dev libgmp-dev libsqlite3-dev
+needed='g++ zlib1g-dev cmake ninja-build git ca-certificates libeigen3-dev libqhull-dev libassimp-dev libgmp-dev libsqlite3-dev
 nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libjemalloc-dev libpfm4-dev libgtest-dev libgmock-dev'
-# Formatting, linting, fuzzing; the second opinions on exact distances and on modelled caches.
-wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev valgrind'
+# Formatting, linting, fuzzing; second opinions on exact distances and on modelled caches; a parser of CITATION.cff.
+wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev libyaml-cpp-dev valgrind'
 # Other libraries to be measured beside ours, with EDGEWISE_PEERS=ON in the environment; and what counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
@@ -21,9 +21,10 @@ give_up() {
     exit 2
 }
 
-# For the charts. npm brings hundreds of packages, so it is asked for only while the chart bundles are not there.
+# For the charts, as PDF too. npm brings hundreds of packages, so it is asked for only while the chart bundles are not there.
 names_for_charts() {
     command -v node >/dev/null 2>&1 || echo nodejs
+    command -v rsvg-convert >/dev/null 2>&1 || echo librsvg2-bin fonts-dejavu-core
     [ -f "$root/build/release/charts/vega-embed.min.js" ] || command -v npm >/dev/null 2>&1 || echo npm
 }
 

@@ -14,6 +14,12 @@
 
 namespace edgewise::reports {
 
+/// What two stores say differently.
+struct StoreDifference {
+    std::string text;
+    bool differs = false;
+};
+
 struct Addition {
     /// All that have something to draw; those with a section stand in the chapter.
     std::vector<Chart> (*charts)(const ReportData& data);
@@ -23,6 +29,8 @@ struct Addition {
     const char *command, *command_does;  ///< a command that reads a store, and what --help says of it
     /// What the command prints.
     std::string (*command_text)(const ReportData& data, bool json);
+    /// What it prints of two stores, with --diff.
+    StoreDifference (*command_diff)(const ReportData& first, const ReportData& second, bool json);
 
     const char* bytes_key;  ///< what stands under this key in what `edgewise bytes --json` prints
     nlohmann::json (*bytes_json)();

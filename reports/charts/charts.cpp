@@ -94,7 +94,14 @@ Chart chart_of_file(const std::string& name) {
     std::string how_to_read;
     for (const ChartJson& line : file["how_to_read"])
         how_to_read += (how_to_read.empty() ? "" : " ") + line.get<std::string>();
-    return {name, file["title"], how_to_read, nullptr, {}, {}, file.value("section", ""), file};
+    return {.name = name,
+            .title = file["title"],
+            .how_to_read = how_to_read,
+            .spec = nullptr,
+            .notes = {},
+            .fallback = {},
+            .section = file.value("section", ""),
+            .file = file};
 }
 
 bool take_rows(Chart& chart, ChartRows& rows, const std::string& noun) {
@@ -116,6 +123,7 @@ void draw(Chart& chart, const ReportData& data, const ChartJson& values, const C
     all["values"] = values;
     all.update(slots);
     chart.spec = fill_spec(chart.file, all);
+    chart.points = values;
 }
 
 ChartJson order_slots(const ReportData& data, const ChartJson& values) {
@@ -141,7 +149,7 @@ void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes) 
     const std::size_t step = (values.size() + rows - 1) / rows;
     ChartJson kept = ChartJson::array();
     for (std::size_t i = 0; i < values.size(); i += step) kept.push_back(values[i]);
-    notes.push_back(fmt::format("{} of {} rows are drawn, every {}th; results.csv has them all.", kept.size(),
+    notes.push_back(fmt::format("{} of {} rows are drawn, every {}th; the store has them all.", kept.size(),
                                 values.size(), step));
     values = std::move(kept);
 }
@@ -180,7 +188,7 @@ TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fiel
         grid.rows.push_back(std::move(row));
     }
     if (values.size() > rows)
-        grid.caption = fmt::format("The first {} of {} rows; results.csv has them all.", rows, values.size());
+        grid.caption = fmt::format("The first {} of {} rows; the store has them all.", rows, values.size());
     return grid;
 }
 

@@ -27,6 +27,8 @@ struct Chart {
     TextGrid fallback;               ///< the data as a small table, where no picture can be shown
     std::string section = {};  ///< of the chapter on the paper's figures; empty: among the page's charts
     ChartJson file = {};       ///< what its file says (spec_file.hpp)
+    ChartJson points = ChartJson::array();  ///< the rows that it draws
+    int figure = 0;  ///< of the paper: then it comes as PDF and CSV too (page/paper_figures.hpp)
 };
 
 /// Its specification as JSON; what is no UTF-8 in a name is replaced.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The report as one self-contained HTML file, readable without scripts, alive with them, no network either
-// way; its tables as Markdown, for a repository or a terminal; and all of its figures as comma-separated
-// values.
+// way; its tables as Markdown, for a repository or a terminal.
 #pragma once
 
 #include <string>
@@ -22,9 +21,5 @@ namespace edgewise::reports {
 
 [[nodiscard]] std::string report_markdown(const ReportData& data, const std::vector<Chart>& charts,
                                           const StaticPictures& pictures);
-
-/// Every figure of every cell (RFC 4180): one row per cell and figure. A figure without a value has an empty
-/// value field, the state "not measured" and its reason; a cell without figures still has one row.
-[[nodiscard]] std::string results_csv(const ReportData& data);
 
 }  // namespace edgewise::reports

@@ -11,6 +11,8 @@
 #include "edgewise/reports/page/bundles.hpp"
 #include "edgewise/reports/page/files.hpp"
 #include "edgewise/reports/page/page.hpp"
+#include "edgewise/reports/page/paper_figures.hpp"
+#include "edgewise/reports/results/wide_results.hpp"
 
 namespace edgewise::reports {
 
@@ -24,8 +26,9 @@ void make_directory(const std::filesystem::path& out) {
                                              failed ? failed.message() : "it is not a directory"));
 }
 
+/// `no_pdf`: why PDFs are missing.
 ReportSummary summary(const ReportData& data, const StaticPictures& pictures, bool charts,
-                      const std::filesystem::path& page) {
+                      const std::string& no_pdf, const std::filesystem::path& page) {
     return {.cells = data.cell_count(),
             .verified = data.count("verified"),
             .failed = data.count("failed"),
@@ -34,7 +37,9 @@ ReportSummary summary(const ReportData& data, const StaticPictures& pictures, bo
             .page = page.string(),
             .charts = charts,
             .pictures = pictures.svg.size(),
-            .note = charts ? pictures.note : "The chart bundles are missing: the report shows tables only."};
+            .note = !charts                 ? "The chart bundles are missing: the report shows tables only."
+                    : pictures.note.empty() ? no_pdf
+                                            : pictures.note};
 }
 
 }  // namespace
@@ -47,10 +52,11 @@ ReportSummary write_report(const std::string& store, const std::string& out_dire
     const std::vector<Chart> charts = all_charts(data);
     const std::string scripts = bundle_scripts(bundle_directory);
     const StaticPictures pictures = write_pictures(charts, out, bundle_directory);
-    write_file(out / "results.csv", results_csv(data));
+    const std::string no_pdf = write_paper_figures(data, charts, pictures, out);
+    write_results(data, out);
     write_file(out / "report.md", report_markdown(data, charts, pictures));
     write_file(out / "index.html", page_html(data, charts, pictures, scripts));
-    return summary(data, pictures, !scripts.empty(), out / "index.html");
+    return summary(data, pictures, !scripts.empty(), no_pdf, out / "index.html");
 }
 
 }  // namespace edgewise::reports

@@ -17,7 +17,7 @@ struct ReportSummary {
     std::string note;          ///< what is missing and what to do; empty when nothing is
 };
 
-/// Reads `store` and writes index.html, report.md, results.csv and figures/ into `out_directory`.
+/// Reads `store` and writes index.html, report.md, results/ and figures/ into `out_directory`.
 /// `bundle_directory` holds the chart bundles and render_svg.mjs; it may be missing. The same store gives the
 /// same bytes. Throws std::runtime_error with one line: what, where, what to do.
 ReportSummary write_report(const std::string& store, const std::string& out_directory,

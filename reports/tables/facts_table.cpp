@@ -145,6 +145,11 @@ TextGrid facts_grid(const ReportData& data) {
             key.starts_with(store::peer_key))
             continue;  // in places of their own
         if (key == "build" || key == "seed") continue;
+        if (key.starts_with(store::command_key)) {
+            if (value == data.build.id)
+                add(grid, "filled by", "edgewise " + key.substr(std::string(store::command_key).size()));
+            continue;
+        }
         plan = plan || key == "plan";
         add(grid, key, value);
     }

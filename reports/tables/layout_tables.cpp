@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a layout costs beside its own bytes, in one scene with one shape (results.csv has all): cache lines
+// What a layout costs beside its own bytes, in one scene with one shape (results/ has all): cache lines
 // that queries touch, time to build and to refit; what was counted and what the heap took. And the memory of
 // scenes with many tables.
 #include <fmt/core.h>

@@ -46,7 +46,7 @@ TEST(SceneFiles, AreMeasuredPointByPoint) {
         0U)
         << "a table for each body";
     EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("Scenes from files"));
-    EXPECT_THAT(text_of(folder / "reports/out/results.csv"), HasSubstr(",mine,"));
+    EXPECT_THAT(text_of(folder / "reports/out/results/mine.csv"), HasSubstr(",mine,"));
     const Outcome again = sweep(folder, "aos_f64,lean_f64");
     EXPECT_EQ(again.out, outcome.out) << "nothing is measured twice";
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,5 +17,8 @@ namespace edgewise::cli_test {
 
 /// Every round with its figures.
 [[nodiscard]] std::vector<std::string> rounds_in(const std::filesystem::path& store);
+
+/// "HASH PROBE.NAME" -> value, the very double; of figures that were measured.
+[[nodiscard]] std::map<std::string, double> figures_in(const std::filesystem::path& store);
 
 }  // namespace edgewise::cli_test

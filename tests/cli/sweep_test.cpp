@@ -38,7 +38,8 @@ TEST(Sweep, MeasuresEveryCellAndSaysSoInJson) {
     EXPECT_EQ(summary["store"], "reports/out/edgewise.db");
     EXPECT_EQ(summary["report"], "reports/out/index.html");
     EXPECT_EQ(rounds_in(folder / "reports/out/edgewise.db").size(), 24u * 3);
-    for (const char* page : {"reports/out/index.html", "reports/out/report.md", "reports/out/results.csv"}) {
+    for (const char* page :
+         {"reports/out/index.html", "reports/out/report.md", "reports/out/results/tumble.csv"}) {
         EXPECT_GT(text_of(folder / page).size(), 500u) << page;
     }
 }
@@ -67,7 +68,7 @@ TEST(Sweep, AsksForNearnessWithItsMarginInTheCellsName) {
     const json summary = json::parse(outcome.out);
     EXPECT_GE(summary["cells"], 4 * 2 * 3) << "both algorithms, each with two margins beside the plain cell";
     EXPECT_EQ(summary["verified"], summary["cells"]);
-    const std::string csv = text_of(folder / "reports/out/results.csv");
+    const std::string csv = text_of(folder / "reports/out/results/tumble.csv");
     EXPECT_THAT(csv, HasSubstr("needs=nearer+margin=0.1"));
     EXPECT_THAT(csv, HasSubstr("told_by_bounds"));
     EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("aos_f64 needs=nearer+margin=1"));

@@ -93,7 +93,11 @@ const std::vector<Slip> bad_files = {
     {"folder_for_cases", {"query", "."}, {"directory"}},
     {"no_store", {"report", "missing.db"}, {"missing.db", "sweep"}},
     {"report_of_no_store", {"report", "not_a_store.db"}, {"not_a_store.db"}},
+    {"export_of_missing_store", {"export", "missing.db"}, {"missing.db", "sweep"}},
+    {"export_of_no_store", {"export", "not_a_store.db"}, {"not_a_store.db"}},
+    {"export_as_what", {"export", "not_a_store.db", "--format", "parquet"}, {"--format", "csv", "json"}},
     {"claims_of_missing_store", {"claims", "missing.db"}, {"missing.db", "sweep"}},
+    {"claims_beside_missing_store", {"claims", "missing.db", "--diff", "other.db"}, {"missing.db", "sweep"}},
     {"claims_of_no_store", {"claims", "not_a_store.db", "--json"}, {"not_a_store.db"}},
     {"sweep_into_no_store", {"sweep", "--store", "not_a_store.db", "--shapes", "cube8"}, {"not_a_store.db"}},
 };

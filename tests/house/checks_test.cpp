@@ -3,6 +3,7 @@
 // The checks themselves: each catches what was planted for it, and lets pass what it should.
 #include <gtest/gtest.h>
 
+#include "container_recipe.hpp"
 #include "dependency_rule.hpp"
 #include "file_rules.hpp"
 #include "function_spans.hpp"
@@ -222,6 +223,29 @@ TEST(LongProse, IsThatOfNeighbouringLiteralsTogether) {
     EXPECT_EQ(verdict("reports/a.cpp", "f(\"" + half + "\", \"" + half + "\");\n"), "");
     EXPECT_EQ(verdict("reports/a.cpp", "// \"" + half + half + "\"\n"), "");
     EXPECT_EQ(verdict("reports/a.cpp", "f(\"SELECT " + half + half + "\");\n"), "");
+}
+
+const std::string sound_recipe =
+    "# a\nARG BASE=x/library/debian:bookworm\nFROM ${BASE}\nCOPY cmake \\\n  cmake\nRUN sh cmake/a.sh\n"
+    "ENTRYPOINT [\"layouts/sweep\"]\nCMD [\"--paper\"]\n";
+
+std::string faults_in(const std::string& recipe) {
+    return to_text(recipe_faults(source_file("Containerfile", recipe),
+                                 {source_file("cmake/a.sh", ""), source_file("layouts/sweep", "")}));
+}
+
+TEST(ContainerRecipe, CatchesPlantedFaults) {
+    EXPECT_EQ(faults_in(sound_recipe), "");
+    EXPECT_EQ(faults_in(sound_recipe + "RUNN x\n"), "Containerfile:9: no instruction of a recipe: RUNN\n");
+    EXPECT_EQ(faults_in(sound_recipe + "RUN sh cmake/gone.sh\n"),
+              "Containerfile:9: not in the tree: cmake/gone.sh\n");
+    EXPECT_NE(faults_in(sound_recipe + "COPY gone here\n"), "");
+    EXPECT_NE(faults_in(sound_recipe + "RUN apt-get install cmake\n"), "");
+    EXPECT_NE(faults_in(sound_recipe + "RUN echo $NOBODY\n"), "");
+    EXPECT_NE(faults_in(sound_recipe + "FROM other\n"), "");
+    EXPECT_NE(faults_in("RUN x\n" + sound_recipe), "");
+    EXPECT_NE(faults_in("FROM alpine\nENTRYPOINT [\"layouts/sweep\"]\n"), "");
+    EXPECT_NE(faults_in("ARG BASE=x/library/debian:bookworm\nFROM ${BASE}\n"), "");
 }
 
 }  // namespace

@@ -170,6 +170,9 @@ edgewise_mutant(too_much_is_no_miss reports/paper/claims/claim_rules.cpp [[ours.
 edgewise_mutant(straddling_is_met reports/paper/claims/claim_rules.cpp [[ours.low < part.wanted.low || ours.high > part.wanted.high]] [[ours.low < part.wanted.low && ours.high > part.wanted.high]]
     Claims.* ${claims})
 
+edgewise_mutant(every_claim_differs reports/paper/claims/claims_diff.cpp [[if (ours[i].verdict != theirs.at(i).verdict)]] [[if (ours[i].ours != theirs.at(i).ours)]]
+    ClaimsDiff.* ${claims} ${unit}/reports/claims_diff_test.cpp)
+
 # The Pareto front of time and error
 edgewise_mutant(equal_points_beat_each_other reports/tables/pareto_front.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && point.ns >= last->ns) continue;]]
     ParetoFront.* ${unit}/reports/pareto_front_test.cpp)
@@ -177,6 +180,17 @@ edgewise_mutant(as_slow_is_no_worse reports/tables/pareto_front.cpp [[if (last &
     ParetoFront.* ${unit}/reports/pareto_front_test.cpp)
 edgewise_mutant(tail_of_too_few probes/error.hpp [[if (answers.size() >= least_for_p999)]] [[if (!answers.empty())]]
     Error.HasQuantiles* ${unit}/probes/error_test.cpp)
+
+# Files of results
+edgewise_mutant(formulas_are_left_alone reports/results/csv_row.cpp [["=+-@\t\r\n'"]] [["=+@\t\r\n'"]]
+    CsvRow.* ${unit}/reports/results_test.cpp)
+edgewise_mutant(breakdowns_are_columns reports/results/main_figures.cpp [[if (!is_family(infos[i]->key)) plain]] [[plain]]
+    WideResults.* ${unit}/reports/results_test.cpp)
+edgewise_mutant(policies_are_columns reports/results/main_figures.cpp [[if (key.find('/') != std::string::npos) return std::nullopt;]] [[]]
+    WideResults.Leave* ${unit}/reports/results_test.cpp)
+
+edgewise_mutant(commands_of_other_builds reports/page/paper_figures.cpp [[if (key.starts_with(prefix) && value == data.build.id)]] [[if (key.starts_with(prefix))]]
+    Report.HasThePoints* ${unit}/reports/paper_figures_test.cpp)
 
 # Store
 edgewise_mutant(old_figures_stay store/store.cpp [[delete from figure where build = ? and hash = ?]] [[delete from figure where build = ? and hash = ? and 0]]

@@ -86,7 +86,7 @@ void add_part(ChapterPart part, const std::vector<Chart>& charts, std::vector<Ch
 
 std::optional<Chapter> paper_chapter(const ReportData& data, const std::vector<Chart>& charts) {
     if (data.scene_files.empty()) return std::nullopt;
-    Chapter chapter{"paper", has_paper_scene(data) ? "The paper's figures" : "Scenes from files", {}, {}};
+    Chapter chapter{"paper", has_paper_scene(data) ? "The paper, replicated" : "Scenes from files", {}, {}};
     chapter.blocks.push_back({.grids = {claims_grid(data)}});
     std::vector<ChapterPart> parts;
     if (has_paper_scene(data)) parts = paper_parts(data);

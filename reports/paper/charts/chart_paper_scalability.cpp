@@ -33,8 +33,13 @@ std::map<double, double> tests_of(const StoredScene& scene, Omissions& omitted) 
     return tests;
 }
 
-ChartJson bodies_row(const std::string& series, double bodies, double tests) {
-    return {{"series", series}, {"bodies", bodies}, {"tests", tests}, {"alone", series == papers_end}};
+/// `scene`: null for what is not measured.
+ChartJson bodies_row(const ChartJson& scene, const std::string& series, double bodies, double tests) {
+    return {{"scene", scene},
+            {"series", series},
+            {"bodies", bodies},
+            {"tests", tests},
+            {"alone", series == papers_end}};
 }
 
 ChartRows bodies_rows(const ReportData& data) {
@@ -42,13 +47,14 @@ ChartRows bodies_rows(const ReportData& data) {
     std::map<double, double> pairs;
     for (const Series& series : measured) {
         for (const auto& [bodies, tests] : tests_of(scene_file(data, series.scene), rows.omitted)) {
-            rows.values.push_back(bodies_row(series.label, bodies, tests));
+            rows.values.push_back(bodies_row(series.scene, series.label, bodies, tests));
             pairs[bodies] = bodies * (bodies - 1) / 2;
         }
     }
     if (rows.values.empty()) return rows;
-    for (const auto& [bodies, count] : pairs) rows.values.push_back(bodies_row(all_pairs, bodies, count));
-    rows.values.push_back(bodies_row(papers_end, 600, 300));
+    for (const auto& [bodies, count] : pairs)
+        rows.values.push_back(bodies_row(nullptr, all_pairs, bodies, count));
+    rows.values.push_back(bodies_row(nullptr, papers_end, 600, 300));
     return rows;
 }
 
@@ -76,7 +82,7 @@ void add_bytes(ChartRows& rows, const StoredScene& scene) {
 
 Chart paper_bodies_chart(const ReportData& data) {
     Chart chart = chart_of_file("paper_bodies");
-    chart.name = "paper_figure_5";
+    number_chart(chart, 5);
     return drawn_chart(std::move(chart), data, bodies_rows(data),
                        {{"series", {measured[0].label, measured[1].label, all_pairs, papers_end}}});
 }

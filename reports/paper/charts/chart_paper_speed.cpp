@@ -85,7 +85,7 @@ ChartJson angular_slots_of(const PaperFigure& figure, double most) {
 
 Chart paper_linear_chart(const ReportData& data) {
     Chart chart = chart_of_file("paper_linear");
-    chart.name = "paper_figure_4";
+    number_chart(chart, 4);
     ChartRows rows;
     add_timed_rows(rows, scene_file(data, "paper_linear_8").cells, speed_of);
     double most = 0;
@@ -96,7 +96,7 @@ Chart paper_linear_chart(const ReportData& data) {
 Chart paper_angular_chart(const ReportData& data, int number) {
     const PaperFigure& figure = figures[number - figures[0].number];
     Chart chart = chart_of_file("paper_angular");
-    chart.name = fmt::format("paper_figure_{}", number);
+    number_chart(chart, number);
     chart.title = fmt::format(fmt::runtime(chart.title), fmt::arg("number", number),
                               fmt::arg("vertices", figure.vertices));
     chart.how_to_read = fmt::format(fmt::runtime(chart.how_to_read), fmt::arg("slowest", figure.slowest),

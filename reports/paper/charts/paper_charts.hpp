@@ -20,6 +20,12 @@ inline constexpr const char* scalability_section = "scalability";
 inline constexpr const char* thrash_section = "thrash";
 inline constexpr const char* own_section = "own";  ///< a user's own scenes
 
+/// Makes it the chart of that figure of the paper: "figure_4".
+inline void number_chart(Chart& chart, int figure) {
+    chart.figure = figure;
+    chart.name = "figure_" + std::to_string(figure);
+}
+
 /// Figure 4: time against linear speed.
 [[nodiscard]] Chart paper_linear_chart(const ReportData& data);
 /// Figures 6 (8 vertices), 7 (38) and 8 (386): time against angular speed.

@@ -16,7 +16,7 @@
 // distance and takes the nearest; positive weights always give a point of the simplex, so that answer is
 // never a lie.
 //
-// Johnson, not signed volumes throughout, because it is what the reproduced paper ran, and because the backup
+// Johnson, not signed volumes throughout, because it is what the replicated paper ran, and because the backup
 // already covers flat simplices. Unless it is asked for (sub_distance_solver.hpp), most simplices are decided
 // without its loops, by the same cofactors (cofactors.hpp).
 #pragma once

@@ -15,7 +15,7 @@ namespace edgewise {
 
 enum class SubDistanceSolver : std::uint8_t {
     cofactors,  ///< all cofactors at once; their signs tell, and the search is asked where they do not
-    johnson,    ///< Johnson's search, one subset after the other: what the reproduced paper ran
+    johnson,    ///< Johnson's search, one subset after the other: what the replicated paper ran
 };
 
 inline constexpr std::array<std::string_view, 2> sub_distance_solver_names = {"cofactors", "johnson"};

@@ -104,6 +104,7 @@ void add_calibrate(CLI::App& app, Context& context);
 void add_crosscheck(CLI::App& app, Context& context);
 void add_draw(CLI::App& app, Context& context);
 void add_effort(CLI::App& app, Context& context);
+void add_export(CLI::App& app, Context& context);
 void add_heat(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 void add_machine(CLI::App& app, Context& context);

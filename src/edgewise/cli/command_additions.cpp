@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The commands that folders below reports/ add, as `edgewise claims`: each prints what a store says.
+// The commands that folders below reports/ add, as `edgewise claims`: each prints what a store says, or what
+// two say differently.
 #include <fmt/core.h>
 
 #include "edgewise/cli/command.hpp"
@@ -8,16 +9,37 @@
 
 namespace edgewise::cli {
 
+namespace {
+
+struct StoreArguments {
+    std::string store = default_store;
+    std::string other;  ///< of --diff; empty: one store alone
+};
+
+int run_addition(const reports::Addition& addition, const StoreArguments& options, bool json) {
+    const reports::ReportData data = reports::read_report(options.store);
+    if (options.other.empty()) {
+        fmt::print("{}", addition.command_text(data, json));
+        return exit_done;
+    }
+    const auto difference = addition.command_diff(data, reports::read_report(options.other), json);
+    fmt::print("{}", difference.text);
+    return difference.differs ? exit_check_failed : exit_done;
+}
+
+}  // namespace
+
 void add_additions(CLI::App& app, Context& context) {
     for (const reports::Addition& addition : reports::additions()) {
-        auto store = std::make_shared<std::string>(default_store);
+        auto options = std::make_shared<StoreArguments>();
         CLI::App* command = app.add_subcommand(addition.command, addition.command_does);
         command->add_flag("--json", context.json, "machine-readable output on stdout");
-        command->add_option("store", *store, "store of a sweep")->capture_default_str();
-        command->callback([store, &addition, &context] {
+        command->add_option("store", options->store, "store of a sweep")->capture_default_str();
+        command->add_option("--diff", options->other,
+                            "what another store says differently; exit code 1 where something does");
+        command->callback([options, &addition, &context] {
             context.action = [=, &addition, &context] {
-                fmt::print("{}", addition.command_text(reports::read_report(*store), context.json));
-                return exit_done;
+                return run_addition(addition, *options, context.json);
             };
         });
     }

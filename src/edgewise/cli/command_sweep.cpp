@@ -14,6 +14,7 @@
 #include "edgewise/cli/progress.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
+#include "edgewise/store/schema.hpp"
 #include "edgewise/studies/effort_rows.hpp"
 #include "edgewise/studies/paging_rows.hpp"
 #include "edgewise/sweep/run.hpp"
@@ -32,7 +33,21 @@ struct SweepArguments {
     std::optional<std::size_t> stability, effort;
     bool each_mesh = false;
     std::optional<std::uint64_t> seed;
+    const CLI::App* command = nullptr;  ///< what was typed
 };
+
+/// "sweep --plan paper --rounds 5": what was typed, but for where things go; in the order of the help text.
+std::string command_line(const CLI::App& command) {
+    std::string line = command.get_name();
+    for (const CLI::Option* option : command.get_options()) {
+        const std::string name = option->get_name();
+        if (option->count() == 0 || name == "--store" || name == "--out" || name == "--json") continue;
+        line += " " + name;
+        if (option->get_items_expected_max() == 0) continue;  // a flag
+        for (const std::string& value : option->results()) line += " " + value;
+    }
+    return line;
+}
 
 /// A sweep of chosen scenes or bodies is about those: no stability run unless asked for.
 bool narrowed(const SweepArguments& options) {
@@ -180,6 +195,7 @@ int run_sweep(const SweepArguments& options, bool json) {
     studies::StabilitySummary stability;
     {
         store::Store store(options.store);
+        store.set_meta(store::command_key + command_line(*options.command), bench::this_build().id);
         summary = run_with_progress(work, store);
         if (!summary.stopped) stability = run_stability_of(work, store);
         summary.stopped = summary.stopped || stability.stopped;
@@ -204,6 +220,7 @@ void add_sweep(CLI::App& app, Context& context) {
     const CLI::Range at_least_one(1, 1'000'000'000);
     auto [command, options] = add_command(
         app, context, "sweep", "Verifies and measures every cell of a plan, then reports", run_sweep);
+    options.command = command;
     command->add_option("--plan", options.plan, "quick, paper, full, peers, or a JSON file")
         ->capture_default_str();
     command->add_option("--store", options.store, "SQLite file to fill or to resume")->capture_default_str();

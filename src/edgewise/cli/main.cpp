@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
     add_sweep(app, context);
     add_stability(app, context);
     add_report(app, context);
+    add_export(app, context);
     add_additions(app, context);
     add_bytes(app, context);
     add_draw(app, context);

@@ -15,6 +15,9 @@ inline constexpr const char* drawing_key = "drawing ";
 /// Likewise this and a scene file's name: its text, as JSON in one line.
 inline constexpr const char* scene_file_key = "scene ";
 
+/// Likewise this and the options of a sweep that filled the store: the build that ran it.
+inline constexpr const char* command_key = "command ";
+
 /// Keys of `meta` that name another library: "peer " and the cells' table type.
 inline constexpr const char* peer_key = "peer ";
 

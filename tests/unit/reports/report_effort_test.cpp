@@ -27,7 +27,7 @@ ReportCell made_up(const std::string& status, const std::string& name, std::opti
     return row;
 }
 
-ReportData made_up_data() {
+ReportData data_with_effort() {
     ReportData data;
     data.effort = {made_up("judged", "slow", 9000), made_up("verified", "vclip", 700),
                    made_up("failed", "gjk", 10), made_up("judged", "uncounted", std::nullopt)};
@@ -41,7 +41,7 @@ const GridCell& cell_of(const TextGrid& grid, std::size_t row, const std::string
 }
 
 TEST(EffortTables, StandFewestInstructionsFirstWithReasons) {
-    const TextGrid grid = effort_grid(made_up_data());
+    const TextGrid grid = effort_grid(data_with_effort());
     ASSERT_EQ(grid.rows.size(), 3U) << "what failed was not measured";
     const char* const names[] = {"vclip", "slow", "uncounted"};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -55,7 +55,7 @@ TEST(EffortTables, StandFewestInstructionsFirstWithReasons) {
     EXPECT_EQ(cell_of(grid, 0, "bytes of a table").text, "280");
     EXPECT_THAT(cell_of(grid, 2, "instructions").why, testing::HasSubstr("no valgrind"));
     EXPECT_THAT(cell_of(grid, 0, "steps").why, testing::HasSubstr("not told"));
-    EXPECT_EQ(cell_of(effort_floor_grid(made_up_data()), 0, "instructions per flop of it").text, "12");
+    EXPECT_EQ(cell_of(effort_floor_grid(data_with_effort()), 0, "instructions per flop of it").text, "12");
 }
 
 TEST(EffortTables, StandInTheChapterOfPeers) {
@@ -66,11 +66,11 @@ TEST(EffortTables, StandInTheChapterOfPeers) {
         return found;
     };
     EXPECT_FALSE(chapter_of({}));
-    const auto chapter = chapter_of(made_up_data());
+    const auto chapter = chapter_of(data_with_effort());
     ASSERT_TRUE(chapter);
     EXPECT_EQ(chapter->blocks.back().title, "What a query takes");
     EXPECT_THAT(chapter->blocks.back().paragraph, testing::HasSubstr("Callgrind"));
-    EXPECT_TRUE(made_up_data().any_failed());
+    EXPECT_TRUE(data_with_effort().any_failed());
 }
 
 }  // namespace

@@ -24,11 +24,11 @@ std::string scene_sql(const std::string& name) {
 TEST_F(Report, OfThePaperIsAChapterOfBothPages) {
     (void)write_report(make_store(scene_sql("paper_angular_8")), (directory_ / "out").string(), "");
     EXPECT_THAT(text("out/index.html"),
-                AllOf(HasSubstr("<h2 id=\"paper\">The paper&#39;s figures</h2>"),
-                      HasSubstr("id=\"chart-paper_figure_6\""), HasSubstr("href=\"#paper\"")));
-    EXPECT_THAT(text("out/report.md"), AllOf(HasSubstr("## The paper's figures"), HasSubstr("#### Figure 6"),
-                                             Not(HasSubstr("#### Figure 7"))));
-    EXPECT_THAT(text("out/figures/paper_figure_6.vl.json"), HasSubstr("250"));
+                AllOf(HasSubstr("<h2 id=\"paper\">The paper, replicated</h2>"),
+                      HasSubstr("id=\"chart-figure_6\""), HasSubstr("href=\"#paper\"")));
+    EXPECT_THAT(text("out/report.md"), AllOf(HasSubstr("## The paper, replicated"),
+                                             HasSubstr("#### Figure 6"), Not(HasSubstr("#### Figure 7"))));
+    EXPECT_THAT(text("out/figures/figure_6.vl.json"), HasSubstr("250"));
 }
 
 TEST_F(Report, OfAUsersSceneNamesNoPaper) {

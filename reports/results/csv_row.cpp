@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/results/csv_row.hpp"
+
+#include <fmt/core.h>
+
+namespace edgewise::reports {
+
+namespace {
+
+/// What a spreadsheet would run, or what looks like our own mark.
+bool needs_mark(std::string_view field) {
+    return !field.empty() && std::string_view("=+-@\t\r\n'").find(field.front()) != std::string_view::npos;
+}
+
+std::string in_quotes(std::string_view field) {
+    std::string out = "\"";
+    for (const char c : field) {
+        if (c == '"') out += '"';
+        out += c;
+    }
+    return out + '"';
+}
+
+}  // namespace
+
+void CsvRow::add(std::string_view field) {
+    if (begun_) fields_ += ',';
+    begun_ = true;
+    fields_ += field;
+}
+
+CsvRow& CsvRow::text(std::string_view field) {
+    const std::string safe = needs_mark(field) ? "'" + std::string(field) : std::string(field);
+    add(safe.find_first_of(",\"\r\n") == std::string::npos ? safe : in_quotes(safe));
+    return *this;
+}
+
+CsvRow& CsvRow::number(std::optional<double> value) {
+    add(value ? fmt::format("{}", *value) : "");
+    return *this;
+}
+
+CsvRow& CsvRow::count(std::int64_t value) {
+    add(std::to_string(value));
+    return *this;
+}
+
+CsvRow& CsvRow::seed(std::uint64_t value) {
+    add(std::to_string(value));
+    return *this;
+}
+
+}  // namespace edgewise::reports

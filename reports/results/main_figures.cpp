@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/results/main_figures.hpp"
+
+#include <fnmatch.h>
+
+#include <map>
+#include <string_view>
+
+namespace edgewise::reports {
+
+namespace {
+
+/// Families whose members are main figures.
+constexpr std::string_view main_families[] = {"caches.{machine}.{level}.misses_per_query",
+                                              "caches.{machine}.modelled_memory_ns",
+                                              "effort.{machine}.d1_misses", "effort.{machine}.ll_misses"};
+
+std::vector<const store::FigureInfo*> vocabulary() {
+    std::vector<const store::FigureInfo*> all;
+    for (const auto part : store::vocabulary_parts)
+        for (const store::FigureInfo& info : part) all.push_back(&info);
+    return all;
+}
+
+bool is_family(std::string_view key) { return key.find('{') != std::string_view::npos; }
+
+/// The family with * for each pair of braces.
+std::string pattern_of(std::string_view family) {
+    std::string pattern;
+    for (bool inside = false; const char c : family) {
+        if (c == '{') pattern += '*';
+        inside = c == '{' || (inside && c != '}');
+        if (!inside && c != '}') pattern += c;
+    }
+    return pattern;
+}
+
+struct MainFigures {
+    std::vector<const store::FigureInfo*> infos = vocabulary();
+    std::map<std::string_view, std::size_t> plain = {};
+    std::vector<std::pair<std::string, std::size_t>> families = {};
+
+    MainFigures() {
+        for (std::size_t i = 0; i < infos.size(); ++i) {
+            if (!is_family(infos[i]->key)) plain.emplace(infos[i]->key, i);
+            for (const std::string_view family : main_families)
+                if (infos[i]->key == family) families.emplace_back(pattern_of(family), i);
+        }
+    }
+};
+
+const MainFigures& main_figures() {
+    static const MainFigures all;
+    return all;
+}
+
+}  // namespace
+
+std::optional<std::size_t> main_place(const std::string& key) {
+    const MainFigures& all = main_figures();
+    if (const auto found = all.plain.find(key); found != all.plain.end()) return found->second;
+    // A machine under another policy than its own is a variant of it.
+    if (key.find('/') != std::string::npos) return std::nullopt;
+    for (const auto& [pattern, place] : all.families)
+        if (::fnmatch(pattern.c_str(), key.c_str(), 0) == 0) return place;
+    return std::nullopt;
+}
+
+const store::FigureInfo* main_info(const std::string& key) {
+    const auto place = main_place(key);
+    return place ? main_figures().infos[*place] : nullptr;
+}
+
+std::vector<const ReportCell*> every_cell(const ReportData& data) {
+    std::vector<const ReportCell*> all;
+    for (const auto* cells :
+         {&data.cells, &data.from_files, &data.stability, &data.paging, &data.effort, &data.peers})
+        for (const ReportCell& cell : *cells) all.push_back(&cell);
+    return all;
+}
+
+}  // namespace edgewise::reports

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise export`: figures of a store in long form, breakdowns too, as CSV or JSON. No Parquet: Debian 12
+// packages no library that writes it.
+#include <fmt/format.h>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/reports/page/files.hpp"
+#include "edgewise/reports/results/export.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct ExportArguments {
+    std::string store = default_store;
+    std::string format = "csv";
+    std::string out;
+    reports::ExportChoice choice;
+};
+
+int run_export(const ExportArguments& options, bool json) {
+    reports::ExportChoice choice = options.choice;
+    if (json || options.format == "json") choice.format = reports::ExportFormat::json;
+    const std::string text = reports::export_text(reports::read_report(options.store), choice);
+    if (options.out.empty())
+        fmt::print("{}", text);
+    else
+        reports::write_file(options.out, text);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Context& context) {
+    auto [command, options] =
+        add_command(app, context, "export", "Figures of a store, breakdowns too, as CSV or JSON", run_export);
+    command->add_option("store", options.store, "store of a sweep")->capture_default_str();
+    add_names(*command, "--figures", options.choice.figures,
+              "patterns such as 'time.*' or 'caches.*.step.*'; the main figures if not given");
+    add_names(*command, "--scenes", options.choice.scenes, "only these scenes");
+    add_names(*command, "--layouts", options.choice.layouts, "only these layouts or table types");
+    command->add_option("--format", options.format, "csv or json")
+        ->check(CLI::IsMember({"csv", "json"}))
+        ->capture_default_str();
+    command->add_option("--out", options.out, "file to write; stdout if not given");
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+//
+// The results as files: read back, they are the store's numbers to the bit, and no text of theirs is a
+// formula to a spreadsheet.
+#include "edgewise/reports/results/wide_results.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "csv_reader.hpp"
+#include "edgewise/reports/page/report.hpp"
+#include "edgewise/reports/results/csv_row.hpp"
+#include "edgewise/reports/results/main_figures.hpp"
+#include "paper_data.hpp"
+#include "report_store.hpp"
+
+namespace edgewise::reports {
+namespace {
+
+/// One scene with two cells, of which the second has a figure less; breakdowns and awkward numbers.
+ReportData two_cells() {
+    ReportData data;
+    data.build.id = "b";
+    const MadeUp values = {{"time.all_ns", 0.1},
+                           {"time.all_ratio", -1.0 / 3},
+                           {"error.worst_error_given", 5e-324},
+                           {"bytes.table_bytes", 9007199254740993.0},
+                           {"caches.zen5.L1.misses_per_query", 1e300},
+                           {"caches.zen5/fifo.L1.misses_per_query", 7},
+                           {"caches.zen5.L1.step.vertex_face", 8},
+                           {"reuse.line_misses_at_2^12", 9}};
+    MadeUp fewer = values;
+    fewer.erase("time.all_ns");
+    data.cells = {made_up_cell("cold", "vclip", "{\"a\":1}", values),
+                  made_up_cell("cold", "gjk", "{\"a\":1}", fewer)};
+    data.cells[0].hash = "1", data.cells[1].hash = "2";
+    return data;
+}
+
+TEST(WideResults, ReadBackAreTheStoresNumbersToTheBit) {
+    const ReportData data = two_cells();
+    const CsvTable table(wide_results(data).at("cold.csv"));
+    ASSERT_EQ(table.rows(), 2u);
+    for (const ReportCell& cell : data.cells) {
+        const std::size_t row = table.where("hash", cell.hash);
+        EXPECT_EQ(table.text(row, "algorithm"), cell.algorithm);
+        EXPECT_EQ(table.text(row, "scene_parameters"), "{\"a\":1}");
+        std::size_t found = 0;
+        for (const store::FigureRow& figure : cell.figures) {
+            const std::string key = figure_key(figure);
+            if (!main_place(key)) continue;
+            ++found;
+            EXPECT_EQ(std::strtod(table.raw(row, key).c_str(), nullptr), *figure.value) << key;
+        }
+        EXPECT_EQ(found, cell.hash == "1" ? 5u : 4u);
+    }
+    EXPECT_EQ(table.raw(table.where("hash", "2"), "time.all_ns"), "") << "not measured is no number";
+}
+
+TEST(WideResults, LeaveBreakdownsToTheStore) {
+    const CsvTable table(wide_results(two_cells()).at("cold.csv"));
+    EXPECT_TRUE(table.has("caches.zen5.L1.misses_per_query"));
+    for (const char* breakdown : {"caches.zen5/fifo.L1.misses_per_query", "caches.zen5.L1.step.vertex_face",
+                                  "reuse.line_misses_at_2^12"})
+        EXPECT_FALSE(table.has(breakdown)) << breakdown;
+}
+
+TEST(WideResults, SayWhyFieldsAreEmptyAndWhatColumnsAre) {
+    ReportData data = two_cells();
+    data.cells[1].figures.push_back({{"all_ns", std::nullopt, "ns", "no clock", "bring one"}, "time"});
+    const auto files = wide_results(data);
+    const CsvTable missing(files.at("about/not_measured.csv"));
+    ASSERT_EQ(missing.rows(), 1u);
+    EXPECT_EQ(missing.text(0, "file"), "cold.csv");
+    EXPECT_EQ(missing.text(0, "figure"), "time.all_ns");
+    EXPECT_EQ(missing.text(0, "cells"), "1");
+    EXPECT_EQ(missing.text(0, "reason"), "no clock");
+    EXPECT_EQ(missing.text(0, "remedy"), "bring one");
+    const CsvTable about(files.at("about/columns.csv"));
+    const std::size_t row = about.where("figure", "time.all_ns");
+    EXPECT_EQ(about.text(row, "population"), "all");
+    EXPECT_EQ(about.text(row, "repeats"), "timed");
+    EXPECT_EQ(about.text(about.where("figure", "bytes.table_bytes"), "repeats"), "exactly");
+}
+
+/// Names of files are letters, digits, '_' and '-': none leaves the folder.
+TEST(WideResults, AreAFilePerScene) {
+    ReportData data = two_cells();
+    data.from_files = {made_up_cell("../mine", "gjk", "{}", {{"time.all_ns", 3}})};
+    data.effort = {made_up_cell("effort tumble", "gjk", "{}", {{"effort.instructions", 4}})};
+    std::vector<std::string> names;
+    for (const auto& [name, text] : wide_results(data)) names.push_back(name);
+    EXPECT_THAT(names, testing::UnorderedElementsAre("cold.csv", "___mine.csv", "effort_tumble.csv",
+                                                     "about/columns.csv", "about/not_measured.csv"));
+}
+
+TEST(CsvRow, TextsAreNoFormulasAndComeBack) {
+    const std::vector<std::string> texts = {"=1+1", "+1", "-1",           "@sum(a1)", "'quoted'", "\ttab",
+                                            "a,b",  "\"", "two\r\nlines", "=\"a\",b", "",         "a=b"};
+    CsvRow header, row;
+    for (std::size_t i = 0; i < texts.size(); ++i) header.text("c" + std::to_string(i)), row.text(texts[i]);
+    const CsvTable table(header.line() + row.line());
+    ASSERT_EQ(table.rows(), 1u);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const std::string column = "c" + std::to_string(i), raw = table.raw(0, column);
+        EXPECT_EQ(table.text(0, column), texts[i]);
+        EXPECT_TRUE(raw.empty() || std::string("=+-@\t").find(raw[0]) == std::string::npos) << raw;
+    }
+}
+
+TEST(CsvRow, NumbersAreNotTouched) {
+    EXPECT_EQ(CsvRow().number(-1.5).number(std::nullopt).count(-3).seed(~0ull).number(5e-324).line(),
+              "-1.5,,-3,18446744073709551615,5e-324\r\n");
+}
+
+TEST_F(Report, HasEveryCellOfTheBuildInItsResults) {
+    (void)write_report(make_store(), (directory_ / "out").string(), "");
+    const CsvTable fixed(text("out/results/static.csv")), turning(text("out/results/tumble.csv"));
+    EXPECT_EQ(fixed.rows(), 3u);
+    EXPECT_EQ(turning.rows(), 2u);
+    for (const char* hash : {"h-full", "h-bare", "h-failed"})
+        EXPECT_NO_THROW((void)fixed.where("hash", hash));
+    EXPECT_EQ(fixed.text(fixed.where("hash", "h-failed"), "status_reason"),
+              "3 wrong verdicts, \"first\" at 17");
+    EXPECT_EQ(std::stod(fixed.raw(fixed.where("hash", "h-full"), "error.worst_error_given")), 2.5e-16);
+    const std::size_t null = turning.where("hash", "h-null");
+    EXPECT_EQ(turning.text(null, "shape"), "cow</script><b>&\"");
+    EXPECT_EQ(turning.raw(null, "time.overlapping_ns"), "");
+    const CsvTable missing(text("out/results/about/not_measured.csv"));
+    EXPECT_NO_THROW((void)missing.where("reason", "no overlapping pair in this cell"));
+    EXPECT_NO_THROW((void)missing.where("reason", "the cell is unavailable: mesh unreadable"));
+}
+
+TEST_F(Report, LeavesNoResultsOfAnEarlierStore) {
+    fs::create_directories(directory_ / "out" / "results");
+    write_file(directory_ / "out" / "results" / "gone.csv", "old\r\n");
+    (void)write_report(make_store(), (directory_ / "out").string(), "");
+    EXPECT_FALSE(fs::exists(directory_ / "out" / "results" / "gone.csv"));
+}
+
+}  // namespace
+}  // namespace edgewise::reports
