@@ -67,7 +67,7 @@ Evidence larger_over_smaller(const Evidence& a, const Evidence& b) {
 
 Claim judge_shrinking(const ReportData& data) {
     const auto steps = [&](const char* scene) {
-        return curve_of(cells_along(data, vclip_key(scene), "bodies"), "error.mean_steps");
+        return curve_of(cells_along(data, vclip_key(scene), "bodies"), store::mean_steps.warm());
     };
     Evidence difference = no_evidence("the two scenes have no number of bodies in common");
     const std::vector<CurvePoint> shrunk = steps("paper_bodies_shrinking");
