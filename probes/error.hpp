@@ -58,10 +58,8 @@ class error {
             store::figure("error.refinements", counts.refinements),
             store::figure("error.escapes", counts.escapes),
             store::figure("error.cycles", counts.cycles),
-            counts.queries == 0 ? store::no_figure("error.mean_steps", "no query was asked", "")
-                                : store::mean_figure("error.mean_steps", counts.steps, counts.queries),
-            store::figure("error.max_steps", counts.max_steps),
         };
+        add_steps(counts, all);
         add_control(answers, all);
         return all;
     }
@@ -71,6 +69,19 @@ class error {
     static constexpr std::size_t least_for_p999 = 1000;
 
   private:
+    static void add_steps(const measure::AnswerCounts& counts, std::vector<measure::Figure>& all) {
+        const std::uint64_t warm = counts.warm, cold = counts.queries - warm;
+        store::add_means(store::mean_steps,
+                         {counts.steps, counts.steps - counts.warm_steps, counts.warm_steps},
+                         {counts.queries, cold, warm}, all);
+        const auto most = [](int steps, std::uint64_t queries) {
+            return queries > 0 ? std::optional<double>(steps) : std::nullopt;
+        };
+        store::add_values(
+            {"error.max_steps", "error.max_steps.{start}"},
+            {counts.max_steps, most(counts.max_cold_steps, cold), most(counts.max_warm_steps, warm)}, all);
+    }
+
     static void leave_out_distances(std::vector<measure::Figure>& all, const char* reason) {
         for (measure::Figure& figure : all) {
             if (!figure.name.ends_with("_stored") && !figure.name.ends_with("_given") &&

@@ -35,10 +35,14 @@ class heat {
             feature("heat.touched_faces", tables.faces, "faces")};
         for (const auto& [component, part] : tables.by_component)
             all.push_back(store::figure(store::FigureName("heat.touched_{component}").of(component), part));
+        store::add_means({"heat.lines_of_query", "heat.lines_of_query.{start}"}, found.lines_of_queries,
+                         found.queries, all);
+        constexpr store::StartNames accesses{"heat.accesses.{field}", "heat.accesses.{field}.{start}"};
         for (std::size_t i = 0; i < trace.fields.size(); ++i) {
-            if (found.by_field[i] == 0) continue;
-            all.push_back(store::mean_figure(store::FigureName("heat.accesses.{field}").of(trace.fields[i]),
-                                             found.by_field[i], found.queries));
+            if (found.by_field.all[i] == 0) continue;
+            store::add_means(accesses.of(trace.fields[i]),
+                             {found.by_field.all[i], found.by_field.cold[i], found.by_field.warm[i]},
+                             found.queries, all);
         }
         return all;
     }

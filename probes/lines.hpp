@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Cache lines: how many distinct lines of 64 bytes a query reads of both tables, and what of their bytes it
-// asked for, over the first queries of the scene (the first warm ones where pairs are followed). Padding may
-// lower the first and raise the table's size: a cache pays for lines.
+// asked for; of queries that start cold and warm apart. Over the first queries of the scene; where it is
+// asked step after step, over as many pairs, followed through fifty steps or more. Padding may lower the
+// first and raise the table's size: a cache pays for lines.
 #pragma once
 
 #include "edgewise/bench/probe.hpp"
@@ -11,31 +12,47 @@
 
 namespace edgewise::probes {
 
-struct lines {
+class lines {
+  public:
     static constexpr std::string_view summary =
         "distinct cache lines a query touches in both tables, and bytes and reads it asks for";
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         measure::LineCounter counter;
-        static_cast<void>(cell.runner.trace(measure::traced_queries, counter));
+        static_cast<void>(
+            cell.runner.trace(bench::sampled_extent(cell.workload, measure::traced_queries), counter));
         return {figures(counter.sums(), cell.counts.told > 0)};
     }
 
     /// `may_be_none`: some queries were answered without a look at the tables, so that these may be all.
-    [[nodiscard]] static std::vector<measure::Figure> figures(const measure::LinesTouched& touched,
-                                                              bool may_be_none = false) {
-        const auto mean = [&](const store::FigureName& name, std::uint64_t sum) {
-            if (touched.queries == 0)
-                return store::no_figure(name, "no query was traced", "ask for more queries");
-            if (touched.reads == 0 && !may_be_none)
-                return store::no_figure(name, "the layout does not tell its loader what it reads",
-                                        "read through the loader");
-            return store::mean_figure(name, sum, touched.queries);
+    [[nodiscard]] static std::vector<measure::Figure> figures(
+        const measure::ByStart<measure::LinesTouched>& touched, bool may_be_none = false) {
+        using store::StartNames;
+        constexpr StartNames bytes{"lines.line_bytes_per_query", "lines.line_bytes_per_query.{start}"},
+            read{"lines.read_bytes_per_query", "lines.read_bytes_per_query.{start}"},
+            reads{"lines.reads_per_query", "lines.reads_per_query.{start}"};
+        const auto each = [&](const auto& of) {
+            return measure::ByStart<std::uint64_t>{of(touched.all), of(touched.cold), of(touched.warm)};
         };
-        return {mean("lines.lines_per_query", touched.lines),
-                mean("lines.line_bytes_per_query", touched.lines * measure::cache_line),
-                mean("lines.read_bytes_per_query", touched.bytes),
-                mean("lines.reads_per_query", touched.reads)};
+        using Sums = const measure::LinesTouched&;
+        const auto queries = each([](Sums sums) { return sums.queries; });
+        std::vector<measure::Figure> all;
+        store::add_means(store::lines_read, each([](Sums sums) { return sums.lines; }), queries, all);
+        store::add_means(bytes, each([](Sums sums) { return sums.lines * measure::cache_line; }), queries,
+                         all);
+        store::add_means(read, each([](Sums sums) { return sums.bytes; }), queries, all);
+        store::add_means(reads, each([](Sums sums) { return sums.reads; }), queries, all);
+        if (touched.all.queries > 0 && touched.all.reads == 0 && !may_be_none) leave_out(all);
+        return all;
+    }
+
+  private:
+    static void leave_out(std::vector<measure::Figure>& all) {
+        for (measure::Figure& figure : all) {
+            figure.value.reset();
+            figure.reason = "the layout does not tell its loader what it reads";
+            figure.remedy = "read through the loader";
+        }
     }
 };
 

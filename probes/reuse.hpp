@@ -2,8 +2,12 @@
 //
 // Exact reuse distances: how many misses a query has in a fully associative LRU cache of any size, at lines
 // of 64 bytes and at pages of 4 KiB, in the steady pass; the knee, below which the scene thrashes
-// (measure/cache/reuse_distance.hpp has the rule); and the working sets.
+// (measure/cache/reuse_distance.hpp has the rule), of queries that start cold and warm apart: a warm one's
+// use of what a cold one brought in is its own; and the working sets.
 #pragma once
+
+#include <optional>
+#include <string>
 
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/bench/trace/trace_scene.hpp"
@@ -34,20 +38,38 @@ class reuse {
     static void add_unit(const measure::SceneTrace& trace, const measure::ReuseOf& unit,
                          const store::ReuseNames& names, int least, int most,
                          std::vector<measure::Figure>& all) {
-        all.push_back(store::mean_figure(names.per_query, unit.touched, trace.queries));
+        store::add_means(names.per_query, unit.touched, trace.queries, all);
         all.push_back(store::figure(names.of_scene, unit.distinct));
         all.push_back(store::mean_figure(names.of_body, unit.of_tables, trace.tables));
         all.push_back(trace.frames > 0
                           ? store::mean_figure(names.of_frame, unit.in_frames, trace.frames)
                           : store::no_figure(names.of_frame, "the scene is not asked frame after frame",
                                              "tumble with in_time_order=1, or pressure"));
-        all.push_back(
-            store::figure(names.knee, measure::knee(unit.steady, unit.with_scene) * unit.unit_bytes));
+        add_knees(trace, unit, names.knee, all);
         for (int power = least; power <= most; power += 1) {
             const std::uint64_t size = (std::uint64_t{1} << power) / unit.unit_bytes;
-            all.push_back(store::mean_figure(names.misses.of(std::to_string(power)), unit.steady.misses(size),
-                                             trace.queries));
+            const std::string exponent = std::to_string(power);
+            store::add_means(
+                names.misses.of(exponent),
+                {unit.steady.all.misses(size), unit.steady.cold.misses(size), unit.steady.warm.misses(size)},
+                trace.queries, all);
         }
+    }
+
+    static void add_knees(const measure::SceneTrace& trace, const measure::ReuseOf& unit,
+                          const store::StartNames& names, std::vector<measure::Figure>& all) {
+        const auto knee = [&](const measure::MissCurve& curve, std::uint64_t touched,
+                              std::uint64_t queries) -> std::optional<double> {
+            if (queries == 0) return std::nullopt;
+            return static_cast<double>(measure::knee(curve, touched) * unit.unit_bytes);
+        };
+        const auto& steady = unit.steady;
+        const auto& touched = unit.with_scene;
+        store::add_values(names,
+                          {knee(steady.all, touched.all, trace.queries.all),
+                           knee(steady.cold, touched.cold, trace.queries.cold),
+                           knee(steady.warm, touched.warm, trace.queries.warm)},
+                          all);
     }
 };
 

@@ -2,7 +2,8 @@
 //
 // Time: nanoseconds per query, of separated pairs and of pairs in contact; medians over the interleaved
 // rounds with a bootstrap interval; and the headline, the median ratio to the baseline cell timed in the same
-// round.
+// round. All of these are of queries that start warm where pairs are followed: what a pair's first query
+// costs stands apart, by name (time.query_ns).
 #pragma once
 
 #include "edgewise/bench/probe.hpp"
@@ -19,21 +20,41 @@ class time {
     static constexpr bool of_peers = true;
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
-        return {figures(cell.rounds)};
+        return {figures(cell.rounds, cell.workload.warm)};
     }
 
-    [[nodiscard]] static std::vector<measure::Figure> figures(std::span<const measure::Round> rounds) {
+    /// warm: pairs are followed.
+    [[nodiscard]] static std::vector<measure::Figure> figures(std::span<const measure::Round> rounds,
+                                                              bool warm) {
         std::vector<measure::Figure> result;
         add(result, store::separated_time, rounds, &measure::Timing::separated,
             "the cell has no separated pair");
         add(result, store::overlapping_time, rounds, &measure::Timing::overlapping,
             "the cell has no overlapping pair");
         add(result, store::all_time, rounds, &measure::Timing::all, "no query was timed");
+        add_by_start(result, rounds, warm);
         result.push_back(store::figure("time.rounds", rounds.size()));
         return result;
     }
 
   private:
+    static void add_by_start(std::vector<measure::Figure>& result, std::span<const measure::Round> rounds,
+                             bool warm) {
+        measure::ByStart<std::vector<double>> each;
+        const auto note = [](const std::optional<double>& ns, std::vector<double>& to) {
+            if (ns) to.push_back(*ns);
+        };
+        for (const measure::Round& round : rounds) {
+            const measure::ByStart<std::optional<double>> ns = round.timing.by_start(warm);
+            note(ns.all, each.all);
+            note(ns.cold, each.cold);
+            note(ns.warm, each.warm);
+        }
+        store::add_values(store::query_time,
+                          {measure::median(each.all), measure::median(each.cold), measure::median(each.warm)},
+                          result);
+    }
+
     /// `none`: why no round has such queries.
     static void add(std::vector<measure::Figure>& result, const store::QueryTime& names,
                     std::span<const measure::Round> rounds, measure::PerQuery per_query, const char* none) {

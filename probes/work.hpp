@@ -73,12 +73,28 @@ class work {
                                                               Needs needs) {
         const char* const cold = "no query starts warm";
         const store::FigureName unchanged("work.unchanged"), told("work.told_by_bounds");
-        if (needs == Needs::nearer)
-            return {store::no_figure(unchanged, "bounds answer most queries, which start nowhere",
-                                     "a cell that needs more"),
-                    share(told, counts.told, counts.warm, cold)};
-        return {share(unchanged, counts.unchanged, counts.warm, cold),
-                store::no_figure(told, "no answer may come from bounds", "needs=nearer")};
+        std::vector<measure::Figure> all = of_first(counts);
+        if (needs == Needs::nearer) {
+            all.push_back(store::no_figure(unchanged, "bounds answer most queries, which start nowhere",
+                                           "a cell that needs more"));
+            all.push_back(share(told, counts.told, counts.warm, cold));
+        } else {
+            all.push_back(share(unchanged, counts.unchanged, counts.warm, cold));
+            all.push_back(store::no_figure(told, "no answer may come from bounds", "needs=nearer"));
+        }
+        return all;
+    }
+
+    /// How many queries are their pair's first, where pairs are followed.
+    [[nodiscard]] static std::vector<measure::Figure> of_first(const measure::AnswerCounts& counts) {
+        const store::FigureName first("work.first_queries"), share_of("work.first_share");
+        if (!counts.follows_pairs || counts.queries == 0) {
+            const char* const reason = "no pair is followed: every query starts cold";
+            return {store::no_figure(first, reason, "another scene"),
+                    store::no_figure(share_of, reason, "another scene")};
+        }
+        return {store::figure(first, counts.queries - counts.warm),
+                store::mean_figure(share_of, counts.queries - counts.warm, counts.queries)};
     }
 
     /// None of it depends on the layout, so it is done for one.

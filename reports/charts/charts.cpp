@@ -201,15 +201,18 @@ void add_time(ChartJson& row, const ReportCell& cell, const store::QueryTime& ti
     }
 }
 
-void add_misses(const ReportCell& cell, const ChartJson& named, ChartJson& values) {
-    for (const store::FigureRow& figure : cell.figures) {
-        for (const store::ReuseNames& family : store::reuse_names) {
-            const auto power = family.misses.value_in(figure.probe, figure.name);
-            if (!power || !figure.value) continue;
+void add_misses(const ReportCell& cell, const ChartJson& named, Starts starts, ChartJson& values) {
+    constexpr int least = 10, most = 30;  // as the probe `reuse` makes them
+    for (const store::ReuseNames& family : store::reuse_names) {
+        for (int power = least; power <= most; ++power) {
+            const std::string exponent = std::to_string(power);
+            const store::StartNames names = family.misses.of(exponent);
+            const measure::Figure misses = cell.figure(starts == Starts::warm ? names.warm() : names.all);
+            if (!misses.value) continue;
             ChartJson row = named;
             row["unit"] = family.units;
-            row["bytes"] = std::ldexp(1.0, std::stoi(*power));
-            row["misses"] = *figure.value;
+            row["bytes"] = std::ldexp(1.0, power);
+            row["misses"] = *misses.value;
             values.push_back(std::move(row));
         }
     }
@@ -217,7 +220,8 @@ void add_misses(const ReportCell& cell, const ChartJson& named, ChartJson& value
 
 Chart misses_chart(const ReportData& data) {
     ChartRows rows;
-    for (const ReportCell* cell : modelled_cells(data)) add_misses(*cell, cell_json(*cell), rows.values);
+    for (const ReportCell* cell : modelled_cells(data))
+        add_misses(*cell, cell_json(*cell), Starts::all, rows.values);
     return drawn_chart(chart_of_file("misses"), data, std::move(rows));
 }
 

@@ -83,8 +83,10 @@ void draw(Chart& chart, const ReportData& data, const ChartJson& values,
 [[nodiscard]] ChartJson cell_json(const ReportCell& cell);
 /// Adds a time and its interval, whose ends are the time where they are not stored.
 void add_time(ChartJson& row, const ReportCell& cell, const store::QueryTime& time);
+/// Which queries a chart is about: all, or those that start warm.
+enum class Starts { all, warm };
 /// Adds a row like `named` for each size of a cache for which the cell's misses are stored.
-void add_misses(const ReportCell& cell, const ChartJson& named, ChartJson& values);
+void add_misses(const ReportCell& cell, const ChartJson& named, Starts starts, ChartJson& values);
 /// Colours by layout, shapes by algorithm, dashes by precision, each from a fixed order of names, whatever
 /// else is shown or hidden; of curves also dashes by variant and shapes by point (charts.hpp).
 [[nodiscard]] ChartJson order_slots(const ReportData& data, const ChartJson& values);

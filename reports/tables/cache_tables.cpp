@@ -24,7 +24,7 @@ std::vector<std::string> levels_of(const ReportData& data, const std::string& ma
     std::set<std::pair<bool, std::string>> found;
     for (const ReportCell& cell : data.cells) {
         for (const store::FigureRow& figure : cell.figures) {
-            if (const auto level = store::level_misses.of(machine).value_in(figure.probe, figure.name))
+            if (const auto level = store::level_misses.all.of(machine).value_in(figure.probe, figure.name))
                 found.insert({level->find("TLB") != std::string::npos, *level});
         }
     }
@@ -78,22 +78,27 @@ TextGrid misses_grid(const ReportData& data) {
     std::vector<FigureColumn> columns;
     for (const auto& [machine, of_machine] : levels) {
         for (const std::string& level : of_machine)
-            columns.push_back({fmt::format("{} {}", machine, level), store::level_misses.of(machine, level)});
-        columns.push_back({machine + " memory, ns", store::memory_time.of(machine)});
+            columns.push_back(
+                {fmt::format("{} {}", machine, level), store::level_misses.all.of(machine, level)});
+        columns.push_back({machine + " memory, ns", store::memory_time.all.of(machine)});
+        columns.push_back({machine + " memory, ns (warm starts)", store::memory_time.of(machine).warm()});
     }
-    return cache_grid(data,
-                      "Misses per query in the steady pass, by machine and level; memory time is a "
-                      "model, with * one of latencies that no source proves",
-                      columns);
+    return cache_grid(
+        data,
+        "Misses per query in the steady pass, by machine and level, of all queries, a pair's cold "
+        "first one too; memory time is a "
+        "model, with * one of latencies that no source proves",
+        columns);
 }
 
 TextGrid causes_grid(const ReportData& data, const std::string& machine) {
-    const FigureColumn of_level[] = {{"compulsory (warm)", "caches.{machine}.{level}.compulsory_per_query"},
-                                     {"all (warm)", "caches.{machine}.{level}.warm_misses_per_query"},
-                                     {"all (cold)", "caches.{machine}.{level}.cold_misses_per_query"},
-                                     {"capacity", "caches.{machine}.{level}.capacity_per_query"},
-                                     {"conflict", "caches.{machine}.{level}.conflict_per_query"},
-                                     {"all per edge", "caches.{machine}.{level}.misses_per_edge"}};
+    const FigureColumn of_level[] = {
+        {"compulsory (first pass)", "caches.{machine}.{level}.compulsory_per_query"},
+        {"all (first pass)", "caches.{machine}.{level}.first_pass_misses_per_query"},
+        {"all (emptied)", "caches.{machine}.{level}.emptied_misses_per_query"},
+        {"capacity", "caches.{machine}.{level}.capacity_per_query"},
+        {"conflict", "caches.{machine}.{level}.conflict_per_query"},
+        {"all per edge", "caches.{machine}.{level}.misses_per_edge"}};
     const std::vector<std::string> levels = levels_of(data, machine);
     std::vector<FigureColumn> columns;
     for (const std::string& level : levels)
@@ -140,6 +145,8 @@ TextGrid breakdown_grid(const ReportData& data, const std::string& machine, cons
 TextGrid working_sets_grid(const ReportData& data) {
     constexpr double lines = 64.0 / 1024, pages = 4;  // KiB
     const FigureColumn columns[] = {{"query, lines", "reuse.lines_per_query"},
+                                    {"cold query, lines", store::reuse_names[0].per_query.cold()},
+                                    {"warm query, lines", store::reuse_names[0].per_query.warm()},
                                     {"query, pages", "reuse.pages_per_query"},
                                     {"frame, KiB", "reuse.lines_of_frame", 1 / lines},
                                     {"body, KiB", "reuse.lines_of_body", 1 / lines},

@@ -59,7 +59,7 @@ std::vector<PolicyLevel> policy_levels(const ReportCell& cell) {
         const std::size_t end = figure.name.find('.', dot + 1);
         if (end == std::string::npos) continue;
         const PolicyLevel at{figure.name.substr(0, dot), figure.name.substr(dot + 1, end - dot - 1)};
-        if (figure.name == store::level_misses.of(at.first, at.second).name()) found.push_back(at);
+        if (figure.name == store::level_misses.all.of(at.first, at.second).name()) found.push_back(at);
     }
     return found;
 }
@@ -77,8 +77,8 @@ TextGrid policy_grid(const ReportData& data) {
     for (const ReportCell* cell : modelled_cells(data)) {
         for (const auto& [policy, level] : policy_levels(*cell)) {
             const std::string machine = policy.substr(0, policy.find('/'));
-            const auto lru = cell->figure(store::level_misses.of(machine, level)).value;
-            const auto other = cell->figure(store::level_misses.of(policy, level)).value;
+            const auto lru = cell->figure(store::level_misses.all.of(machine, level)).value;
+            const auto other = cell->figure(store::level_misses.all.of(policy, level)).value;
             if (lru && other)
                 groups[{cell->scene_label, cell->shape, cell->algorithm, policy, level}].push_back(
                     {cell->table, *lru, *other});

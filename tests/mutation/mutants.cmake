@@ -147,6 +147,12 @@ edgewise_mutant(sets_by_the_wrong_bits measure/cache/cache_level.hpp [[return ma
     CacheModel.* ${unit}/measure/cache_model_test.cpp)
 edgewise_mutant(the_newest_line_leaves measure/cache/cache_level.cpp [[std::min_element(times, times + ways_) - times]] [[std::max_element(times, times + ways_) - times]]
     CacheModel.* ${unit}/measure/cache_model_test.cpp)
+edgewise_mutant(every_query_starts_warm measure/cache/scene_caches.cpp [[levels_.each(start,]] [[levels_.each(start ? QueryStart::warm : start,]]
+    SceneCaches.* ${unit}/measure/scene_caches_test.cpp)
+edgewise_mutant(what_lies_between_queries_is_the_lasts measure/cache/scene_caches.cpp [[start_.reset();]] [[]]
+    SceneCaches.* ${unit}/measure/scene_caches_test.cpp)
+edgewise_mutant(axes_stand_still scene/motion.cpp [[if (p.w != 1)]] [[if (p.w == 2)]]
+    Tumble.* ${unit}/scene/tumble_test.cpp)
 
 # Effort
 edgewise_mutant(startup_is_counted studies/effort.cpp [[return (of_many - of_few) / passes / queries;]] [[return of_many / passes / queries;]]

@@ -62,7 +62,10 @@ TextGrid static_grid(const ReportData& data) {
 }
 
 TextGrid file_scene_grid(const StoredScene& scene) {
-    const FigureColumn columns[] = {{"ns per query, all", store::all_time.ns},
+    const FigureColumn columns[] = {{"first queries", "work.first_queries"},
+                                    {"of all", "work.first_share"},
+                                    {"first, ns", store::query_time.cold()},
+                                    {"ns per query, all", store::all_time.ns},
                                     {"from", store::all_time.low},
                                     {"to", store::all_time.high},
                                     {"ratio to baseline", store::all_time.ratio},

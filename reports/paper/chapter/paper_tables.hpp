@@ -15,7 +15,12 @@ namespace edgewise::reports {
 /// V-Clip and GJK side by side in the scene without coherence, by shape and table type; preprocessing
 /// separately.
 [[nodiscard]] TextGrid static_grid(const ReportData& data);
-/// Every cell of a scene from a file: where it stands, its times, its ratio to the baseline.
+/// V-Clip over GJK by the margin of the broad phase's boxes, in a moving scene and in the static one.
+[[nodiscard]] TextGrid margin_grid(const ReportData& data);
+/// Times, steps and verdicts with the paper's tolerance beside those without.
+[[nodiscard]] TextGrid tolerance_grid(const ReportData& data);
+/// Every cell of a scene from a file: where it stands, how many of its queries are their pair's first, its
+/// times, its ratio to the baseline.
 [[nodiscard]] TextGrid file_scene_grid(const StoredScene& scene);
 /// The paper's cost functions, term by term, and the step as measured: scenes of growing numbers of bodies,
 /// or all other scenes.

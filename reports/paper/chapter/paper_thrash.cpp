@@ -52,20 +52,21 @@ std::string answer(const ReportData& data) {
         out = *cache ? "The cache makes figure 8. " : "The cache does not make figure 8. ";
     if (!paging)
         return out + "Whether paging makes it is not known: " +
-               bodies_to_fill(data, 386, "reuse.page_knee_bytes", least_old_memory).reason + ".";
+               bodies_to_fill(data, 386, store::page_knee.warm(), least_old_memory).reason + ".";
     return out + (*paging ? "Paging makes it." : "Paging does not make it.");
 }
 
 std::string factor_at(const ReportData& data, const char* machine, bool fastest) {
     const measure::Expected<double> factor = memory_factor(data, machine, fastest),
                                     step = thrash_number(data, 386, fastest, "rotation_step"),
-                                    time = thrash_figure(data, 386, fastest, store::memory_time.of(machine));
+                                    time = thrash_figure(data, 386, fastest,
+                                                         store::memory_time.of(machine).warm());
     const std::string speed =
         step.value ? number_text(*step.value) + " rad per step" : (fastest ? "the fastest" : "the slowest");
     if (!factor.value) return fmt::format("at {} {}", speed, missing_text(factor.reason));
     const std::string times =
         std::isfinite(*factor.value) ? "by a factor of " + number_text(*factor.value) : "from none";
-    const auto misses = store::level_misses.of(machine, "L2");
+    const auto misses = store::level_misses.of(machine, "L2").warm();
     const auto count = [&](int vertices) {
         const measure::Expected<double> found = thrash_figure(data, vertices, fastest, misses);
         return found.value ? number_text(*found.value) : missing_text(found.reason);
@@ -113,7 +114,7 @@ std::string knees_text(const ReportData& data, const store::FigureName& knee) {
 }
 
 std::string line_sentence(const ReportData& data) {
-    constexpr store::FigureName knee("reuse.line_knee_bytes");
+    constexpr store::FigureName knee = store::line_knee.warm();
     return prose("thrash_lines.md", fmt::arg("bodies", count_text(thrash_number(data, 386, false, "bodies"))),
                  fmt::arg("knees", knees_text(data, knee)), fmt::arg("cache", bytes_text(old_cache)),
                  fmt::arg("where", where_it_passes(data, knee, old_cache)),
@@ -132,7 +133,7 @@ std::string tables_text(const ReportData& data) {
 }
 
 std::string page_sentence(const ReportData& data) {
-    constexpr store::FigureName knee("reuse.page_knee_bytes");
+    constexpr store::FigureName knee = store::page_knee.warm();
     std::string tables = tables_text(data);
     tables[0] = static_cast<char>(std::toupper(tables[0]));
     return prose("thrash_pages.md", fmt::arg("tables", tables), fmt::arg("knees", knees_text(data, knee)),
@@ -182,12 +183,12 @@ std::string share_text(const measure::Figure& figure, const measure::Figure& bas
 }
 
 std::string layout_text(const ReportCell& cell, const ReportCell& base) {
-    const auto time = store::memory_time.of(old_machines[0]);
+    const auto time = store::memory_time.of(old_machines[0]).warm();
     const auto share = [&](const store::FigureName& name) {
         return share_text(cell.figure(name), base.figure(name));
     };
     return fmt::format("{}{} {}, {}, {}", cell.algorithm == "vclip" ? "" : cell.algorithm + " ", cell.table,
-                       share("reuse.line_knee_bytes"), share("reuse.page_knee_bytes"), share(time));
+                       share(store::line_knee.warm()), share(store::page_knee.warm()), share(time));
 }
 
 /// Every other table type of V-Clip, and GJK on the same tables.
@@ -214,7 +215,7 @@ std::string papers_sentence(const ReportData& data) {
     const auto holds = [](const std::optional<bool>& cause) {
         return !cause ? "cannot be judged from this store" : *cause ? "holds" : "does not account for it";
     };
-    const measure::Expected<double> knee = worst_figure(data, 386, "reuse.line_knee_bytes");
+    const measure::Expected<double> knee = worst_figure(data, 386, store::line_knee.warm());
     std::string out = fmt::format(
         "Of the paper's two sentences, \"consuming all available memory ... thrashing\" (section 4, "
         "swapping) "

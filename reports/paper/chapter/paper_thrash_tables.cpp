@@ -14,15 +14,16 @@ namespace edgewise::reports {
 namespace {
 
 std::vector<FigureColumn> thrash_columns() {
-    std::vector<FigureColumn> columns = {{"line knee, KiB", "reuse.line_knee_bytes", kibibyte},
-                                         {"page knee, MiB", "reuse.page_knee_bytes", mebibyte},
-                                         {"lines per query", "reuse.lines_per_query"},
-                                         {"pages per query", "reuse.pages_per_query"}};
+    std::vector<FigureColumn> columns = {{"line knee, KiB", store::line_knee.warm(), kibibyte},
+                                         {"page knee, MiB", store::page_knee.warm(), mebibyte},
+                                         {"lines per query", store::reuse_names[0].per_query.warm()},
+                                         {"pages per query", store::reuse_names[1].per_query.warm()}};
     for (const OldLevel& level : old_levels)
-        columns.push_back(
-            {std::string(level.label) + ": misses", store::level_misses.of(level.machine, level.level)});
+        columns.push_back({std::string(level.label) + ": misses",
+                           store::level_misses.of(level.machine, level.level).warm()});
     for (const char* machine : old_machines)
-        columns.push_back({std::string(machine) + " memory, us", store::memory_time.of(machine), 1000});
+        columns.push_back(
+            {std::string(machine) + " memory, us", store::memory_time.of(machine).warm(), 1000});
     return columns;
 }
 

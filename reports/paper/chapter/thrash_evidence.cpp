@@ -25,7 +25,8 @@ measure::Expected<double> no_cell(int vertices) {
 }
 
 bool gives_the_time(const ReportData& data, const std::string& machine, bool fastest) {
-    const measure::Expected<double> time = thrash_figure(data, 386, fastest, store::memory_time.of(machine));
+    const measure::Expected<double> time =
+        thrash_figure(data, 386, fastest, store::memory_time.of(machine).warm());
     return time.value && *time.value >= least_share * papers_growth_ns;
 }
 
@@ -93,7 +94,7 @@ measure::Expected<double> bodies_to_fill(const ReportData& data, int vertices, c
 }
 
 measure::Expected<double> memory_factor(const ReportData& data, const std::string& machine, bool fastest) {
-    const store::FigureName name = store::memory_time.of(machine);
+    const store::FigureName name = store::memory_time.of(machine).warm();
     const measure::Expected<double> large = thrash_figure(data, 386, fastest, name),
                                     small = thrash_figure(data, 38, fastest, name);
     if (!large.value) return large;
@@ -118,9 +119,9 @@ std::optional<bool> cache_is_a_cause(const ReportData& data) {
 std::optional<bool> paging_is_a_cause(const ReportData& data) {
     std::optional<bool> found;
     const measure::Expected<double> large =
-                                        bodies_to_fill(data, 386, "reuse.page_knee_bytes", least_old_memory),
+                                        bodies_to_fill(data, 386, store::page_knee.warm(), least_old_memory),
                                     small =
-                                        bodies_to_fill(data, 38, "reuse.page_knee_bytes", least_old_memory);
+                                        bodies_to_fill(data, 38, store::page_knee.warm(), least_old_memory);
     const bool at_38 = small.value && *small.value < more_than_hundreds;
     if (large.value) found = *large.value < more_than_hundreds && !at_38;
     for (const ReportCell& row : data.paging)

@@ -20,7 +20,7 @@ void add_levels(const ReportCell& cell, ChartRows& rows) {
     const auto step = scene_number(cell, "rotation_step");
     if (!step || *step <= 0) return;
     for (const OldLevel& level : old_levels) {
-        const measure::Figure misses = cell.figure(store::level_misses.of(level.machine, level.level));
+        const measure::Figure misses = cell.figure(store::level_misses.of(level.machine, level.level).warm());
         if (!cell.verified() || !misses.value) {
             rows.omitted.add(fmt::format("{}: {}", level.label, misses.reason));
             continue;
@@ -45,7 +45,7 @@ void add_scene(const StoredScene& scene, ChartJson& values) {
     for (const ReportCell* cell : scene.cells) {
         if (!done.emplace(cell->algorithm, cell->table).second) continue;
         const ReportCell* shown = nearest_cell(scene, cell->algorithm, cell->table, thrash_step_angle);
-        if (shown) add_misses(*shown, curve_json(*shown), values);
+        if (shown) add_misses(*shown, curve_json(*shown), Starts::warm, values);
     }
 }
 

@@ -24,12 +24,12 @@ ChartJson bodies_of(const ReportCell& cell) {
 /// same angle per step, in proportion to the bodies.
 std::optional<double> knee_of(const ReportData& data, const ReportCell& cell, double bodies,
                               bool& estimated) {
-    const measure::Figure own = cell.figure("reuse.line_knee_bytes");
+    const measure::Figure own = cell.figure(store::line_knee.warm());
     if (own.value) return own.value;
     const ReportCell* like =
         nearest_cell(thrash_scene(data, 386), cell.algorithm, cell.table, thrash_step_angle);
     if (!like) return std::nullopt;
-    const measure::Figure knee = like->figure("reuse.line_knee_bytes");
+    const measure::Figure knee = like->figure(store::line_knee.warm());
     const auto traced = scene_number(*like, "bodies");
     if (!knee.value || !traced || *traced <= 0) return std::nullopt;
     estimated = true;

@@ -73,7 +73,7 @@ std::vector<Claim> algorithm_claims(const ReportData& data) {
     const WantedBand flat = between(-almost_constant, almost_constant);
     return {judge_claim("vclip_time_constant", {{"exponent", growth_exponent(time_curve(vclip)), flat}}),
             judge_claim("vclip_steps_constant",
-                        {{"exponent", growth_exponent(curve_of(vclip, "error.mean_steps")), flat}}),
+                        {{"exponent", growth_exponent(curve_of(vclip, store::mean_steps.warm())), flat}}),
             judge_logarithm(data),
             judge_claim("hill_climbing_beats_scan",
                         {{"exponent", growth_exponent(climbs(data)), at_most(below_scan)}}),

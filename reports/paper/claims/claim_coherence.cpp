@@ -18,8 +18,9 @@ constexpr double problem = 1.25, well = 1.1;
 
 /// Mean steps, from incoherent to as coherent as can be.
 Evidence gain_in_steps(const ReportData& data, int vertices, const std::string& algorithm) {
-    return quotient(figure_of(data, {"paper_static", paper_shape(vertices), algorithm}, "error.mean_steps"),
-                    slowest_figure(data, vertices, algorithm, "error.mean_steps"));
+    return quotient(
+        figure_of(data, {"paper_static", paper_shape(vertices), algorithm}, store::mean_steps.cold()),
+        slowest_figure(data, vertices, algorithm, store::mean_steps.warm()));
 }
 
 Evidence gains_in_steps(const ReportData& data, int vertices) {
@@ -37,7 +38,7 @@ Evidence gains_in_time(const ReportData& data, int vertices) {
 
 Evidence growth_of_steps(const ReportData& data, const std::string& algorithm) {
     std::vector<CurvePoint> curve =
-        curve_of(angular_cells(data, 8, algorithm, {0, coherence_half_turn}), "error.mean_steps");
+        curve_of(angular_cells(data, 8, algorithm, {0, coherence_half_turn}), store::mean_steps.warm());
     std::erase_if(curve, [](const CurvePoint& point) { return !(point.x > 0); });
     if (curve.size() < 2) return no_evidence("paper_angular_8 has fewer than two speeds for " + algorithm);
     return quotient(curve.back().y, curve.front().y);

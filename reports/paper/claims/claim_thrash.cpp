@@ -36,7 +36,8 @@ Evidence thrash_mean(const ReportData& data, int vertices, const std::string& al
 Evidence misses(const ReportData& data, int vertices, const std::string& algorithm,
                 const TimeStepReading& reading, const std::string& machine,
                 const std::string& table = "aos_f64") {
-    return thrash_mean(data, vertices, algorithm, table, reading, store::level_misses.of(machine, "L2"));
+    return thrash_mean(data, vertices, algorithm, table, reading,
+                       store::level_misses.of(machine, "L2").warm());
 }
 
 /// V-Clip's misses at 386 vertices over those of an algorithm at a size.
@@ -68,7 +69,8 @@ Claim judge_cause(const ReportData& data) {
 Claim judge_locality(const ReportData& data) {
     return both_readings("more_lines_than_gjk", [&](const TimeStepReading& reading) {
         const auto lines = [&](const char* algorithm) {
-            return thrash_mean(data, 386, algorithm, "aos_f64", reading, "reuse.lines_per_query");
+            return thrash_mean(data, 386, algorithm, "aos_f64", reading,
+                               store::reuse_names[0].per_query.warm());
         };
         return PartList{{"V-Clip over GJK", quotient(lines("vclip"), lines("gjk")), more_than(1)}};
     });

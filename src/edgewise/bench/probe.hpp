@@ -33,13 +33,14 @@ class SharedResults {
     mutable std::map<std::type_index, std::shared_ptr<const void>> known_;
 };
 
-/// What caches a sweep wants modelled of a cell: on which machines, over how many queries.
+/// What caches a sweep wants modelled of a cell: on which machines, over how many queries and steps.
 struct CacheOrder {
     std::span<const measure::MachineChoice> machines = {};  ///< empty: no caches are modelled
     std::size_t queries = 0;                                ///< traced, of those that count; 0: all
+    std::size_t steps = 0;  ///< and of a scene in time order as many whole steps at least
 
-    /// A number that is another one for other machines or another number of queries; whole, and exact as a
-    /// figure.
+    /// A number that is another one for other machines, or another number of queries or steps; whole, and
+    /// exact as a figure.
     [[nodiscard]] double identity() const;
 };
 

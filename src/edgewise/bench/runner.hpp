@@ -18,6 +18,7 @@
 #include "edgewise/bench/prepared_workload.hpp"
 #include "edgewise/bench/runner_options.hpp"
 #include "edgewise/bench/threaded_pass.hpp"
+#include "edgewise/bench/trace/trace_extent.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 #include "edgewise/measure/round.hpp"
 #include "edgewise/scene/workload.hpp"
@@ -84,16 +85,17 @@ class Runner {
 
     /// Times the loaded queries; `in_contact[i]` != 0 books query i under overlapping, else under separated;
     /// where it is empty nobody knows, and all are booked under either. The clock is read where the class
-    /// changes, and its cost is subtracted. In a warm scene a pair's first query, cold by nature, is answered
-    /// outside the clock: the scene `cold` is for those.
+    /// changes, and its cost is subtracted. In a warm scene a pair's first query, cold by nature, is booked
+    /// apart, timed by itself: to no better than the clock's cost is known.
     [[nodiscard]] measure::Timing time(std::span<const std::uint8_t> in_contact, double clock_cost_ns) const;
 
-    /// Notifies of the accesses of the first loaded queries, from cold pairs, until so many have counted; of
-    /// a warm scene, those that start warm count. Answers, in the runner's unit, are written from answers[0]
-    /// on unless it is null.
-    virtual PassSum trace(std::size_t limit, measure::TraceListener& listener, Distance* answers) const = 0;
-    PassSum trace(std::size_t limit, measure::TraceListener& listener) const {
-        return trace(limit, listener, nullptr);
+    /// Notifies of the accesses of loaded queries, from cold pairs, as far as the extent says; of a warm
+    /// scene, those that start warm count. Answers, in the runner's unit, are written from answers[0] on
+    /// unless it is null; those of queries that are not followed are left as they are.
+    virtual PassSum trace(const TraceExtent& extent, measure::TraceListener& listener,
+                          Distance* answers) const = 0;
+    PassSum trace(const TraceExtent& extent, measure::TraceListener& listener) const {
+        return trace(extent, listener, nullptr);
     }
 
     /// A pass over the loaded queries from cold pairs, ready to run as often as wanted, with nothing around

@@ -117,13 +117,14 @@ class RunnerFor final : public Runner {
         return std::make_unique<Frames>(prepared().workload(), options().query, tables_of_queries());
     }
 
-    PassSum trace(std::size_t limit, measure::TraceListener& listener, Distance* answers) const override {
+    PassSum trace(const TraceExtent& extent, measure::TraceListener& listener,
+                  Distance* answers) const override {
         const scene::Workload& workload = prepared().workload();
         const TracePlaces places(table_allocator().base(), table_allocator().taken(),
                                  static_cast<std::uint32_t>(pair_bytes()), workload.pair_count,
                                  workload.instances.size());
         return prepared().scale().back(trace_queries<Algorithm, TracedTable>(
-            workload, limit, {options().query, asks_nearness() ? &margins() : nullptr}, places,
+            workload, extent, {options().query, asks_nearness() ? &margins() : nullptr}, places,
             tables_of_queries(), listener, answers));
     }
 

@@ -4,8 +4,6 @@
 // vertices, edges and faces; as text, JSON or a picture.
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
@@ -39,10 +37,15 @@ nlohmann::json features(const bench::TableMap& map, const measure::TouchedBytes&
     return json;
 }
 
+/// A dash where there are none.
+std::string mean_text(std::uint64_t sum, std::uint64_t queries) {
+    if (queries == 0) return "-";
+    return fmt::format("{:.2f}", static_cast<double>(sum) / static_cast<double>(queries));
+}
+
 void print(const measure::HeatMap& heat, const measure::TouchedTables& tables) {
-    const auto queries = static_cast<double>(heat.queries());
-    fmt::print("{} queries; {} lines accessed, {} take half of all accesses, {} take 90 %\n", heat.queries(),
-               heat.lines(), heat.lines_taking(0.5), heat.lines_taking(0.9));
+    fmt::print("{} queries; {} lines accessed, {} take half of all accesses, {} take 90 %\n",
+               heat.queries().all, heat.lines(), heat.lines_taking(0.5), heat.lines_taking(0.9));
     fmt::print("tables: {} of {} bytes touched\n", tables.bytes, tables.of_bytes);
     for (const auto& [component, part] : tables.by_component)
         fmt::print("  {:<20} {:.4f}\n", component, part);
@@ -52,20 +55,32 @@ void print(const measure::HeatMap& heat, const measure::TouchedTables& tables) {
     feature("vertices", tables.vertices);
     feature("edges", tables.edges);
     feature("faces", tables.faces);
-    fmt::print("accesses per query\n");
+    fmt::print("{:<22} {:>10} {:>10} {:>10}\n", "per query that starts", "any way", "cold", "warm");
+    const auto row = [&](std::string_view what, const measure::ByStart<std::uint64_t>& sums) {
+        fmt::print("  {:<20} {:>10} {:>10} {:>10}\n", what, mean_text(sums.all, heat.queries().all),
+                   mean_text(sums.cold, heat.queries().cold), mean_text(sums.warm, heat.queries().warm));
+    };
+    row("lines of tables", heat.lines_of_queries());
     for (std::size_t i = 0; i < bench::field_names().size(); ++i) {
-        if (const auto count = heat.accesses_by_field()[i]; count > 0)
-            fmt::print("  {:<20} {:.2f}\n", bench::field_names()[i], static_cast<double>(count) / queries);
+        const auto& by_field = heat.accesses_by_field();
+        if (by_field.all[i] > 0)
+            row(bench::field_names()[i], {by_field.all[i], by_field.cold[i], by_field.warm[i]});
     }
+}
+
+nlohmann::json by_start(const measure::ByStart<std::uint64_t>& counts) {
+    return {{"all", counts.all}, {"cold", counts.cold}, {"warm", counts.warm}};
 }
 
 nlohmann::json json_of(const measure::HeatMap& heat, const measure::TouchedTables& tables,
                        const studies::SingleCell& cell) {
     nlohmann::json fields = nlohmann::json::object();
     for (std::size_t i = 0; i < bench::field_names().size(); ++i)
-        if (const auto count = heat.accesses_by_field()[i]; count > 0)
+        if (const auto count = heat.accesses_by_field().all[i]; count > 0)
             fields[std::string(bench::field_names()[i])] = count;
-    return {{"queries", heat.queries()},
+    return {{"queries", heat.queries().all},
+            {"queries_by_start", by_start(heat.queries())},
+            {"lines_of_queries", by_start(heat.lines_of_queries())},
             {"accesses_by_field", fields},
             {"accesses_by_line", lines_of_tables(heat, cell)},
             {"touched_bytes", tables.bytes},
@@ -81,12 +96,12 @@ nlohmann::json json_of(const measure::HeatMap& heat, const measure::TouchedTable
 int run_heat(const HeatArguments& options, bool json) {
     const studies::SingleCell cell(options.cell);
     measure::HeatMap heat(bench::field_names().size(), bench::step_names().size());
-    cell.runner().trace(std::numeric_limits<std::size_t>::max(), heat);
+    cell.runner().trace(bench::TraceExtent::everything(), heat);
     const measure::TouchedTables tables = bench::touched_tables(cell.runner().memory_maps(), heat.touched());
     if (options.svg) {
         const std::string title =
             fmt::format("{} {}, {} {}, {} queries", options.cell.table, options.cell.algorithm,
-                        options.cell.scene, options.cell.shape, heat.queries());
+                        options.cell.scene, options.cell.shape, heat.queries().all);
         fmt::print("{}", bench::draw_heat(title, lines_of_tables(heat, cell)));
     } else if (json) {
         fmt::print("{}\n", json_of(heat, tables, cell).dump());

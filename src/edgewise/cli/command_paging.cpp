@@ -43,7 +43,9 @@ nlohmann::json json_of(const studies::PagingResult& result) {
             return measured ? nlohmann::json(number) : nlohmann::json();
         };
         rows.push_back({{"limit_bytes", row.limit_bytes},
-                        {"predicted_at_limit", row.predicted_at_limit},
+                        {"predicted_at_limit", or_null(row.predicted_at_limit.all)},
+                        {"predicted_at_limit_cold", or_null(row.predicted_at_limit.cold)},
+                        {"predicted_at_limit_warm", or_null(row.predicted_at_limit.warm)},
                         {"table_pages_held", value(static_cast<double>(row.table_pages_held.value_or(0)))},
                         {"predicted_at_held", value(row.predicted_at_held)},
                         {"faults_per_query", value(row.faults_per_query)},
@@ -73,7 +75,7 @@ void print(const studies::PagingResult& result) {
                    "predicted", "faults per query", "us per query");
     for (const studies::PagingRow& row : result.rows) {
         fmt::print("  {:>10.1f} {:>10.4f} ", static_cast<double>(row.limit_bytes) / (1 << 20),
-                   row.predicted_at_limit);
+                   row.predicted_at_limit.all.value_or(0));
         if (!row.reason.empty()) {
             fmt::print("not measured: {}\n", row.reason);
             continue;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "edgewise/measure/cache/by_start.hpp"
+
 namespace edgewise::measure {
 
 struct Timing {
@@ -14,6 +16,9 @@ struct Timing {
     /// Queries whose answers do not tell whether the bodies are in contact: of either kind.
     std::uint64_t either_queries = 0;
     double either_ns = 0;
+    /// First queries of followed pairs, which start cold: apart of all of the above, each timed by itself.
+    std::uint64_t first_queries = 0;
+    double first_ns = 0;
 
     /// Nanoseconds per query, of each kind and of all as they come; null where none was timed.
     [[nodiscard]] std::optional<double> separated() const {
@@ -25,6 +30,14 @@ struct Timing {
     [[nodiscard]] std::optional<double> all() const {
         return per_query(separated_ns + overlapping_ns + either_ns,
                          separated_queries + overlapping_queries + either_queries);
+    }
+
+    /// The same by how queries start; `warm_scene`: pairs are followed. `all` are those of both starts.
+    [[nodiscard]] ByStart<std::optional<double>> by_start(bool warm_scene) const {
+        const std::uint64_t steady = separated_queries + overlapping_queries + either_queries;
+        const double steady_ns = separated_ns + overlapping_ns + either_ns;
+        return {per_query(steady_ns + first_ns, steady + first_queries),
+                warm_scene ? per_query(first_ns, first_queries) : all(), warm_scene ? all() : std::nullopt};
     }
 
   private:

@@ -27,6 +27,8 @@ void advance(MovingBody& body, double half) {
     body.centre += body.velocity;
     for (int axis = 0; axis < 3; ++axis) reflect(body.centre[axis], body.velocity[axis], half);
     body.orientation = normalised(body.turn * body.orientation);
+    const Quaternion& p = body.axis_turn;
+    if (p.w != 1) body.turn = normalised(p * body.turn * Quaternion{p.w, -p.x, -p.y, -p.z});
 }
 
 Pose pose_of(const MovingBody& body, const Vec3d& centre) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Coherent motion: a body drifts with constant velocity, turns about its own fixed axis by the same angle
-// every step, and is reflected by the walls of a box. Bodies do not know of each other: they overlap and
-// pass through one another, since what is measured is detection, not response.
+// Coherent motion: a body drifts with constant velocity, turns by the same angle every step, about its own
+// axis (which stands still, or turns itself by the same angle every step), and is reflected by the walls of a
+// box. Bodies do not know of each other: they overlap and pass through one another, since what is measured is
+// detection, not response.
 //
 // Walls act on the centre (the mean of the vertices, a point inside every body), so a body may stick out.
 #pragma once
@@ -16,7 +17,8 @@ struct MovingBody {
     Vec3d centre;    ///< of the body, in the world
     Vec3d velocity;  ///< metres per step
     Quaternion orientation;
-    Quaternion turn;  ///< rotation of one step
+    Quaternion turn;            ///< rotation of one step
+    Quaternion axis_turn = {};  ///< by which that rotation's axis turns in one step
 };
 
 /// The pose of a body of this centre in its own frame.

@@ -39,8 +39,9 @@ struct SceneInfo {
 [[nodiscard]] Result<SceneParameters> complete_parameters(std::string_view scene,
                                                           const SceneParameters& given);
 
-/// Exactly `query_count` queries. Same arguments, same bits, on every machine; `distance` is asked by the
-/// scenes that place pairs by it: `cold`, `gap` and `proximity`.
+/// Exactly `query_count` queries, or more where the parameter least_steps asks for them. Same arguments, same
+/// bits, on every machine; `distance` is asked by the scenes that place pairs by it: `cold`, `gap` and
+/// `proximity`.
 [[nodiscard]] Result<Workload> make_scene(std::string_view scene, const Polyhedron& shape,
                                           const SceneParameters& given, std::uint64_t seed,
                                           std::size_t query_count, const DistanceFunction& distance);

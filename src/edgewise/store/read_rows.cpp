@@ -33,6 +33,8 @@ measure::Round read_round(const sqlite::Statement& s) {
     measure::Round round{static_cast<int>(s.integer(0)), read_timing(s, 1), read_timing(s, 5)};
     round.timing.either_queries = s.natural(9);
     round.timing.either_ns = s.real(10);
+    round.timing.first_queries = s.natural(11);
+    round.timing.first_ns = s.real(12);
     return round;
 }
 
@@ -83,7 +85,8 @@ std::vector<measure::Round> rounds_of(const sqlite::Database& database, const st
         database,
         "select number, separated_queries, separated_ns, overlapping_queries, overlapping_ns, "
         "baseline_separated_queries, baseline_separated_ns, baseline_overlapping_queries, "
-        "baseline_overlapping_ns, either_queries, either_ns from round where build = ? and hash = ? order by number");
+        "baseline_overlapping_ns, either_queries, either_ns, first_queries, first_ns "
+        "from round where build = ? and hash = ? order by number");
     return rows_of(select.bind(build, hash), read_round);
 }
 

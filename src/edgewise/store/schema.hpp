@@ -6,7 +6,7 @@
 
 namespace edgewise::store {
 
-inline constexpr int store_schema_version = 4;
+inline constexpr int store_schema_version = 5;
 inline constexpr int store_application_id = 0x45644765;  ///< "EdGe", so that another program's file is known
 
 /// Keys of meta: this and a table type's name hold the picture of that table, as SVG.

@@ -31,4 +31,5 @@ create table if not exists round(
     baseline_separated_queries integer not null, baseline_separated_ns real not null,
     baseline_overlapping_queries integer not null, baseline_overlapping_ns real not null,
     either_queries integer not null, either_ns real not null,  -- not known to be of either kind
+    first_queries integer not null, first_ns real not null,  -- cold ones of followed pairs, in none of the others
     primary key(build, hash, number)) without rowid;

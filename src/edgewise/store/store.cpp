@@ -115,14 +115,14 @@ void Store::put_cell(const std::string& build, const CellRow& c, std::span<const
 void Store::put_round(const std::string& build,
                       std::span<const std::pair<std::string, measure::Round>> rounds) {
     sqlite::Transaction transaction(database_);
-    sqlite::Statement insert(database_, "insert or replace into round values(?,?,?,?,?,?,?,?,?,?,?,?,?)");
+    sqlite::Statement insert(database_, "insert or replace into round values(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
     for (const auto& [hash, round] : rounds) {
         const measure::Timing& t = round.timing;
         const measure::Timing& b = round.baseline;
         insert
             .bind(build, hash, round.number, t.separated_queries, t.separated_ns, t.overlapping_queries,
                   t.overlapping_ns, b.separated_queries, b.separated_ns, b.overlapping_queries,
-                  b.overlapping_ns, t.either_queries, t.either_ns)
+                  b.overlapping_ns, t.either_queries, t.either_ns, t.first_queries, t.first_ns)
             .run();
     }
     transaction.commit();

@@ -23,7 +23,31 @@ std::optional<std::string> FigureName::value_in(std::string_view probe, std::str
                            after = std::string_view(filled).substr(filled.find('}') + 1);
     if (probe != info_->probe() || name.size() <= before.size() + after.size()) return std::nullopt;
     if (!name.starts_with(before) || !name.ends_with(after)) return std::nullopt;
-    return std::string(name.substr(open, name.size() - before.size() - after.size()));
+    const std::string_view value = name.substr(open, name.size() - before.size() - after.size());
+    for (const std::string_view start : {StartNames::cold_start, StartNames::warm_start}) {
+        if (value.ends_with(start) && value.substr(0, value.size() - start.size()).ends_with('.'))
+            return std::nullopt;
+    }
+    return std::string(value);
+}
+
+void add_values(const StartNames& names, const measure::ByStart<std::optional<double>>& values,
+                std::vector<measure::Figure>& to) {
+    to.push_back(figure(names.all, values.all, "no query was asked", "ask for more queries"));
+    to.push_back(figure(names.cold(), values.cold, "no query here starts cold", "another scene"));
+    to.push_back(figure(names.warm(), values.warm, "no query here starts warm",
+                        "a scene that follows pairs, or more queries"));
+}
+
+void add_means(const StartNames& names, const measure::ByStart<std::uint64_t>& sums,
+               const measure::ByStart<std::uint64_t>& queries, std::vector<measure::Figure>& to) {
+    const auto mean = [](std::uint64_t sum, std::uint64_t count) -> std::optional<double> {
+        if (count == 0) return std::nullopt;
+        return static_cast<double>(sum) / static_cast<double>(count);
+    };
+    add_values(names,
+               {mean(sums.all, queries.all), mean(sums.cold, queries.cold), mean(sums.warm, queries.warm)},
+               to);
 }
 
 measure::Figure figure(const FigureName& name, std::optional<double> value, std::string reason,

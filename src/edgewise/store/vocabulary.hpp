@@ -12,7 +12,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "edgewise/measure/cache/by_start.hpp"
 #include "edgewise/measure/figure.hpp"
 #include "edgewise/store/vocabulary/answers.hpp"
 #include "edgewise/store/vocabulary/effort.hpp"
@@ -34,9 +36,20 @@ class FigureName {
     /// The values for its braces, in order.
     template <class... Texts>
     [[nodiscard]] constexpr FigureName of(const Texts&... texts) const {
-        static_assert(sizeof...(texts) <= 3);
+        static_assert(sizeof...(texts) <= 4);
         FigureName filled = *this;
         filled.values_ = {std::string_view(texts)...};
+        return filled;
+    }
+
+    /// Likewise for the first braces that have no value yet.
+    [[nodiscard]] constexpr FigureName and_of(std::string_view text) const {
+        FigureName filled = *this;
+        for (std::string_view& value : filled.values_) {
+            if (!value.empty()) continue;
+            value = text;
+            break;
+        }
         return filled;
     }
 
@@ -45,7 +58,8 @@ class FigureName {
     /// As a store has it; braces without a value stay.
     [[nodiscard]] std::string name() const;
     [[nodiscard]] std::string unit() const { return std::string(info_->unit); }
-    /// What a stored figure has in place of the one pair of braces that has no value; null for others.
+    /// What a stored figure has in place of the one pair of braces that has no value; null for others, and
+    /// for a figure of the same family whose name says how its queries start.
     [[nodiscard]] std::optional<std::string> value_in(std::string_view probe, std::string_view name) const;
 
   private:
@@ -57,7 +71,7 @@ class FigureName {
     }
 
     const FigureInfo* info_;
-    std::array<std::string_view, 3> values_ = {};
+    std::array<std::string_view, 4> values_ = {};
 };
 
 /// A measured figure; null where there is no such number, with the reason then.
@@ -74,6 +88,28 @@ class FigureName {
     return figure(name, static_cast<double>(sum) / static_cast<double>(count));
 }
 
+/// A figure of all queries, and the same apart of those that start cold and warm, whose last braces hold
+/// which.
+struct StartNames {
+    FigureName all, apart;
+
+    template <class... Texts>
+    [[nodiscard]] constexpr StartNames of(const Texts&... texts) const {
+        return {all.of(texts...), apart.of(texts...)};
+    }
+    [[nodiscard]] constexpr FigureName cold() const { return apart.and_of(cold_start); }
+    [[nodiscard]] constexpr FigureName warm() const { return apart.and_of(warm_start); }
+
+    static constexpr std::string_view cold_start = "cold", warm_start = "warm";
+};
+
+/// The mean per query of each; of a start that no query has null, with the reason.
+void add_means(const StartNames& names, const measure::ByStart<std::uint64_t>& sums,
+               const measure::ByStart<std::uint64_t>& queries, std::vector<measure::Figure>& to);
+/// Values as they are; null where no query starts so, with the reason.
+void add_values(const StartNames& names, const measure::ByStart<std::optional<double>>& values,
+                std::vector<measure::Figure>& to);
+
 /// The time of queries of one kind.
 struct QueryTime {
     FigureName ns, low, high, ratio;
@@ -85,19 +121,38 @@ inline constexpr QueryTime overlapping_time = {"time.overlapping_ns", "time.over
 inline constexpr QueryTime all_time = {"time.all_ns", "time.all_ns_low", "time.all_ns_high",
                                        "time.all_ratio"};
 
+/// Of all pairs, by how their queries start.
+inline constexpr StartNames query_time = {"time.query_ns", "time.query_ns.{start}"},
+                            mean_steps = {"error.mean_steps", "error.mean_steps.{start}"},
+                            lines_read = {"lines.lines_per_query", "lines.lines_per_query.{start}"};
+
 /// Of modelled caches.
-inline constexpr FigureName level_misses("caches.{machine}.{level}.misses_per_query"),
-    memory_time("caches.{machine}.modelled_memory_ns");
+inline constexpr StartNames level_misses = {"caches.{machine}.{level}.misses_per_query",
+                                            "caches.{machine}.{level}.misses_per_query.{start}"},
+                            memory_time = {"caches.{machine}.modelled_memory_ns",
+                                           "caches.{machine}.modelled_memory_ns.{start}"};
 
 /// Reuse distances of lines and of pages.
 struct ReuseNames {
     const char* units;
-    FigureName per_query, of_scene, of_body, of_frame, knee, misses;
+    StartNames per_query, knee, misses;
+    FigureName of_scene, of_body, of_frame;
 };
 inline constexpr ReuseNames reuse_names[] = {
-    {"lines", "reuse.lines_per_query", "reuse.lines_of_scene", "reuse.lines_of_body", "reuse.lines_of_frame",
-     "reuse.line_knee_bytes", "reuse.line_misses_at_2^{power}"},
-    {"pages", "reuse.pages_per_query", "reuse.pages_of_scene", "reuse.pages_of_body", "reuse.pages_of_frame",
-     "reuse.page_knee_bytes", "reuse.page_misses_at_2^{power}"}};
+    {"lines",
+     {"reuse.lines_per_query", "reuse.lines_per_query.{start}"},
+     {"reuse.line_knee_bytes", "reuse.line_knee_bytes.{start}"},
+     {"reuse.line_misses_at_2^{power}", "reuse.line_misses_at_2^{power}.{start}"},
+     "reuse.lines_of_scene",
+     "reuse.lines_of_body",
+     "reuse.lines_of_frame"},
+    {"pages",
+     {"reuse.pages_per_query", "reuse.pages_per_query.{start}"},
+     {"reuse.page_knee_bytes", "reuse.page_knee_bytes.{start}"},
+     {"reuse.page_misses_at_2^{power}", "reuse.page_misses_at_2^{power}.{start}"},
+     "reuse.pages_of_scene",
+     "reuse.pages_of_body",
+     "reuse.pages_of_frame"}};
+inline constexpr const StartNames &line_knee = reuse_names[0].knee, &page_knee = reuse_names[1].knee;
 
 }  // namespace edgewise::store

@@ -5,7 +5,6 @@
 #include <linux/perf_event.h>
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 
 #include "edgewise/bench/trace/trace_names.hpp"
@@ -111,7 +110,7 @@ Count count_by_perf(const CellChoice& choice, const std::string& program, const 
 measure::CallgrindCounts model_pass(const SingleCell& cell, const measure::CacheGeometry& geometry,
                                     bool with_poses) {
     ModelListener listener(geometry, with_poses);
-    constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+    const bench::TraceExtent all = bench::TraceExtent::everything();
     cell.runner().trace(all, listener);
     listener.start_pass();
     cell.runner().trace(all, listener);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "edgewise/geometry/tolerance.hpp"
@@ -51,7 +50,7 @@ void take_trace(const SingleCell& cell, double bytes_of_vertex, Effort& effort) 
         return;
     }
     ReadCounter counter(cell.workload().warm);
-    cell.runner().trace(std::numeric_limits<std::size_t>::max(), counter);
+    cell.runner().trace(bench::TraceExtent::everything(), counter);
     const auto queries = static_cast<double>(cell.workload().queries.size());
     effort.vertices_read = {static_cast<double>(counter.vertex_bytes()) / bytes_of_vertex / queries};
     effort.lines_read = {static_cast<double>(counter.lines()) / queries};

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
@@ -32,7 +31,7 @@ class Recorder final : public measure::TraceListener {
 
 Trace trace_of(const SingleCell& cell) {
     Recorder recorder;
-    cell.runner().trace(std::numeric_limits<std::size_t>::max(), recorder);
+    cell.runner().trace(bench::TraceExtent::everything(), recorder);
     return recorder.take();
 }
 

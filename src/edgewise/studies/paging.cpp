@@ -5,7 +5,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <limits>
 #include <memory>
 
 #include "edgewise/bench/pipe.hpp"
@@ -73,7 +72,7 @@ bool count_pass_of(const bench::Pipe& to_child, const bench::Pipe& to_parent,
     if (!counted || !resident) return false;
     const std::uint64_t held = *resident / page_bytes();
     row.table_pages_held = row.table_pages_held.value_or(0) + held;
-    row.predicted_at_held += reuse.fetches_per_query(held);
+    row.predicted_at_held += reuse.fetches_per_query(held).all.value_or(0);
     row.faults_per_query += static_cast<double>(counted->major);
     row.ns_per_query += counted->ns;
     return true;
@@ -110,7 +109,7 @@ std::string measure_under(const measure::MemoryLimit& group, const bench::Runner
 
 /// Two passes, as the process under the limit runs them; the second counts.
 void trace_pages(const bench::Runner& runner, measure::PageReuse& reuse) {
-    constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+    const bench::TraceExtent all = bench::TraceExtent::everything();
     runner.trace(all, reuse);
     reuse.start_counting();
     runner.trace(all, reuse);

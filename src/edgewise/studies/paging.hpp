@@ -21,8 +21,9 @@ namespace edgewise::studies {
 /// One limit.
 struct PagingRow {
     std::uint64_t limit_bytes = 0;
-    double predicted_at_limit =
-        0;  ///< faults per query by reuse distance, were all of the limit for the tables
+    /// Faults per query by reuse distance, were all of the limit for the tables; of all queries and by their
+    /// start.
+    measure::ByStart<std::optional<double>> predicted_at_limit;
     std::optional<std::uint64_t> table_pages_held;  ///< in memory after a pass: what the limit left them
     double predicted_at_held = 0;                   ///< the same prediction in that memory
     double faults_per_query = 0;                    ///< major, measured

@@ -90,7 +90,12 @@ void add_limit(const PagingRow& limit, std::size_t i, std::vector<store::FigureR
              "paging"});
     };
     add("paging.limit_bytes.{limit}", static_cast<double>(limit.limit_bytes), false);
-    add("paging.predicted_at_limit.{limit}", limit.predicted_at_limit, false);
+    std::vector<measure::Figure> predicted;
+    const std::string number = std::to_string(i);
+    constexpr store::StartNames names{"paging.predicted_at_limit.{limit}",
+                                      "paging.predicted_at_limit.{limit}.{start}"};
+    store::add_values(names.of(number), limit.predicted_at_limit, predicted);
+    for (measure::Figure& figure : predicted) figures.push_back({std::move(figure), "paging"});
     add("paging.held_bytes.{limit}", static_cast<double>(limit.table_pages_held.value_or(0) * page_bytes()),
         true);
     add("paging.predicted_at_held.{limit}", limit.predicted_at_held, true);

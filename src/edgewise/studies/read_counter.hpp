@@ -35,7 +35,7 @@ class ReadCounter final : public measure::TraceListener {
 
     /// Sums over the queries.
     [[nodiscard]] std::uint64_t vertex_bytes() const { return vertex_bytes_; }
-    [[nodiscard]] std::uint64_t lines() const { return lines_.sums().lines; }
+    [[nodiscard]] std::uint64_t lines() const { return lines_.sums().all.lines; }
     /// Of GJK: its iterations seek points on A and on B in turn, so each change of side is a search; and a
     /// cold query starts at a point of each.
     [[nodiscard]] std::uint64_t supports() const { return supports_; }

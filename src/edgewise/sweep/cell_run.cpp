@@ -36,6 +36,7 @@ void CellRun::verify(SharedQueries& shared) {
         return;
     }
     shared_ = &shared;
+    row_.queries = workload.queries.size();  // more than asked for where a scene has to take so many steps
     const std::vector<Distance> answers = runner_->answer();
     counts_ =
         count_answers(answers, workload.warm ? bench::cold_starts(workload) : std::vector<std::uint8_t>{});

@@ -80,6 +80,7 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
         .take("rounds", plan.rounds)
         .take("stability", plan.stability)
         .take("traced", plan.traced)
+        .take("traced_steps", plan.traced_steps)
         .take("machines", plan.machines)
         .take("control", plan.control)
         .take("paging", plan.paging)

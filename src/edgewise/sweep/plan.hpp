@@ -47,6 +47,7 @@ struct Plan {
     int rounds = 0;                     ///< timed, interleaved
     std::size_t stability = 0;          ///< hard cases per family; 0: no stability run
     std::size_t traced = 0;             ///< queries per cell whose caches are modelled; 0: all
+    std::size_t traced_steps = 0;       ///< and of scenes in time order as many whole steps at least
     std::vector<std::string> machines;  ///< to model the caches of; as for choose_machines
 };
 

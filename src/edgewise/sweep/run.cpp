@@ -200,13 +200,13 @@ class Sweep {
     [[nodiscard]] std::vector<CellRun> cells_of(const SceneWork& scene,
                                                 const scene::NamedShape& shape) const {
         std::vector<CellRun> cells;
-        work_.each_cell(scene,
-                        [&](const bench::TableType& type, const std::string& algorithm, const Axes& axes) {
-                            cells.emplace_back(type, algorithm, axes, row_for(scene, shape), shape.body);
-                            if (scene.models_caches(shape))
-                                cells.back().model_caches({work_.machines, work_.plan.traced});
-                            if (!shape.error.empty()) cells.back().make_unavailable(shape.error);
-                        });
+        work_.each_cell(
+            scene, [&](const bench::TableType& type, const std::string& algorithm, const Axes& axes) {
+                cells.emplace_back(type, algorithm, axes, row_for(scene, shape), shape.body);
+                if (scene.models_caches(shape))
+                    cells.back().model_caches({work_.machines, work_.plan.traced, work_.plan.traced_steps});
+                if (!shape.error.empty()) cells.back().make_unavailable(shape.error);
+            });
         return cells;
     }
 

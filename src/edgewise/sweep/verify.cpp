@@ -136,6 +136,13 @@ std::string what_is_wrong(const SharedQueries& shared, std::span<const measure::
 measure::AnswerCounts count_answers(std::span<const Distance> answers, std::span<const std::uint8_t> cold) {
     measure::AnswerCounts counts;
     counts.queries = answers.size();
+    counts.follows_pairs = !cold.empty();
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const bool warm = !cold.empty() && !cold[i];
+        int& most = warm ? counts.max_warm_steps : counts.max_cold_steps;
+        most = std::max(most, answers[i].steps);
+        if (warm) counts.warm_steps += static_cast<std::uint64_t>(answers[i].steps);
+    }
     for (std::size_t i = 0; i < cold.size(); ++i) {
         counts.warm += !cold[i];
         counts.unchanged += !cold[i] && answers[i].steps == 1;

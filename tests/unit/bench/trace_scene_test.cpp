@@ -38,7 +38,7 @@ TEST_P(TraceScene, MissesWhatItMust) {
     const auto machines = two_machines();
     const measure::SceneTrace trace = trace_scene(cell.runner(), cell.workload(), {machines, 0});
     ASSERT_TRUE(trace.traced()) << trace.reason;
-    EXPECT_EQ(trace.queries, cell.workload().queries.size());
+    EXPECT_EQ(trace.queries.all, cell.workload().queries.size());
     EXPECT_EQ(trace.frames, cell.workload().frames.size());
     ASSERT_EQ(trace.machines.size(), 2U);
     ASSERT_EQ(trace.policies.size(), 2U);
@@ -48,20 +48,20 @@ TEST_P(TraceScene, MissesWhatItMust) {
             EXPECT_EQ(level.misses.compulsory, level.first_touches) << "the first pass starts empty";
             EXPECT_GT(level.first_touches, 0U);
         }
-        for (const measure::LevelMisses& level : machine.steady.caches)
+        for (const measure::LevelMisses& level : machine.steady.all.caches)
             EXPECT_EQ(level.misses.compulsory, 0U) << "the second pass touches what the first did";
-        const measure::LevelMisses& first = machine.steady.caches.front();
+        const measure::LevelMisses& first = machine.steady.all.caches.front();
         std::uint64_t by_field = 0, by_step = 0;
         for (const std::uint64_t count : first.by_field) by_field += count;
         for (const std::uint64_t count : first.by_step) by_step += count;
         EXPECT_EQ(by_field, first.misses.all());
         EXPECT_EQ(by_step, first.misses.all());
-        EXPECT_LE(machine.steady.fetched.unused, machine.steady.fetched.bytes);
+        EXPECT_LE(machine.steady.all.fetched.unused, machine.steady.all.fetched.bytes);
     }
     EXPECT_GE(trace.lines.in_frames, trace.lines.distinct) << "frames touch all that the scene does";
     EXPECT_LE(trace.lines.of_tables, trace.lines.distinct);
     std::printf("%s %s: %.1f lines per query, %llu of the scene\n", GetParam().first, GetParam().second,
-                static_cast<double>(trace.lines.touched) / static_cast<double>(trace.queries),
+                static_cast<double>(trace.lines.touched.all) / static_cast<double>(trace.queries.all),
                 static_cast<unsigned long long>(trace.lines.distinct));
 }
 
@@ -69,11 +69,11 @@ TEST_P(TraceScene, AnswersAsThePassThatIsChecked) {
     const studies::SingleCell cell(in_time_order(GetParam().first, GetParam().second));
     const auto machines = two_machines();
     const measure::SceneTrace trace = trace_scene(cell.runner(), cell.workload(), {machines, 0});
-    const double cold = static_cast<double>(trace.machines[1].cold.front());
-    EXPECT_GE(cold, static_cast<double>(trace.lines.touched))
+    const double cold = static_cast<double>(trace.machines[1].emptied.all.front());
+    EXPECT_GE(cold, static_cast<double>(trace.lines.touched.all))
         << "a query from empty caches misses every line";
-    EXPECT_LE(cold, 1.2 * static_cast<double>(trace.lines.touched));
-    EXPECT_GE(trace.lines.with_scene, trace.lines.touched);
+    EXPECT_LE(cold, 1.2 * static_cast<double>(trace.lines.touched.all));
+    EXPECT_GE(trace.lines.with_scene.all, trace.lines.touched.all);
     double sum = 0;
     for (const Distance& answer : cell.runner().answer()) sum += answer.distance;
     EXPECT_EQ(trace.distances, sum) << "the traced pass gives the same answers";
@@ -92,9 +92,9 @@ TEST_P(TraceScene, BooksTheRightSteps) {
                                   TraceStep::edge_edge, TraceStep::edge_face})
         EXPECT_EQ(steps(state) > 0, vclip);
     EXPECT_EQ(steps(TraceStep::gjk_iteration) > 0, !vclip);
-    EXPECT_EQ(steps(TraceStep::pair_cache), 2 * 2 * trace.queries) << "read and written, in both passes";
+    EXPECT_EQ(steps(TraceStep::pair_cache), 2 * 2 * trace.queries.all) << "read and written, in both passes";
     EXPECT_GT(steps(TraceStep::broad_phase), 2 * 40 * trace.frames);
-    EXPECT_GT(trace.heat.by_field[broad_phase_field], 0U);
+    EXPECT_GT(trace.heat.by_field.all[broad_phase_field], 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, TraceScene,
@@ -121,9 +121,11 @@ TEST(TraceSceneFigures, AreThereForEveryMachineOrSayWhyNot) {
         }
     }
     for (const char* name :
-         {"pentium3_coppermine.L2.misses_per_query", "zen5.L3.misses_per_query", "host.L1D.misses_per_query",
-          "zen5/random.L1D.misses_per_query", "pentium3_coppermine.dTLB.misses_per_query", "line_knee_bytes",
-          "page_knee_bytes", "lines_of_frame", "touched_part", "touched_vertices"})
+         {"pentium3_coppermine.L2.misses_per_query", "pentium3_coppermine.L2.misses_per_query.warm",
+          "pentium3_coppermine.L2.misses_per_query.cold", "line_knee_bytes.warm", "lines_per_query.cold",
+          "zen5.L3.misses_per_query", "host.L1D.misses_per_query", "zen5/random.L1D.misses_per_query",
+          "pentium3_coppermine.dTLB.misses_per_query", "line_knee_bytes", "page_knee_bytes", "lines_of_frame",
+          "touched_part", "touched_vertices"})
         EXPECT_TRUE(names.count(name)) << name;
 }
 
@@ -136,6 +138,7 @@ TEST(TraceSceneFigures, KnowWhatTheyAreOf) {
     EXPECT_EQ(identity(two, 100), identity(again, 100));
     EXPECT_NE(identity(two, 100), identity(two, 101));
     EXPECT_NE(identity(two, 100), identity(std::span(two).first(1), 100));
+    EXPECT_NE((CacheOrder{two, 100, 50}.identity()), (CacheOrder{two, 100}.identity()));
     std::vector<measure::MachineChoice> other = two;
     ++other[1].machine.value->caches.levels[0].ways;
     EXPECT_NE(identity(two, 100), identity(other, 100));

@@ -95,8 +95,9 @@ TEST(PageReuse, SeesTablesOnlyAndPagesOnly) {
         }
     }
     EXPECT_EQ(reuse.pages(), 11U);
-    EXPECT_DOUBLE_EQ(reuse.fetches_per_query(11), 0);
-    EXPECT_DOUBLE_EQ(reuse.fetches_per_query(10), 1.1) << "eleven pages in turn through room for ten";
+    EXPECT_DOUBLE_EQ(reuse.fetches_per_query(11).all.value(), 0);
+    EXPECT_DOUBLE_EQ(reuse.fetches_per_query(10).all.value(), 1.1)
+        << "eleven pages in turn through room for ten";
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(SceneCaches, TellWhyALineWasMissed) {
     SceneCaches caches({&machine, 1}, 2, 2);
     // Three lines of one set: with 16 lines in all, only the set is too small.
     for (int i = 0; i < 10; ++i) ask(caches, {0, 8, 16}, 0);
-    const MissKinds one_set = caches.steady()[0].caches[0].misses;
+    const MissKinds one_set = caches.steady()[0].all.caches[0].misses;
     EXPECT_EQ(one_set.compulsory, 3U);
     EXPECT_EQ(one_set.capacity, 0U);
     EXPECT_EQ(one_set.conflict, 27U);
@@ -50,7 +50,7 @@ TEST(SceneCaches, TellWhyALineWasMissed) {
     std::vector<std::uint64_t> row;
     for (std::uint64_t line = 32; line < 56; ++line) row.push_back(line);
     for (int i = 0; i < 10; ++i) ask(caches, row, 1);
-    const MachineMisses all = caches.steady()[0];
+    const MachineMisses all = caches.steady()[0].all;
     EXPECT_EQ(all.caches[0].misses.compulsory, 27U);
     EXPECT_EQ(all.caches[0].misses.capacity, 216U);
     EXPECT_EQ(all.caches[0].misses.conflict, 27U);
@@ -68,16 +68,16 @@ TEST(SceneCaches, ASecondPassFindsWhatTheFirstLeft) {
     SceneCaches caches({&machine, 1}, 1, 1);
     ask(caches, {1, 2, 3});
     caches.start_steady();
-    EXPECT_EQ(caches.queries(), 0U);
+    EXPECT_EQ(caches.queries().all, 0U);
     ask(caches, {1, 2, 3});
     EXPECT_EQ(caches.first()[0].caches[0].misses.compulsory, 3U);
     EXPECT_EQ(caches.first()[0].caches[1].misses.compulsory, 3U);
-    EXPECT_EQ(caches.steady()[0].caches[0].accesses, 3U);
-    EXPECT_EQ(caches.steady()[0].caches[0].misses.all(), 0U);
-    EXPECT_EQ(caches.lines().steady.uses(), 3U);
-    EXPECT_EQ(caches.lines().steady.firsts(), 0U);
+    EXPECT_EQ(caches.steady()[0].all.caches[0].accesses, 3U);
+    EXPECT_EQ(caches.steady()[0].all.caches[0].misses.all(), 0U);
+    EXPECT_EQ(caches.lines().steady.all.uses(), 3U);
+    EXPECT_EQ(caches.lines().steady.all.firsts(), 0U);
     EXPECT_EQ(caches.lines().distinct, 3U);
-    EXPECT_EQ(caches.queries(), 1U);
+    EXPECT_EQ(caches.queries().all, 1U);
 }
 
 /// Every line that a pass brings in is a miss of its own, whatever stood there before.
@@ -87,13 +87,13 @@ TEST(SceneCaches, BringInALineForEachMiss) {
     ask(caches, {1, 2, 3});
     caches.start_steady();
     ask(caches, {1, 2, 3});
-    EXPECT_EQ(caches.steady()[0].fetched.bytes, 0U) << "all was there";
-    EXPECT_EQ(caches.steady()[0].fetched.unused, 0U);
+    EXPECT_EQ(caches.steady()[0].all.fetched.bytes, 0U) << "all was there";
+    EXPECT_EQ(caches.steady()[0].all.fetched.unused, 0U);
     std::vector<std::uint64_t> many;
     for (std::uint64_t line = 0; line < 48; ++line) many.push_back(line);
     ask(caches, many);
     ask(caches, many);
-    const MachineMisses steady = caches.steady()[0];
+    const MachineMisses steady = caches.steady()[0].all;
     EXPECT_EQ(steady.fetched.bytes, 64 * steady.caches[0].misses.all());
     EXPECT_EQ(steady.fetched.unused, 56 * steady.caches[0].misses.all()) << "eight bytes of each are used";
 }
@@ -108,12 +108,12 @@ TEST(ColdCaches, MissEveryQuerysOwnLines) {
     };
     ask_cold({1, 2, 3, 1, 2, 3});
     ask_cold({1, 2, 3});
-    EXPECT_EQ(cold.misses(0), (std::vector<std::uint64_t>{6, 6}));
+    EXPECT_EQ(cold.misses(0).all, (std::vector<std::uint64_t>{6, 6}));
     ask_cold(
         {0, 8, 16, 0, 8, 16});  // one set of two ways: six misses of the first level, three of the second
-    EXPECT_EQ(cold.misses(0), (std::vector<std::uint64_t>{12, 9}));
+    EXPECT_EQ(cold.misses(0).all, (std::vector<std::uint64_t>{12, 9}));
     cold.on_access({0, 8, AccessKind::read, 0, 0, TraceSide::scene});
-    EXPECT_EQ(cold.misses(0)[0], 12U) << "tables alone";
+    EXPECT_EQ(cold.misses(0).all[0], 12U) << "tables alone";
 }
 
 TEST(SceneCaches, CountLinesPagesAndBytes) {
@@ -130,21 +130,63 @@ TEST(SceneCaches, CountLinesPagesAndBytes) {
     both.on_query_end(true);
     both.on_frame_end();
     EXPECT_EQ(caches.frames(), 1U);
-    EXPECT_EQ(caches.lines().touched, 4 + 1U) << "the scene's own memory is no table's";
-    EXPECT_EQ(caches.pages().touched, 2 + 1U);
+    EXPECT_EQ(caches.lines().touched.all, 4 + 1U) << "the scene's own memory is no table's";
+    EXPECT_EQ(caches.pages().touched.all, 2 + 1U);
     EXPECT_EQ(caches.pages().distinct, 3U);
     EXPECT_EQ(caches.pages().of_tables, 2U);
     EXPECT_EQ(caches.lines().in_frames, 5U);
     EXPECT_EQ(heat.touched().count(), 12 + 12 + 8U);
     EXPECT_EQ(heat.touched().count(64, 100), 8U);
     EXPECT_EQ(heat.touched().count(1 << 20, 100), 0U);
-    EXPECT_EQ(heat.accesses_by_field(), (std::vector<std::uint64_t>{2, 2, 1}));
-    EXPECT_EQ(heat.queries(), 2U);
+    EXPECT_EQ(heat.accesses_by_field().all, (std::vector<std::uint64_t>{2, 2, 1}));
+    EXPECT_EQ(heat.queries().all, 2U);
     EXPECT_EQ(heat.lines(), 5U);
     EXPECT_EQ(heat.lines_taking(0.5), 2U) << "two lines of two accesses of seven";
-    EXPECT_EQ(caches.steady()[0].tlbs[0].misses.compulsory, 3U);
-    EXPECT_EQ(caches.steady()[0].caches[0].accesses, 7U);
-    EXPECT_EQ(caches.steady()[0].fetched.bytes, 5 * 64U);
+    EXPECT_EQ(caches.steady()[0].all.tlbs[0].misses.compulsory, 3U);
+    EXPECT_EQ(caches.steady()[0].all.caches[0].accesses, 7U);
+    EXPECT_EQ(caches.steady()[0].all.fetched.bytes, 5 * 64U);
+}
+
+/// Four lines of one way each: a cold query brings in what a warm one then finds, and the other way round.
+/// Each is booked for itself, in the same caches; what lies between queries is all's alone.
+TEST(SceneCaches, BookColdAndWarmQueriesApart) {
+    const CacheMachine machine = small_machine();
+    SceneCaches caches({&machine, 1}, 1, 1);
+    ColdCaches emptied({&machine, 1});
+    HeatMap heat(1, 1);
+    TraceFanOut every({&caches, &emptied, &heat});
+    const auto ask_from = [&](QueryStart start, const std::vector<std::uint64_t>& lines) {
+        every.on_query_start(start);
+        for (const std::uint64_t line : lines) every.on_access(read_of(line * 64));
+        every.on_query_end(start == QueryStart::warm);
+    };
+    ask_from(QueryStart::cold, {1, 2, 3, 4, 1});
+    ask_from(QueryStart::warm, {1, 2});
+    ask_from(QueryStart::warm, {1, 5});
+    every.on_access({6 * 64, 8, AccessKind::read, 0, 0, TraceSide::scene});
+    const ByStart<MachineMisses> found = caches.steady()[0];
+    EXPECT_EQ(found.cold.caches[0].misses.all(), 4U);
+    EXPECT_EQ(found.warm.caches[0].misses.all(), 1U) << "the cold query brought in the others";
+    EXPECT_EQ(found.all.caches[0].misses.all(), 6U);
+    EXPECT_EQ(found.cold.caches[0].accesses, 5U);
+    EXPECT_EQ(found.warm.caches[0].accesses, 4U);
+    EXPECT_EQ(found.warm.caches[1].accesses, 1U);
+    EXPECT_EQ(found.cold.memory_ns, 4 * 100);
+    EXPECT_EQ(found.warm.memory_ns, 1 * 100);
+    EXPECT_EQ(caches.queries().cold, 1U);
+    EXPECT_EQ(caches.queries().warm, 2U);
+    EXPECT_EQ(caches.lines().touched.cold, 4U);
+    EXPECT_EQ(caches.lines().touched.warm, 4U);
+    EXPECT_EQ(caches.lines().steady.cold.firsts(), 4U);
+    EXPECT_EQ(caches.lines().steady.warm.firsts(), 1U);
+    EXPECT_EQ(caches.lines().steady.warm.uses(), 4U);
+    EXPECT_EQ(caches.lines().steady.all.uses(), 10U);
+    EXPECT_EQ(emptied.misses(0).cold, (std::vector<std::uint64_t>{4, 4}));
+    EXPECT_EQ(emptied.misses(0).warm, (std::vector<std::uint64_t>{4, 4})) << "emptied before each";
+    EXPECT_EQ(heat.lines_of_queries().cold, 4U);
+    EXPECT_EQ(heat.lines_of_queries().warm, 4U);
+    EXPECT_EQ(heat.accesses_by_field().cold, (std::vector<std::uint64_t>{5}));
+    EXPECT_EQ(heat.accesses_by_field().warm, (std::vector<std::uint64_t>{4}));
 }
 
 /// Every machine at once gives what each gives alone, whatever its lines.
@@ -165,10 +207,10 @@ TEST(SceneCaches, AreTheModelsOfEachMachine) {
             tlb.access(access.address, access.bytes, access.kind);
         }
         for (std::size_t level = 0; level < alone.counts().size(); ++level) {
-            EXPECT_EQ(all[m].caches[level].misses.all(), alone.counts(level).misses);
-            EXPECT_EQ(all[m].caches[level].accesses, alone.counts(level).accesses);
+            EXPECT_EQ(all[m].all.caches[level].misses.all(), alone.counts(level).misses);
+            EXPECT_EQ(all[m].all.caches[level].accesses, alone.counts(level).accesses);
         }
-        EXPECT_EQ(all[m].tlbs[0].misses.all(), tlb.counts(0).misses);
+        EXPECT_EQ(all[m].all.tlbs[0].misses.all(), tlb.counts(0).misses);
         EXPECT_GT(alone.counts(0).misses, 1000U);
     }
 }

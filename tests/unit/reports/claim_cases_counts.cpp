@@ -147,7 +147,7 @@ std::vector<ClaimCase> count_cases() {
     for (const ClaimCase& one : robustness_cases()) cases.push_back(one);
     const auto power_of_time = [](double n, double x) { return made_time(std::pow(n, x)); };
     const auto power_of_steps = [](double n, double x) {
-        return MadeFigures{{"error.mean_steps", std::pow(n, x)}};
+        return MadeFigures{{"error.mean_steps.warm", std::pow(n, x)}};
     };
     const auto power_of_climb = [](double n, double x) {
         return MadeFigures{{"work.vertices_per_support", std::pow(n, x)}};

@@ -42,7 +42,7 @@ void add_thrash(ReportData& data, int vertices, const std::string& algorithm, co
 MadeFigures misses(double count) {
     MadeFigures figures;
     for (const std::string machine : {"pentium3_coppermine", "pentium2_deschutes", "athlon_thunderbird"})
-        figures.push_back({"caches." + machine + ".L2.misses_per_query", count});
+        figures.push_back({"caches." + machine + ".L2.misses_per_query.warm", count});
     return figures;
 }
 
@@ -70,8 +70,8 @@ ReportData misses_by_table(double without) {
 
 ReportData lines(double vclip) {
     ReportData data;
-    add_thrash(data, 386, "vclip", {{"reuse.lines_per_query", vclip}});
-    add_thrash(data, 386, "gjk", {{"reuse.lines_per_query", 1}});
+    add_thrash(data, 386, "vclip", {{"reuse.lines_per_query.warm", vclip}});
+    add_thrash(data, 386, "gjk", {{"reuse.lines_per_query.warm", 1}});
     return data;
 }
 

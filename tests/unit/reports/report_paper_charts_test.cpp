@@ -119,9 +119,9 @@ ReportData thrash_data() {
     add_scene(data, "paper_thrash_386", "rotation_step");
     for (const char* step : {"0.0166667", "0.1166667"})
         add_both(data, "paper_thrash_386", std::string(R"({"bodies":300,"rotation_step":)") + step + "}",
-                 {{"caches.pentium3_coppermine.L1D.misses_per_query", 20},
-                  {"reuse.line_misses_at_2^10", 30},
-                  {"reuse.page_misses_at_2^14", 3}});
+                 {{"caches.pentium3_coppermine.L1D.misses_per_query.warm", 20},
+                  {"reuse.line_misses_at_2^10.warm", 30},
+                  {"reuse.page_misses_at_2^14.warm", 3}});
     return data;
 }
 
@@ -161,7 +161,7 @@ TEST(PaperCharts, ThisMachineHasItsCachesBesideTheKnees) {
     data.build.machine_json = R"({"caches":[{"level":2,"bytes":1048576,"type":"Unified"}]})";
     add_scene(data, "paper_caches_here", "bodies");
     MadeUp values = times(100);
-    values["reuse.line_knee_bytes"] = 4096;
+    values["reuse.line_knee_bytes.warm"] = 4096;
     add_both(data, "paper_caches_here", R"({"bodies":75})", values);
     const ChartJson spec = paper_here_chart(data).spec;
     ASSERT_EQ(spec["hconcat"].size(), 2U);
@@ -177,7 +177,7 @@ TEST(PaperCharts, KneesThatWereNotTracedAreThoseOfTheThrashInProportion) {
     EXPECT_EQ(paper_here_chart(data).spec["hconcat"].size(), 1U);
     add_scene(data, "paper_thrash_386", "rotation_step");
     add_both(data, "paper_thrash_386", R"({"bodies":300,"rotation_step":0.1166667})",
-             {{"reuse.line_knee_bytes", 3e6}});
+             {{"reuse.line_knee_bytes.warm", 3e6}});
     const Chart chart = paper_here_chart(data);
     ASSERT_EQ(chart.spec["hconcat"].size(), 2U);
     EXPECT_EQ(chart.spec["hconcat"][1]["data"]["values"][0]["knee"], 7.5e5);

@@ -52,6 +52,56 @@ TEST(PaperTables, NeedsAreRatiosToThePlainCell) {
     EXPECT_THAT(grid.rows[0][6].why, HasSubstr("needs=distance"));
 }
 
+TEST(PaperTables, MarginsStandBesideEachOther) {
+    ReportData data;
+    add_scene(data, "paper_margin", "margin");
+    const auto add = [&](const char* algorithm, const char* margin, double ns) {
+        MadeUp figures = times(ns);
+        figures.insert({{"error.overlapping", 30}, {"error.checked", 120}, {"work.first_share", 0.125}});
+        data.from_files.push_back(made_up_cell("paper_margin", algorithm, margin, figures));
+    };
+    add("vclip", R"({"margin":0.2})", 120);
+    add("gjk", R"({"margin":0.2})", 100);
+    add("vclip", R"({"margin":0})", 80);
+    add("gjk", R"({"margin":0})", 100);
+    const TextGrid grid = margin_grid(data);
+    ASSERT_EQ(grid.rows.size(), 2U);
+    ASSERT_EQ(grid.rows[0].size(), grid.columns.size());
+    EXPECT_EQ(grid.rows[0][2].text, "0");
+    EXPECT_EQ(grid.rows[1][2].text, "0.200");
+    EXPECT_EQ(grid.rows[0][4].text, "0.250");
+    EXPECT_EQ(grid.rows[0][5].text, "0.125");
+    EXPECT_EQ(grid.rows[0][6].text, "80");
+    EXPECT_EQ(grid.rows[0][8].text, "0.800") << "V-Clip over GJK";
+    EXPECT_EQ(grid.rows[1][8].text, "1.200");
+}
+
+TEST(PaperTables, TheTolerancesStandBesideEachOther) {
+    ReportData data;
+    add_scene(data, "paper_tolerance", "rotation_step");
+    const auto add = [&](const char* axes, double ns, double separated) {
+        MadeUp figures = times(ns);
+        figures.insert({{"error.mean_steps.warm", ns / 10}, {"error.separated", separated}});
+        if (*axes) figures["error.wrong_verdicts"] = 0;
+        data.from_files.push_back(
+            made_up_cell("paper_tolerance", "gjk", R"({"rotation_step":0.1})", figures));
+        data.from_files.back().axes = axes;
+    };
+    add("", 100, 90);
+    add("contact_tolerance=1e-05", 50, 85);
+    const TextGrid grid = tolerance_grid(data);
+    ASSERT_EQ(grid.rows.size(), 1U);
+    ASSERT_EQ(grid.rows[0].size(), grid.columns.size());
+    const std::vector<GridCell>& row = grid.rows[0];
+    EXPECT_EQ(row[3].text, "100");
+    EXPECT_EQ(row[4].text, "50");
+    EXPECT_EQ(row[5].text, "0.500");
+    EXPECT_EQ(row[7].text, "5");
+    EXPECT_EQ(row[8].text, "90");
+    EXPECT_EQ(row[9].text, "85");
+    EXPECT_EQ(row[10].text, "0");
+}
+
 TEST(PaperTables, NearnessStandsBesideTheOtherNeeds) {
     ReportData data;
     add_scene(data, "paper_needs", "");
@@ -59,11 +109,11 @@ TEST(PaperTables, NearnessStandsBesideTheOtherNeeds) {
         data.from_files.push_back(made_up_cell("paper_needs", "gjk", "{}", figures));
         data.from_files.back().axes = axes;
     };
-    add("", {{"time.all_ns", 100}, {"lines.lines_per_query", 9}});
+    add("", {{"time.all_ns", 100}, {"lines.lines_per_query.warm", 9}});
     add("needs=certificate", {{"time.all_ns", 400}});
     add("needs=nearer+margin=1", {{"time.all_ns", 12}});
     add("needs=nearer+margin=0.1",
-        {{"time.all_ns", 8}, {"lines.lines_per_query", 0.5}, {"work.told_by_bounds", 0.912}});
+        {{"time.all_ns", 8}, {"lines.lines_per_query.warm", 0.5}, {"work.told_by_bounds", 0.912}});
     const TextGrid grid = all_needs_grid(data);
     ASSERT_EQ(grid.rows.size(), 4U);
     EXPECT_EQ(grid.rows[0].size(), grid.columns.size());

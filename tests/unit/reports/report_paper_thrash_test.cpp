@@ -22,9 +22,9 @@ void add_thrash(ReportData& data, int vertices, double memory_ns, double page_kn
     add_scene(data, scene, "rotation_step");
     for (const char* step : {"0.0166667", "3.1415927"})
         add_both(data, scene, std::string(R"({"bodies":300,"rotation_step":)") + step + "}",
-                 {{"caches.pentium3_coppermine.modelled_memory_ns", memory_ns},
-                  {"reuse.line_knee_bytes", page_knee / 8},
-                  {"reuse.page_knee_bytes", page_knee}});
+                 {{"caches.pentium3_coppermine.modelled_memory_ns.warm", memory_ns},
+                  {"reuse.line_knee_bytes.warm", page_knee / 8},
+                  {"reuse.page_knee_bytes.warm", page_knee}});
 }
 
 ReportData made_up(double memory_ns, double page_knee) {
@@ -109,9 +109,9 @@ TEST(PaperThrash, SaysWhatIsMissing) {
 TEST(PaperThrash, TellsWhatLayoutsDoToIt) {
     ReportData data = made_up(thrashing, large);
     ReportCell lean = made_up_cell("paper_thrash_386", "vclip", R"({"bodies":300,"rotation_step":0.0166667})",
-                                   {{"caches.pentium3_coppermine.modelled_memory_ns", thrashing / 4},
-                                    {"reuse.line_knee_bytes", large / 16},
-                                    {"reuse.page_knee_bytes", large / 2}});
+                                   {{"caches.pentium3_coppermine.modelled_memory_ns.warm", thrashing / 4},
+                                    {"reuse.line_knee_bytes.warm", large / 16},
+                                    {"reuse.page_knee_bytes.warm", large / 2}});
     lean.layout = "lean", lean.table = "lean_f64";
     data.from_files.push_back(lean);
     EXPECT_THAT(thrash_paragraph(data), HasSubstr("lean_f64 0.500, 0.500, 0.250"));

@@ -89,7 +89,7 @@ inline std::string store_sql() {
     sql += full_cell_sql("h-full", 100) + full_cell_sql("h-null", 250);
     for (int number = 0; number < 7; ++number)
         sql += "insert into round values('b2','h-full'," + std::to_string(number) + ",10," +
-               std::to_string(1000 + number) + ",0,0,10,1000,0,0,0,0);";
+               std::to_string(1000 + number) + ",0,0,10,1000,0,0,0,0,0,0);";
     return sql;
 }
 

@@ -32,7 +32,7 @@ TEST_F(Report, SummaryCountsTheLatestBuildOnly) {
 /// Separated pairs alone have been timed: all pairs together are these.
 TEST_F(Report, RoundsHaveRatiosByKindAndOfAllPairs) {
     const ReportData data = read_report(make_store(
-        store_sql() + "insert into round values('b2','h-null',0,10,1000,10,5000,10,1000,30,3000,0,0);"));
+        store_sql() + "insert into round values('b2','h-null',0,10,1000,10,5000,10,1000,30,3000,0,0,0,0);"));
     for (const ReportCell& cell : data.cells) {
         if (cell.hash == "h-full") {
             ASSERT_EQ(cell.rounds.size(), 7u);

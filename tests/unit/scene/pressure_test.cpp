@@ -54,5 +54,13 @@ TEST(Pressure, PairsAreNearAndApart) {
     EXPECT_LT(most, 0.5);
 }
 
+TEST(Pressure, TakesTheLeastSteps) {
+    const auto w =
+        make_scene("pressure", *make_shape("cube8"), {{"bodies", 30}, {"least_steps", 5}}, 1, 7, {});
+    ASSERT_TRUE(w) << w.error;
+    EXPECT_EQ(w->frames.size(), 5U);
+    EXPECT_EQ(w->queries.size(), 5 * 29U);
+}
+
 }  // namespace
 }  // namespace edgewise::scene

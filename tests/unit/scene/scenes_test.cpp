@@ -270,5 +270,18 @@ TEST(Scenes, ExactlyAsManyQueriesAsAsked) {
     }
 }
 
+/// Larger boxes meet more often, so that the same populations have more pairs, which lie farther apart.
+TEST(Static, AMarginAsksMorePairsOfEachPopulation) {
+    const auto in_populations = [](double margin) {
+        const auto w = make_scene("static", *make_shape("cube8"), {{"margin", margin}}, 1, 2000, {});
+        EXPECT_TRUE(w) << w.error;
+        std::size_t populations = 1;
+        for (std::size_t i = 1; i < w->queries.size(); ++i)
+            populations += w->queries[i].instance_a < w->queries[i - 1].instance_a;
+        return populations;
+    };
+    EXPECT_LT(in_populations(0.2), in_populations(0));
+}
+
 }  // namespace
 }  // namespace edgewise::scene

@@ -9,6 +9,7 @@
 
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
+#include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::scene {
@@ -106,6 +107,80 @@ TEST(Tumble, FramesHoldPosesAndTheirBoxes) {
             ASSERT_EQ(box.high, frame.boxes[i].high);
         }
     }
+}
+
+/// The smallest turn between any two orientations that a body has in one population.
+double nearest_return(const SceneParameters& parameters) {
+    const Workload w = tumble(parameters, 1);
+    double least = 10;
+    for (std::size_t i = 0; i < w.frames.size(); ++i) {
+        for (std::size_t j = i + 1; j < w.frames.size() && !w.frames[j].starts_anew; ++j) {
+            for (std::size_t body = 0; body < w.frames[i].poses.size(); ++body)
+                least = std::min(least, turned_by(w.frames[i].poses[body], w.frames[j].poses[body]));
+        }
+    }
+    return least;
+}
+
+/// A turn by 3/4 pi comes back after eight steps. None of the paper's scenes that turn by more than 1 rad per
+/// step comes back within a population, all its hundred steps.
+TEST(Tumble, ComesBackToNoOrientationInThePapersScenes) {
+    const SceneParameters returning = {{"rotation_step", 2.3561945}, {"least_steps", 100}, {"bodies", 8}};
+    EXPECT_LT(nearest_return(returning), 1e-5);
+    SceneParameters precessing = returning;
+    precessing["precession"] = 0.236068;
+    EXPECT_GT(nearest_return(precessing), 1e-3);
+    std::size_t fast = 0;
+    for (const char* name : {"paper_angular_8", "paper_thrash_38"}) {
+        const auto file = find_scene_file(name);
+        ASSERT_TRUE(file && *file);
+        for (const ScenePoint& point : (*file)->points) {
+            if (point.parameters.at("rotation_step") <= 1) continue;
+            SceneParameters parameters = point.parameters;
+            parameters["bodies"] = 8;
+            parameters["least_steps"] = 100;
+            EXPECT_GT(nearest_return(parameters), 1e-3) << name << " " << parameters["rotation_step"];
+            ++fast;
+        }
+    }
+    EXPECT_EQ(fast, 8U);
+}
+
+/// The axis turns, the angle of a step stays.
+TEST(Tumble, PrecessesAtTheSameAngle) {
+    const auto axis_of = [](const Pose& before, const Pose& after) {
+        const Mat3d turn = after.rotation * before.rotation.transpose();
+        return Vec3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+    };
+    const Workload w = tumble({{"rotation_step", 0.5}, {"precession", 0.2}, {"bodies", 6}});
+    double most = 0;
+    for (std::size_t i = 2; i < w.frames.size(); ++i) {
+        if (w.frames[i].starts_anew || w.frames[i - 1].starts_anew) continue;
+        for (std::size_t body = 0; body < 6; ++body) {
+            const Pose &a = w.frames[i - 2].poses[body], &b = w.frames[i - 1].poses[body],
+                       &c = w.frames[i].poses[body];
+            EXPECT_NEAR(turned_by(b, c), 0.5, 1e-6);
+            const Vec3d before = axis_of(a, b), after = axis_of(b, c);
+            most = std::max(
+                most, std::acos(std::clamp(dot(before, after) / norm(before) / norm(after), -1.0, 1.0)));
+        }
+    }
+    EXPECT_GT(most, 0.05);
+    EXPECT_LE(most, 0.2 * 0.5 + 1e-6) << "less where the axes are near each other";
+}
+
+/// As many whole steps as are asked for, however few queries are; and no other queries before them.
+TEST(Tumble, TakesTheLeastSteps) {
+    const Workload w = tumble({{"bodies", 20}, {"least_steps", 120}}, 10),
+                   longer = tumble({{"bodies", 20}, {"least_steps", 2}}, 20000);
+    EXPECT_EQ(w.frames.size(), 120U);
+    EXPECT_GT(w.queries.size(), w.frames.back().first_query) << "the last step is whole";
+    ASSERT_GT(longer.frames.size(), 120U);
+    EXPECT_EQ(w.queries.size(), longer.frames[120].first_query);
+    EXPECT_EQ(longer.queries.size(), 20000U);
+    std::uint32_t pairs = 0;
+    for (const Query& query : w.queries) pairs = std::max(pairs, query.pair + 1);
+    EXPECT_EQ(w.pair_count, pairs);
 }
 
 }  // namespace

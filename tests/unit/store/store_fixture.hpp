@@ -43,7 +43,8 @@ inline std::optional<std::string> find_meta(const std::string& path, const std::
 inline measure::Round sample_round(int number) {
     const auto n = static_cast<std::uint64_t>(number);
     return {number,
-            {n * 100 + 1, n * 100 + 2, number + 0.125, number + 0.25, n * 100 + 5, number + 0.625},
+            {n * 100 + 1, n * 100 + 2, number + 0.125, number + 0.25, n * 100 + 5, number + 0.625,
+             n * 100 + 6, number + 0.75},
             {n * 100 + 3, n * 100 + 4, number + 0.375, number + 0.5}};
 }
 
@@ -51,8 +52,9 @@ inline bool equal(const measure::Round& a, const measure::Round& b) {
     const auto tied = [](const measure::Round& r) {
         return std::tie(r.number, r.timing.separated_queries, r.timing.overlapping_queries,
                         r.timing.separated_ns, r.timing.overlapping_ns, r.timing.either_queries,
-                        r.timing.either_ns, r.baseline.separated_queries, r.baseline.overlapping_queries,
-                        r.baseline.separated_ns, r.baseline.overlapping_ns);
+                        r.timing.either_ns, r.timing.first_queries, r.timing.first_ns,
+                        r.baseline.separated_queries, r.baseline.overlapping_queries, r.baseline.separated_ns,
+                        r.baseline.overlapping_ns);
     };
     return tied(a) == tied(b);
 }

@@ -60,7 +60,11 @@ TEST(Vocabulary, ReadsBackWhatFillsBraces) {
     EXPECT_EQ(of_zen5.value_in("reuse", "zen5.L2.misses_per_query"), std::nullopt);
     EXPECT_EQ(of_zen5.value_in("caches", "zen5.misses_per_query"), std::nullopt);
     EXPECT_EQ(of_zen5.value_in("caches", "zen4.L2.misses_per_query"), std::nullopt);
-    EXPECT_EQ(of_zen5.value_in("caches", "zen5.L2.cold_misses_per_query"), std::nullopt);
+    EXPECT_EQ(of_zen5.value_in("caches", "zen5.L2.emptied_misses_per_query"), std::nullopt);
+    EXPECT_EQ(of_zen5.value_in("caches", "zen5.L2.misses_per_query.warm"), std::nullopt);
+    constexpr FigureName curve("reuse.line_misses_at_2^{power}");
+    EXPECT_EQ(curve.value_in("reuse", "line_misses_at_2^10"), "10");
+    EXPECT_EQ(curve.value_in("reuse", "line_misses_at_2^10.cold"), std::nullopt) << "another population";
     EXPECT_EQ(FigureName("reuse.page_misses_at_2^{power}").value_in("reuse", "page_misses_at_2^15"), "15");
 }
 

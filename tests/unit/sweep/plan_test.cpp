@@ -119,6 +119,7 @@ std::vector<PaperScene> paper_scenes() {
     const Names thrashed = {"aos_f64", "linked_f64", "lean_f64"};
     const Names shared = {"sharing=shared"}, solved = {"sub_distance=johnson"},
                 placed = {"sharing=shared", "order=bfs", "order=spatial"};
+    const Names plain_only = {"aos_f64"}, tolerant = {"contact_tolerance=1e-05"};
     const Names asked = {
         "needs=nearer+margin=0.01", "needs=nearer",   "needs=nearer+margin=1", "needs=verdict",
         "needs=distance",           "needs=features", "needs=depth",           "needs=certificate"};
@@ -137,6 +138,9 @@ std::vector<PaperScene> paper_scenes() {
             {"paper_thrash_8", thrashed, placed},
             {"paper_thrash_38", thrashed, placed},
             {"paper_thrash_386", thrashed, placed},
+            {"paper_margin", plain_only, {}},
+            {"paper_static_margin", plain_only, {}},
+            {"paper_tolerance", plain_only, tolerant},
             {"tumble", {}, {}},
             {"cold", {}, {}}};
 }
@@ -167,8 +171,8 @@ TEST(Plan, PaperIsWhatItsStoresHold) {
     EXPECT_EQ(paper.shapes, quick.shapes);
     EXPECT_EQ(paper.layouts, quick.layouts);
     EXPECT_EQ(std::tuple(paper.seed, paper.checked, paper.control, paper.rounds, paper.stability,
-                         paper.traced, paper.paging, paper.meshes_required),
-              std::tuple(1U, 2000U, true, 11, 100U, 3000U, 600U, false));
+                         paper.traced, paper.traced_steps, paper.paging, paper.meshes_required),
+              std::tuple(1U, 2000U, true, 11, 100U, 3000U, 50U, 600U, false));
     EXPECT_EQ(paper.machines,
               (Names{"pentium2_deschutes", "pentium3_coppermine", "athlon_thunderbird", "zen5", "host"}));
 }

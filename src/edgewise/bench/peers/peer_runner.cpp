@@ -69,7 +69,7 @@ Runner::RangePass PeerRunner::prepared_range() const {
     };
 }
 
-PassSum PeerRunner::trace(std::size_t, measure::TraceListener&, Distance*) const { return {}; }
+PassSum PeerRunner::trace(const TraceExtent&, measure::TraceListener&, Distance*) const { return {}; }
 
 Ledger PeerRunner::ledger() const {
     // So many that what the allocator had kept for reuse, and counted as in use, is of no weight.

@@ -28,7 +28,8 @@ class PeerRunner final : public Runner {
     [[nodiscard]] RangePass prepared_range() const override;
 
     /// None: what a library reads cannot be told from outside.
-    PassSum trace(std::size_t limit, measure::TraceListener& listener, Distance* answers) const override;
+    PassSum trace(const TraceExtent& extent, measure::TraceListener& listener,
+                  Distance* answers) const override;
 
     /// What a shape of the first body allocates beside its object, all of it as vertex coordinates: a library
     /// does not tell what for.

@@ -11,6 +11,7 @@
 
 #include "edgewise/bench/runner.hpp"
 #include "edgewise/bench/trace/frame_trace.hpp"
+#include "edgewise/bench/trace/trace_extent.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/bench/trace/trace_places.hpp"
 #include "edgewise/bench/trace/traced_question.hpp"
@@ -19,24 +20,28 @@
 
 namespace edgewise::bench {
 
-/// Notifies the listener of the first queries, until so many have counted. tables(query) gives a query's two
+/// Notifies the listener of the queries of that extent. tables(query) gives a query's two
 /// tables. Tables are only read; of a pair's cache as much is read and written as the question does.
 /// `answers` may be null.
 template <class Algorithm, class TracedTable, class Tables>
-PassSum trace_queries(const scene::Workload& workload, std::size_t limit, const TracedQuestion& question,
-                      const TracePlaces& places, Tables tables, measure::TraceListener& listener,
-                      Distance* answers) {
+PassSum trace_queries(const scene::Workload& workload, const TraceExtent& extent,
+                      const TracedQuestion& question, const TracePlaces& places, Tables tables,
+                      measure::TraceListener& listener, Distance* answers) {
     const std::vector<std::uint8_t> cold = cold_starts(workload);
     measure::TraceSink sink_a(listener, measure::TraceSide::table_a, places.base);
     measure::TraceSink sink_b(listener, measure::TraceSide::table_b, places.base);
     const StepMarks marks{sink_a, sink_b};
     std::unordered_map<std::uint32_t, std::unique_ptr<TracedPair<Algorithm, TracedTable>>> pairs;
     FrameTrace frames(workload, places, listener);
+    const std::size_t least = extent.end_of_steps(workload);
     std::size_t counted = 0;
     PassSum sum;
-    for (std::size_t i = 0; i < cold.size() && counted < limit; ++i) {
+    for (std::size_t i = 0; i < cold.size() && (counted < extent.counted || i < least); ++i) {
         const scene::Query& query = workload.queries[i];
         frames.before(i);
+        if (query.pair % extent.pair_stride != 0) continue;
+        listener.on_query_start(workload.warm && !cold[i] ? measure::QueryStart::warm
+                                                          : measure::QueryStart::cold);
         const auto [table_a, table_b] = tables(query);
         auto& traced = pairs[query.pair];
         if (!traced || !workload.warm)

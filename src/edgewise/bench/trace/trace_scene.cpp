@@ -2,7 +2,6 @@
 #include "edgewise/bench/trace/trace_scene.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/trace/touched_tables.hpp"
@@ -44,7 +43,7 @@ std::vector<measure::CacheMachine> other_policies(std::span<const measure::Cache
 void book_machines(const measure::SceneCaches& caches, const measure::ColdCaches& cold,
                    std::span<const measure::CacheMachine> machines,
                    std::span<const measure::MachineChoice> choices, measure::SceneTrace& trace) {
-    const std::vector<measure::MachineMisses> steady = caches.steady();
+    const std::vector<measure::ByStart<measure::MachineMisses>> steady = caches.steady();
     std::size_t next = 0;
     for (const measure::MachineChoice& choice : choices) {
         measure::ModelledMachine& machine = trace.machines.emplace_back();
@@ -53,7 +52,7 @@ void book_machines(const measure::SceneCaches& caches, const measure::ColdCaches
         if (!choice.machine.value) continue;
         machine.first = caches.first()[next];
         machine.steady = steady[next];
-        machine.cold = cold.misses(next);
+        machine.emptied = cold.misses(next);
         ++next;
     }
     for (; next < machines.size(); ++next)
@@ -64,6 +63,7 @@ measure::SceneHeat heat_of(const measure::HeatMap& heat, const Runner& runner) {
     return {heat.accesses_by_field(),
             heat.accesses_by_step(),
             heat.queries(),
+            heat.lines_of_queries(),
             heat.lines(),
             heat.lines_taking(0.5),
             heat.lines_taking(0.9),
@@ -72,7 +72,8 @@ measure::SceneHeat heat_of(const measure::HeatMap& heat, const Runner& runner) {
 
 /// Both passes through all listeners; what the second answered.
 PassSum trace_passes(const Runner& runner, bool framed, const CacheOrder& order, measure::SceneTrace& trace) {
-    const std::size_t limit = order.queries > 0 ? order.queries : std::numeric_limits<std::size_t>::max();
+    const TraceExtent extent =
+        order.queries > 0 ? TraceExtent(order.queries, order.steps) : TraceExtent::everything();
     const std::vector<measure::CacheMachine> known = known_machines(order.machines);
     std::vector<measure::CacheMachine> machines = known;
     for (measure::CacheMachine& other : other_policies(known)) machines.push_back(std::move(other));
@@ -80,9 +81,9 @@ PassSum trace_passes(const Runner& runner, bool framed, const CacheOrder& order,
     measure::ColdCaches cold(known);
     measure::HeatMap heat(trace.fields.size(), trace.steps.size());
     measure::TraceFanOut first({&caches, &heat}), second({&caches, &heat, &cold});
-    static_cast<void>(runner.trace(limit, first));
+    static_cast<void>(runner.trace(extent, first));
     caches.start_steady();
-    const PassSum sum = runner.trace(limit, second);
+    const PassSum sum = runner.trace(extent, second);
     trace.queries = caches.queries();
     trace.frames = caches.frames();
     trace.lines = caches.lines();
@@ -105,7 +106,7 @@ void add(Fingerprint& print, const measure::CacheGeometry& geometry) {
 
 double CacheOrder::identity() const {
     Fingerprint print;
-    print.add(std::uint64_t{queries});
+    print.add(std::uint64_t{queries}).add(std::uint64_t{steps});
     for (const measure::MachineChoice& choice : machines) {
         print.add(choice.name);
         if (!choice.machine.value) continue;

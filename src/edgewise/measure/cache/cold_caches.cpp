@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/measure/cache/cold_caches.hpp"
 
+#include <utility>
+
 namespace edgewise::measure {
 
 ColdCaches::ColdCaches(std::span<const CacheMachine> machines) {
-    for (const CacheMachine& machine : machines) machines_.push_back({CacheModel(machine.caches), {}});
+    for (const CacheMachine& machine : machines) {
+        const std::vector<std::uint64_t> none(machine.caches.levels.size());
+        machines_.push_back({CacheModel(machine.caches), {none, none, none}, none, {}});
+    }
 }
 
 void ColdCaches::on_access(const TracedAccess& access) {
@@ -18,15 +23,14 @@ void ColdCaches::on_access(const TracedAccess& access) {
 
 void ColdCaches::on_query_end(bool /*counts*/) {
     for (Cold& cold : machines_) {
+        for (std::size_t i = 0; i < cold.booked.size(); ++i) {
+            const std::uint64_t before = std::exchange(cold.booked[i], cold.model.counts(i).misses);
+            cold.misses.each(start_, [&](auto& misses) { misses[i] += cold.booked[i] - before; });
+        }
         for (const std::uint64_t line : cold.lines) cold.model.drop(line);
         cold.lines.clear();
     }
-}
-
-std::vector<std::uint64_t> ColdCaches::misses(std::size_t machine) const {
-    std::vector<std::uint64_t> all;
-    for (const LevelCounts& level : machines_[machine].model.counts()) all.push_back(level.misses);
-    return all;
+    start_.reset();
 }
 
 }  // namespace edgewise::measure

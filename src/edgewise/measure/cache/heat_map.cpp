@@ -4,18 +4,33 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 namespace edgewise::measure {
 
+HeatMap::HeatMap(std::size_t fields, std::size_t steps) : by_step_(steps) {
+    for (auto* counts : {&by_field_.all, &by_field_.cold, &by_field_.warm}) counts->resize(fields);
+}
+
 void HeatMap::on_access(const TracedAccess& access) {
-    ++by_field_[access.field];
+    by_field_.each(start_, [&](std::vector<std::uint64_t>& counts) { ++counts[access.field]; });
     ++by_step_[access.step];
     touched_.touch(access.address, access.bytes);
-    access.for_each_unit(64, [this](std::uint64_t line) {
-        if (line >= by_line_.size())
+    access.for_each_unit(64, [&](std::uint64_t line) {
+        if (line >= by_line_.size()) {
             by_line_.resize(std::max<std::uint64_t>(line + 1, 2 * by_line_.size()), 0);
+            last_query_.resize(by_line_.size(), 0);
+        }
         ++by_line_[line];
+        if (access.side == TraceSide::scene) return;
+        const std::uint64_t query = queries_.all + 1;
+        if (std::exchange(last_query_[line], query) != query) lines_of_queries_.add(start_, 1);
     });
+}
+
+void HeatMap::on_query_end(bool /*counts*/) {
+    queries_.add(start_, 1);
+    start_.reset();
 }
 
 std::uint64_t HeatMap::lines() const {

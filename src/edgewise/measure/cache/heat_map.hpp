@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "edgewise/measure/cache/touched_bytes.hpp"
@@ -15,13 +16,16 @@ namespace edgewise::measure {
 class HeatMap final : public TraceListener {
   public:
     /// fields, steps: how many there are.
-    HeatMap(std::size_t fields, std::size_t steps) : by_field_(fields), by_step_(steps) {}
+    HeatMap(std::size_t fields, std::size_t steps);
 
+    void on_query_start(QueryStart start) override { start_ = start; }
     void on_access(const TracedAccess& access) override;
-    void on_query_end(bool /*counts*/) override { ++queries_; }
+    void on_query_end(bool counts) override;
 
-    [[nodiscard]] std::uint64_t queries() const { return queries_; }
-    [[nodiscard]] const std::vector<std::uint64_t>& accesses_by_field() const { return by_field_; }
+    [[nodiscard]] const ByStart<std::uint64_t>& queries() const { return queries_; }
+    /// Summed over queries: distinct lines of tables that each accesses.
+    [[nodiscard]] const ByStart<std::uint64_t>& lines_of_queries() const { return lines_of_queries_; }
+    [[nodiscard]] const ByStart<std::vector<std::uint64_t>>& accesses_by_field() const { return by_field_; }
     [[nodiscard]] const std::vector<std::uint64_t>& accesses_by_step() const { return by_step_; }
     /// From address 0 on.
     [[nodiscard]] const std::vector<std::uint32_t>& accesses_by_line() const { return by_line_; }
@@ -33,10 +37,13 @@ class HeatMap final : public TraceListener {
     [[nodiscard]] std::uint64_t lines() const;
 
   private:
-    std::vector<std::uint64_t> by_field_, by_step_;
+    ByStart<std::vector<std::uint64_t>> by_field_;
+    std::vector<std::uint64_t> by_step_;
     std::vector<std::uint32_t> by_line_;
+    std::vector<std::uint64_t> last_query_;  ///< by line: number of the query that accessed it last
     TouchedBytes touched_;
-    std::uint64_t queries_ = 0;
+    ByStart<std::uint64_t> queries_, lines_of_queries_;
+    std::optional<QueryStart> start_;  ///< of the query at hand; nothing between queries
 };
 
 }  // namespace edgewise::measure

@@ -5,6 +5,14 @@
 
 namespace edgewise::measure {
 
+LinesTouched& LinesTouched::operator+=(const LinesTouched& other) {
+    queries += other.queries;
+    reads += other.reads;
+    bytes += other.bytes;
+    lines += other.lines;
+    return *this;
+}
+
 bool LineCounter::is_new(std::uint64_t line) {
     // Multiplicative hashing (Knuth, volume 3, 6.4), of which the high half is the better one.
     for (std::uint64_t at = line * 0x9e3779b97f4a7c15 >> 32;; ++at) {
@@ -32,14 +40,11 @@ void LineCounter::on_access(const TracedAccess& access) {
     });
 }
 
-void LineCounter::on_query_end(bool counts) {
-    if (counts) {
-        sums_.lines += query_.lines;
-        sums_.reads += query_.reads;
-        sums_.bytes += query_.bytes;
-        ++sums_.queries;
-    }
+void LineCounter::on_query_end(bool /*counts*/) {
+    query_.queries = 1;
+    sums_.each(start_, [&](LinesTouched& sum) { sum += query_; });
     query_ = {};
+    start_.reset();
     ++query_number_;
 }
 

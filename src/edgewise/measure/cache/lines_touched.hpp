@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "edgewise/measure/cache/trace.hpp"
@@ -20,18 +21,23 @@ inline constexpr std::size_t traced_queries = 1000;
 /// Sums over queries.
 struct LinesTouched {
     std::uint64_t queries = 0, reads = 0, bytes = 0, lines = 0;
+
+    LinesTouched& operator+=(const LinesTouched& other);
 };
 
 /// Counts the reads of tables; the scene's own memory is left out.
 class LineCounter final : public TraceListener {
   public:
+    void on_query_start(QueryStart start) override { start_ = start; }
     void on_access(const TracedAccess& access) override;
     void on_query_end(bool counts) override;
 
-    [[nodiscard]] const LinesTouched& sums() const { return sums_; }
+    [[nodiscard]] const ByStart<LinesTouched>& sums() const { return sums_; }
 
   private:
-    LinesTouched sums_, query_;
+    ByStart<LinesTouched> sums_;
+    LinesTouched query_;
+    std::optional<QueryStart> start_;
     struct Seen {
         std::uint64_t line;  ///< twice the line, and the side
         std::uint64_t query = 0;

@@ -12,6 +12,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "edgewise/measure/cache/trace.hpp"
@@ -107,29 +108,46 @@ class PageReuse final : public TraceListener {
   public:
     explicit PageReuse(std::uint64_t page_bytes) : page_bytes_(page_bytes) {}
 
+    void on_query_start(QueryStart start) override { start_ = start; }
     void on_access(const TracedAccess& access) override {
         if (access.side == TraceSide::scene) return;
-        access.for_each_unit(page_bytes_, [this](std::uint64_t page) { reuse_.use(page); });
+        access.for_each_unit(page_bytes_, [this](std::uint64_t page) {
+            const std::uint64_t distance = reuse_.use(page);
+            curves_.each(start_, [&](MissCurve& curve) {
+                distance == ReuseDistance::never ? curve.add_first() : curve.add(distance);
+            });
+        });
     }
-    void on_query_end(bool /*counts*/) override { ++queries_; }
+    void on_query_end(bool /*counts*/) override {
+        queries_.add(start_, 1);
+        start_.reset();
+    }
 
     /// What came before is known but not counted.
     void start_counting() {
-        queries_ = 0;
-        reuse_.forget_curve();
+        queries_ = {};
+        curves_ = {};
     }
 
     /// Distinct pages so far.
     [[nodiscard]] std::uint64_t pages() const { return reuse_.lines(); }
-    /// Fetches per query in a memory of so many pages.
-    [[nodiscard]] double fetches_per_query(std::uint64_t memory_pages) const {
-        return static_cast<double>(reuse_.curve().misses(memory_pages)) / static_cast<double>(queries_);
+    /// Fetches per query in a memory of so many pages, of all queries and by their start; nothing: there are
+    /// none of that start.
+    [[nodiscard]] ByStart<std::optional<double>> fetches_per_query(std::uint64_t memory_pages) const {
+        const auto mean = [&](const MissCurve& curve, std::uint64_t queries) -> std::optional<double> {
+            if (queries == 0) return std::nullopt;
+            return static_cast<double>(curve.misses(memory_pages)) / static_cast<double>(queries);
+        };
+        return {mean(curves_.all, queries_.all), mean(curves_.cold, queries_.cold),
+                mean(curves_.warm, queries_.warm)};
     }
 
   private:
     std::uint64_t page_bytes_;
     ReuseDistance reuse_;
-    std::uint64_t queries_ = 0;
+    ByStart<MissCurve> curves_;
+    ByStart<std::uint64_t> queries_;
+    std::optional<QueryStart> start_;
 };
 
 }  // namespace edgewise::measure

@@ -27,15 +27,15 @@ struct SceneCaches::Stack {
     /// How many distinct units each stretch of a trace touches, summed.
     class DistinctUnits {
       public:
-        void touch(std::uint64_t unit) {
+        void touch(std::uint64_t unit, std::optional<QueryStart> start) {
             if (unit >= last_.size()) last_.resize(std::max(unit + 1, 2 * last_.size()), 0);
-            sum_ += last_[unit] != stretch_;
+            if (last_[unit] != stretch_) sum_.add(start, 1);
             last_[unit] = stretch_;
         }
         void end_stretch() { ++stretch_; }
-        void forget_sum() { sum_ = 0; }
+        void forget_sum() { sum_ = {}; }
 
-        [[nodiscard]] std::uint64_t sum() const { return sum_; }
+        [[nodiscard]] const ByStart<std::uint64_t>& sum() const { return sum_; }
         /// Units that were ever touched.
         [[nodiscard]] std::uint64_t ever() const {
             return last_.size() -
@@ -45,20 +45,29 @@ struct SceneCaches::Stack {
       private:
         std::vector<std::uint32_t> last_;  ///< stretch that touched it last; 0: none
         std::uint32_t stretch_ = 1;
-        std::uint64_t sum_ = 0;
+        ByStart<std::uint64_t> sum_;
     };
 
-    ReuseDistance reuse;
+    ReuseDistance reuse;            ///< its curve is of all accesses
+    ByStart<MissCurve> own_curves;  ///< of queries by their start
     DistinctUnits of_queries, with_scene, of_frames;
 
-    std::uint64_t use(std::uint64_t number, TraceSide side, bool framed) {
-        if (framed) of_frames.touch(number);
-        with_scene.touch(number);
-        if (side != TraceSide::scene) of_queries.touch(number);
-        return reuse.use(number);
+    std::uint64_t use(std::uint64_t number, TraceSide side, std::optional<QueryStart> start, bool framed) {
+        if (framed) of_frames.touch(number, {});
+        with_scene.touch(number, start);
+        if (side != TraceSide::scene) of_queries.touch(number, start);
+        const std::uint64_t distance = reuse.use(number);
+        if (!start) return distance;
+        MissCurve& own = own_curves.of(*start);
+        distance == ReuseDistance::never ? own.add_first() : own.add(distance);
+        return distance;
+    }
+    [[nodiscard]] ByStart<MissCurve> curves() const {
+        return {reuse.curve(), own_curves.cold, own_curves.warm};
     }
     void start_steady() {
         reuse.forget_curve();
+        own_curves = {};
         of_queries.forget_sum();
         with_scene.forget_sum();
         of_frames.forget_sum();
@@ -74,53 +83,60 @@ class SceneCaches::Modelled {
             const std::uint64_t own = std::uint64_t{level.sets} * level.ways;
             above = level.inclusion == Inclusion::exclusive ? above + own : own;
             capacity_.push_back(above);
-            LevelMisses& missed = levels_.emplace_back();
-            missed.level = level.name;
-            missed.by_field.resize(fields);
-            missed.by_step.resize(steps);
+            const std::vector<std::uint64_t> no_field(fields), no_step(steps);
+            const LevelMisses none{level.name, 0, 0, {}, no_field, no_step};
+            for (auto* levels : {&levels_.all, &levels_.cold, &levels_.warm}) levels->push_back(none);
         }
     }
 
     [[nodiscard]] std::uint32_t unit() const { return model_.geometry().line_bytes; }
     /// Within one line, last used `distance` others ago.
     void access(std::uint64_t address, std::uint32_t bytes, const TracedAccess& whole,
-                std::uint64_t distance) {
+                std::optional<QueryStart> start, std::uint64_t distance) {
         const std::size_t depth = model_.access(address, bytes, whole.kind);
-        first_touches_ += distance == ReuseDistance::never;
-        for (std::size_t level = 0; level < depth; ++level) {
-            LevelMisses& missed = levels_[level];
-            MissKinds& kinds = missed.misses;
-            ++(distance == ReuseDistance::never ? kinds.compulsory
-               : distance >= capacity_[level]   ? kinds.capacity
-                                                : kinds.conflict);
-            ++missed.by_field[whole.field];
-            ++missed.by_step[whole.step];
-        }
+        levels_.each(start, [&](std::vector<LevelMisses>& levels) {
+            ++levels[0].accesses;
+            levels[0].first_touches += distance == ReuseDistance::never;
+            for (std::size_t level = 0; level < depth; ++level)
+                book(levels[level], whole, distance, capacity_[level]);
+        });
     }
-    [[nodiscard]] std::vector<LevelMisses> counted() const {
-        std::vector<LevelMisses> all = levels_;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            all[i].accesses = model_.counts(i).accesses;
-            all[i].first_touches = first_touches_;
+    [[nodiscard]] ByStart<std::vector<LevelMisses>> counted() const {
+        ByStart<std::vector<LevelMisses>> found = levels_;
+        for (auto* levels : {&found.all, &found.cold, &found.warm}) {
+            for (std::size_t i = 1; i < levels->size(); ++i) {
+                (*levels)[i].accesses = (*levels)[i - 1].misses.all();
+                (*levels)[i].first_touches = levels->front().first_touches;
+            }
         }
-        return all;
+        return found;
     }
     [[nodiscard]] const CacheModel& model() const { return model_; }
     void forget_counts() {
         model_.forget_counts();
-        first_touches_ = 0;
-        for (LevelMisses& level : levels_) {
-            level.misses = {};
-            std::fill(level.by_field.begin(), level.by_field.end(), 0);
-            std::fill(level.by_step.begin(), level.by_step.end(), 0);
+        for (auto* levels : {&levels_.all, &levels_.cold, &levels_.warm}) {
+            for (LevelMisses& level : *levels) {
+                const std::vector<std::uint64_t> no_field(level.by_field.size()),
+                    no_step(level.by_step.size());
+                level = {level.level, 0, 0, {}, no_field, no_step};
+            }
         }
     }
 
   private:
+    static void book(LevelMisses& missed, const TracedAccess& whole, std::uint64_t distance,
+                     std::uint64_t capacity) {
+        MissKinds& kinds = missed.misses;
+        ++(distance == ReuseDistance::never ? kinds.compulsory
+           : distance >= capacity           ? kinds.capacity
+                                            : kinds.conflict);
+        ++missed.by_field[whole.field];
+        ++missed.by_step[whole.step];
+    }
+
     CacheModel model_;
     std::vector<std::uint64_t> capacity_;
-    std::vector<LevelMisses> levels_;
-    std::uint64_t first_touches_ = 0;
+    ByStart<std::vector<LevelMisses>> levels_;  ///< accesses and first touches: of the first alone
 };
 
 /// A machine's two hierarchies.
@@ -129,18 +145,31 @@ struct SceneCaches::Machine {
     Modelled caches;
     std::optional<Modelled> tlbs;
 
-    [[nodiscard]] MachineMisses counted() const {
-        MachineMisses all;
-        all.caches = caches.counted();
-        if (tlbs) all.tlbs = tlbs->counted();
-        all.fetched = caches.model().fetched();
-        if (described->latencies_known()) all.memory_ns = described->memory_ns(caches.model().counts());
-        all.proved = described->latencies_proved();
-        return all;
+    [[nodiscard]] ByStart<MachineMisses> counted() const {
+        const ByStart<std::vector<LevelMisses>> of_caches = caches.counted();
+        ByStart<std::vector<LevelMisses>> of_tlbs;
+        if (tlbs) of_tlbs = tlbs->counted();
+        ByStart<MachineMisses> found{of(of_caches.all, of_tlbs.all), of(of_caches.cold, of_tlbs.cold),
+                                     of(of_caches.warm, of_tlbs.warm)};
+        found.all.fetched = caches.model().fetched();
+        return found;
     }
     void forget_counts() {
         caches.forget_counts();
         if (tlbs) tlbs->forget_counts();
+    }
+
+  private:
+    [[nodiscard]] MachineMisses of(const std::vector<LevelMisses>& levels,
+                                   const std::vector<LevelMisses>& pages) const {
+        MachineMisses found;
+        found.caches = levels;
+        found.tlbs = pages;
+        std::vector<LevelCounts> counts;
+        for (const LevelMisses& level : levels) counts.push_back({level.accesses, level.misses.all(), 0});
+        if (described->latencies_known()) found.memory_ns = described->memory_ns(counts);
+        found.proved = described->latencies_proved();
+        return found;
     }
 };
 
@@ -167,18 +196,20 @@ void SceneCaches::on_access(const TracedAccess& access) {
         each_unit(
             access, unit,
             [&, size = unit, &used = stack](std::uint64_t number, std::uint64_t at, std::uint32_t bytes) {
-                const std::uint64_t distance = used.use(number, access.side, framed_);
+                const std::uint64_t distance = used.use(number, access.side, start_, framed_);
                 for (Machine& machine : machines_) {
-                    if (machine.caches.unit() == size) machine.caches.access(at, bytes, access, distance);
+                    if (machine.caches.unit() == size)
+                        machine.caches.access(at, bytes, access, start_, distance);
                     if (machine.tlbs && machine.tlbs->unit() == size)
-                        machine.tlbs->access(at, bytes, access, distance);
+                        machine.tlbs->access(at, bytes, access, start_, distance);
                 }
             });
     }
 }
 
 void SceneCaches::on_query_end(bool /*counts*/) {
-    ++queries_;
+    queries_.add(start_, 1);
+    start_.reset();
     for (auto& [unit, stack] : stacks_) {
         stack.of_queries.end_stretch();
         stack.with_scene.end_stretch();
@@ -191,14 +222,15 @@ void SceneCaches::on_frame_end() {
 }
 
 void SceneCaches::start_steady() {
-    first_ = counted();
-    queries_ = frames_ = 0;
+    for (const ByStart<MachineMisses>& machine : steady()) first_.push_back(machine.all);
+    queries_ = {};
+    frames_ = 0;
     for (Machine& machine : machines_) machine.forget_counts();
     for (auto& [unit, stack] : stacks_) stack.start_steady();
 }
 
-std::vector<MachineMisses> SceneCaches::counted() const {
-    std::vector<MachineMisses> all;
+std::vector<ByStart<MachineMisses>> SceneCaches::steady() const {
+    std::vector<ByStart<MachineMisses>> all;
     for (const Machine& machine : machines_) all.push_back(machine.counted());
     return all;
 }
@@ -210,8 +242,8 @@ ReuseOf SceneCaches::reuse_of(std::uint32_t unit) const {
             stack.of_queries.ever(),
             stack.of_queries.sum(),
             stack.with_scene.sum(),
-            stack.of_frames.sum(),
-            stack.reuse.curve()};
+            stack.of_frames.sum().all,
+            stack.curves()};
 }
 
 ReuseOf SceneCaches::lines() const { return reuse_of(line_unit); }

@@ -2,7 +2,8 @@
 //
 // A trace through the caches of several machines at once, and through reuse distances: what a scene asks of
 // memory. Two passes over the same queries: the first finds every cache empty, the second finds what the
-// first left. Misses of the second are those of the scene in its steady state.
+// first left. Misses of the second are those of the scene in its steady state, counted of all queries and
+// apart of those that start cold and warm: both go through the same caches in the same pass.
 //
 // Why a line was missed (Hill and Smith, "Evaluating associativity in CPU caches", 1989): it never came
 // before (compulsory); a fully associative LRU cache of the level's size would have missed it as well
@@ -43,7 +44,9 @@ struct LevelMisses {
 /// One machine in one pass.
 struct MachineMisses {
     std::vector<LevelMisses> caches, tlbs;
-    CacheModel::Fetched fetched;      ///< into the first level, and what is there from the pass before
+    /// Into the first level, and what is there from the pass before. Of all queries alone: what one brings
+    /// in another may use.
+    CacheModel::Fetched fetched;
     std::optional<double> memory_ns;  ///< modelled; nothing where latencies are not known
     bool proved = false;              ///< every latency in it is proved by its source
 };
@@ -51,12 +54,13 @@ struct MachineMisses {
 /// Lines of 64 bytes, or pages of 4 KiB.
 struct ReuseOf {
     std::uint64_t unit_bytes = 0;
-    std::uint64_t distinct = 0;    ///< ever touched
-    std::uint64_t of_tables = 0;   ///< of them, those that tables are in
-    std::uint64_t touched = 0;     ///< summed over the second pass's queries: distinct ones of tables of each
-    std::uint64_t with_scene = 0;  ///< the same with the scene's own memory
-    std::uint64_t in_frames = 0;   ///< summed over its frames: distinct ones of each
-    MissCurve steady;              ///< of the second pass
+    std::uint64_t distinct = 0;   ///< ever touched
+    std::uint64_t of_tables = 0;  ///< of them, those that tables are in
+    /// Summed over the second pass's queries: distinct ones of tables of each.
+    ByStart<std::uint64_t> touched;
+    ByStart<std::uint64_t> with_scene;  ///< the same with the scene's own memory
+    std::uint64_t in_frames = 0;        ///< summed over its frames: distinct ones of each
+    ByStart<MissCurve> steady;          ///< of the second pass
 };
 
 class SceneCaches final : public TraceListener {
@@ -66,6 +70,7 @@ class SceneCaches final : public TraceListener {
                 bool framed = false);
     ~SceneCaches() override;
 
+    void on_query_start(QueryStart start) override { start_ = start; }
     void on_access(const TracedAccess& access) override;
     void on_query_end(bool counts) override;
     void on_frame_end() override;
@@ -73,13 +78,13 @@ class SceneCaches final : public TraceListener {
     /// From here on the second pass counts.
     void start_steady();
 
-    /// Queries of a pass, the cold first ones of pairs included: caches see them all.
-    [[nodiscard]] std::uint64_t queries() const { return queries_; }
+    /// Queries of a pass.
+    [[nodiscard]] const ByStart<std::uint64_t>& queries() const { return queries_; }
     /// Frames of a pass; 0 where the scene is not asked frame after frame.
     [[nodiscard]] std::uint64_t frames() const { return frames_; }
     /// In the order of the machines; of the first pass, and of the second.
     [[nodiscard]] const std::vector<MachineMisses>& first() const { return first_; }
-    [[nodiscard]] std::vector<MachineMisses> steady() const { return counted(); }
+    [[nodiscard]] std::vector<ByStart<MachineMisses>> steady() const;
 
     [[nodiscard]] ReuseOf lines() const;
     [[nodiscard]] ReuseOf pages() const;
@@ -89,21 +94,23 @@ class SceneCaches final : public TraceListener {
     struct Machine;
     struct Stack;
 
-    [[nodiscard]] std::vector<MachineMisses> counted() const;
     [[nodiscard]] ReuseOf reuse_of(std::uint32_t unit) const;
 
     std::vector<Machine> machines_;
     std::map<std::uint32_t, Stack> stacks_;  ///< by unit: lines of every size in question, and pages
     std::vector<MachineMisses> first_;
-    std::uint64_t queries_ = 0, frames_ = 0;
+    ByStart<std::uint64_t> queries_;
+    std::optional<QueryStart> start_;  ///< of the query at hand; nothing between queries
+    std::uint64_t frames_ = 0;
     bool framed_;
 };
 
 /// A machine, or why it was not modelled.
 struct ModelledMachine {
     std::string name, reason;
-    MachineMisses first, steady;      ///< passes
-    std::vector<std::uint64_t> cold;  ///< by cache level: misses of queries from empty caches
+    MachineMisses first;                          ///< pass, of all queries
+    ByStart<MachineMisses> steady;                ///< the second
+    ByStart<std::vector<std::uint64_t>> emptied;  ///< by cache level: misses of queries from empty caches
 };
 
 /// What of the tables' memory the scene ever touched.
@@ -116,8 +123,11 @@ struct TouchedTables {
 
 /// Accesses of both passes.
 struct SceneHeat {
-    std::vector<std::uint64_t> by_field, by_step;
-    std::uint64_t queries = 0, lines = 0;
+    ByStart<std::vector<std::uint64_t>> by_field;
+    std::vector<std::uint64_t> by_step;
+    ByStart<std::uint64_t> queries;
+    ByStart<std::uint64_t> lines_of_queries;  ///< summed: distinct ones of tables of each
+    std::uint64_t lines = 0;
     std::uint64_t lines_of_half = 0, lines_of_most = 0;  ///< hottest, of 50 % and of 90 % of accesses
     TouchedTables tables;
 };
@@ -125,8 +135,9 @@ struct SceneHeat {
 /// What a cell's traced passes gave.
 struct SceneTrace {
     std::string reason = "this cell was not chosen for modelled caches",
-                remedy = "edgewise sweep --caches";     ///< why there is nothing; empty: there is
-    std::uint64_t queries = 0, frames = 0, tables = 0;  ///< of a pass; tables in all
+                remedy = "edgewise sweep --caches";  ///< why there is nothing; empty: there is
+    ByStart<std::uint64_t> queries;                  ///< of a pass
+    std::uint64_t frames = 0, tables = 0;            ///< of a pass; in all
     std::vector<ModelledMachine> machines;
     std::vector<ModelledMachine> policies;  ///< one of the machines under other replacement policies
     ReuseOf lines, pages;

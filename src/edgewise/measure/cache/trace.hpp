@@ -10,6 +10,8 @@
 #include <initializer_list>
 #include <vector>
 
+#include "edgewise/measure/cache/by_start.hpp"
+
 namespace edgewise::measure {
 
 /// What an access does to memory.
@@ -40,6 +42,8 @@ class TraceListener {
     TraceListener& operator=(const TraceListener&) = delete;
     virtual ~TraceListener() = default;
 
+    /// Before each query, and what is accessed for it.
+    virtual void on_query_start(QueryStart /*start*/) {}
     virtual void on_access(const TracedAccess& access) = 0;
     /// After each query; `counts` is false for the cold first query of a pair in a warm scene.
     virtual void on_query_end(bool counts) = 0;
@@ -52,6 +56,9 @@ class TraceFanOut final : public TraceListener {
   public:
     TraceFanOut(std::initializer_list<TraceListener*> listeners) : listeners_(listeners) {}
 
+    void on_query_start(QueryStart start) override {
+        for (TraceListener* listener : listeners_) listener->on_query_start(start);
+    }
     void on_access(const TracedAccess& access) override {
         for (TraceListener* listener : listeners_) listener->on_access(access);
     }

@@ -10,6 +10,7 @@
 //
 // Neighbours follow each other along the lattice back and forth, so that every pair is near; spheres around
 // the bodies never meet, so that every pair is separated.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -62,12 +63,14 @@ Result<Workload> make_pressure(const SceneSetup& setup) {
     std::vector<MovingBody> bodies = turning_bodies(setup, spacing, rng);
     workload.pair_count = static_cast<std::uint32_t>(bodies.size() - 1);
     std::vector<std::uint32_t> order = any_order(workload.pair_count, rng);
-    while (workload.queries.size() < setup.query_count) {
+    const std::size_t wanted =
+        std::max(setup.query_count, setup.count("least_steps") * std::size_t{workload.pair_count});
+    while (workload.queries.size() < wanted) {
         workload.frames.push_back({workload.queries.size(), false, {}});
         std::vector<Pose> poses;
         for (const MovingBody& body : bodies) poses.push_back(pose_of(body, middle));
         for (const std::uint32_t pair : order) {
-            if (workload.queries.size() == setup.query_count) break;
+            if (workload.queries.size() == wanted) break;
             workload.queries.push_back({0, 0, pair, poses[pair], poses[pair + 1], pair, pair + 1});
         }
         for (MovingBody& body : bodies) advance(body, std::numeric_limits<double>::infinity());
@@ -86,7 +89,9 @@ SceneKind pressure_scene() {
          {{"bodies", "1", "bodies, and tables", 600, 2, 100000, true},
           {"rotation_step", "rad", "turn of every body per step", 0.1, 0, 100, false},
           {"gap", "reaches", "between the spheres around neighbours", 0.1, 0.001, 100, false},
-          {"new_order", "1", "1: pairs in another order each step; 0: always in the same", 0, 0, 1, true}}},
+          {"new_order", "1", "1: pairs in another order each step; 0: always in the same", 0, 0, 1, true},
+          {"least_steps", "1", "steps asked at least, with more queries than asked for if need be", 0, 0,
+           100000, true}}},
         make_pressure};
 }
 

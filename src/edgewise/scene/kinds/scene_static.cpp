@@ -5,6 +5,8 @@
 // repeated with new populations until there are enough pairs. Pairs come from sweep and prune on world boxes,
 // each is asked once and cold.
 //
+// Boxes are those of the bodies; with a margin they are larger, and pairs farther apart are asked too.
+//
 // Volumes vary over four sizes of the shape: 3/4, 1, 5/4 and 3/2 of its lengths (0.42 to 3.4 of its volume),
 // in turn, so that every population fills the box alike. Bodies may overlap: about half of the pairs of
 // spheres do.
@@ -28,15 +30,16 @@ struct Placement {
     std::vector<Aabb> boxes;
 };
 
+/// margin: by which boxes are larger than bodies, on all sides.
 Placement populate(const std::vector<Polyhedron>& bodies, const Vec3d& centre, std::size_t count, double half,
-                   Rng& rng) {
+                   double margin, Rng& rng) {
     Placement placement;
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t size = i % size_classes.size();
         const Mat3d rotation = rng.rotation();
         const Vec3d place = rng.in_cube(half);
         placement.poses.push_back(pose_at(rotation, centre * size_classes[size], place));
-        placement.boxes.push_back(world_box(bodies[size], placement.poses.back()));
+        placement.boxes.push_back(world_box(bodies[size], placement.poses.back()).enlarged(margin));
     }
     return placement;
 }
@@ -64,9 +67,10 @@ Result<Workload> make_static(const SceneSetup& setup) {
     }
     const double half = box_half(total, setup["occupancy"]);
     const Vec3d centre = vertex_mean(setup.shape.vertices);
+    const double margin = setup["margin"] * extent(setup.shape.vertices);
     Rng rng(setup.seed);
     for (std::size_t barren = 0; workload.queries.size() < setup.query_count;) {
-        const Placement placement = populate(workload.bodies, centre, count, half, rng);
+        const Placement placement = populate(workload.bodies, centre, count, half, margin, rng);
         SweepAndPrune broad_phase(count);
         const std::span<const BodyPair> pairs = broad_phase.update(placement.boxes);
         add_queries(placement, pairs, setup.query_count, workload);
@@ -88,7 +92,8 @@ SceneKind static_scene() {
          "random populations in a box, sizes varying, pairs from sweep and prune, every pair cold",
          false,
          {{"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
-          {"bodies", "1", "bodies in one population", 64, 2, 10000, true}}},
+          {"bodies", "1", "bodies in one population", 64, 2, 10000, true},
+          {"margin", "body sizes", "by which a body's box is enlarged on all sides", 0, 0, 10, false}}},
         make_static};
 }
 

@@ -9,6 +9,10 @@
 // a new population begins, so that a run sees many arrangements. The margin is chosen so that most followed
 // pairs are separated: of spheres about one in six overlaps.
 //
+// A turn of every body about one axis repeats its orientations where it is a rational multiple of pi, after
+// eight steps at 3/4 of it, and what is measured then is those few. With a precession each body's axis turns
+// too, about another, by that part of the body's own turn.
+//
 // At random_orientation a body stands turned at random in every step: no coherence is left in the rotation,
 // which a turn by 2 pi per step would not show, since it is none. At random_velocities turns and ways are
 // drawn for each body, up to those given. With box_of_bodies the box is that of so many bodies, and the
@@ -50,7 +54,10 @@ class Population {
             body.velocity = rng.on_sphere() * (way_of_a_step() * (random ? rng.uniform() : 1));
             body.orientation = rng.orientation();
             const Vec3d axis = rng.on_sphere();
-            body.turn = rotation_about(axis, setup["rotation_step"] * (random ? rng.uniform() : 1));
+            const double angle = setup["rotation_step"] * (random ? rng.uniform() : 1);
+            body.turn = rotation_about(axis, angle);
+            if (setup["precession"] > 0)
+                body.axis_turn = rotation_about(rng.on_sphere(), setup["precession"] * angle);
             bodies_.push_back(body);
         }
     }
@@ -108,6 +115,20 @@ void cut(std::size_t query_count, Workload& workload) {
         workload.pair_count = std::max(workload.pair_count, query.pair + 1);
 }
 
+/// Whether there are as many queries as asked for, and as many steps.
+bool is_enough(const SceneSetup& setup, const Workload& workload) {
+    return workload.queries.size() >= setup.query_count &&
+           workload.frames.size() >= setup.count("least_steps");
+}
+
+/// As many as asked for, and all of the least steps.
+std::size_t queries_wanted(const SceneSetup& setup, const Workload& workload) {
+    const std::size_t steps = setup.count("least_steps");
+    const std::size_t end =
+        steps < workload.frames.size() ? workload.frames[steps].first_query : workload.queries.size();
+    return steps == 0 ? setup.query_count : std::max(setup.query_count, end);
+}
+
 /// Of their lengths.
 double scale_of_bodies(const SceneSetup& setup) {
     if (setup["box_of_bodies"] == 0) return 1;
@@ -132,10 +153,9 @@ Result<Workload> make_tumble(const SceneSetup& setup) {
     const double total = static_cast<double>(setup.count("bodies")) * volume(shape);
     const double half = box_half(total, setup["occupancy"]);
     Rng rng(setup.seed);
-    for (std::size_t barren = 0; workload.queries.size() < setup.query_count;) {
+    for (std::size_t barren = 0; !is_enough(setup, workload);) {
         Population population(setup, shape, half, rng);
-        for (std::size_t i = 0; i < setup.count("steps") && workload.queries.size() < setup.query_count;
-             ++i) {
+        for (std::size_t i = 0; i < setup.count("steps") && !is_enough(setup, workload); ++i) {
             barren = population.step(workload) == 0 ? barren + 1 : 0;
             if (barren == most_barren) {
                 return Result<Workload>::failure(
@@ -144,7 +164,7 @@ Result<Workload> make_tumble(const SceneSetup& setup) {
             }
         }
     }
-    cut(setup.query_count, workload);
+    cut(queries_wanted(setup, workload), workload);
     if (setup.count("in_time_order") == 0) group_by_pair(workload);
     return Result<Workload>::success(std::move(workload));
 }
@@ -170,7 +190,11 @@ SceneKind tumble_scene() {
           {"random_velocities", "1", "1: turn and way drawn for each body, up to those given", 0, 0, 1, true},
           {"own_tables", "1", "1: a table for each body; 0: all share one", 0, 0, 1, true},
           {"box_of_bodies", "1", "the box of so many bodies, others shrink or grow; 0: the box does", 0, 0,
-           10000, true}}},
+           10000, true},
+          {"precession", "1", "turn of every body's axis, about another, over the body's own turn; 0: none",
+           0, 0, 10, false},
+          {"least_steps", "1", "steps asked at least, with more queries than asked for if need be", 0, 0,
+           100000, true}}},
         make_tumble};
 }
 

@@ -11,6 +11,8 @@ namespace edgewise::store::vocabulary {
 // One figure a line.
 // clang-format off
 inline constexpr FigureInfo answers[] = {
+    {"work.first_queries", "queries", Population::all, Repeats::exactly, "of followed pairs: queries that are their pair's first, and so start cold"},
+    {"work.first_share", "1", Population::all, Repeats::exactly, "part of all queries that these are"},
     {"work.unchanged", "1", Population::warm, Repeats::exactly, "part of warm queries that end where they started"},
     {"work.told_by_bounds", "1", Population::warm, Repeats::exactly, "of needs=nearer: part of warm queries that the pair's bounds answer, without a look at a table"},
     {"work.support_unchanged", "1", Population::warm, Repeats::exactly, "of GJK: part of the last simplex's vertices that were in the one before"},
@@ -37,7 +39,9 @@ inline constexpr FigureInfo answers[] = {
     {"error.refinements", "queries", Population::all, Repeats::exactly, "answers computed again in wide arithmetic"},
     {"error.escapes", "escapes", Population::all, Repeats::exactly, "escapes from local minima"},
     {"error.cycles", "queries", Population::all, Repeats::exactly, "queries that ran in a cycle"},
+    {"error.mean_steps.{start}", "steps", Population::named, Repeats::exactly, "the next, of queries that start so"},
     {"error.mean_steps", "steps", Population::all, Repeats::exactly, "steps per query"},
+    {"error.max_steps.{start}", "steps", Population::named, Repeats::exactly, "the next, of queries that start so"},
     {"error.max_steps", "steps", Population::all, Repeats::exactly, "most steps of a query"},
     {"error.control_checked", "queries", Population::checked, Repeats::exactly, "queries that the paper's control, Moore and Wilhelms's test, answers"},
     {"error.control_disagreements", "queries", Population::checked, Repeats::exactly, "of these, verdicts other than the control's"},

@@ -7,11 +7,20 @@
 
 namespace edgewise::store {
 
-/// Which queries a figure is about.
-enum class Population { none, all, cold, warm, checked };
+/// Which queries a figure is about. A query starts cold that is its pair's first, or of a scene that keeps no
+/// answers; warm that starts from its pair's kept answer.
+enum class Population {
+    none,
+    all,
+    cold,
+    warm,
+    named,   ///< cold or warm, as the figure's name ends
+    steady,  ///< warm where pairs are followed; else all, which are cold
+    checked
+};
 
 [[nodiscard]] constexpr std::string_view to_string(Population population) {
-    constexpr std::string_view names[] = {"none", "all", "cold", "warm", "checked"};
+    constexpr std::string_view names[] = {"none", "all", "cold", "warm", "named", "steady", "checked"};
     return names[static_cast<int>(population)];
 }
 
