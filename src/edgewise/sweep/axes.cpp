@@ -27,7 +27,7 @@ double read_tolerance(std::string_view entry, std::string_view value, double bel
 
 constexpr std::string_view order_values = "given|bfs|spatial", sharing_values = "shared|per_instance",
                            allocator_values = "arena|jemalloc|libc", batch_values = "no|yes",
-                           sub_distance_values = "cofactors|johnson",
+                           sub_distance_values = "cofactors|johnson", start_values = "kept|cold",
                            needs_values = "nearer|verdict|distance|witnesses|features|depth|certificate";
 
 /// A number above 0.
@@ -66,6 +66,9 @@ void take(Axes& axes, std::string_view entry) {
     } else if (name == "batch") {
         if (value != "no" && value != "yes") refuse(entry, fmt::format("wants {}", batch_values));
         axes.batch = value == "yes";
+    } else if (name == "start") {
+        if (value != "kept" && value != "cold") refuse(entry, fmt::format("wants {}", start_values));
+        axes.starts_cold = value == "cold";
     } else if (name == "sub_distance") {
         axes.query.sub_distance = known(entry, sub_distance_solver_from(value), sub_distance_values);
     } else if (name == "needs") {
@@ -100,6 +103,8 @@ const std::vector<AxisInfo>& axes_known() {
         {"allocator", allocator_values, "where tables take their memory from"},
         {"batch", batch_values,
          "pairs in a row that differ are asked together, GJK's of small bodies side by side"},
+        {"start", start_values,
+         "a pair's queries start from its last answer, or each as if it were the first"},
         {"sub_distance", sub_distance_values,
          "how GJK solves its simplices: all cofactors at once, or Johnson's search; a batch's then one by one"},
         {"needs", needs_values, "what the scene asks of every answer, and pays for"},
@@ -120,6 +125,7 @@ std::string Axes::text() const {
     if (tables.allocator != plain.allocator)
         parts.push_back(fmt::format("allocator={}", to_string(tables.allocator)));
     if (batch) parts.emplace_back("batch=yes");
+    if (starts_cold) parts.emplace_back("start=cold");
     if (query.sub_distance != SubDistanceSolver::cofactors)
         parts.push_back(fmt::format("sub_distance={}", to_string(query.sub_distance)));
     if (needs != Needs::witnesses) parts.push_back(fmt::format("needs={}", to_string(needs)));
@@ -130,7 +136,7 @@ std::string Axes::text() const {
 bool Axes::concerns(std::string_view algorithm) const {
     const bool of_gjk = query.gap_tolerance != 0 || query.sub_distance != SubDistanceSolver::cofactors;
     return tables != bench::TableOptions{} || needs != Needs::witnesses || query.contact_tolerance != 0 ||
-           batch || (of_gjk && algorithm == "gjk");
+           batch || starts_cold || (of_gjk && algorithm == "gjk");
 }
 
 Axes parse_axes(std::string_view text) {

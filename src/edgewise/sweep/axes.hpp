@@ -15,6 +15,8 @@
 namespace edgewise::sweep {
 
 struct Axes : bench::RunnerOptions {
+    bool starts_cold = false;  ///< every query as if its pair had not been asked before
+
     /// Canonical: what differs from the plain cell, in a fixed order; empty for the plain cell. needs=nearer
     /// always names its margin, which is a condition of all its figures.
     [[nodiscard]] std::string text() const;

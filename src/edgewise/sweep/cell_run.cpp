@@ -26,7 +26,7 @@ void CellRun::make_unavailable(const std::string& reason) {
 }
 
 void CellRun::verify(SharedQueries& shared) {
-    const scene::Workload& workload = shared.workload();
+    const scene::Workload& workload = axes_.starts_cold ? shared.cold_workload() : shared.workload();
     if (type_.is_peer && axes_.needs == Needs::nearer) {
         make_unavailable("other libraries are not asked whether bodies are nearer than a margin");
         return;
@@ -36,6 +36,7 @@ void CellRun::verify(SharedQueries& shared) {
         return;
     }
     shared_ = &shared;
+    workload_ = &workload;
     row_.queries = workload.queries.size();  // more than asked for where a scene has to take so many steps
     const std::vector<Distance> answers = runner_->answer();
     counts_ =
@@ -71,7 +72,7 @@ void CellRun::measure(Stage stage, std::span<const measure::Round> rounds) {
     const bench::ProbedCell cell{.type = type_,
                                  .algorithm = bench::algorithm_called(row_.algorithm),
                                  .runner = *runner_,
-                                 .workload = shared_->workload(),
+                                 .workload = *workload_,
                                  .plain = row_.axes.empty(),
                                  .needs = axes_.needs,
                                  .verified = verified(),

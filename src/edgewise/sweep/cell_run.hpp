@@ -60,7 +60,8 @@ class CellRun {
     Axes axes_;
     store::CellRow row_;
     std::unique_ptr<bench::Runner> runner_;
-    const SharedQueries* shared_ = nullptr;  ///< when the cell has run
+    const SharedQueries* shared_ = nullptr;      ///< when the cell has run
+    const scene::Workload* workload_ = nullptr;  ///< likewise: the queries as this cell is asked them
     bench::CacheOrder caches_;
     std::vector<std::uint8_t> in_contact_;  ///< of every query; empty where the answers do not tell
     std::vector<double> distances_;         ///< the answers' sums, query by query

@@ -65,6 +65,15 @@ std::vector<truth::ExactDistance> SharedQueries::compute_exact(std::span<const P
     return answers;
 }
 
+const scene::Workload& SharedQueries::cold_workload() {
+    if (!workload_.warm) return workload_;
+    if (!cold_workload_) {
+        cold_workload_ = workload_;
+        cold_workload_->warm = false;
+    }
+    return *cold_workload_;
+}
+
 const std::vector<std::optional<bool>>& SharedQueries::control(std::span<const Polyhedron> bodies) {
     auto [place, is_new] = control_.try_emplace(print_of(bodies));
     if (!is_new || !asks_control_) return place->second;

@@ -22,6 +22,8 @@ class SharedQueries {
     SharedQueries(const Plan& plan, const SceneChoice& scene, const scene::NamedShape& shape);
 
     [[nodiscard]] const scene::Workload& workload() const { return workload_; }
+    /// The same queries, none of which knows its pair's last answer.
+    [[nodiscard]] const scene::Workload& cold_workload();
 
     /// Positions of the checked queries, spread evenly over the workload.
     [[nodiscard]] const std::vector<std::size_t>& checked() const { return checked_; }
@@ -38,6 +40,7 @@ class SharedQueries {
 
     bool asks_control_;
     scene::Workload workload_;
+    std::optional<scene::Workload> cold_workload_;  ///< once it was asked for
     std::vector<std::size_t> checked_;
     std::map<std::string, std::vector<truth::ExactDistance>> exact_;  // by the bodies' fingerprint
     std::map<std::string, std::vector<std::optional<bool>>> control_;

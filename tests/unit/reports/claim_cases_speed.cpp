@@ -60,16 +60,17 @@ MadeFigures steps_and_time(double value) {
     return figures;
 }
 
-/// V-Clip gains so much by coherence, GJK nothing.
+/// The same pairs as if each query were the first, and from their last answers: V-Clip gains so much, GJK
+/// nothing.
 ReportData caching(double gain) {
     ReportData data;
-    for (const std::string& algorithm : both_algorithms) {
-        for (const int vertices : {8, 38, 386}) {
-            add_cell(data, {"paper_static", made_shape(vertices), algorithm},
-                     steps_and_time(algorithm == "vclip" ? gain : 1));
-            add_angular(data, vertices, algorithm, [](int) { return steps_and_time(1); });
-        }
-    }
+    for (const std::string& algorithm : both_algorithms)
+        for (const int vertices : {8, 38, 386})
+            for (const double step : {1.0 / 60, 0.5})
+                for (const std::string table : {"aos_f64", "aos_f64 start=cold"})
+                    add_cell(data,
+                             {"paper_caching", made_shape(vertices), algorithm, "rotation_step", step, table},
+                             steps_and_time(algorithm == "vclip" && table != "aos_f64" ? gain : 1));
     return data;
 }
 

@@ -24,7 +24,7 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
     for (const char* text :
          {"", "contact_tolerance=0.001", "gap_tolerance=1e-06", "contact_tolerance=1e+20+gap_tolerance=0.01",
           "order=bfs", "order=spatial", "sharing=per_instance", "sharing=shared", "allocator=jemalloc",
-          "batch=yes", "sub_distance=johnson", "needs=verdict", "needs=certificate",
+          "batch=yes", "start=cold", "sub_distance=johnson", "needs=verdict", "needs=certificate",
           "needs=nearer+margin=0.1", "needs=nearer+margin=0.02",
           "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
@@ -52,6 +52,7 @@ TEST(Axes, ConcernOnlyWhatTheyChange) {
     EXPECT_TRUE(parse_axes("contact_tolerance=0.1").concerns("vclip"));
     EXPECT_TRUE(parse_axes("order=bfs").concerns("vclip"));
     EXPECT_TRUE(parse_axes("batch=yes").concerns("vclip"));
+    EXPECT_TRUE(parse_axes("start=cold").concerns("vclip"));
     EXPECT_TRUE(parse_axes("allocator=libc").concerns("gjk"));
 }
 
@@ -66,6 +67,7 @@ TEST(Axes, BadOnesAreOneClearLine) {
     EXPECT_NE(error_of("margin=0.1").find("write both"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+batch=yes").find("leave batch out"), std::string::npos);
     EXPECT_NE(error_of("batch=maybe").find("no|yes"), std::string::npos);
+    EXPECT_NE(error_of("start=warm").find("kept|cold"), std::string::npos);
     EXPECT_NE(error_of("sub_distance=volumes").find("wants cofactors|johnson"), std::string::npos);
     EXPECT_NE(error_of("needs=verdict+margin=0.1").find("write both"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+margin=0").find("above 0"), std::string::npos);

@@ -117,7 +117,7 @@ std::vector<PaperScene> paper_scenes() {
     const Names timed = {"aos_f64", "aos_f32", "lean_f64", "points_neighbours_f64"};
     const Names in_static = {"aos_f64", "aos_f32", "linked_f64", "lean_f64", "points_neighbours_f64"};
     const Names thrashed = {"aos_f64", "linked_f64", "lean_f64"};
-    const Names shared = {"sharing=shared"}, solved = {"sub_distance=johnson"},
+    const Names shared = {"sharing=shared"}, solved = {"sub_distance=johnson"}, cold = {"start=cold"},
                 placed = {"sharing=shared", "order=bfs", "order=spatial"};
     const Names plain_only = {"aos_f64"}, tolerant = {"contact_tolerance=1e-05"};
     const Names asked = {
@@ -138,6 +138,7 @@ std::vector<PaperScene> paper_scenes() {
             {"paper_thrash_8", thrashed, placed},
             {"paper_thrash_38", thrashed, placed},
             {"paper_thrash_386", thrashed, placed},
+            {"paper_caching", both, cold},
             {"paper_margin", plain_only, {}},
             {"paper_static_margin", plain_only, {}},
             {"paper_tolerance", plain_only, tolerant},
