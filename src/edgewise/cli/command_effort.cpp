@@ -19,8 +19,15 @@ namespace edgewise::cli {
 
 namespace {
 
-struct EffortArguments {
+/// Without the parameters of its scene, which another scene may not have.
+studies::CellChoice plain_cell() {
     studies::CellChoice cell = studies::effort_cell;
+    cell.parameters.clear();
+    return cell;
+}
+
+struct EffortArguments {
+    studies::CellChoice cell = plain_cell();
     std::vector<std::string> layouts = {"aos_f64", "lean_f32", "points_soa_f64"}, algorithms = {"all"}, peers;
     std::string machine = studies::effort_machine;
     std::string store;
@@ -29,7 +36,11 @@ struct EffortArguments {
 
 studies::EffortPlan plan_of(const EffortArguments& options) {
     const std::string machines[] = {options.machine};
-    return {options.cell, bench::select_table_types(options.layouts), bench::select_peer_types(options.peers),
+    studies::CellChoice cell = options.cell;
+    if (cell.scene == studies::effort_cell.scene)  // what was named goes before
+        cell.parameters.insert(studies::effort_cell.parameters.begin(),
+                               studies::effort_cell.parameters.end());
+    return {cell, bench::select_table_types(options.layouts), bench::select_peer_types(options.peers),
             bench::select_algorithms(options.algorithms), measure::choose_machines(machines).front()};
 }
 
