@@ -105,7 +105,7 @@ TEST(Effort, IsTheSameInAnotherEnvironment) {
 }
 
 /// Of default cells: the phases are those that the command checks against Callgrind's total; hardly any
-/// instruction is of a file that the table of phases (studies/phases.cpp) does not know.
+/// instruction is of a file that the table of phases (studies/phases/phases.cpp) does not know.
 TEST(EffortByPhase, KnowsWhereNearlyAllInstructionsAreFrom) {
     const Folder folder;
     const Outcome outcome = Process(program_in(folder),

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/studies/phases.hpp"
+#include "edgewise/studies/phases/phases.hpp"
 
 namespace edgewise::cli {
 
@@ -57,7 +57,7 @@ void print_row(const EffortByPhase& row) {
     fmt::print("{} {}, {:.2f} steps per query\n", row.table, row.algorithm, row.steps);
     if (!row.wrong.empty()) fmt::print("  wrong: {}\n", row.wrong);
     if (row.phases.empty()) {
-        fmt::print("  not counted: {}; {}\n", row.reason, row.remedy);
+        fmt::print("  not counted: {}{}{}\n", row.reason, row.remedy.empty() ? "" : "; ", row.remedy);
         return;
     }
     fmt::print("  {:<30} {:>9} {:>6} {:>9} {:>9} {:>9} {:>9}\n", "phase", "instr.", "%", "once", "each step",

@@ -4,7 +4,7 @@
 // divided by the phases of the algorithm, and what runs once a query apart from what each step takes.
 #pragma once
 
-#include "edgewise/studies/effort_phases.hpp"
+#include "edgewise/studies/phases/effort_phases.hpp"
 
 namespace edgewise::cli {
 

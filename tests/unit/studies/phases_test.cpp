@@ -2,12 +2,12 @@
 //
 // How counts are divided by phase: by the frames of an instruction, by the calls of a function that is not
 // inlined, and that nothing is lost.
-#include "edgewise/studies/phases.hpp"
+#include "edgewise/studies/phases/phases.hpp"
 
 #include <gmock/gmock.h>
 
-#include "edgewise/studies/effort_phases.hpp"
-#include "edgewise/studies/phase_counts.hpp"
+#include "edgewise/studies/phases/effort_phases.hpp"
+#include "edgewise/studies/phases/phase_counts.hpp"
 
 namespace edgewise::studies {
 namespace {

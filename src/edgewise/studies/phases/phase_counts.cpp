@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/studies/phase_counts.hpp"
+#include "edgewise/studies/phases/phase_counts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "edgewise/studies/phases.hpp"
+#include "edgewise/studies/phases/phases.hpp"
 
 namespace edgewise::studies {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/studies/effort_phases.hpp"
+#include "edgewise/studies/phases/effort_phases.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "edgewise/measure/process/inline_frames.hpp"
 #include "edgewise/studies/callgrind_pass.hpp"
-#include "edgewise/studies/phases.hpp"
+#include "edgewise/studies/phases/phases.hpp"
 
 namespace edgewise::studies {
 

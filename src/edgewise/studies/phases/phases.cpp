@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/studies/phases.hpp"
+#include "edgewise/studies/phases/phases.hpp"
 
 namespace edgewise::studies {
 

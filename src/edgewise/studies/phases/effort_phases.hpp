@@ -9,7 +9,7 @@
 
 #include "edgewise/studies/effort.hpp"
 #include "edgewise/studies/effort_rows.hpp"
-#include "edgewise/studies/phase_counts.hpp"
+#include "edgewise/studies/phases/phase_counts.hpp"
 
 namespace edgewise::studies {
 
