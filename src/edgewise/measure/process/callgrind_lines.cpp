@@ -10,7 +10,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
-#include <string_view>
+#include <utility>
 
 namespace edgewise::measure {
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <sstream>
+#include <string_view>
 
 #include "edgewise/measure/process/child_process.hpp"
 

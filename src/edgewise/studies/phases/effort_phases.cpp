@@ -2,6 +2,9 @@
 #include "edgewise/studies/phases/effort_phases.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <utility>
 
 #include "edgewise/measure/process/inline_frames.hpp"

@@ -8,8 +8,11 @@
 // the instructions that its calls of either kind cost in the end.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "edgewise/measure/process/callgrind_lines.hpp"
 #include "edgewise/measure/process/inline_frames.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/studies/phases/phases.hpp"
 
+#include <cstddef>
+
 namespace edgewise::studies {
 
 namespace {
