@@ -67,7 +67,7 @@ endif()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
 # What mutants (tests/mutation) replace is linked by itself.
 edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp src/edgewise/measure/cache/cache_level.cpp
-    src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp src/edgewise/studies/proof_floor.cpp
+    src/edgewise/measure/process/callgrind_lines.cpp src/edgewise/studies/phases/phase_counts.cpp src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp src/edgewise/studies/proof_floor.cpp
     src/edgewise/studies/gate/verdict.cpp src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/accuracy_band.cpp
     src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp src/edgewise/truth/moore_wilhelms.cpp
     src/edgewise/truth/optimality.cpp src/edgewise/truth/support_filter.cpp)
@@ -139,6 +139,8 @@ if(NOT EDGEWISE_SANITIZE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(PEERS_FOLDER sim_peers)
     edgewise_tool_for(edgewise_sim_tool ${EDGEWISE_SIM_TUNE} ${sim_types})
     unset(PEERS_FOLDER)
+    # Which source each instruction comes from (edgewise effort --by-phase); the instructions stay the same.
+    target_compile_options(edgewise_sim_tool_table_types PRIVATE -g1)
     add_executable(edgewise_sim EXCLUDE_FROM_ALL)
     set_target_properties(edgewise_sim PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
     target_link_libraries(edgewise_sim PRIVATE edgewise_cli edgewise_sim_tool)

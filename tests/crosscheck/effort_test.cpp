@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 /// The program beside modules of this test.
 std::string program_in(const Folder& folder) {
     const fs::path program = folder / "edgewise_sim";
+    if (fs::exists(program)) return program;
     std::error_code other_disk;
     fs::create_hard_link(cells_program, program, other_disk);
     if (other_disk) fs::copy_file(cells_program, program);
@@ -101,6 +102,49 @@ TEST(Effort, IsTheSameInAnotherEnvironment) {
     std::printf("effort: %.2f and %.2f instructions, %.3f and %.3f mispredictions per query\n",
                 value(first, "effort.instructions"), value(second, "effort.instructions"),
                 value(first, "effort.mispredictions"), value(second, "effort.mispredictions"));
+}
+
+/// Of default cells: the phases are those that the command checks against Callgrind's total; hardly any
+/// instruction is of a file that the table of phases (studies/phases/phases.cpp) does not know.
+TEST(EffortByPhase, KnowsWhereNearlyAllInstructionsAreFrom) {
+    const Folder folder;
+    const Outcome outcome = Process(program_in(folder),
+                                    {"effort", "--by-phase", "--json", "--layouts",
+                                     "aos_f64,lean_f64,points_soa_f64", "--queries", "50"},
+                                    folder)
+                                .wait();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json printed = json::parse(outcome.out), &rows = printed.at("effort_by_phase");
+    EXPECT_EQ(rows.size(), 5U);
+    for (const json& row : rows) {
+        const json& total = row.at("total");
+        double sum = 0, other = 0;
+        for (const json& phase : row.at("phases")) {
+            sum += phase.at("instructions").get<double>();
+            const bool unknown = phase.at("phase") == "other" || phase.at("phase") == "arithmetic, shared";
+            if (unknown) other += phase.at("instructions").get<double>();
+        }
+        const double all = total.at("instructions");
+        EXPECT_GT(all, 500);
+        EXPECT_NEAR(sum, all, 1e-9 * all);
+        EXPECT_LE(other, 0.03 * all) << row.at("others");
+        EXPECT_GT(total.at("instructions_in_steps"), 0.2 * all);
+        std::printf("effort by phase: %.0f instructions, %.3f %% of them other\n", all, 100 * other / all);
+    }
+}
+
+/// Divided or not, it is the same work; of a scene that turns nothing, too.
+TEST(EffortByPhase, CountsWhatEffortCounts) {
+    const Folder folder;
+    const Arguments cell = {"--json",       "--scene", "cold",      "--layouts", "aos_f64",
+                            "--algorithms", "vclip",   "--queries", "50"};
+    const auto total_of = [&](Arguments arguments) {
+        arguments.insert(arguments.end(), cell.begin(), cell.end());
+        return json::parse(Process(program_in(folder), arguments, folder).wait().out);
+    };
+    const double by_phase =
+        total_of({"effort", "--by-phase"}).at("effort_by_phase").at(0).at("total").at("instructions");
+    EXPECT_DOUBLE_EQ(by_phase, value(total_of({"effort"}).at("effort").at(0), "effort.instructions"));
 }
 
 TEST(Effort, WithoutValgrindSaysSo) {

@@ -10,6 +10,7 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/phase_tables.hpp"
 #include "edgewise/cli/progress.hpp"
 #include "edgewise/store/vocabulary.hpp"
 #include "edgewise/studies/effort_rows.hpp"
@@ -18,16 +19,28 @@ namespace edgewise::cli {
 
 namespace {
 
-struct EffortArguments {
+/// Without the parameters of its scene, which another scene may not have.
+studies::CellChoice plain_cell() {
     studies::CellChoice cell = studies::effort_cell;
+    cell.parameters.clear();
+    return cell;
+}
+
+struct EffortArguments {
+    studies::CellChoice cell = plain_cell();
     std::vector<std::string> layouts = {"aos_f64", "lean_f32", "points_soa_f64"}, algorithms = {"all"}, peers;
     std::string machine = studies::effort_machine;
     std::string store;
+    bool by_phase = false;
 };
 
 studies::EffortPlan plan_of(const EffortArguments& options) {
     const std::string machines[] = {options.machine};
-    return {options.cell, bench::select_table_types(options.layouts), bench::select_peer_types(options.peers),
+    studies::CellChoice cell = options.cell;
+    if (cell.scene == studies::effort_cell.scene)  // what was named goes before
+        cell.parameters.insert(studies::effort_cell.parameters.begin(),
+                               studies::effort_cell.parameters.end());
+    return {cell, bench::select_table_types(options.layouts), bench::select_peer_types(options.peers),
             bench::select_algorithms(options.algorithms), measure::choose_machines(machines).front()};
 }
 
@@ -134,6 +147,7 @@ bool measure_rows(const EffortArguments& options, const studies::EffortPlan& pla
 
 int run_effort(const EffortArguments& options, bool json) {
     const studies::EffortPlan plan = plan_of(options);
+    if (options.by_phase) return print_phases(plan, json);
     std::vector<studies::EffortRow> rows;
     if (!measure_rows(options, plan, rows)) return exit_check_failed;
     if (json) {
@@ -160,8 +174,14 @@ void add_effort(CLI::App& app, Context& context) {
     command->add_option("--checked", options.cell.checked, "queries checked exactly per row");
     command->add_option("--machine", options.machine, "whose first two levels: a name, or your NAME.json")
         ->capture_default_str();
-    command->add_option("--store", options.store,
-                        "SQLite file to add the rows to; those it has are left as they are");
+    CLI::Option* peers = command->get_option("--peers");
+    CLI::Option* store = command->add_option(
+        "--store", options.store, "SQLite file to add the rows to; those it has are left as they are");
+    command
+        ->add_flag("--by-phase", options.by_phase,
+                   "what they are divided by the phases of the algorithm, of our table types alone")
+        ->excludes(peers)
+        ->excludes(store);
 }
 
 }  // namespace edgewise::cli

@@ -18,17 +18,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_file(const fs::path& file) {
-    std::ifstream stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
 /// Of this process, and of no other pass of it.
 fs::path output_file() {
     static std::atomic<int> number = 0;
     return fs::temp_directory_path() / fmt::format("edgewise-callgrind-{}-{}", getpid(), number++);
+}
+
+/// What `parse` makes of the output of the command that writes it to a file of ours, which is gone
+/// afterwards.
+template <class MakeCommand, class Parse>
+auto read_output(const MakeCommand& command, const Parse& parse) {
+    const fs::path file = output_file();
+    const auto outcome = measure::run_program(command(file));
+    std::ifstream output(file);
+    using Answer = decltype(parse(output));
+    std::error_code ignored;
+    fs::remove(file, ignored);  // what is open can still be read
+    if (!outcome.value) return Answer::none(outcome.reason, "install valgrind");
+    if (outcome.value->exit_code != 0) {
+        const std::string& err = outcome.value->err;
+        return Answer::none(fmt::format("valgrind ended with {}: {}", outcome.value->exit_code,
+                                        err.substr(err.size() > 300 ? err.size() - 300 : 0)));
+    }
+    return parse(output);
 }
 
 }  // namespace
@@ -61,20 +73,26 @@ std::vector<std::string> pass_command(const CellChoice& choice, const std::strin
 measure::Expected<measure::CallgrindCounts> callgrind_pass(const CellChoice& choice,
                                                            const measure::CacheGeometry& geometry,
                                                            const std::string& program, int passes) {
-    using Answer = measure::Expected<measure::CallgrindCounts>;
-    const fs::path output = output_file();
-    const auto outcome = measure::run_program(
-        measure::callgrind_command(geometry, output, pass_command(choice, program, passes)));
-    const std::string text = read_file(output);
-    std::error_code ignored;
-    fs::remove(output, ignored);
-    if (!outcome.value) return Answer::none(outcome.reason, "install valgrind");
-    if (outcome.value->exit_code != 0) {
-        const std::string& err = outcome.value->err;
-        return Answer::none(fmt::format("valgrind ended with {}: {}", outcome.value->exit_code,
-                                        err.substr(err.size() > 300 ? err.size() - 300 : 0)));
-    }
-    return measure::parse_callgrind(text);
+    const auto parse = [](std::istream& output) {
+        std::ostringstream text;
+        text << output.rdbuf();
+        return measure::parse_callgrind(text.str());
+    };
+    const auto command = [&](const fs::path& output) {
+        return measure::callgrind_command(geometry, output, pass_command(choice, program, passes));
+    };
+    return read_output(command, parse);
+}
+
+measure::Expected<measure::CallgrindLines> callgrind_lines(const CellChoice& choice,
+                                                           const measure::CacheGeometry& geometry,
+                                                           const std::string& program, int passes) {
+    const auto command = [&](const fs::path& output) {
+        auto words = measure::callgrind_command(geometry, output, pass_command(choice, program, passes));
+        words.insert(words.begin() + 2, "--dump-instr=yes");  // after the tool's name
+        return words;
+    };
+    return read_output(command, measure::parse_callgrind_lines);
 }
 
 measure::Expected<std::string> program_for_valgrind() {

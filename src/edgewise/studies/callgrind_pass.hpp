@@ -9,6 +9,7 @@
 
 #include "edgewise/measure/expected.hpp"
 #include "edgewise/measure/process/callgrind.hpp"
+#include "edgewise/measure/process/callgrind_lines.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::studies {
@@ -23,6 +24,10 @@ namespace edgewise::studies {
 [[nodiscard]] measure::Expected<measure::CallgrindCounts> callgrind_pass(
     const CellChoice& choice, const measure::CacheGeometry& geometry, const std::string& program,
     int passes = 1);
+
+/// Likewise, instruction by instruction (`--dump-instr=yes`), which counts the same.
+[[nodiscard]] measure::Expected<measure::CallgrindLines> callgrind_lines(
+    const CellChoice& choice, const measure::CacheGeometry& geometry, const std::string& program, int passes);
 
 /// A program that Valgrind can run: this one, or edgewise_sim beside it. Unknown: how to make it.
 [[nodiscard]] measure::Expected<std::string> program_for_valgrind();

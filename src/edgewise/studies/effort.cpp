@@ -19,8 +19,6 @@ namespace {
 using Count = measure::Expected<double>;
 using Counts = measure::Expected<measure::CallgrindCounts>;
 
-constexpr int few_passes = 1, many_passes = 3;
-
 /// Bytes of a vertex's coordinates: of a lossy layout, which is no simple number, by its ledger.
 double vertex_bytes(const SingleCell& cell, const Ledger& ledger) {
     const std::string& storage = cell.type().storage;
@@ -59,17 +57,6 @@ void take_trace(const SingleCell& cell, double bytes_of_vertex, Effort& effort) 
                           : Count::none("V-Clip seeks no support points: its steps are features");
 }
 
-/// Empty, or why the program's passes are not those that were checked.
-std::string check_program(const CellChoice& choice, const Effort& effort, const std::string& program) {
-    const auto outcome = measure::run_program(pass_command(choice, program, few_passes));
-    if (!outcome.value) return outcome.reason;
-    if (outcome.value->exit_code != 0) {
-        const std::string& err = outcome.value->err;
-        return fmt::format("{} cannot run it: {}", program, err.substr(0, err.find('\n')));
-    }
-    return compare_passes(outcome.value->out, effort.passed, effort.is_peer);
-}
-
 }  // namespace
 
 Counts counts_per_query(const measure::CallgrindCounts& few, const measure::CallgrindCounts& many, int passes,
@@ -94,6 +81,16 @@ std::string compare_passes(const std::string& printed, const bench::PassSum& exp
     if (queries == expected.queries && std::abs(distances - expected.distances) <= allowed) return {};
     return fmt::format("its pass gave other answers: {} distances add up to {}, not {} to {}", queries,
                        distances, expected.queries, expected.distances);
+}
+
+std::string check_program(const CellChoice& choice, const Effort& effort, const std::string& program) {
+    const auto outcome = measure::run_program(pass_command(choice, program, few_passes));
+    if (!outcome.value) return outcome.reason;
+    if (outcome.value->exit_code != 0) {
+        const std::string& err = outcome.value->err;
+        return fmt::format("{} cannot run it: {}", program, err.substr(0, err.find('\n')));
+    }
+    return compare_passes(outcome.value->out, effort.passed, effort.is_peer);
 }
 
 Counts count_effort(const CellChoice& choice, const Effort& effort,

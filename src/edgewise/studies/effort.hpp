@@ -21,6 +21,9 @@
 
 namespace edgewise::studies {
 
+/// Of the two runs whose difference is counted.
+inline constexpr int few_passes = 1, many_passes = 3;
+
 /// Means per query over all queries of the scene.
 struct Effort {
     std::string layout, precision, table, algorithm;
@@ -48,6 +51,11 @@ struct Effort {
 /// All but `counted`. Nothing else may allocate meanwhile: what a library's shapes take is seen on the heap.
 /// Throws std::invalid_argument for a cell that cannot be made.
 [[nodiscard]] Effort examine(const CellChoice& choice);
+
+/// What is wrong with the passes of a program for Valgrind, which is run once; empty: they are those that
+/// were checked.
+[[nodiscard]] std::string check_program(const CellChoice& choice, const Effort& effort,
+                                        const std::string& program);
 
 /// The rest, of an effort that was examined, in processes of their own. `program`: as program_for_valgrind
 /// says.

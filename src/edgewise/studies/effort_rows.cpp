@@ -22,31 +22,7 @@ namespace {
 
 using Number = measure::Expected<double>;
 
-/// What a row is of, and how it is asked for.
-struct Contender {
-    const bench::TableType* type;
-    CellChoice choice;
-};
-
-std::vector<Contender> contenders(const EffortPlan& plan) {
-    std::vector<Contender> all;
-    for (const bench::TableType* type : plan.types) {
-        for (const std::string& algorithm : plan.algorithms) {
-            if (!type->serves(algorithm)) continue;
-            all.push_back({type, plan.cell});
-            all.back().choice.table = type->name;
-            all.back().choice.algorithm = algorithm;
-        }
-    }
-    for (const bench::TableType* peer : plan.peers) {
-        all.push_back({peer, plan.cell});
-        all.back().choice.peer = peer->name;
-        all.back().choice.algorithm = peer->algorithms.front();
-    }
-    return all;
-}
-
-store::CellRow row_of(const Contender& contender) {
+store::CellRow row_of(const EffortContender& contender) {
     const CellChoice& choice = contender.choice;
     const Polyhedron body = scene::make_shape(choice.shape).or_throw();
     store::CellRow row;
@@ -93,12 +69,12 @@ Number mispredictions_of(const measure::Expected<measure::CallgrindCounts>& coun
 /// A row on its way: examined, or why it cannot be.
 struct Examined {
     std::size_t place;
-    const Contender* contender;
+    const EffortContender* contender;
     store::CellRow row;
     std::optional<Effort> effort;
 };
 
-Examined examine_row(std::size_t place, const Contender& contender, store::CellRow row) {
+Examined examine_row(std::size_t place, const EffortContender& contender, store::CellRow row) {
     try {
         Effort effort = examine(contender.choice);
         row.status = effort.is_peer ? "judged" : effort.wrong.empty() ? "verified" : "failed";
@@ -111,12 +87,30 @@ Examined examine_row(std::size_t place, const Contender& contender, store::CellR
     }
 }
 
+}  // namespace
+
+std::vector<EffortContender> contenders(const EffortPlan& plan) {
+    std::vector<EffortContender> all;
+    for (const bench::TableType* type : plan.types) {
+        for (const std::string& algorithm : plan.algorithms) {
+            if (!type->serves(algorithm)) continue;
+            all.push_back({type, plan.cell});
+            all.back().choice.table = type->name;
+            all.back().choice.algorithm = algorithm;
+        }
+    }
+    for (const bench::TableType* peer : plan.peers) {
+        all.push_back({peer, plan.cell});
+        all.back().choice.peer = peer->name;
+        all.back().choice.algorithm = peer->algorithms.front();
+    }
+    return all;
+}
+
 measure::Expected<measure::CacheGeometry> geometry_of(const measure::MachineChoice& choice) {
     if (!choice.machine.value) return choice.machine.refusal();
     return measure::callgrind_geometry(*choice.machine.value);
 }
-
-}  // namespace
 
 std::size_t effort_rows(const EffortPlan& plan) { return contenders(plan).size(); }
 
@@ -159,7 +153,7 @@ bool run_effort(const EffortPlan& plan, const std::function<bool(const store::Ce
                 const std::atomic<bool>& stop) {
     const auto geometry = geometry_of(plan.machine);
     const auto program = program_for_valgrind();
-    const std::vector<Contender> all = contenders(plan);
+    const std::vector<EffortContender> all = contenders(plan);
     std::vector<Examined> examined;
     for (std::size_t place = 0; place < all.size() && !stop; ++place) {
         store::CellRow row = row_of(all[place]);

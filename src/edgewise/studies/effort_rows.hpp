@@ -45,6 +45,18 @@ struct EffortRow {
     std::vector<store::FigureRow> figures;
 };
 
+/// What a row is of, and how it is asked for.
+struct EffortContender {
+    const bench::TableType* type;
+    CellChoice choice;
+};
+
+/// In the order of the rows: table types that serve an algorithm, then peers.
+[[nodiscard]] std::vector<EffortContender> contenders(const EffortPlan& plan);
+
+/// The machine's first two levels as Callgrind simulates them, or why it cannot.
+[[nodiscard]] measure::Expected<measure::CacheGeometry> geometry_of(const measure::MachineChoice& choice);
+
 /// How many rows a plan makes: table types that serve an algorithm, then peers.
 [[nodiscard]] std::size_t effort_rows(const EffortPlan& plan);
 

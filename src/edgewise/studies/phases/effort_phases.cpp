@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/phases/effort_phases.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "edgewise/measure/process/inline_frames.hpp"
+#include "edgewise/studies/callgrind_pass.hpp"
+#include "edgewise/studies/phases/phases.hpp"
+
+namespace edgewise::studies {
+
+namespace {
+
+/// One run of so many passes, and its phases.
+struct CountedRun {
+    measure::InstructionCost total;
+    PhaseCounts counts;
+};
+
+measure::Expected<CountedRun> counted_run(const CellChoice& choice, const measure::CacheGeometry& geometry,
+                                          const std::string& program, int passes) {
+    const auto lines = callgrind_lines(choice, geometry, program, passes);
+    if (!lines.value) return lines.refusal();
+    const std::vector<std::uint64_t> addresses = addresses_in(*lines.value, program);
+    if (addresses.empty())
+        return measure::Refusal{"Callgrind names no instruction of " + program,
+                                "call it by the path of its file, not by a link"};
+    const auto frames = measure::inline_frames(program, addresses);
+    if (!frames.value) return frames.refusal();
+    return {CountedRun{lines.value->total, divide_by_phase(*lines.value, *frames.value, program)}};
+}
+
+std::vector<std::string> most_of(const std::map<std::string, std::uint64_t>& others) {
+    std::vector<std::pair<std::uint64_t, std::string>> places;
+    for (const auto& [place, instructions] : others) places.emplace_back(instructions, place);
+    std::sort(places.rbegin(), places.rend());
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < std::min<std::size_t>(places.size(), 3); ++i)
+        names.push_back(places[i].second);
+    return names;
+}
+
+PhaseEffort per_query(const std::string& phase, const PhaseCost& few, const PhaseCost& many, double passed) {
+    const auto each = [&](auto of_few, auto of_many) {
+        return (static_cast<double>(of_many) - static_cast<double>(of_few)) / passed;
+    };
+    return {phase, each(few.cost.instructions, many.cost.instructions),
+            each(few.cost.mispredictions, many.cost.mispredictions),
+            each(few.cost.d1_misses, many.cost.d1_misses), each(few.in_steps, many.in_steps)};
+}
+
+void count(const CellChoice& choice, const Effort& effort, const measure::CacheGeometry& geometry,
+           const std::string& program, EffortByPhase& row) {
+    row.reason = check_program(choice, effort, program);
+    row.remedy = "build edgewise_sim with EDGEWISE_SIM_LAYOUTS naming the table type";
+    if (!row.reason.empty()) return;
+    const auto few = counted_run(choice, geometry, program, few_passes);
+    const auto many = few.value ? counted_run(choice, geometry, program, many_passes) : few;
+    if (!many.value) {
+        row.reason = many.reason;
+        row.remedy = many.remedy;
+        return;
+    }
+    if (const std::string off = check_sum(few.value->counts, few.value->total); !off.empty()) row.wrong = off;
+    if (const std::string off = check_sum(many.value->counts, many.value->total); !off.empty())
+        row.wrong = off;
+    const auto queries = static_cast<double>(effort.passed.queries);
+    constexpr int passes = many_passes - few_passes;
+    row.phases = phases_per_query(few.value->counts, many.value->counts, passes, queries);
+    row.others = most_of(many.value->counts.others);
+    row.total = per_query("total", {few.value->total}, {many.value->total}, passes * queries);
+    for (const PhaseEffort& phase : row.phases)
+        row.total.instructions_in_steps += phase.instructions_in_steps;
+}
+
+}  // namespace
+
+std::vector<PhaseEffort> phases_per_query(const PhaseCounts& few, const PhaseCounts& many, int passes,
+                                          double queries) {
+    std::vector<PhaseEffort> phases;
+    std::map<std::string, PhaseCost> all = few.phases;
+    all.insert(many.phases.begin(), many.phases.end());
+    for (const auto& [phase, ignored] : all) {
+        const auto find = [&name = phase](const PhaseCounts& in) {
+            const auto found = in.phases.find(name);
+            return found == in.phases.end() ? PhaseCost{} : found->second;
+        };
+        phases.push_back(per_query(phase, find(few), find(many), passes * queries));
+    }
+    std::stable_sort(phases.begin(), phases.end(), [](const PhaseEffort& a, const PhaseEffort& b) {
+        return a.instructions > b.instructions;
+    });
+    return phases;
+}
+
+std::vector<EffortByPhase> effort_by_phase(const EffortPlan& plan) {
+    const auto geometry = geometry_of(plan.machine);
+    const auto program = program_for_valgrind();
+    std::vector<EffortByPhase> rows;
+    for (const EffortContender& contender : contenders(plan)) {
+        if (contender.type->is_peer) continue;
+        const Effort effort = examine(contender.choice);
+        EffortByPhase& row = rows.emplace_back();
+        row.table = effort.table;
+        row.algorithm = effort.algorithm;
+        row.wrong = effort.wrong;
+        row.steps = effort.steps.value.value_or(0);
+        if (geometry.value && program.value) {
+            count(contender.choice, effort, *geometry.value, *program.value, row);
+        } else {
+            row.reason = geometry.value ? program.reason : geometry.reason;
+            row.remedy = geometry.value ? program.remedy : geometry.remedy;
+        }
+    }
+    return rows;
+}
+
+}  // namespace edgewise::studies
