@@ -196,7 +196,7 @@ edgewise_mutant(tail_of_too_few probes/error.hpp [[if (answers.size() >= least_f
 # Files of results
 edgewise_mutant(formulas_are_left_alone reports/results/csv_row.cpp [["=+-@\t\r\n'"]] [["=+@\t\r\n'"]]
     CsvRow.* ${unit}/reports/results_test.cpp)
-edgewise_mutant(breakdowns_are_columns reports/results/main_figures.cpp [[if (!is_family(infos[i]->key)) plain]] [[plain]]
+edgewise_mutant(breakdowns_are_columns reports/results/main_figures.cpp [[if (::fnmatch(pattern.c_str(), key.c_str(), 0) == 0)]] [[if (key.starts_with(pattern.substr(0, pattern.find('*'))))]]
     WideResults.* ${unit}/reports/results_test.cpp)
 edgewise_mutant(policies_are_columns reports/results/main_figures.cpp [[if (key.find('/') != std::string::npos) return std::nullopt;]] [[]]
     WideResults.Leave* ${unit}/reports/results_test.cpp)
