@@ -17,7 +17,7 @@ namespace edgewise::reports {
 /// Its sentence on the machine that measured: V-Clip's time at 386 vertices over that at 38, at the fastest
 /// rotation, with a table for every body and with one for all; GJK's beside it.
 [[nodiscard]] std::string thrash_here(const ReportData& data);
-/// What each layout, order and sharing does to it at 386 vertices: knees, misses and memory time.
+/// What each layout and sharing does to it at 386 vertices: knees, misses and memory time.
 [[nodiscard]] TextGrid thrash_grid(const ReportData& data);
 /// Every limit of the paging run: page faults measured and predicted.
 [[nodiscard]] TextGrid paging_grid(const ReportData& data);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What layouts, orders and sharing do to the thrash, at every number of vertices and angle per step; and the
+// What layouts and sharing do to the thrash, at every number of vertices and angle per step; and the
 // paging run, one row per limit.
 #include <fmt/core.h>
 

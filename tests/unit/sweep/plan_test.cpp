@@ -117,8 +117,7 @@ std::vector<PaperScene> paper_scenes() {
     const Names timed = {"aos_f64", "aos_f32", "lean_f64", "points_neighbours_f64"};
     const Names in_static = {"aos_f64", "aos_f32", "linked_f64", "lean_f64", "points_neighbours_f64"};
     const Names thrashed = {"aos_f64", "linked_f64", "lean_f64"};
-    const Names shared = {"sharing=shared"}, solved = {"sub_distance=johnson"}, cold = {"start=cold"},
-                placed = {"sharing=shared", "order=bfs", "order=spatial"};
+    const Names shared = {"sharing=shared"}, solved = {"sub_distance=johnson"}, cold = {"start=cold"};
     const Names plain_only = {"aos_f64"}, tolerant = {"contact_tolerance=1e-05"};
     const Names asked = {
         "needs=nearer+margin=0.01", "needs=nearer",   "needs=nearer+margin=1", "needs=verdict",
@@ -135,9 +134,9 @@ std::vector<PaperScene> paper_scenes() {
             {"paper_cold", both, solved},
             {"paper_needs", both, asked},
             {"paper_caches_here", both, {}},
-            {"paper_thrash_8", thrashed, placed},
-            {"paper_thrash_38", thrashed, placed},
-            {"paper_thrash_386", thrashed, placed},
+            {"paper_thrash_8", thrashed, shared},
+            {"paper_thrash_38", thrashed, shared},
+            {"paper_thrash_386", thrashed, shared},
             {"paper_caching", both, cold},
             {"paper_margin", plain_only, {}},
             {"paper_static_margin", plain_only, {}},
@@ -148,7 +147,8 @@ std::vector<PaperScene> paper_scenes() {
 
 void expect_scene(const SceneChoice& scene, const PaperScene& wanted) {
     const auto& [name, layouts, axes] = wanted;
-    const bool own = std::string(name).starts_with("paper_"), traced = axes.size() == 3;
+    const bool own = std::string(name).starts_with("paper_"),
+               traced = std::string(name).starts_with("paper_thrash_");
     EXPECT_EQ(scene.name, name);
     EXPECT_TRUE(scene.parameters.empty() && scene.algorithms.empty()) << name;
     EXPECT_EQ(scene.layouts, built(layouts)) << name;
