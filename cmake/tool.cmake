@@ -67,7 +67,9 @@ endif()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
 # What mutants (tests/mutation) replace is linked by itself.
 edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp src/edgewise/measure/cache/cache_level.cpp
-    src/edgewise/measure/process/callgrind_lines.cpp src/edgewise/studies/phases/phase_counts.cpp src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp src/edgewise/studies/proof_floor.cpp
+    src/edgewise/measure/cache/scene_caches.cpp src/edgewise/measure/process/callgrind_lines.cpp src/edgewise/scene/motion.cpp
+    src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp
+    src/edgewise/studies/phases/phase_counts.cpp src/edgewise/studies/proof_floor.cpp
     src/edgewise/studies/gate/verdict.cpp src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/accuracy_band.cpp
     src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp src/edgewise/truth/moore_wilhelms.cpp
     src/edgewise/truth/optimality.cpp src/edgewise/truth/support_filter.cpp)
