@@ -9,6 +9,7 @@
 #include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
+#include "edgewise/reports/paper/claims/assumptions.hpp"
 #include "edgewise/reports/paper/claims/claims.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
@@ -92,6 +93,10 @@ void add_part(ChapterPart part, const std::vector<Chart>& charts, std::vector<Ch
 std::optional<Chapter> paper_chapter(const ReportData& data, const std::vector<Chart>& charts) {
     if (data.scene_files.empty()) return std::nullopt;
     Chapter chapter{"paper", has_paper_scene(data) ? "The paper, replicated" : "Scenes from files", {}, {}};
+    if (TextGrid assumed = assumptions_grid(data); !assumed.rows.empty())
+        chapter.blocks.push_back({.title = "What we had to assume",
+                                  .paragraph = assumptions_paragraph(data),
+                                  .grids = {std::move(assumed)}});
     chapter.blocks.push_back({.grids = {claims_grid(data)}});
     std::vector<ChapterPart> parts;
     if (has_paper_scene(data)) parts = paper_parts(data);

@@ -117,7 +117,8 @@ std::vector<PaperScene> paper_scenes() {
     const Names timed = {"aos_f64", "aos_f32", "lean_f64", "points_neighbours_f64"};
     const Names in_static = {"aos_f64", "aos_f32", "linked_f64", "lean_f64", "points_neighbours_f64"};
     const Names thrashed = {"aos_f64", "linked_f64", "lean_f64"};
-    const Names shared = {"sharing=shared"}, solved = {"sub_distance=johnson"}, cold = {"start=cold"};
+    const Names shared = {"sharing=shared"}, solved = {"sub_distance=johnson"}, cold = {"start=cold"},
+                assumed = {"sharing=shared", "needs=verdict"};
     const Names plain_only = {"aos_f64"}, tolerant = {"contact_tolerance=1e-05"};
     const Names asked = {
         "needs=nearer+margin=0.01", "needs=nearer",   "needs=nearer+margin=1", "needs=verdict",
@@ -138,6 +139,9 @@ std::vector<PaperScene> paper_scenes() {
             {"paper_thrash_38", thrashed, shared},
             {"paper_thrash_386", thrashed, shared},
             {"paper_caching", both, cold},
+            {"paper_seeds", plain_only, {}},
+            {"paper_time_step", plain_only, assumed},
+            {"paper_body_count", plain_only, {}},
             {"paper_margin", plain_only, {}},
             {"paper_static_margin", plain_only, {}},
             {"paper_tolerance", plain_only, tolerant},

@@ -152,7 +152,7 @@ Result<Workload> make_tumble(const SceneSetup& setup) {
     workload.instances.assign(setup.count("bodies"), 0);
     const double total = static_cast<double>(setup.count("bodies")) * volume(shape);
     const double half = box_half(total, setup["occupancy"]);
-    Rng rng(setup.seed);
+    Rng rng(setup.seed + setup.count("population"));
     for (std::size_t barren = 0; !is_enough(setup, workload);) {
         Population population(setup, shape, half, rng);
         for (std::size_t i = 0; i < setup.count("steps") && !is_enough(setup, workload); ++i) {
@@ -194,7 +194,9 @@ SceneKind tumble_scene() {
           {"precession", "1", "turn of every body's axis, about another, over the body's own turn; 0: none",
            0, 0, 10, false},
           {"least_steps", "1", "steps asked at least, with more queries than asked for if need be", 0, 0,
-           100000, true}}},
+           100000, true},
+          {"population", "1", "which of the populations that a seed draws; other numbers, other bodies", 0, 0,
+           1000000, true}}},
         make_tumble};
 }
 
