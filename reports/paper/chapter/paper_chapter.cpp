@@ -32,30 +32,31 @@ std::vector<TextGrid> scene_grids(const ReportData& data, const std::vector<std:
 }
 
 std::vector<ChapterPart> paper_parts(const ReportData& data) {
-    return {{"Performance, static", prose("part_static.md"), "", {static_grid(data)}, {}},
-            {"Performance, dynamic", prose("part_dynamic.md"), dynamic_section,
-             [&] {
-                 std::vector<TextGrid> grids = scene_grids(data, {"paper_proximity"});
-                 grids.push_back(margin_grid(data));
-                 grids.push_back(tolerance_grid(data));
-                 return grids;
-             }(),
-             scene_grids(data, {"paper_linear_8", "paper_angular_8"})},
-            {"Scalability",
-             prose("part_scalability.md"),
-             scalability_section,
-             {},
-             scene_grids(data, {"paper_angular_38", "paper_angular_386", "paper_bodies",
-                                "paper_bodies_shrinking", "paper_complexity", "paper_cold"})},
-            {"Robustness", prose("part_robustness.md"), "", {robustness_grid(data)}, {}},
-            {"Ease of implementation", prose("part_ease.md"), "", {source_grid(), build_grid(data)}, {}},
-            {"Cost functions", prose("part_cost.md"), "", {cost_grid(data, true)}, {cost_grid(data, false)}},
-            {"Needs", prose("part_needs.md"), "", {all_needs_grid(data), needs_grid(data)}, {}},
-            {"The thrash at 386 vertices",
-             thrash_paragraph(data),
-             thrash_section,
-             {thrash_grid(data), paging_grid(data)},
-             scene_grids(data, {"paper_caches_here"})}};
+    return {
+        {"Performance, static", prose("part_static.md"), "", {static_grid(data), static_gap_grid(data)}, {}},
+        {"Performance, dynamic", prose("part_dynamic.md"), dynamic_section,
+         [&] {
+             std::vector<TextGrid> grids = scene_grids(data, {"paper_proximity"});
+             grids.push_back(margin_grid(data));
+             grids.push_back(tolerance_grid(data));
+             return grids;
+         }(),
+         scene_grids(data, {"paper_linear_8", "paper_angular_8"})},
+        {"Scalability",
+         prose("part_scalability.md"),
+         scalability_section,
+         {},
+         scene_grids(data, {"paper_angular_38", "paper_angular_386", "paper_bodies", "paper_bodies_shrinking",
+                            "paper_complexity", "paper_cold"})},
+        {"Robustness", prose("part_robustness.md"), "", {robustness_grid(data)}, {}},
+        {"Ease of implementation", prose("part_ease.md"), "", {source_grid(), build_grid(data)}, {}},
+        {"Cost functions", prose("part_cost.md"), "", {cost_grid(data, true)}, {cost_grid(data, false)}},
+        {"Needs", prose("part_needs.md"), "", {all_needs_grid(data), needs_grid(data)}, {}},
+        {"The thrash at 386 vertices",
+         thrash_paragraph(data),
+         thrash_section,
+         {thrash_grid(data), paging_grid(data)},
+         scene_grids(data, {"paper_caches_here"})}};
 }
 
 ChapterPart own_part(const ReportData& data) {

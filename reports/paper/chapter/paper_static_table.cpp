@@ -38,6 +38,11 @@ GridCell static_ratio_of(const Sides& sides) {
     return ratio_cell(sides.gjk->figure("time.all_ratio"), sides.vclip->figure("time.all_ratio"));
 }
 
+GridCell time_per_step(const ReportCell* cell) {
+    if (!cell) return {"–"};
+    return ratio_cell(cell->figure("time.all_ns"), cell->figure(store::mean_steps.cold()));
+}
+
 GridCell static_place_of(const StoredScene& scene, const ReportCell& cell) {
     if (scene.varied == "rotation_step" && has_random_orientation(cell)) return {"random"};
     const auto place = scene.place(cell);
@@ -57,6 +62,31 @@ TextGrid static_grid(const ReportData& data) {
                                      cell_of(sides.gjk, "time.all_ns"), static_ratio_of(sides),
                                      cell_of(sides.vclip, "build.build_ns"),
                                      cell_of(sides.gjk, "build.build_ns")));
+    }
+    return grid;
+}
+
+TextGrid static_gap_grid(const ReportData& data) {
+    TextGrid grid{
+        "Static test by body and distance (aos_f64; pairs without a past, all at one gap): the ratio of "
+        "times, and the steps and the time of a step that make it",
+        columns_of("shape|#gap, body sizes|#V-Clip, ns|#Enhanced GJK, ns|#GJK / V-Clip|#V-Clip's steps|"
+                   "#GJK's iterations|#V-Clip, ns per step|#GJK, ns per iteration"),
+        {}};
+    std::map<std::tuple<std::int64_t, std::string, double>, Sides> by_gap;
+    for (const ReportCell* cell : scene_file(data, "paper_static_gap").cells) {
+        const auto gap = scene_number(*cell, "gap");
+        if (!gap || cell->table != "aos_f64") continue;
+        Sides& sides = by_gap[{cell->vertices, cell->shape, *gap}];
+        (cell->algorithm == "vclip" ? sides.vclip : sides.gjk) = cell;
+    }
+    const store::FigureName steps = store::mean_steps.cold();
+    for (const auto& [key, sides] : by_gap) {
+        const auto& [vertices, shape, gap] = key;
+        grid.rows.push_back(grid_row(shape, number_text(gap), cell_of(sides.vclip, "time.all_ns"),
+                                     cell_of(sides.gjk, "time.all_ns"), static_ratio_of(sides),
+                                     cell_of(sides.vclip, steps), cell_of(sides.gjk, steps),
+                                     time_per_step(sides.vclip), time_per_step(sides.gjk)));
     }
     return grid;
 }

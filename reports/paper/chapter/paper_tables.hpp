@@ -15,6 +15,8 @@ namespace edgewise::reports {
 /// V-Clip and GJK side by side in the scene without coherence, by shape and table type; preprocessing
 /// separately.
 [[nodiscard]] TextGrid static_grid(const ReportData& data);
+/// The same by body and by how far the pairs are from each other, with the steps and the time of one.
+[[nodiscard]] TextGrid static_gap_grid(const ReportData& data);
 /// V-Clip over GJK by the margin of the broad phase's boxes, in a moving scene and in the static one.
 [[nodiscard]] TextGrid margin_grid(const ReportData& data);
 /// Times, steps and verdicts with the paper's tolerance beside those without.

@@ -52,6 +52,26 @@ TEST(PaperTables, NeedsAreRatiosToThePlainCell) {
     EXPECT_THAT(grid.rows[0][6].why, HasSubstr("needs=distance"));
 }
 
+TEST(PaperTables, StaticTestsStandByBodyAndDistance) {
+    ReportData data;
+    add_scene(data, "paper_static_gap", "gap");
+    const auto add = [&](const char* algorithm, const char* gap, double ns, double steps) {
+        MadeUp figures = times(ns);
+        figures["error.mean_steps.cold"] = steps;
+        data.from_files.push_back(made_up_cell("paper_static_gap", algorithm, gap, figures));
+    };
+    add("gjk", R"({"gap":1})", 300, 3);
+    add("vclip", R"({"gap":1})", 200, 10);
+    add("vclip", R"({"gap":0.001})", 80, 4);
+    const TextGrid grid = static_gap_grid(data);
+    ASSERT_EQ(grid.rows.size(), 2U);
+    ASSERT_EQ(grid.rows[0].size(), grid.columns.size());
+    EXPECT_EQ(grid.rows[0][3].text, "–") << "no GJK at the smaller gap";
+    EXPECT_EQ(grid.rows[1][5].text, "10");
+    EXPECT_EQ(grid.rows[1][7].text, "20.000");
+    EXPECT_EQ(grid.rows[1][8].text, "100.000");
+}
+
 TEST(PaperTables, MarginsStandBesideEachOther) {
     ReportData data;
     add_scene(data, "paper_margin", "margin");

@@ -144,6 +144,7 @@ std::vector<PaperScene> paper_scenes() {
             {"paper_body_count", plain_only, {}},
             {"paper_margin", plain_only, {}},
             {"paper_static_margin", plain_only, {}},
+            {"paper_static_gap", plain_only, {}},
             {"paper_tolerance", plain_only, tolerant},
             {"tumble", {}, {}},
             {"cold", {}, {}}};
