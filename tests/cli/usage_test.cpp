@@ -35,7 +35,7 @@ TEST_P(Usage, IsOneLineAndExitCodeTwo) {
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
-    EXPECT_LT(outcome.err.size(), 500u) << outcome.err;
+    EXPECT_LT(outcome.err.size(), 600u) << outcome.err;
     for (const std::string& word : GetParam().mentioned) EXPECT_THAT(outcome.err, HasSubstr(word));
     EXPECT_EQ(text_of(folder / "not_a_store.db"), "something else\n");
 }

@@ -15,7 +15,7 @@ namespace {
 TEST(Scenes, DefaultsCompleteTheIdentity) {
     const Result<SceneParameters> p = complete_parameters("tumble", {{"rotation_step", 0.5}});
     ASSERT_TRUE(p) << p.error;
-    EXPECT_EQ(p->size(), 14U);
+    EXPECT_EQ(p->size(), 15U);
     EXPECT_TRUE(p->at("rotation_step") == 0.5 && p->at("occupancy") == 0.1);
 }
 

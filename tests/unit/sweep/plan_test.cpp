@@ -126,7 +126,7 @@ std::vector<PaperScene> paper_scenes() {
     return {{"paper_static", in_static, {}},
             {"paper_linear_8", both, solved},
             {"paper_bodies", both, {}},
-            {"paper_bodies_shrinking", both, {}},
+            {"paper_bodies_shrinking", plain_only, {}},
             {"paper_angular_8", timed, shared},
             {"paper_angular_38", timed, shared},
             {"paper_angular_386", timed, shared},
