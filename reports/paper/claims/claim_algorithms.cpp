@@ -10,7 +10,7 @@ namespace edgewise::reports {
 
 namespace {
 
-/// "Almost constant": less than a factor of 2.3 over the range from 8 to 24578 vertices.
+/// "Almost constant": less than a factor of 2.3 over the range from 8 to 98306 vertices.
 constexpr double almost_constant = 0.1;
 /// A scan looks at all vertices, exponent 1.
 constexpr double below_scan = 0.8;
@@ -70,10 +70,14 @@ Claim judge_early(const ReportData& data) {
 
 std::vector<Claim> algorithm_claims(const ReportData& data) {
     const auto vclip = cells_along(data, vclip_key("paper_complexity"), "vertices");
+    const auto gjk = cells_along(data, gjk_key("paper_complexity"), "vertices");
     const WantedBand flat = between(-almost_constant, almost_constant);
-    return {judge_claim("vclip_time_constant", {{"exponent", growth_exponent(time_curve(vclip)), flat}}),
+    const store::FigureName steps = store::mean_steps.warm();
+    return {judge_claim("vclip_time_constant", {{"exponent", growth_exponent(time_curve(vclip)), flat},
+                                                {"GJK's", growth_exponent(time_curve(gjk)), only_shown()}}),
             judge_claim("vclip_steps_constant",
-                        {{"exponent", growth_exponent(curve_of(vclip, store::mean_steps.warm())), flat}}),
+                        {{"exponent", growth_exponent(curve_of(vclip, steps)), flat},
+                         {"GJK's iterations", growth_exponent(curve_of(gjk, steps)), only_shown()}}),
             judge_logarithm(data),
             judge_claim("hill_climbing_beats_scan",
                         {{"exponent", growth_exponent(climbs(data)), at_most(below_scan)}}),
