@@ -57,6 +57,8 @@ void sort_out(ReportData& data) {
     };
     data.stability = take_out(data.cells, of_scene("stability"));
     data.paging = take_out(data.cells, of_scene("paging"));
+    data.thrash =
+        take_out(data.cells, [](const ReportCell& cell) { return cell.scene.starts_with("thrash"); });
     data.effort =
         take_out(data.cells, [](const ReportCell& cell) { return cell.scene.starts_with("effort "); });
     data.from_files =

@@ -8,6 +8,7 @@
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
 #include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/paper/chapter/thrash_study.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/claims/assumptions.hpp"
 #include "edgewise/reports/paper/claims/claims.hpp"
@@ -55,8 +56,12 @@ std::vector<ChapterPart> paper_parts(const ReportData& data) {
         {"The thrash at 386 vertices",
          thrash_paragraph(data),
          thrash_section,
-         {thrash_grid(data), paging_grid(data)},
-         scene_grids(data, {"paper_caches_here"})}};
+         {realised_grid(data), paging_grid(data)},
+         [&] {
+             std::vector<TextGrid> grids = {mechanism_grid(data), thrash_grid(data)};
+             for (TextGrid& grid : scene_grids(data, {"paper_caches_here"})) grids.push_back(std::move(grid));
+             return grids;
+         }()}};
 }
 
 ChapterPart own_part(const ReportData& data) {

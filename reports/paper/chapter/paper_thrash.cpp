@@ -13,6 +13,7 @@
 
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
+#include "edgewise/reports/paper/chapter/thrash_study.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 
@@ -248,9 +249,11 @@ std::string thrash_here_growth(const ReportData& data, const std::string& algori
 }  // namespace
 
 std::string thrash_paragraph(const ReportData& data) {
-    const std::vector<std::string> sentences{
-        answer(data),        papers_sentence(data),   cache_sentence(data), line_sentence(data),
-        page_sentence(data), measured_sentence(data), thrash_here(data),    layouts_sentence(data)};
+    std::vector<std::string> sentences = {settled_paragraph(data)};
+    if (sentences.front().empty()) sentences = {answer(data), papers_sentence(data)};
+    for (const auto& sentence :
+         {cache_sentence, line_sentence, page_sentence, measured_sentence, thrash_here, layouts_sentence})
+        sentences.push_back(sentence(data));
     return fmt::format("{}", fmt::join(sentences, " "));
 }
 

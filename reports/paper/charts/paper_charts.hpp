@@ -42,6 +42,9 @@ inline void number_chart(Chart& chart, int figure) {
 [[nodiscard]] Chart paper_paging_chart(const ReportData& data);
 /// Time against bodies on this machine, beside its caches.
 [[nodiscard]] Chart paper_here_chart(const ReportData& data);
+/// Where the facts of figure 8 hold, modelled; and figure 8 in the cells that were made real.
+[[nodiscard]] Chart paper_region_chart(const ReportData& data);
+[[nodiscard]] Chart paper_realised_chart(const ReportData& data);
 /// Time against what a user's own scene varies.
 [[nodiscard]] std::vector<Chart> own_scene_charts(const ReportData& data);
 

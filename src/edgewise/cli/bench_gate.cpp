@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/studies/gate/file.hpp"
 #include "edgewise/studies/gate/run.hpp"

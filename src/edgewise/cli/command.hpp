@@ -115,5 +115,6 @@ void add_report(CLI::App& app, Context& context);
 void add_scaling(CLI::App& app, Context& context);
 void add_stability(CLI::App& app, Context& context);
 void add_sweep(CLI::App& app, Context& context);
+void add_thrash(CLI::App& app, Context& context);
 
 }  // namespace edgewise::cli

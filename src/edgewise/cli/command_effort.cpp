@@ -10,8 +10,8 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/phase_tables.hpp"
-#include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/terminal/phase_tables.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/store/vocabulary.hpp"
 #include "edgewise/studies/effort_rows.hpp"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/studies/threads/scaling.hpp"
 
 namespace edgewise::cli {

@@ -11,12 +11,13 @@
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/studies/effort_rows.hpp"
 #include "edgewise/studies/paging_rows.hpp"
+#include "edgewise/studies/thrash/thrash_rows.hpp"
 #include "edgewise/sweep/run.hpp"
 
 namespace edgewise::cli {
@@ -101,7 +102,10 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     plan.checked = options.checked.value_or(plan.checked);
     plan.rounds = options.rounds.value_or(plan.rounds);
     plan.stability = options.stability.value_or(narrowed(options) ? 0 : plan.stability);
-    if (narrowed(options)) plan.paging = 0;
+    if (narrowed(options)) {
+        plan.paging = 0;
+        plan.thrash = false;
+    }
     plan.effort = options.effort.value_or(narrowed(options) ? 0 : plan.effort);
     plan.seed = options.seed.value_or(plan.seed);
     return plan;
@@ -144,6 +148,16 @@ void run_paging_of(const sweep::Plan& of, store::Store& store, bool& stopped) {
         plan, bench::this_build().id, store,
         [&](const store::CellRow& row) { progress.advance(1, row.shape + " " + row.table); },
         stop_on_signals());
+}
+
+/// What could have made figure 8, if the plan asks and this program has the table types.
+void run_thrash_of(const sweep::Plan& of, store::Store& store, bool& stopped) {
+    studies::thrash::Levels levels;
+    levels.seed = of.seed;
+    if (!of.thrash || !studies::thrash::has_tables(levels)) return;
+    Progress progress("thrash", studies::thrash::thrash_units(levels));
+    stopped = !studies::thrash::run_thrash(
+        levels, bench::this_build().id, store, [&] { progress.advance(1, "figure 8"); }, stop_on_signals());
 }
 
 /// What the queries take, of the sweep's table types, algorithms and peers, if the plan has it.
@@ -200,6 +214,7 @@ int run_sweep(const SweepArguments& options, bool json) {
         if (!summary.stopped) stability = run_stability_of(work, store);
         summary.stopped = summary.stopped || stability.stopped;
         if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
+        if (!summary.stopped) run_thrash_of(work.plan, store, summary.stopped);
         if (!summary.stopped) run_effort_of(work, store, summary.stopped);
     }
     if (summary.stopped) {

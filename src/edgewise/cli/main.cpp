@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
     app.failure_message(one_line);
     Context context;
     add_sweep(app, context);
+    add_thrash(app, context);
     add_stability(app, context);
     add_report(app, context);
     add_export(app, context);

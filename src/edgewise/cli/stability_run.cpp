@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
 
 namespace edgewise::cli {
 

@@ -19,12 +19,13 @@
 #include "edgewise/store/vocabulary/answers.hpp"
 #include "edgewise/store/vocabulary/effort.hpp"
 #include "edgewise/store/vocabulary/memory.hpp"
+#include "edgewise/store/vocabulary/thrash.hpp"
 #include "edgewise/store/vocabulary/time.hpp"
 
 namespace edgewise::store {
 
-inline constexpr std::span<const FigureInfo> vocabulary_parts[] = {vocabulary::memory, vocabulary::time,
-                                                                   vocabulary::answers, vocabulary::effort};
+inline constexpr std::span<const FigureInfo> vocabulary_parts[] = {
+    vocabulary::memory, vocabulary::time, vocabulary::answers, vocabulary::effort, vocabulary::thrash};
 
 /// A figure, or a family of figures with what stands between braces filled in. The texts that fill it must
 /// outlive it.

@@ -42,7 +42,8 @@ std::vector<AllocatorCost> allocator_costs(const bench::TableType& type, const P
                                            Parts parts) {
     std::vector<AllocatorCost> costs;
     for (const bench::AllocatorInfo& info : bench::allocators_known()) {
-        if (bench::allocator_from(info.name) == bench::AllocatorKind::file)
+        const auto kind = bench::allocator_from(info.name);
+        if (kind == bench::AllocatorKind::file || kind == bench::AllocatorKind::memfd)
             continue;  // takes what the arena takes
         AllocatorCost& cost = costs.emplace_back();
         cost.allocator = info.name;

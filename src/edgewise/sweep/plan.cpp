@@ -84,6 +84,7 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
         .take("machines", plan.machines)
         .take("control", plan.control)
         .take("paging", plan.paging)
+        .take("thrash", plan.thrash)
         .take("effort", plan.effort)
         .refuse_others();
     if (json.contains("meshes")) plan.meshes_required = true;

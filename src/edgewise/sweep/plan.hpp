@@ -43,6 +43,7 @@ struct Plan {
     std::size_t checked = 0;            ///< of them, against exact arithmetic
     bool control = false;               ///< of these, against Moore and Wilhelms too, the paper's control
     std::size_t paging = 0;             ///< bodies of the paging run; 0: none
+    bool thrash = false;                ///< whether to study what could have made figure 8
     std::size_t effort = 0;             ///< queries of the effort run; 0: none
     int rounds = 0;                     ///< timed, interleaved
     std::size_t stability = 0;          ///< hard cases per family; 0: no stability run

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The progress line: fits every width, counts, and estimates from this run's own work alone.
-#include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
 
 #include <gtest/gtest.h>
 

@@ -41,6 +41,7 @@ std::span<const AllocatorInfo> allocators_known() {
         {"jemalloc", "jemalloc's size classes, in a jemalloc arena of its own"},
         {"libc", "the C library's malloc"},
         {"file", "as arena, in a temporary file on a disk: pages can leave memory and come back"},
+        {"memfd", "as arena, in shared memory: a pager of this program can take pages away"},
     };
     return known;
 }
@@ -59,6 +60,7 @@ std::optional<AllocatorKind> allocator_from(std::string_view name) {
 std::unique_ptr<TableAllocator> make_allocator(AllocatorKind kind) {
     if (kind == AllocatorKind::arena) return std::make_unique<Arena>(Backing::memory);
     if (kind == AllocatorKind::file) return std::make_unique<Arena>(Backing::file);
+    if (kind == AllocatorKind::memfd) return std::make_unique<Arena>(Backing::shared_memory);
     if (kind == AllocatorKind::libc) return std::make_unique<LibcAllocator>();
     auto jemalloc = make_jemalloc();
     if (!jemalloc)

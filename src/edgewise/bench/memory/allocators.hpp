@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The allocators that tables may come from, side by side in one program and none in another's place: an
-// arena, jemalloc, the C library, and an arena in a file. Each counts what was asked of it and what that
-// really takes.
+// arena, jemalloc, the C library, and arenas in a file and in shared memory. Each counts what was asked of it
+// and what that really takes.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace edgewise::bench {
 
-enum class AllocatorKind : std::uint8_t { arena, jemalloc, libc, file };
+enum class AllocatorKind : std::uint8_t { arena, jemalloc, libc, file, memfd };
 
 [[nodiscard]] std::string_view to_string(AllocatorKind kind);
 /// Nothing for an unknown name.

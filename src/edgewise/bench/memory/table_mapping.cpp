@@ -97,17 +97,25 @@ TemporaryFile temporary_file() {
         "current one); set TMPDIR to one on a file system that is not kept in memory");
 }
 
+int shared_memory() {
+    const int file = memfd_create("edgewise tables", MFD_CLOEXEC);
+    if (file >= 0 && ftruncate(file, reserve_bytes + TableMapping::alignment) == 0) return file;
+    if (file >= 0) close(file);
+    throw std::runtime_error("allocator memfd: the system gives no shared memory");
+}
+
 }  // namespace
 
 std::size_t TableMapping::bytes() { return reserve_bytes; }
 
-TableMapping::TableMapping(Backing backing) {
+TableMapping::TableMapping(Backing backing) : backing_(backing) {
     if (backing == Backing::file) {
         const TemporaryFile file = temporary_file();
         file_ = file.descriptor;
         keeps_recency_ = file.read_ahead_off;
     }
-    const int sharing = backing == Backing::file ? MAP_SHARED : MAP_PRIVATE | MAP_ANONYMOUS;
+    if (backing == Backing::shared_memory) file_ = shared_memory();
+    const int sharing = backing == Backing::memory ? MAP_PRIVATE | MAP_ANONYMOUS : MAP_SHARED;
     void* const place =
         mmap(nullptr, reserve_bytes + alignment, PROT_READ | PROT_WRITE, sharing | MAP_NORESERVE, file_, 0);
     if (place == MAP_FAILED) {
@@ -118,7 +126,7 @@ TableMapping::TableMapping(Backing backing) {
     const auto address = reinterpret_cast<std::uintptr_t>(place);
     base_ = reserved_ + (alignment - address % alignment) % alignment;
     madvise(base_, reserve_bytes, MADV_NOHUGEPAGE);
-    if (file_ >= 0 && !keeps_recency_) madvise(base_, reserve_bytes, MADV_RANDOM);
+    if (backing == Backing::file && !keeps_recency_) madvise(base_, reserve_bytes, MADV_RANDOM);
 }
 
 TableMapping::~TableMapping() {
@@ -137,7 +145,7 @@ std::optional<std::size_t> TableMapping::resident(std::size_t used) const {
 }
 
 bool TableMapping::evict(std::size_t used) const {
-    if (file_ < 0) return false;
+    if (backing_ != Backing::file) return false;
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     const std::size_t length = (used + page - 1) / page * page;
     const auto start = static_cast<off_t>(base_ - reserved_);

@@ -2,7 +2,8 @@
 //
 // A stretch of addresses for an arena, from a multiple of 2 MiB on, that becomes memory page by page as it is
 // written to: of no file, or of a temporary one that is gone with the mapping. Pages of a file can be written
-// back and dropped, and read again one by one, so that memory can be too small for them without any swap.
+// back and dropped, and read again one by one, so that memory can be too small for them without any swap;
+// those of shared memory can be unmapped with their contents kept, for a pager (measure/process).
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 
 namespace edgewise::bench {
 
-enum class Backing { memory, file };
+enum class Backing { memory, file, shared_memory };
 
 class TableMapping {
   public:
@@ -40,6 +41,7 @@ class TableMapping {
     [[nodiscard]] bool evict(std::size_t used) const;
 
   private:
+    Backing backing_;
     int file_ = -1;
     bool keeps_recency_ = true;
     std::byte* reserved_ = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/cli/phase_tables.hpp"
+#include "edgewise/cli/terminal/phase_tables.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 //
 // Only \r and spaces, no escape sequences: works on every terminal. The last column stays free, since many
 // terminals wrap as soon as it is written.
-#include "edgewise/cli/progress.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
 
 #include <fmt/core.h>
 #include <sys/ioctl.h>

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise thrash`: which mechanisms, memories and costs of a fault could have made the paper's figure 8,
+// and three of them made real.
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/studies/thrash/thrash_rows.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+namespace thrash = studies::thrash;
+
+struct ThrashArguments {
+    thrash::Levels levels;
+    std::size_t realised = thrash::realised_cells;
+    double wait_s = thrash::budget_of_a_point_ns / 1e9;
+};
+
+std::string name_of(const thrash::Setting& setting) {
+    std::string name(thrash::mechanism_names[static_cast<std::size_t>(setting.mechanism)]);
+    if (setting.intensity > 0) name += fmt::format(" {:g}", setting.intensity);
+    return name;
+}
+
+nlohmann::json json_of(const thrash::Setting& setting, const thrash::Factorial& factorial) {
+    return {{"mechanism", thrash::mechanism_names[static_cast<std::size_t>(setting.mechanism)]},
+            {"intensity", setting.intensity},
+            {"table", setting.table},
+            {"own_tables", !setting.shared},
+            {"time_step", setting.time_step},
+            {"bodies", setting.bodies},
+            {"memory_bytes", setting.memory_bytes},
+            {"fault_ns", setting.fault_ns},
+            {"machine", factorial.machines[setting.machine].name()}};
+}
+
+nlohmann::json json_of(const thrash::Outcome& outcome, const thrash::Factorial& factorial) {
+    const thrash::FactScore& score = outcome.score;
+    nlohmann::json facts;
+    for (std::size_t i = 0; i < thrash::fact_names.size(); ++i)
+        facts[std::string(thrash::fact_names[i])] = score.holds[i];
+    const thrash::Figure8& figure = outcome.figure;
+    return {{"setting", json_of(outcome.setting, factorial)},
+            {"facts", facts},
+            {"rise", score.rise},
+            {"top_ns", score.top_ns},
+            {"gjk_rise", score.gjk_rise},
+            {"gjk_rise_from_8", score.gjk_rise_from_8},
+            {"fall", score.fall},
+            {"gjk_fall", score.gjk_fall},
+            {"vclip_38_ns", figure.vclip_38},
+            {"vclip_386_ns", figure.vclip_386},
+            {"gjk_38_ns", figure.gjk_38},
+            {"gjk_386_ns", figure.gjk_386}};
+}
+
+nlohmann::json json_of(const thrash::RealisedCell& cell, const thrash::Factorial& factorial) {
+    nlohmann::json curves = nlohmann::json::array();
+    for (const thrash::RealisedCurve& curve : cell.curves) {
+        nlohmann::json points = nlohmann::json::array();
+        for (const thrash::RealisedPoint& point : curve.points)
+            points.push_back({{"speed", point.speed},
+                              {"queries", point.queries},
+                              {"in_memory_ns", point.in_memory_ns},
+                              {"predicted_faults", point.predicted_hard},
+                              {"faults", point.hard},
+                              {"soft_faults", point.soft},
+                              {"predicted_ns", point.predicted_ns},
+                              {"measured_ns", point.measured_ns},
+                              {"model_ns", point.model_ns},
+                              {"same_answers", point.same_answers}});
+        curves.push_back({{"shape", curve.shape}, {"algorithm", curve.algorithm}, {"points", points}});
+    }
+    const bool there = cell.reason.empty();
+    return {{"setting", json_of(cell.setting, factorial)},
+            {"curves", there ? curves : nlohmann::json()},
+            {"worst_ratio", there ? nlohmann::json(cell.worst_ratio()) : nlohmann::json()},
+            {"reason", or_null(cell.reason)},
+            {"remedy", or_null(cell.remedy)}};
+}
+
+nlohmann::json json_of(const thrash::Factorial& factorial, const std::vector<thrash::RealisedCell>& cells) {
+    nlohmann::json calibrations = nlohmann::json::array(), groups = nlohmann::json::array(),
+                   region = nlohmann::json::array(), realised = nlohmann::json::array();
+    for (const thrash::Calibration& calibration : factorial.calibrations) {
+        nlohmann::json points;
+        for (const thrash::CalibrationPoint& point : calibration.points)
+            points[fmt::format("figure_{}", point.figure)] =
+                point.model_ns(calibration.ns_per_read) / point.top_ns;
+        calibrations.push_back({{"machine", factorial.machines[calibration.machine].name()},
+                                {"time_step", calibration.time_step},
+                                {"ns_per_read", calibration.ns_per_read},
+                                {"model_over_paper", points}});
+    }
+    for (const thrash::OutcomeGroup& group : groups_of(factorial)) {
+        nlohmann::json with;
+        for (std::size_t i = 0; i < thrash::fact_names.size(); ++i)
+            with[std::string(thrash::fact_names[i])] = group.with(static_cast<thrash::Fact>(i));
+        groups.push_back({{"of", json_of(group.setting, factorial)},
+                          {"settings", group.outcomes.size()},
+                          {"with", with},
+                          {"with_all", group.with_all()},
+                          {"best", json_of(group.best(), factorial)}});
+    }
+    for (const thrash::Outcome& outcome : factorial.outcomes)
+        if (outcome.score.count() == 4) region.push_back(json_of(outcome, factorial));
+    for (const thrash::RealisedCell& cell : cells) realised.push_back(json_of(cell, factorial));
+    return {{"calibrations", calibrations},
+            {"groups", groups},
+            {"region", region},
+            {"realised", realised},
+            {"cycles", factorial.cycles},
+            {"vclip_queries", factorial.vclip_queries}};
+}
+
+void print_calibrations(const thrash::Factorial& factorial) {
+    for (const thrash::Calibration& calibration : factorial.calibrations) {
+        fmt::print("{}, steps of {:.4g} s: {:.4g} ns per read; model over paper:",
+                   factorial.machines[calibration.machine].name(), calibration.time_step,
+                   calibration.ns_per_read);
+        for (const thrash::CalibrationPoint& point : calibration.points)
+            fmt::print(" figure {} {:.2f}", point.figure,
+                       point.model_ns(calibration.ns_per_read) / point.top_ns);
+        fmt::print("\n");
+    }
+}
+
+void print_groups(const thrash::Factorial& factorial) {
+    fmt::print("\n{:<24} {:<11} {:<7} {:>6} {:>9} {:>7} {:>8} {:>7} {:>8} {:>5}  {}\n", "mechanism", "table",
+               "tables", "step", "settings", "rises", "as long", "spares", "erratic", "all",
+               "best: facts, bodies, MiB, us a fault; rise, top us, GJK, fall");
+    for (const thrash::OutcomeGroup& group : groups_of(factorial)) {
+        if (group.setting.machine != 0) continue;
+        const thrash::Outcome& best = group.best();
+        fmt::print(
+            "{:<24} {:<11} {:<7} {:>6.4g} {:>9} {:>7} {:>8} {:>7} {:>8} {:>5}  {}, {}, {}, {:g}; {:.2f}, "
+            "{:.0f}, {:.2f}, {:.2f}\n",
+            name_of(group.setting), group.setting.table, group.setting.shared ? "shared" : "own",
+            group.setting.time_step, group.outcomes.size(), group.with(thrash::Fact::rises),
+            group.with(thrash::Fact::takes_as_long), group.with(thrash::Fact::spares_gjk),
+            group.with(thrash::Fact::erratic), group.with_all(), best.score.count(), best.setting.bodies,
+            best.setting.memory_bytes >> 20, best.setting.fault_ns / 1000, best.score.rise,
+            best.score.top_ns / 1000, best.score.gjk_rise, best.score.fall);
+    }
+}
+
+void print(const thrash::RealisedCell& cell) {
+    const thrash::Setting& setting = cell.setting;
+    fmt::print("\nrealised: {}, {} tables, steps of {:.4g} s, {} bodies, {} MiB, {:g} us a fault\n",
+               setting.table, setting.shared ? "shared" : "own", setting.time_step, setting.bodies,
+               setting.memory_bytes >> 20, setting.fault_ns / 1000);
+    if (!cell.reason.empty()) {
+        fmt::print("  not measured: {}\n", cell.reason);
+        return;
+    }
+    for (const thrash::RealisedCurve& curve : cell.curves) {
+        fmt::print("  {:<9} {:<5} us per query, measured (predicted; modelled):", curve.shape,
+                   curve.algorithm);
+        for (const thrash::RealisedPoint& point : curve.points)
+            fmt::print(" {:.4g} ({:.4g}; {:.4g})", point.measured_ns / 1000, point.predicted_ns / 1000,
+                       point.model_ns / 1000);
+        fmt::print("\n");
+    }
+    fmt::print("  farthest from its prediction: a factor of {:.2f}\n", cell.worst_ratio());
+}
+
+bool all_same(const std::vector<thrash::RealisedCell>& cells) {
+    for (const thrash::RealisedCell& cell : cells)
+        for (const thrash::RealisedCurve& curve : cell.curves)
+            for (const thrash::RealisedPoint& point : curve.points)
+                if (!point.same_answers) return false;
+    return true;
+}
+
+int run_thrash(const ThrashArguments& options, bool json) {
+    thrash::Levels levels = options.levels;
+    levels.filling = levels.steps / 6;
+    Progress progress("thrash", thrash::scenes_to_trace(levels) + options.realised);
+    const thrash::Factorial factorial = thrash::run_factorial(
+        levels, [&] { progress.advance(1, "traced"); }, stop_on_signals());
+    if (stop_on_signals()) return exit_check_failed;
+    std::vector<thrash::RealisedCell> cells;
+    for (const thrash::Outcome& outcome : outcomes_to_realise(factorial, options.realised)) {
+        cells.push_back(thrash::realise(outcome, levels, options.wait_s * 1e9));
+        progress.advance(1, "realised");
+    }
+    progress.clear();
+    if (json) {
+        fmt::print("{}\n", json_of(factorial, cells).dump());
+    } else {
+        print_calibrations(factorial);
+        print_groups(factorial);
+        for (const thrash::RealisedCell& cell : cells) print(cell);
+    }
+    return all_same(cells) ? exit_done : exit_check_failed;
+}
+
+}  // namespace
+
+void add_thrash(CLI::App& app, Context& context) {
+    auto [command, options] = add_command(
+        app, context, "thrash",
+        "What could have made the paper's figure 8: every combination of what it leaves open, scored",
+        run_thrash);
+    thrash::Levels& levels = options.levels;
+    command->add_option("--layouts", levels.tables, "table types")->delimiter(',');
+    command->add_option("--bodies", levels.bodies, "numbers of bodies")
+        ->delimiter(',')
+        ->check(CLI::Range(2, 10000));
+    command->add_option("--memory", levels.memories_mib, "memories, MiB")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 100000));
+    command->add_option("--fault-ns", levels.fault_costs_ns, "costs of a fault, ns")
+        ->delimiter(',')
+        ->check(CLI::Range(1.0, 1e9));
+    command->add_option("--steps", levels.steps, "steps traced; the first sixth of them counts nothing")
+        ->check(CLI::Range(12, 10000));
+    command->add_option("--realised", options.realised, "how many cells are made real; 0: none")
+        ->check(CLI::Range(0, 100));
+    command->add_option("--wait", options.wait_s, "of each realised point, s")
+        ->check(CLI::Range(0.01, 100.0));
+    command->add_option("--seed", levels.seed, "seed of the scenes");
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/thrash/factorial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <stdexcept>
+
+#include "edgewise/bench/parallel.hpp"
+#include "edgewise/measure/statistics.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/studies/thrash/query_time.hpp"
+
+namespace edgewise::studies::thrash {
+
+namespace {
+
+constexpr std::array<const char*, 3> shapes = {"cube8", "sphere38", "sphere386"};
+constexpr std::array<const char*, 2> algorithms = {"vclip", "gjk"};
+
+/// The paper's axes where they end: figure 4 at 1.5 m/s, in bodies of 1 m; 6 at 12.57 rad/s; 7 at 7 rad/s.
+struct CalibratedFigure {
+    int figure;
+    const char* shape;
+    double top_ns, rad_per_s, m_per_s;
+};
+constexpr CalibratedFigure calibrated[] = {
+    {4, "cube8", 3e4, 0, 1.5}, {6, "cube8", 7e4, 12.57, 0}, {7, "sphere38", 1e5, 7, 0}};
+/// Bodies of the scenes that calibrate: those of figures 4, 6 and 7 here.
+constexpr std::size_t calibrating_bodies = 200;
+/// Nobody moves farther in a step in the paper's scenes.
+constexpr double most_way_in_dimensions = 0.5;
+
+/// The scenes of all settings, in one order: that of the loops here.
+class TracedScenes {
+  public:
+    struct Key {
+        std::size_t table, algorithm, shape, shared, time_step, bodies, speed;
+    };
+
+    explicit TracedScenes(const Levels& levels) : levels_(levels) { demands_.resize(count()); }
+
+    [[nodiscard]] std::size_t count() const {
+        return levels_.tables.size() * algorithms.size() * shapes.size() * levels_.shared.size() *
+               levels_.time_steps.size() * levels_.bodies.size() * speeds.size();
+    }
+    [[nodiscard]] std::size_t index(const Key& key) const {
+        std::size_t at = key.table;
+        at = at * algorithms.size() + key.algorithm;
+        at = at * shapes.size() + key.shape;
+        at = at * levels_.shared.size() + key.shared;
+        at = at * levels_.time_steps.size() + key.time_step;
+        at = at * levels_.bodies.size() + key.bodies;
+        return at * speeds.size() + key.speed;
+    }
+    [[nodiscard]] Key key(std::size_t at) const {
+        Key key{};
+        const auto take = [&](std::size_t& part, std::size_t size) {
+            part = at % size;
+            at /= size;
+        };
+        take(key.speed, speeds.size());
+        take(key.bodies, levels_.bodies.size());
+        take(key.time_step, levels_.time_steps.size());
+        take(key.shared, levels_.shared.size());
+        take(key.shape, shapes.size());
+        take(key.algorithm, algorithms.size());
+        key.table = at;
+        return key;
+    }
+    [[nodiscard]] MemoryDemand& at(const Key& key) { return demands_[index(key)]; }
+    [[nodiscard]] const std::vector<MemoryDemand>& all() const { return demands_; }
+
+  private:
+    const Levels& levels_;
+    std::vector<MemoryDemand> demands_;
+};
+
+const bench::TableType& type_called(const std::string& name) {
+    return *bench::select_table_types(std::vector<std::string>{name}).front();
+}
+
+bench::Sharing sharing_of(bool shared) {
+    return shared ? bench::Sharing::shared : bench::Sharing::per_instance;
+}
+
+MemoryDemand checked(MemoryDemand demand) {
+    if (!demand.reason.empty()) throw std::runtime_error(demand.reason);
+    return demand;
+}
+
+void trace_all(const Levels& levels, const MemorySizes& sizes, TracedScenes& scenes,
+               const std::function<void()>& on_trace, const std::atomic<bool>& stop) {
+    std::mutex notified;
+    bench::for_each_index(scenes.count(), [&](std::size_t i) {
+        if (stop) return;
+        const TracedScenes::Key key = scenes.key(i);
+        const double angle = speeds[key.speed] * levels.time_steps[key.time_step];
+        const scene::Workload workload = workload_of({shapes[key.shape], levels.bodies[key.bodies], angle,
+                                                      0.02, levels.steps, levels.seed_of(key.speed)});
+        scenes.at(key) =
+            checked(trace_demand(type_called(levels.tables[key.table]), algorithms[key.algorithm], workload,
+                                 sharing_of(levels.shared[key.shared]), sizes, levels.filling));
+        const std::lock_guard lock(notified);
+        on_trace();
+    });
+}
+
+/// A figure's demands, by algorithm.
+using FigureDemands = std::array<MemoryDemand, algorithms.size()>;
+
+FigureDemands demands_of(const CalibratedFigure& figure, double time_step, const Levels& levels,
+                         const MemorySizes& sizes) {
+    const double way = std::min(most_way_in_dimensions, figure.m_per_s * time_step);
+    const scene::Workload workload = workload_of(
+        {figure.shape, calibrating_bodies, figure.rad_per_s * time_step, way, levels.steps, levels.seed});
+    FigureDemands demands;
+    for (std::size_t i = 0; i < algorithms.size(); ++i)
+        demands[i] = checked(trace_demand(type_called(levels.tables.front()), algorithms[i], workload,
+                                          bench::Sharing::per_instance, sizes, levels.filling));
+    return demands;
+}
+
+/// The top of a figure is GJK's there, which it draws above V-Clip's throughout.
+CalibrationPoint point_of(const CalibratedFigure& figure, const FigureDemands& demands,
+                          const OldMachine& machine, const MemorySizes& sizes) {
+    const MemoryDemand& gjk = demands.back();
+    return {figure.figure, figure.top_ns, gjk.reads, cache_ns(machine, sizes, gjk)};
+}
+
+void calibrate(const Levels& levels, const MemorySizes& sizes, Factorial& result) {
+    for (const double time_step : levels.time_steps) {
+        std::vector<FigureDemands> demands;
+        for (const CalibratedFigure& figure : calibrated)
+            demands.push_back(demands_of(figure, time_step, levels, sizes));
+        for (std::size_t machine = 0; machine < result.machines.size(); ++machine) {
+            Calibration found{machine, time_step, 0, {}};
+            for (std::size_t i = 0; i < demands.size(); ++i)
+                found.points.push_back(point_of(calibrated[i], demands[i], result.machines[machine], sizes));
+            found.ns_per_read = ns_per_read(found.points);
+            result.calibrations.push_back(std::move(found));
+        }
+    }
+}
+
+/// Of a table of the first layout: its median time over that of a read of a standing pair's query.
+void measure_builds(const Levels& levels, Factorial& result) {
+    constexpr int repetitions = 21;
+    constexpr double angle = 1.0 / 60;
+    const bench::TableType& type = type_called(levels.tables.front());
+    for (const char* shape : shapes) {
+        const scene::Workload workload = workload_of({shape, 100, angle, 0.02, levels.steps, levels.seed});
+        for (const char* algorithm : algorithms) {
+            const auto runner = type.make_runner(algorithm);
+            if (const std::string error = runner->load(workload); !error.empty())
+                throw std::runtime_error(error);
+            const auto pass = runner->prepared_pass();
+            std::vector<double> times;
+            for (int i = 0; i < repetitions; ++i) {
+                const measure::Stopwatch watch;
+                pass();
+                times.push_back(watch.elapsed_ns() / static_cast<double>(workload.queries.size()));
+            }
+            const double reads =
+                trace_demand(type, algorithm, workload, bench::Sharing::shared, {{1}, {1}}, 0).reads;
+            const double build = measure::median(runner->build_times(repetitions).build_ns).value_or(0);
+            result.builds.push_back({algorithm, shape, build / (measure::median(times).value_or(1) / reads)});
+        }
+    }
+}
+
+double build_reads(const Factorial& result, std::size_t algorithm, std::size_t shape) {
+    for (const BuildCost& build : result.builds)
+        if (build.algorithm == algorithms[algorithm] && build.shape == shapes[shape]) return build.reads;
+    return 0;
+}
+
+const Calibration& calibration_of(const Factorial& result, std::size_t machine, double time_step) {
+    return *std::find_if(result.calibrations.begin(), result.calibrations.end(), [&](const Calibration& one) {
+        return one.machine == machine && one.time_step == time_step;
+    });
+}
+
+/// Scores settings; where in the levels each of them is stands beside it.
+class Scorer {
+  public:
+    Scorer(const Levels& levels, const MemorySizes& sizes, TracedScenes& scenes, Factorial& result)
+        : levels_(levels), sizes_(sizes), scenes_(scenes), result_(result) {}
+
+    void score_all() {
+        TracedScenes::Key key{};
+        for (key.table = 0; key.table < levels_.tables.size(); ++key.table)
+            for (key.shared = 0; key.shared < levels_.shared.size(); ++key.shared)
+                for (key.time_step = 0; key.time_step < levels_.time_steps.size(); ++key.time_step)
+                    for (key.bodies = 0; key.bodies < levels_.bodies.size(); ++key.bodies)
+                        for (const auto& mechanism : levels_.mechanisms) score_memories(key, mechanism);
+    }
+
+  private:
+    void score_memories(const TracedScenes::Key& key, const std::pair<Mechanism, double>& mechanism) {
+        // A shared table cannot stand in the world once for each body.
+        if (mechanism.first == Mechanism::whole_table_transform && levels_.shared[key.shared]) return;
+        for (std::size_t machine = 0; machine < result_.machines.size(); ++machine)
+            for (const std::uint64_t memory : levels_.memories_mib)
+                for (const double cost : levels_.fault_costs_ns)
+                    score_one(key, {mechanism.first, mechanism.second, levels_.tables[key.table],
+                                    levels_.shared[key.shared], levels_.time_steps[key.time_step],
+                                    levels_.bodies[key.bodies], memory << 20, cost, machine});
+    }
+
+    void score_one(const TracedScenes::Key& key, const Setting& setting) {
+        Figure8 figure{};
+        SpeedCurve* const curves[2][3] = {{&figure.vclip_8, &figure.vclip_38, &figure.vclip_386},
+                                          {&figure.gjk_8, &figure.gjk_38, &figure.gjk_386}};
+        for (std::size_t algorithm = 0; algorithm < algorithms.size(); ++algorithm)
+            for (std::size_t shape = 0; shape < shapes.size(); ++shape)
+                *curves[algorithm][shape] = curve(key, algorithm, shape, setting);
+        result_.outcomes.push_back({setting, figure, score(figure)});
+    }
+
+    [[nodiscard]] SpeedCurve curve(TracedScenes::Key key, std::size_t algorithm, std::size_t shape,
+                                   const Setting& setting) {
+        key.algorithm = algorithm;
+        key.shape = shape;
+        TimedScene scene;
+        scene.machine = &result_.machines[setting.machine];
+        scene.sizes = &sizes_;
+        scene.ns_per_read = calibration_of(result_, setting.machine, setting.time_step).ns_per_read;
+        scene.build_reads = build_reads(result_, algorithm, shape);
+        scene.is_vclip = algorithm == 0;
+        scene.is_large = shape + 1 == shapes.size();
+        SpeedCurve found{};
+        for (key.speed = 0; key.speed < speeds.size(); ++key.speed) {
+            scene.demand = &scenes_.at(key);
+            found[key.speed] = query_ns(scene, setting);
+        }
+        return found;
+    }
+
+    const Levels& levels_;
+    const MemorySizes& sizes_;
+    TracedScenes& scenes_;
+    Factorial& result_;
+};
+
+void count_cycles(const TracedScenes& scenes, Factorial& result) {
+    for (std::size_t i = 0; i < scenes.count(); ++i) {
+        if (scenes.key(i).algorithm != 0) continue;
+        const MemoryDemand& demand = scenes.all()[i];
+        result.cycles += demand.cycles;
+        result.vclip_queries += static_cast<double>(demand.queries);
+    }
+}
+
+}  // namespace
+
+std::size_t scenes_to_trace(const Levels& levels) { return TracedScenes(levels).count(); }
+
+Factorial run_factorial(const Levels& levels, const std::function<void()>& on_trace,
+                        const std::atomic<bool>& stop) {
+    Factorial result;
+    result.machines = old_machines();
+    std::vector<std::uint64_t> memories;
+    for (const std::uint64_t mebibytes : levels.memories_mib) memories.push_back(mebibytes << 20);
+    const MemorySizes sizes = sizes_for(result.machines, memories);
+    TracedScenes scenes(levels);
+    trace_all(levels, sizes, scenes, on_trace, stop);
+    if (stop) return result;
+    result.traced_scenes = static_cast<double>(scenes.count());
+    count_cycles(scenes, result);
+    calibrate(levels, sizes, result);
+    measure_builds(levels, result);
+    Scorer(levels, sizes, scenes, result).score_all();
+    return result;
+}
+
+}  // namespace edgewise::studies::thrash

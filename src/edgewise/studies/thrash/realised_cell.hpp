@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// A cell of the factorial made real: figure 8 itself, time against speed, both algorithms, 38 and 386
+// vertices, on this machine with its tables in a memory of the cell's size, where a page that is not held
+// comes after the cell's cost (fault_pager.hpp). Beside each time stands its prediction: the same queries
+// without the pager, and the faults that the same policy has on the pages of a trace.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "edgewise/studies/thrash/factorial.hpp"
+
+namespace edgewise::studies::thrash {
+
+struct RealisedPoint {
+    double speed = 0;  ///< rad per second
+    std::uint64_t queries = 0;
+    double in_memory_ns = 0;                                            ///< per query, without the pager
+    double predicted_hard = 0, predicted_soft = 0, hard = 0, soft = 0;  ///< faults per query
+    double fault_overhead_ns = 0;  ///< of any fault beyond its wait, as the filling steps had it
+    double predicted_ns = 0, measured_ns = 0;
+    double model_ns = 0;        ///< of the factorial, with a processor of the time
+    bool same_answers = false;  ///< to the last bit, with and without the pager
+};
+
+struct RealisedCurve {
+    std::string shape, algorithm;
+    std::vector<RealisedPoint> points;
+};
+
+struct RealisedCell {
+    Setting setting;
+    std::vector<RealisedCurve> curves;
+    std::string reason, remedy;  ///< why there are none
+
+    /// Of all points, the largest quotient of measured and predicted, whichever is larger.
+    [[nodiscard]] double worst_ratio() const;
+};
+
+/// What to make real: of each cost of a fault the one of the queries alone that holds most of the facts
+/// and among these rises nearest to the paper's 12 (on the first machine); of them the best three.
+[[nodiscard]] std::vector<Outcome> outcomes_to_realise(const Factorial& factorial, std::size_t count);
+
+/// `budget_ns`: of waiting, for each point; where that is less than all counted steps, fewer queries are
+/// asked.
+[[nodiscard]] RealisedCell realise(const Outcome& outcome, const Levels& levels, double budget_ns);
+
+}  // namespace edgewise::studies::thrash

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/thrash/thrash_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "edgewise/bench/cell.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/store/vocabulary.hpp"
+
+namespace edgewise::studies::thrash {
+
+namespace {
+
+constexpr const char* large_shape = "sphere386";
+
+bool same_row(const Setting& a, const Setting& b) {
+    return a.mechanism == b.mechanism && a.intensity == b.intensity && a.table == b.table &&
+           a.shared == b.shared && a.time_step == b.time_step && a.machine == b.machine;
+}
+
+std::string mechanism_of(const Setting& setting) {
+    return std::string(mechanism_names[static_cast<std::size_t>(setting.mechanism)]);
+}
+
+nlohmann::json parameters_of(const Setting& setting, const std::vector<OldMachine>& machines) {
+    return {{"mechanism", mechanism_of(setting)},
+            {"intensity", setting.intensity},
+            {"own_tables", setting.shared ? 0 : 1},
+            {"time_step", setting.time_step},
+            {"machine", machines[setting.machine].name()}};
+}
+
+store::CellRow row_of(const char* scene, const nlohmann::json& parameters, const std::string& shape,
+                      const std::string& algorithm, const std::string& table, const Levels& levels) {
+    const Polyhedron body = scene::make_shape(shape).or_throw();
+    const bench::TableType& type = *bench::select_table_types(std::vector<std::string>{table}).front();
+    store::CellRow row;
+    row.scene = scene;
+    row.scene_parameters = parameters.dump();
+    row.shape = shape;
+    row.shape_source = "built-in";
+    row.algorithm = algorithm;
+    row.layout = type.layout;
+    row.precision = type.precision;
+    row.table = type.name;
+    row.vertices = body.vertex_count();
+    row.edges = body.edge_count();
+    row.faces = body.face_count();
+    row.seed = levels.seed;
+    row.status = "verified";
+    bench::name_cell(row, body);
+    return row;
+}
+
+std::string setting_text(const Setting& setting) {
+    return fmt::format("{}_{}MiB_{:.0f}ns", setting.bodies, setting.memory_bytes >> 20, setting.fault_ns);
+}
+
+class FigureList {
+  public:
+    void add(const store::FigureName& name, double value) {
+        rows_.push_back({store::figure(name, value), "thrash"});
+    }
+    [[nodiscard]] const std::vector<store::FigureRow>& rows() const { return rows_; }
+
+  private:
+    std::vector<store::FigureRow> rows_;
+};
+
+void add_best(const Outcome& best, FigureList& figures) {
+    figures.add("thrash.best_facts", best.score.count());
+    figures.add("thrash.best.bodies", static_cast<double>(best.setting.bodies));
+    figures.add("thrash.best.memory_bytes", static_cast<double>(best.setting.memory_bytes));
+    figures.add("thrash.best.fault_ns", best.setting.fault_ns);
+    figures.add("thrash.best.rise", best.score.rise);
+    figures.add("thrash.best.top_us", best.score.top_ns / 1000);
+    figures.add("thrash.best.gjk_rise", best.score.gjk_rise);
+    figures.add("thrash.best.fall", best.score.fall);
+}
+
+std::vector<store::FigureRow> figures_of(const OutcomeGroup& group, const Factorial& factorial) {
+    FigureList figures;
+    figures.add("thrash.settings", static_cast<double>(group.outcomes.size()));
+    for (std::size_t i = 0; i < fact_names.size(); ++i)
+        figures.add(store::FigureName("thrash.settings_with.{fact}").of(fact_names[i]),
+                    static_cast<double>(group.with(static_cast<Fact>(i))));
+    figures.add("thrash.settings_with_all", static_cast<double>(group.with_all()));
+    add_best(group.best(), figures);
+    for (const Calibration& calibration : factorial.calibrations) {
+        if (calibration.machine != group.setting.machine || calibration.time_step != group.setting.time_step)
+            continue;
+        figures.add("thrash.ns_per_read", calibration.ns_per_read);
+        for (const CalibrationPoint& point : calibration.points)
+            figures.add(store::FigureName("thrash.calibrated.{figure}").of(std::to_string(point.figure)),
+                        point.model_ns(calibration.ns_per_read) / point.top_ns);
+    }
+    // The picture of the region is that of the first machine.
+    if (group.setting.machine == 0)
+        for (const Outcome* outcome : group.outcomes)
+            figures.add(store::FigureName("thrash.facts.{setting}").of(setting_text(outcome->setting)),
+                        outcome->score.mask());
+    return figures.rows();
+}
+
+std::vector<store::FigureRow> figures_of(const RealisedCurve& curve) {
+    FigureList figures;
+    for (const RealisedPoint& point : curve.points) {
+        const std::string speed = fmt::format("{:g}", point.speed);
+        const auto add = [&](const store::FigureName& name, double value) {
+            figures.add(name.of(speed), value);
+        };
+        add("thrash.predicted_us.{speed}", point.predicted_ns / 1000);
+        add("thrash.measured_us.{speed}", point.measured_ns / 1000);
+        add("thrash.model_us.{speed}", point.model_ns / 1000);
+        add("thrash.in_memory_us.{speed}", point.in_memory_ns / 1000);
+        add("thrash.predicted_faults.{speed}", point.predicted_hard);
+        add("thrash.measured_faults.{speed}", point.hard);
+        add("thrash.queries.{speed}", static_cast<double>(point.queries));
+    }
+    return figures.rows();
+}
+
+void store_cell(const RealisedCell& cell, std::size_t number, const Factorial& factorial,
+                const Levels& levels, const std::string& build, store::Store& store) {
+    nlohmann::json parameters = parameters_of(cell.setting, factorial.machines);
+    parameters["number"] = number;
+    parameters["bodies"] = cell.setting.bodies;
+    parameters["memory_mib"] = cell.setting.memory_bytes >> 20;
+    parameters["fault_us"] = cell.setting.fault_ns / 1000;
+    const auto put = [&](const std::string& shape, const std::string& algorithm,
+                         const std::vector<store::FigureRow>& figures, bool right) {
+        store::CellRow row = row_of(realised_scene, parameters, shape, algorithm, cell.setting.table, levels);
+        if (!cell.reason.empty()) row.status = "unavailable", row.reason = cell.reason;
+        if (!right) row.status = "failed", row.reason = "answers under the pager differ";
+        store.put_cell(build, row, figures);
+    };
+    for (const RealisedCurve& curve : cell.curves)
+        put(curve.shape, curve.algorithm, figures_of(curve),
+            std::all_of(curve.points.begin(), curve.points.end(),
+                        [](const RealisedPoint& point) { return point.same_answers; }));
+    if (cell.curves.empty()) put(large_shape, "vclip", {}, true);
+}
+
+/// The row that is stored last: where it is, all are.
+store::CellRow last_row(const Levels& levels) {
+    return row_of(factorial_scene, {{"complete", 1}, {"steps", levels.steps}}, large_shape, "vclip",
+                  levels.tables.front(), levels);
+}
+
+}  // namespace
+
+std::size_t OutcomeGroup::with(Fact fact) const {
+    return static_cast<std::size_t>(std::count_if(outcomes.begin(), outcomes.end(), [&](const Outcome* one) {
+        return one->score.holds[static_cast<std::size_t>(fact)];
+    }));
+}
+
+std::size_t OutcomeGroup::with_all() const {
+    return static_cast<std::size_t>(std::count_if(
+        outcomes.begin(), outcomes.end(), [](const Outcome* one) { return one->score.count() == 4; }));
+}
+
+const Outcome& OutcomeGroup::best() const {
+    return **std::max_element(outcomes.begin(), outcomes.end(), [](const Outcome* a, const Outcome* b) {
+        if (a->score.count() != b->score.count()) return a->score.count() < b->score.count();
+        return std::abs(std::log(a->score.rise / 12)) > std::abs(std::log(b->score.rise / 12));
+    });
+}
+
+std::vector<OutcomeGroup> groups_of(const Factorial& factorial) {
+    std::vector<OutcomeGroup> groups;
+    for (const Outcome& outcome : factorial.outcomes) {
+        const auto is_its = [&](const OutcomeGroup& group) {
+            return same_row(group.setting, outcome.setting);
+        };
+        auto group = std::find_if(groups.begin(), groups.end(), is_its);
+        if (group == groups.end()) {
+            Setting setting = outcome.setting;
+            setting.bodies = 0;
+            setting.memory_bytes = 0;
+            setting.fault_ns = 0;
+            group = groups.insert(groups.end(), {setting, {}});
+        }
+        group->outcomes.push_back(&outcome);
+    }
+    return groups;
+}
+
+bool has_tables(const Levels& levels) {
+    const auto types = bench::table_types();
+    return std::all_of(levels.tables.begin(), levels.tables.end(), [&](const std::string& table) {
+        return std::any_of(types.begin(), types.end(),
+                           [&](const bench::TableType& type) { return type.name == table; });
+    });
+}
+
+std::size_t thrash_units(const Levels& levels) { return scenes_to_trace(levels) + realised_cells; }
+
+bool run_thrash(const Levels& levels, const std::string& build, store::Store& store,
+                const std::function<void()>& on_scene, const std::atomic<bool>& stop) {
+    if (store.find_cell(build, last_row(levels).hash)) return true;
+    const Factorial factorial = run_factorial(levels, on_scene, stop);
+    if (stop) return false;
+    std::size_t number = 0;
+    for (const Outcome& outcome : outcomes_to_realise(factorial, realised_cells)) {
+        if (stop) return false;
+        store_cell(realise(outcome, levels, budget_of_a_point_ns), ++number, factorial, levels, build, store);
+        on_scene();
+    }
+    for (const OutcomeGroup& group : groups_of(factorial)) {
+        const store::CellRow row = row_of(factorial_scene, parameters_of(group.setting, factorial.machines),
+                                          large_shape, "vclip", group.setting.table, levels);
+        store.put_cell(build, row, figures_of(group, factorial));
+    }
+    store.put_cell(build, last_row(levels), {});
+    return true;
+}
+
+}  // namespace edgewise::studies::thrash
