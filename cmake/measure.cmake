@@ -35,6 +35,6 @@ target_link_libraries(edgewise_measure
 # What mutants (tests/mutation) replace is linked by itself.
 edgewise_unite(edgewise_measure src/edgewise/measure/cache/cache_level.cpp src/edgewise/measure/cache/scene_caches.cpp
     src/edgewise/measure/lock/layout_lock.cpp src/edgewise/measure/touch/structure.cpp
-    src/edgewise/measure/traces/trace_file.cpp)
+    src/edgewise/measure/traces/trace_caches.cpp src/edgewise/measure/traces/trace_file.cpp)
 edgewise_precompile(edgewise_measure <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map> <optional> <span>
     <string> <vector>)

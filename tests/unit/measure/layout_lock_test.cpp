@@ -74,7 +74,7 @@ TEST(LayoutLock, HasFiguresOfPopulationsThatAreThere) {
     LevelMisses level{"L1", 9, 0, {1, 2, 3}, {6}, {6}};
     MachineMisses misses;
     misses.caches = {level};
-    facts.machines = {{"small", {misses, {}, misses}}};
+    facts.machines = {{"small", {misses, {}, misses}, {10, 0, 10}}};
     using Figure = std::pair<std::string, double>;
     EXPECT_THAT(
         lock_of(facts).figures,
@@ -82,7 +82,9 @@ TEST(LayoutLock, HasFiguresOfPopulationsThatAreThere) {
                     Figure{"distinct_lines", 0}, Figure{"queries", 4}, Figure{"lines_per_query", 1.5},
                     Figure{"knee_bytes", 128}, Figure{"queries.warm", 4}, Figure{"lines_per_query.warm", 1.5},
                     Figure{"knee_bytes.warm", 128}, Figure{"misses_per_query.small.L1", 1.5},
-                    Figure{"misses_per_query.small.L1.warm", 1.5}));
+                    Figure{"emptied_misses_per_query.small.L1", 2.5},
+                    Figure{"misses_per_query.small.L1.warm", 1.5},
+                    Figure{"emptied_misses_per_query.small.L1.warm", 2.5}));
 }
 
 }  // namespace

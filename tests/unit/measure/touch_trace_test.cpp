@@ -132,6 +132,7 @@ TEST(TouchTrace, FindsMissesByField) {
     const LevelMisses& level = facts.value->machines[0].steady.cold.caches[0];
     EXPECT_EQ(level.by_field, (std::vector<std::uint64_t>{10, 10}));
     EXPECT_EQ(level.misses.conflict, 20U);
+    EXPECT_EQ(facts.value->machines[0].emptied.cold, 30U);
     // Nine tenths of what a query comes back to: three lines.
     EXPECT_EQ(facts.value->knee_bytes.cold, 3 * 64U);
     EXPECT_THAT(to_text(*facts.value),

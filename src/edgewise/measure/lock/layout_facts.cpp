@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "edgewise/measure/cache/cold_caches.hpp"
+
 namespace edgewise::measure {
 
 namespace {
@@ -48,7 +50,8 @@ LayoutFacts measure_layout(const std::function<void(TraceListener&)>& pass,
                            std::size_t steps) {
     LineCounter lines;
     SceneCaches caches(machines, fields.size(), steps);
-    TraceFanOut first({&caches, &lines});
+    ColdCaches cold(machines);
+    TraceFanOut first({&caches, &lines, &cold});
     pass(first);
     caches.start_steady();
     pass(caches);
@@ -56,7 +59,11 @@ LayoutFacts measure_layout(const std::function<void(TraceListener&)>& pass,
     facts.lines = lines.sums();
     facts.fields = std::move(fields);
     const std::vector<ByStart<MachineMisses>> steady = caches.steady();
-    for (std::size_t i = 0; i < machines.size(); ++i) facts.machines.push_back({machines[i].name, steady[i]});
+    for (std::size_t i = 0; i < machines.size(); ++i) {
+        const auto& emptied = cold.misses(i);
+        facts.machines.push_back(
+            {machines[i].name, steady[i], {emptied.all[0], emptied.cold[0], emptied.warm[0]}});
+    }
     const ReuseOf reuse = caches.lines();
     facts.distinct_lines = reuse.distinct;
     facts.knee_bytes = knees(reuse, facts.lines);

@@ -2,7 +2,8 @@
 //
 // What is measured of a layout without a clock: bytes by component, distinct lines of 64 bytes per query,
 // modelled misses by machine, level and field in the steady state (the second of two passes over the same
-// accesses, cache/scene_caches.hpp), and the knee. All of queries that start cold, warm, and of both.
+// accesses, cache/scene_caches.hpp), what queries miss that find all caches empty (cache/cold_caches.hpp),
+// and the knee. All of queries that start cold, warm, and of both.
 #pragma once
 
 #include <cstddef>
@@ -27,6 +28,7 @@ struct LayoutFacts {
     struct Machine {
         std::string name;
         ByStart<MachineMisses> steady;
+        ByStart<std::uint64_t> emptied;  ///< of the first level, by queries that find every cache empty
     };
 
     std::vector<ComponentBytes> bytes;

@@ -27,6 +27,9 @@ void add_machine(const LayoutFacts& facts, const LayoutFacts::Machine& machine, 
                     fmt::format("misses_per_query.{}.{}{}", machine.name, level.level, suffix),
                     static_cast<double>(level.misses.all()) / queries);
         }
+        lock.figures.emplace_back(fmt::format("emptied_misses_per_query.{}.{}{}", machine.name,
+                                              misses.caches.front().level, suffix),
+                                  static_cast<double>(of(machine.emptied)) / queries);
     });
 }
 

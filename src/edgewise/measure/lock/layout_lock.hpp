@@ -29,7 +29,8 @@ struct LayoutLock {
 };
 
 /// Figures: bytes by component and in all; per population queries, lines per query, the knee in bytes, and
-/// misses per query by machine and level, TLBs among them.
+/// misses per query by machine and level, TLBs among them, and of the first level where queries find all
+/// caches empty.
 [[nodiscard]] LayoutLock lock_of(const LayoutFacts& facts,
                                  std::vector<std::pair<std::string, std::string>> of = {});
 
