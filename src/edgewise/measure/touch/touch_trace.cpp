@@ -5,6 +5,8 @@
 
 namespace edgewise::measure {
 
+static_assert(sizeof(TracedAccess) == 16, "touch_trace.hpp says so");
+
 TouchTrace::TouchTrace(Structure structure, std::vector<std::string> fields)
     : structure_(std::move(structure)), fields_(std::move(fields)), problem_(structure_.problem()) {
     if (problem_.empty() && (fields_.empty() || fields_.size() > 256))

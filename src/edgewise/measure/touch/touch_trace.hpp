@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What queries read and write of a user's own structure: he says where each query begins and touches what it
-// reads, by plain calls or through a loader (touch/reads.hpp). Kept in memory, 24 bytes per access, so that a
+// reads, by plain calls or through a loader (touch/reads.hpp). Kept in memory, 16 bytes per access, so that a
 // cache model can go over it as often as it likes.
 #pragma once
 
