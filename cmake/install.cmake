@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# find_package(edgewise) and the target edgewise::edgewise.
+# find_package(edgewise) and the target edgewise::edgewise; with COMPONENTS measure, edgewise::measure.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -8,12 +8,25 @@ foreach(room geometry table layout_parts algorithms)
 endforeach()
 install(DIRECTORY layouts DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp")
 
+if(TARGET edgewise_measure)
+    foreach(part cache lock touch traces)
+        install(DIRECTORY src/edgewise/measure/${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise/measure
+                FILES_MATCHING PATTERN "*.hpp" PATTERN machines EXCLUDE)
+    endforeach()
+    install(FILES src/edgewise/measure/expected.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise/measure)
+    install(FILES tests/consumer/layout_lock/kd_tree.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+endif()
+
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES tests/consumer/project/own_shape.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 
 install(TARGETS edgewise_library EXPORT edgewise_targets)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/edgewise)
 install(EXPORT edgewise_targets NAMESPACE edgewise:: DESTINATION ${package_folder})
+if(TARGET edgewise_measure)
+    install(TARGETS edgewise_measure EXPORT edgewise_measure_targets)
+    install(EXPORT edgewise_measure_targets NAMESPACE edgewise:: DESTINATION ${package_folder})
+endif()
 configure_package_config_file(cmake/edgewise-config.cmake.in edgewise-config.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(edgewise-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/edgewise-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/edgewise-config-version.cmake

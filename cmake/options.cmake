@@ -2,6 +2,7 @@
 # What can be chosen, and the flags that every file of Edgewise is compiled with.
 
 option(EDGEWISE_TOOL "Build the profiling tool (else only the library)" ON)
+option(EDGEWISE_MEASURE "Build edgewise::measure without the tool too" OFF)
 option(EDGEWISE_TESTS "Build the tests" ON)
 option(EDGEWISE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 option(EDGEWISE_UNITY "Compile the tool's sources some at a time as one: a third of the time" ON)

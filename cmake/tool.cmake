@@ -23,6 +23,8 @@ find_path(CALLGRIND_INCLUDE_DIR valgrind/callgrind.h)
 
 edgewise_sources(sources src/edgewise/truth src/edgewise/scene src/edgewise/measure src/edgewise/store
     src/edgewise/bench src/edgewise/sweep src/edgewise/studies)
+get_target_property(measured edgewise_measure SOURCES)
+list(REMOVE_ITEM sources ${measured})
 if(NOT assimp_FOUND)
     edgewise_stand_in(sources scene/mesh/mesh_file)
     list(FILTER sources EXCLUDE REGEX "scene/mesh/mesh_parts[.]cpp$")
@@ -54,20 +56,20 @@ endif()
 
 get_property(probe_units GLOBAL PROPERTY EDGEWISE_PROBE_UNITS)
 add_library(edgewise_core STATIC ${steering}
-    ${sources} ${probe_units} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info} ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp
+    ${sources} ${probe_units} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info}
     ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp
     ${PROJECT_BINARY_DIR}/registry/store_schema.cpp)
 add_dependencies(edgewise_core edgewise_build_info)
 target_link_libraries(edgewise_core
-    PUBLIC edgewise_library nlohmann_json::nlohmann_json fmt::fmt TBB::tbb ${GMPXX_LIBRARY} ${GMP_LIBRARY}
+    PUBLIC edgewise_library edgewise_measure nlohmann_json::nlohmann_json fmt::fmt TBB::tbb ${GMPXX_LIBRARY} ${GMP_LIBRARY}
     PRIVATE SQLite::SQLite3 ${EDGEWISE_LIBPFM_LIBRARY} ${CMAKE_DL_LIBS} edgewise_flags)
 if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
 # What mutants (tests/mutation) replace is linked by itself.
-edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp src/edgewise/measure/cache/cache_level.cpp
-    src/edgewise/measure/cache/scene_caches.cpp src/edgewise/measure/process/callgrind_lines.cpp src/edgewise/scene/motion.cpp
+edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp
+    src/edgewise/measure/process/callgrind_lines.cpp src/edgewise/scene/motion.cpp
     src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp
     src/edgewise/studies/phases/phase_counts.cpp src/edgewise/studies/proof_floor.cpp
     src/edgewise/studies/gate/verdict.cpp src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/accuracy_band.cpp

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR: installs the package, moves it, looks for what must
 # not be in it, builds README's example, the installed one and one over threads with it (no machine tuning, no flags
-# from outside; with clang++ too where there is one) and compares what they print with what README says.
+# from outside; with clang++ too where there is one) and compares what they print with what README says. Then the
+# layout lock of a structure that Edgewise does not know, with edgewise::measure alone: it must hold as the structure is,
+# and fail and say what differs when a member is added.
 cmake_minimum_required(VERSION 3.25)
 set(ENV{CXXFLAGS} "")
 set(ENV{LDFLAGS} "")
@@ -109,16 +111,50 @@ function(expect_output WHAT PROGRAM EXPECTED)
     message("${WHAT}, built with the installed package, prints: ${printed}")
 endfunction()
 
+# The project in ctest: EXPECTED is the exit code, every further word must stand in its output.
+function(check_lock COMPILER FOLDER ADD_A_MEMBER EXPECTED)
+    run("configuring the lock" ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer/layout_lock -B ${FOLDER} -G ${GENERATOR}
+        -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${prefix}
+        -D ADD_A_MEMBER=${ADD_A_MEMBER})
+    run("building the lock with ${COMPILER}" ${CMAKE_COMMAND} --build ${FOLDER} --verbose)
+    foreach(word ${BUILD}/libedgewise ${SOURCE}/src Eigen eigen qhull)
+        string(FIND "${output}" "${word}" at)
+        if(NOT at EQUAL -1)
+            message(SEND_ERROR "the lock was built with ${word}:\n${output}")
+        endif()
+    endforeach()
+    execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${FOLDER} --verbose RESULT_VARIABLE result
+        OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT result EQUAL EXPECTED)
+        message(FATAL_ERROR "ctest of the lock ended with ${result}, not ${EXPECTED}:\n${output}")
+    endif()
+    foreach(line IN LISTS ARGN)
+        string(FIND "${output}" "${line}" at)
+        if(at EQUAL -1)
+            message(FATAL_ERROR "ctest of the lock does not say '${line}':\n${output}")
+        endif()
+    endforeach()
+    message("the lock of kd_tree with ADD_A_MEMBER=${ADD_A_MEMBER}: ctest ends with ${result} and says ${ARGN}")
+endfunction()
+
+# 8 is what ctest ends with when a test failed. A member of 4 bytes that nobody named, in 4000 nodes.
+function(check_locks COMPILER FOLDER)
+    check_lock(${COMPILER} ${FOLDER} OFF 0 "kd_tree.lock.json holds")
+    check_lock(${COMPILER} ${FOLDER} ON 8 "bytes.nodes.padding: was 0, is 16000" "lines_per_query: was ")
+endfunction()
+
 read_example(${SOURCE}/README.md example expected)
 file(WRITE ${SCRATCH}/example.cpp "${example}")
-foreach(document README.md own_shape.cpp)
+foreach(document README.md own_shape.cpp kd_tree.cpp)
     file(GLOB_RECURSE found ${prefix}/share/doc/*${document})
     if(NOT found)
         message(SEND_ERROR "${document} was not installed")
     endif()
 endforeach()
 check_consumer(${COMPILER} ${SCRATCH}/build)
+check_locks(${COMPILER} ${SCRATCH}/lock)
 find_program(OTHER NAMES clang++ clang++-14 clang++-15 clang++-16)
 if(OTHER)
     check_consumer(${OTHER} ${SCRATCH}/build-other)
+    check_locks(${OTHER} ${SCRATCH}/lock-other)
 endif()

@@ -125,5 +125,47 @@ INSTANTIATE_TEST_SUITE_P(
                     Geometry{"LongLines", 128, 64 * K, 8, 512 * K, 8}),
     [](const auto& geometry) { return std::string(geometry.param.name); });
 
+Outcome under_valgrind(const Arguments& options, const Folder& folder) {
+    Arguments all = options;
+    all.emplace_back("/bin/true");
+    Process process(valgrind, all, folder);
+    return process.wait();
+}
+
+/// A program's whole trace by lackey, modelled, beside Cachegrind's own run of it. Each is a process with
+/// addresses of its own; Cachegrind counts what is modified as read alone, and one miss where a reference is
+/// over two lines.
+TEST(Lackey, IsModelledAsCachegrindModelsTheProgram) {
+    const Folder folder;
+    ASSERT_EQ(under_valgrind({"--tool=lackey", "--trace-mem=yes", "--log-file=t.lackey"}, folder).exit_code,
+              0);
+    ASSERT_EQ(under_valgrind({"--tool=cachegrind", "--cache-sim=yes", "--I1=32768,8,64", "--D1=16384,4,64",
+                              "--LL=262144,16,64", "--cachegrind-out-file=t.cachegrind"},
+                             folder)
+                  .exit_code,
+              0);
+    const Counted theirs = counted_in(text_of(folder / "t.cachegrind"));
+    folder.write("both.json", R"({"what": "of both", "clock_mhz": 1, "line_bytes": 64, "levels": [
+        {"name": "D1", "bytes": 16384, "ways": 4, "latency_cycles": 1, "source": "made up"},
+        {"name": "LL", "bytes": 262144, "ways": 16, "latency_cycles": 1, "source": "made up"}],
+        "memory": {"latency_cycles": 1, "source": "made up"}})");
+    const Outcome ours = run({"caches", "--trace", "t.lackey", "--machines", "both.json"}, folder);
+    ASSERT_EQ(ours.exit_code, 0) << ours.err;
+    std::map<std::string, std::pair<double, double>> levels;
+    for (const std::string& line : lines_of(ours.out)) {
+        std::istringstream words(line);
+        std::string machine, level;
+        double accesses = 0, misses = 0;
+        if (words >> machine >> level >> accesses >> misses && machine == "both")
+            levels[level] = {accesses, misses};
+    }
+    ASSERT_EQ(levels.size(), 2U) << ours.out;
+    EXPECT_GT(theirs.d1, 1000);
+    EXPECT_NEAR(levels["D1"].first, theirs.accesses, 0.05 * theirs.accesses);
+    EXPECT_NEAR(levels["D1"].second, theirs.d1, 0.01 * theirs.d1);
+    std::printf("/bin/true: D1 misses %.0f, Cachegrind's %.0f of %.0f references\n", levels["D1"].second,
+                theirs.d1, theirs.accesses);
+}
+
 }  // namespace
 }  // namespace edgewise

@@ -25,15 +25,19 @@ const std::vector<std::pair<std::string, std::string>> names_of_headers = {
     {"cstddef", "byte max_align_t nullptr_t ptrdiff_t size_t to_integer"},
     {"cstdint", "int16_t int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t uintptr_t"},
     {"cstring", "memcmp memcpy"},
+    {"filesystem", "filesystem"},
     {"functional", "function"},
     {"initializer_list", "initializer_list"},
+    {"iosfwd", "istream ostream"},
     {"iterator", "default_sentinel_t"},
     {"limits", "numeric_limits"},
+    {"map", "map"},
     {"memory", "make_shared make_unique shared_ptr uninitialized_default_construct_n unique_ptr"},
     {"memory_resource", "pmr"},
     {"new", "align_val_t bad_alloc"},
     {"numeric", "accumulate iota"},
     {"optional", "nullopt optional"},
+    {"ranges", "ranges"},
     {"span", "span"},
     {"stdexcept", "invalid_argument"},
     {"string", "string to_string"},
@@ -41,6 +45,7 @@ const std::vector<std::pair<std::string, std::string>> names_of_headers = {
     {"tuple", "tuple"},
     {"type_traits",
      "conditional_t decay_t enable_if_t is_floating_point_v is_integral_v is_same_v is_trivially_copyable_v is_trivially_destructible_v remove_cvref_t remove_reference_t type_identity_t"},
+    {"unordered_map", "unordered_map"},
     {"utility", "as_const exchange forward index_sequence make_index_sequence move pair swap"},
     {"variant", "variant"},
     {"vector", "vector"},
@@ -57,7 +62,9 @@ std::map<std::string, std::string> header_of_name() {
 
 bool is_exported(const SourceFile& file) {
     for (const char* room : {"src/edgewise/geometry/", "src/edgewise/table/", "src/edgewise/layout_parts/",
-                             "src/edgewise/algorithms/", "layouts/"}) {
+                             "src/edgewise/algorithms/", "layouts/", "src/edgewise/measure/cache/",
+                             "src/edgewise/measure/lock/", "src/edgewise/measure/touch/",
+                             "src/edgewise/measure/traces/", "src/edgewise/measure/expected.hpp"}) {
         if (file.path.starts_with(room)) return file.path.ends_with(".hpp");
     }
     return false;

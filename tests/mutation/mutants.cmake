@@ -154,6 +154,22 @@ edgewise_mutant(what_lies_between_queries_is_the_lasts measure/cache/scene_cache
 edgewise_mutant(axes_stand_still scene/motion.cpp [[if (p.w != 1)]] [[if (p.w == 2)]]
     Tumble.* ${unit}/scene/tumble_test.cpp)
 
+# A user's own structures, locks and traces
+edgewise_mutant(fetches_come_in_always measure/traces/trace_file.cpp [[if (reading.fetches) use(]] [[use(]]
+    TraceFile.* ${unit}/measure/trace_file_test.cpp)
+edgewise_mutant(modifies_are_reads_alone measure/traces/trace_file.cpp [[if (access.label != read) {]] [[if (access.label == write) {]]
+    TraceFile.* ${unit}/measure/trace_file_test.cpp)
+edgewise_mutant(far_lines_are_one measure/traces/trace_caches.cpp [[numbers_.try_emplace(line,]] [[numbers_.try_emplace(line % 64,]]
+    TraceCaches.* ${unit}/measure/trace_file_test.cpp)
+edgewise_mutant(arrays_begin_anywhere measure/touch/structure.cpp [[(next_ + alignment - 1) / alignment * alignment]] [[next_]]
+    Structure.* ${unit}/measure/touch_trace_test.cpp)
+edgewise_mutant(places_are_addresses measure/touch/structure.cpp [[return in.place + (from - in.from);]] [[return from;]]
+    Structure.* ${unit}/measure/touch_trace_test.cpp)
+edgewise_mutant(what_is_gone_is_no_difference measure/lock/layout_lock.cpp [[if (!now || *now != value)]] [[if (now && *now != value)]]
+    LayoutLock.* ${unit}/measure/layout_lock_test.cpp)
+edgewise_mutant(what_is_new_is_no_difference measure/lock/layout_lock.cpp [[if (!find(was, name))]] [[if (false)]]
+    LayoutLock.* ${unit}/measure/layout_lock_test.cpp)
+
 # Effort
 edgewise_mutant(startup_is_counted studies/effort.cpp [[return (of_many - of_few) / passes / queries;]] [[return of_many / passes / queries;]]
     Effort.Counts* ${unit}/studies/effort_test.cpp)

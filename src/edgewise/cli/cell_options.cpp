@@ -8,9 +8,6 @@
 
 namespace edgewise::cli {
 
-namespace {
-
-/// "rotation_step=0.1".
 void take_parameter(const std::string& text, scene::SceneParameters& parameters) {
     const std::size_t equals = text.find('=');
     std::size_t used = 0;
@@ -24,6 +21,8 @@ void take_parameter(const std::string& text, scene::SceneParameters& parameters)
         throw CLI::ValidationError(fmt::format("--parameter {}: write NAME=NUMBER", text));
 }
 
+namespace {
+
 Needs needs_named(const std::string& name) {
     if (const auto needs = needs_from(name)) return *needs;
     throw CLI::ValidationError(
@@ -31,6 +30,15 @@ Needs needs_named(const std::string& name) {
 }
 
 }  // namespace
+
+CLI::Option* add_parameter_option(CLI::App& command, scene::SceneParameters& parameters) {
+    return command.add_option_function<std::vector<std::string>>(
+        "--parameter",
+        [&parameters](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) take_parameter(text, parameters);
+        },
+        "parameters of the scene, NAME=NUMBER");
+}
 
 void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver) {
     const std::string known = fmt::format("{}", fmt::join(sub_distance_solver_names, ", "));
@@ -67,12 +75,7 @@ void add_scene_options(CLI::App& command, studies::CellChoice& choice) {
         ->capture_default_str()
         ->check(CLI::Range(1, 1'000'000'000));
     command.add_option("--seed", choice.seed, "seed of the scene")->capture_default_str();
-    command.add_option_function<std::vector<std::string>>(
-        "--parameter",
-        [&choice](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) take_parameter(text, choice.parameters);
-        },
-        "parameters of the scene, NAME=NUMBER");
+    add_parameter_option(command, choice.parameters);
     command.add_option_function<std::string>(
         "--needs", [&choice](const std::string& name) { choice.needs = needs_named(name); },
         fmt::format("what is asked of every answer: {}", fmt::join(needs_names, ", ")));

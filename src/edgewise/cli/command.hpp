@@ -86,6 +86,11 @@ void add_cell_options(CLI::App& command, studies::CellChoice& choice);
 /// Those of its scene alone.
 void add_scene_options(CLI::App& command, studies::CellChoice& choice);
 
+/// --parameter NAME=NUMBER, as often as wanted.
+CLI::Option* add_parameter_option(CLI::App& command, scene::SceneParameters& parameters);
+/// "rotation_step=0.1"; throws CLI::ValidationError.
+void take_parameter(const std::string& text, scene::SceneParameters& parameters);
+
 /// --sub-distance: how GJK solves its simplices, by name.
 void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver);
 
@@ -100,6 +105,7 @@ studies::StabilitySummary store_stability(const studies::StabilityPlan& plan, st
 void add_additions(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);
 void add_bytes(CLI::App& app, Context& context);
+void add_caches(CLI::App& app, Context& context);
 void add_calibrate(CLI::App& app, Context& context);
 void add_crosscheck(CLI::App& app, Context& context);
 void add_draw(CLI::App& app, Context& context);
@@ -107,6 +113,7 @@ void add_effort(CLI::App& app, Context& context);
 void add_export(CLI::App& app, Context& context);
 void add_heat(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
+void add_lock(CLI::App& app, Context& context);
 void add_machine(CLI::App& app, Context& context);
 void add_paging(CLI::App& app, Context& context);
 void add_pass(CLI::App& app, Context& context);

@@ -43,6 +43,8 @@ int main(int argc, char** argv) {
     add_query(app, context);
     add_machine(app, context);
     add_heat(app, context);
+    add_caches(app, context);
+    add_lock(app, context);
     add_paging(app, context);
     add_crosscheck(app, context);
     add_effort(app, context);

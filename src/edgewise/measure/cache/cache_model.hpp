@@ -17,6 +17,7 @@
 // one miss at most (`merge`, as Cachegrind counts).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>

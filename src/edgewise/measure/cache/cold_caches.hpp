@@ -5,6 +5,8 @@
 // than a set holds.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>

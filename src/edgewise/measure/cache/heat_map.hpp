@@ -4,6 +4,7 @@
 // needs of its tables, against what they hold.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>

@@ -87,6 +87,17 @@ std::vector<MachineChoice> choose_machines(std::span<const std::string> names) {
     return choices;
 }
 
+std::vector<CacheMachine> described_machines(const std::vector<std::string>& names) {
+    std::vector<CacheMachine> machines;
+    for (MachineChoice& choice : choose_machines(names)) {
+        if (choice.name == "host")
+            throw std::invalid_argument(
+                "host is another machine elsewhere, and figures here must not depend on that: name others");
+        machines.push_back(*std::move(choice.machine.value));
+    }
+    return machines;
+}
+
 CacheMachine with_policy(CacheMachine machine, Replacement policy) {
     constexpr const char* names[] = {"lru", "tree_plru", "random"};
     machine.name += fmt::format("/{}", names[static_cast<std::size_t>(policy)]);

@@ -23,6 +23,9 @@ struct MachineChoice {
 /// file: file, field, what is wanted.
 [[nodiscard]] std::vector<MachineChoice> choose_machines(std::span<const std::string> names);
 
+/// The same where figures must be the same on every machine: throws std::invalid_argument for `host` too.
+[[nodiscard]] std::vector<CacheMachine> described_machines(const std::vector<std::string>& names);
+
 /// This machine as one to model: sizes, ways and line from sysfs. How long its levels take, which contain
 /// which and what they evict the kernel does not tell: latencies are left out, and the model's defaults
 /// (non-inclusive, LRU) are marked as unverified. `root` is "/" except in tests.

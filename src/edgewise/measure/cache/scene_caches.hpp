@@ -11,6 +11,7 @@
 // that of the levels above.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+# edgewise::measure, the part of measuring that knows no collision: traces of a user's own structure, the cache model
+# and its machines, reuse distances, bytes by member, and the lock. Debian names: libfmt-dev nlohmann-json3-dev.
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+
+# edgewise_machine(NAME): the file NAME.json beside the manifest becomes text in the library, wherever that is installed.
+function(edgewise_machine NAME)
+    set(file ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}.json)
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    set_property(GLOBAL APPEND_STRING PROPERTY EDGEWISE_MACHINES "    {\"${NAME}\", R\"json(${text})json\"},\n")
+endfunction()
+
+function(edgewise_write_machines)
+    get_property(MACHINES GLOBAL PROPERTY EDGEWISE_MACHINES)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/cache_machines.cpp.in ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp @ONLY)
+endfunction()
+
+add_subdirectory(src/edgewise/measure/cache/machines)
+
+edgewise_sources(sources src/edgewise/measure/cache src/edgewise/measure/lock src/edgewise/measure/touch
+    src/edgewise/measure/traces)
+foreach(file cpu machine read_text)  # what `host` is modelled from
+    list(APPEND sources ${PROJECT_SOURCE_DIR}/src/edgewise/measure/machine/${file}.cpp)
+endforeach()
+add_library(edgewise_measure STATIC ${sources} ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp)
+add_library(edgewise::measure ALIAS edgewise_measure)
+set_target_properties(edgewise_measure PROPERTIES EXPORT_NAME measure POSITION_INDEPENDENT_CODE ON)
+target_compile_features(edgewise_measure PUBLIC cxx_std_20)
+target_compile_options(edgewise_measure PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>)
+target_include_directories(edgewise_measure PUBLIC $<BUILD_INTERFACE:${EDGEWISE_INCLUDE}> $<INSTALL_INTERFACE:include>)
+target_link_libraries(edgewise_measure
+    PRIVATE fmt::fmt $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:edgewise_flags>)
+# What mutants (tests/mutation) replace is linked by itself.
+edgewise_unite(edgewise_measure src/edgewise/measure/cache/cache_level.cpp src/edgewise/measure/cache/scene_caches.cpp
+    src/edgewise/measure/lock/layout_lock.cpp src/edgewise/measure/touch/structure.cpp
+    src/edgewise/measure/traces/trace_caches.cpp src/edgewise/measure/traces/trace_file.cpp)
+edgewise_precompile(edgewise_measure <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map> <optional> <span>
+    <string> <vector>)

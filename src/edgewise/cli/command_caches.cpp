@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise caches`: a trace of addresses, from a file or of one cell, through the caches of several
+// machines: misses by level, distinct lines, and how large a cache must be. A cell's trace can be written for
+// others.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/measure/traces/trace_caches.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct CachesArguments {
+    studies::CellChoice cell;
+    std::string trace, write;
+    bool fetches = false;
+    std::vector<std::string> machines = {"pentium3_coppermine", "zen5"};
+};
+
+/// What was traced, and in which words it is said.
+struct Traced {
+    std::string what;
+    measure::TraceCounts counts;
+    bool fetches = false;
+};
+
+/// A cell's accesses as a file's.
+class FileAccesses final : public measure::TraceListener {
+  public:
+    explicit FileAccesses(measure::TraceCaches& caches) : caches_(&caches) {}
+    void on_access(const measure::TracedAccess& access) override {
+        ++(access.kind == measure::AccessKind::read ? counts_.reads : counts_.writes);
+        caches_->access({access.address, access.bytes, access.kind});
+    }
+    void on_query_end(bool /*counts*/) override {}
+
+    [[nodiscard]] const measure::TraceCounts& counts() const { return counts_; }
+
+  private:
+    measure::TraceCaches* caches_;
+    measure::TraceCounts counts_;
+};
+
+std::ifstream opened(const std::string& file) {
+    std::ifstream stream(file);
+    if (!stream) throw std::runtime_error(file + ": cannot be read");
+    return stream;
+}
+
+Traced trace_file(const CachesArguments& options, measure::TraceCaches& caches) {
+    std::ifstream first = opened(options.trace);
+    const measure::TraceForm form = measure::form_of(first, options.trace);
+    std::ifstream stream = opened(options.trace);
+    const measure::TraceCounts counts =
+        measure::read_trace(stream, options.trace, {form, options.fetches},
+                            [&](const measure::FileAccess& access) { caches.access(access); });
+    const char* const name = form == measure::TraceForm::din ? "din" : "lackey";
+    return {fmt::format("{} ({})", options.trace, name), counts, options.fetches};
+}
+
+Traced trace_cell(const CachesArguments& options, measure::TraceCaches& caches) {
+    const studies::SingleCell cell(options.cell);
+    FileAccesses accesses(caches);
+    if (options.write.empty()) {
+        static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), accesses));
+    } else {
+        std::ofstream stream(options.write);
+        measure::DinWriter writer(stream);
+        measure::TraceFanOut both({&accesses, &writer});
+        if (stream) static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), both));
+        if (!stream.flush()) throw std::runtime_error(options.write + ": cannot be written");
+    }
+    return {fmt::format("{} {}, {} {}", options.cell.table, options.cell.algorithm, options.cell.scene,
+                        options.cell.shape),
+            accesses.counts(), false};
+}
+
+nlohmann::json json_of(const Traced& traced, const measure::TraceCaches& caches,
+                       const std::vector<measure::MachineChoice>& choices) {
+    nlohmann::json machines = nlohmann::json::array(), sizes = nlohmann::json::array();
+    std::size_t next = 0;
+    for (const measure::MachineChoice& choice : choices) {
+        nlohmann::json machine = {{"machine", choice.name}, {"reason", or_null(choice.machine.reason)}};
+        machine["levels"] = nlohmann::json::array();
+        if (choice.machine.value) {
+            for (const auto& [level, counts] : caches.levels(next++))
+                machine["levels"].push_back({{"level", level},
+                                             {"accesses", counts.accesses},
+                                             {"misses", counts.misses},
+                                             {"write_backs", counts.write_backs}});
+        }
+        machines.push_back(std::move(machine));
+    }
+    for (int power = 10; power <= 26; power += 2)
+        sizes.push_back({{"bytes", 1 << power}, {"misses", caches.misses(std::uint64_t{1} << power)}});
+    return {{"trace", traced.what},
+            {"reads", traced.counts.reads},
+            {"writes", traced.counts.writes},
+            {"fetches", traced.counts.fetches},
+            {"fetches_modelled", traced.fetches},
+            {"distinct_lines", caches.distinct_lines()},
+            {"knee_bytes", caches.knee_bytes()},
+            {"machines", std::move(machines)},
+            {"fully_associative", std::move(sizes)}};
+}
+
+void print(const Traced& traced, const measure::TraceCaches& caches,
+           const std::vector<measure::MachineChoice>& choices) {
+    fmt::print("{}: {} reads, {} writes", traced.what, traced.counts.reads, traced.counts.writes);
+    if (traced.counts.fetches > 0)
+        fmt::print(", {} instruction fetches {}", traced.counts.fetches,
+                   traced.fetches ? "as reads" : "left out");
+    fmt::print("\n{} distinct lines of 64 bytes; knee {} bytes\n", caches.distinct_lines(),
+               caches.knee_bytes());
+    fmt::print("{:<22}{:<10}{:>14}{:>14}{:>10}{:>14}\n", "machine", "level", "accesses", "misses", "of them",
+               "write-backs");
+    std::size_t next = 0;
+    for (const measure::MachineChoice& choice : choices) {
+        if (!choice.machine.value) {
+            fmt::print("{:<22}not modelled: {}\n", choice.name, choice.machine.reason);
+            continue;
+        }
+        for (const auto& [level, counts] : caches.levels(next++))
+            fmt::print(
+                "{:<22}{:<10}{:>14}{:>14}{:>10}{:>14}\n", choice.name, level, counts.accesses, counts.misses,
+                counts.accesses == 0 ? "-"
+                                     : fmt::format("{:.2f} %", 100.0 * static_cast<double>(counts.misses) /
+                                                                   static_cast<double>(counts.accesses)),
+                counts.write_backs);
+    }
+    fmt::print(
+        "caches are empty at first; the knee is the smallest fully associative cache that brings in again\n"
+        "at most a tenth as many lines as there are distinct ones\n");
+}
+
+int run_caches(const CachesArguments& options, bool json) {
+    const std::vector<measure::MachineChoice> choices = measure::choose_machines(options.machines);
+    std::vector<measure::CacheMachine> machines;
+    for (const measure::MachineChoice& choice : choices)
+        if (choice.machine.value) machines.push_back(*choice.machine.value);
+    measure::TraceCaches caches(machines);
+    const Traced traced = options.trace.empty() ? trace_cell(options, caches) : trace_file(options, caches);
+    if (json)
+        fmt::print("{}\n", json_of(traced, caches, choices).dump());
+    else
+        print(traced, caches, choices);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_caches(CLI::App& app, Context& context) {
+    auto [command, options] = add_command(
+        app, context, "caches", "A trace of addresses through the caches of several machines", run_caches);
+    CLI::Option* const trace =
+        command->add_option("--trace", options.trace,
+                            "file of Dinero (.din) or of Valgrind's lackey --trace-mem=yes; else one cell");
+    add_cell_options(*command, options.cell);
+    command->add_option("--write", options.write, "the cell's trace as extended din, to this file");
+    for (CLI::Option* option : command->get_options())
+        if (option != trace && option != command->get_help_ptr() && option->get_name() != "--json")
+            trace->excludes(option);
+    command->add_flag("--fetches", options.fetches, "instruction fetches of the file are reads like others")
+        ->needs(trace);
+    add_names(*command, "--machines", options.machines, "whose caches: names, host, or your own NAME.json");
+}
+
+}  // namespace edgewise::cli

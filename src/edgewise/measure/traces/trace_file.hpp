@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// Traces of addresses in files, as other programs write and read them; line by line, nothing is kept.
+//   din      Dinero's (Edler and Hill, "Dinero IV", 1998), in both of its forms. Traditional: a label (0
+//   read,
+//            1 write, 2 instruction fetch) and an address in hexadecimal; it has no sizes, so that an access
+//            is the word of 4 bytes at the address, as in Dinero. Extended: r, w, i or m (as a read), address
+//            and size, both in hexadecimal. What follows on a line is a comment. Labels that are no accesses
+//            (3, 4; c, v) are refused: the model has no commands.
+//   lackey   what `valgrind --tool=lackey --trace-mem=yes --log-file=FILE` writes: "I  addr,size", " L
+//   addr,size",
+//            " S addr,size", " M addr,size", addresses in hexadecimal and sizes in decimal. A modify (M) is a
+//            read and a write of the same bytes. Valgrind's own lines ("==pid== ...") say nothing.
+// A user's own traces are written in the extended form of din (write_din).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+#include "edgewise/measure/cache/trace.hpp"
+
+namespace edgewise::measure {
+
+enum class TraceForm : std::uint8_t { din, lackey };
+
+/// Bytes at an address as the program had it.
+struct FileAccess {
+    std::uint64_t address;
+    std::uint32_t bytes;
+    AccessKind kind;
+};
+
+/// What a file had.
+struct TraceCounts {
+    std::uint64_t reads = 0, writes = 0, fetches = 0;
+};
+
+struct TraceReading {
+    TraceForm form = TraceForm::din;
+    bool fetches = false;  ///< instruction fetches are reads like others, else they are left out
+};
+
+/// By the file's first line that is no message of Valgrind's: din begins with a label, lackey with I or a
+/// blank. Throws std::runtime_error as read_trace does.
+[[nodiscard]] TraceForm form_of(std::istream& stream, const std::string& file);
+
+/// Calls use(access) for each, in order; fetches are counted in any case. Throws std::runtime_error with one
+/// line: file, number of the line, what is wanted there.
+TraceCounts read_trace(std::istream& stream, const std::string& file, const TraceReading& reading,
+                       const std::function<void(const FileAccess&)>& use);
+
+/// Writes what it is told as extended din; fields, queries and sides are not in that form.
+class DinWriter final : public TraceListener {
+  public:
+    /// The stream must outlive this.
+    explicit DinWriter(std::ostream& stream) : stream_(&stream) {}
+    void on_access(const TracedAccess& access) override;
+    void on_query_end(bool /*counts*/) override {}
+
+  private:
+    std::ostream* stream_;
+};
+
+}  // namespace edgewise::measure

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise lock`: the same bytes from every process, figures that other commands give as well, and what a
+// check says when the lock, the body or the layout is another.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const Arguments small_lock = {"lock", "--table", "lean_f32", "--shape", "sphere38", "--queries", "200"};
+
+json json_of_run(const Arguments& arguments, const Folder& folder) {
+    const Outcome outcome = run(arguments, folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+}
+
+/// Of the small lock with this change; a folder of its own.
+Outcome check_of(const std::string& table, const char* field, const char* member, const json& value) {
+    const Folder folder;
+    Arguments arguments = small_lock;
+    arguments[2] = table;
+    json lock = json_of_run(arguments, folder);
+    if (*member != '\0') lock[field][member] = value;
+    folder.write("mine.lock.json", lock.dump());
+    return run({"lock", "--check", "mine.lock.json"}, folder);
+}
+
+TEST(Lock, IsTheSameFromEveryProcess) {
+    const Folder folder;
+    const Outcome first = run(small_lock, folder), second = run(small_lock, folder);
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_EQ(first.out, second.out);
+    folder.write("mine.lock.json", first.out);
+    const Outcome check = run({"lock", "--check", "mine.lock.json"}, folder);
+    EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
+    EXPECT_EQ(check.out, "mine.lock.json holds\n");
+}
+
+TEST(Lock, HasTheFiguresOfOtherCommands) {
+    const Folder folder;
+    const json lock = json_of_run(small_lock, folder), figures = lock["figures"];
+    const json bytes =
+        json_of_run({"bytes", "--layouts", "lean_f32", "--shape", "sphere38", "--json"}, folder);
+    const json& row = bytes["rows"][0];
+    double sum = 0;
+    for (const auto& [component, per_edge] : row["components"].items()) {
+        const double in_lock = figures["bytes." + component].get<double>();
+        EXPECT_NEAR(in_lock, per_edge.get<double>() * 108, 1e-6) << component;
+        sum += in_lock;
+    }
+    EXPECT_EQ(sum, row["table_bytes"].get<double>());
+    EXPECT_EQ(figures["bytes.object"].get<double>(), row["object_bytes"].get<double>());
+    const json heat = json_of_run(
+        {"heat", "--table", "lean_f32", "--shape", "sphere38", "--queries", "200", "--json"}, folder);
+    EXPECT_EQ(figures["queries.cold"], heat["queries_by_start"]["cold"]);
+    EXPECT_EQ(figures["queries.warm"], heat["queries_by_start"]["warm"]);
+    EXPECT_GT(figures["lines_per_query.cold"], figures["lines_per_query.warm"]);
+    EXPECT_TRUE(figures.contains("misses_per_query.zen5.L1D.warm"));
+    EXPECT_EQ(lock["of"]["vertices"], "38");
+}
+
+TEST(Lock, NamesWhatDiffers) {
+    const Outcome bytes = check_of("lean_f32", "figures", "bytes.topology", 17);
+    EXPECT_EQ(bytes.exit_code, 1);
+    EXPECT_THAT(bytes.out, testing::MatchesRegex("bytes.topology: was 17, is [0-9]+\n"));
+    EXPECT_EQ(check_of("lean_f32", "figures", "bytes.colour", 8).out, "bytes.colour: was 8, is nothing\n");
+    // As if lean_f32 had been locked and were lean_f64 now.
+    const Outcome layout = check_of("lean_f32", "of", "table", "lean_f64");
+    EXPECT_EQ(layout.exit_code, 1);
+    EXPECT_THAT(layout.out, testing::AllOf(HasSubstr("bytes.vertex_coordinates: was 456, is 912\n"),
+                                           HasSubstr("lines_per_query.cold: was ")));
+    EXPECT_EQ(check_of("linked_f64", "", "", {}).exit_code, 0);
+}
+
+TEST(Lock, IsOfAMeshFileToo) {
+    const Folder folder;
+    const std::string tetrahedron =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    folder.write("mine.obj", tetrahedron);
+    const Outcome lock = run({"lock", "--shape", "mine.obj", "--queries", "50"}, folder);
+    ASSERT_EQ(lock.exit_code, 0) << lock.err;
+    folder.write("mine.lock.json", lock.out);
+    EXPECT_EQ(run({"lock", "--check", "mine.lock.json"}, folder).exit_code, 0);
+    folder.write("mine.obj",
+                 "v 1 1 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                 "f 2 4 3\nf 2 3 5\nf 2 5 4\nf 3 4 1\nf 4 5 1\nf 5 3 1\n");
+    const Outcome check = run({"lock", "--check", "mine.lock.json", "--json"}, folder);
+    EXPECT_EQ(check.exit_code, 1);
+    EXPECT_EQ(json::parse(check.out)["differences"][0],
+              (json{{"member", "of.vertices"}, {"was", "4"}, {"is", "5"}}));
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test

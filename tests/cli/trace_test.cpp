@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise caches`: a cell and the file that it wrote are modelled alike, small files of either form by
+// hand, and lines that are none.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+json caches_of(const Arguments& more, const Folder& folder) {
+    Arguments arguments = {"caches", "--json", "--machines", "zen5,pentium3_coppermine"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments, folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+}
+
+TEST(Traces, AreTheCellsThatWroteThem) {
+    const Folder folder;
+    json cell = caches_of(
+        {"--table", "aos_f64", "--shape", "sphere38", "--queries", "100", "--write", "cell.din"}, folder);
+    json file = caches_of({"--trace", "cell.din"}, folder);
+    EXPECT_GT(cell["reads"], 1000);
+    EXPECT_GT(cell["writes"], 50);
+    EXPECT_GT(cell["machines"][1]["levels"][0]["misses"], cell["machines"][0]["levels"][0]["misses"]);
+    EXPECT_EQ(file["trace"], "cell.din (din)");
+    cell.erase("trace");
+    file.erase("trace");
+    EXPECT_EQ(cell, file);
+}
+
+TEST(Traces, OfLackeyLeaveFetchesOutUntilAsked) {
+    const Folder folder;
+    folder.write(
+        "t.txt",
+        "==7== Lackey\nI  0401ab70,3\n S 1fff00703c,8\n L 1fff007040,8\n M 1fff007044,4\nI  0401ab73,5\n==7== \n");
+    const json plain = caches_of({"--trace", "t.txt"}, folder);
+    EXPECT_EQ(plain["reads"], 2);
+    EXPECT_EQ(plain["writes"], 2);
+    EXPECT_EQ(plain["fetches"], 2);
+    EXPECT_EQ(plain["distinct_lines"], 2);
+    // The store is over two lines of 64 bytes: two accesses, two misses. All else is there by then.
+    const json level = plain["machines"][0]["levels"][0];
+    EXPECT_EQ(level, (json{{"level", "L1D"}, {"accesses", 5}, {"misses", 2}, {"write_backs", 0}}));
+    const json all = caches_of({"--trace", "t.txt", "--fetches"}, folder);
+    EXPECT_EQ(all["distinct_lines"], 3);
+    EXPECT_EQ(all["machines"][0]["levels"][0]["misses"], 3);
+    const Outcome text = run({"caches", "--trace", "t.txt", "--machines", "zen5"}, folder);
+    EXPECT_THAT(text.out,
+                testing::AllOf(HasSubstr("t.txt (lackey): 2 reads, 2 writes, 2 instruction fetches left out"),
+                               HasSubstr("2 distinct lines"), HasSubstr("L1D")));
+}
+
+TEST(Traces, ThatAreNoneAreOneLineOfComplaint) {
+    const Folder folder;
+    folder.write("bad.din", "r 10 8\nr 18\n");
+    folder.write("text", "once upon a time\n");
+    folder.write("empty", "");
+    const auto complaint = [&](const Arguments& more) {
+        Arguments arguments = {"caches"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = run(arguments, folder);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_THAT(complaint({"--trace", "bad.din"}),
+                testing::AllOf(HasSubstr("bad.din:2: wants"), HasSubstr("SIZE")));
+    EXPECT_THAT(complaint({"--trace", "text"}),
+                testing::AllOf(HasSubstr("text:1: wants"), HasSubstr("lackey")));
+    EXPECT_THAT(complaint({"--trace", "empty"}), HasSubstr("no accesses"));
+    EXPECT_THAT(complaint({"--trace", "missing"}), HasSubstr("missing: cannot be read"));
+    EXPECT_THAT(complaint({"--trace", "bad.din", "--shape", "cube8"}), HasSubstr("--shape"));
+    EXPECT_THAT(complaint({"--fetches"}), HasSubstr("--trace"));
+    EXPECT_THAT(complaint({"--trace", "bad.din", "--machines", "zen17"}), HasSubstr("zen17"));
+    EXPECT_THAT(complaint({"--shape", "cube8", "--write", "no/such/folder/t.din"}),
+                HasSubstr("cannot be written"));
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test
