@@ -65,7 +65,7 @@ void sort_out(ReportData& data) {
         take_out(data.cells, [&](const ReportCell& cell) { return names.contains(cell.scene); });
     label_scenes(data.cells);
     // Labelled beside ours: they are of the same scenes.
-    const auto is_peer = [](const ReportCell& cell) { return cell.judged(); };
+    const auto is_peer = [](const ReportCell& cell) { return cell.judged() && !cell.is_raw(); };
     std::copy_if(data.cells.begin(), data.cells.end(), std::back_inserter(data.peers), is_peer);
     std::erase_if(data.cells, is_peer);
 }

@@ -21,6 +21,8 @@ struct ReportCell : store::StoredCell {
 
     /// The value of an axis; null where the cell has none of that name.
     [[nodiscard]] std::optional<std::string> axis(std::string_view name) const;
+    /// V-Clip without its fallback: its errors are counted, and no claim is about it.
+    [[nodiscard]] bool is_raw() const { return axis("hardening") == "off"; }
 };
 
 struct ReportData {

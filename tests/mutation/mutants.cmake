@@ -225,3 +225,11 @@ edgewise_mutant(old_figures_stay store/store.cpp [[delete from figure where buil
     StoreTest.* ${unit}/store/store_test.cpp)
 edgewise_mutant(failed_writes_stay store/sqlite.cpp [["rollback", nullptr]] [["commit", nullptr]]
     StoreTest.* ${unit}/store/store_test.cpp)
+
+# Figure 8
+edgewise_mutant(first_uses_are_misses studies/thrash/memory_demand.cpp [[curve_.misses(size) - curve_.firsts()]] [[curve_.misses(size)]]
+    ThrashDemand.* ${unit}/studies/thrash_time_test.cpp)
+edgewise_mutant(faults_cost_nothing studies/thrash/query_time.cpp [[page_faults(scene, setting.memory_bytes) * setting.fault_ns + mechanism_ns]] [[mechanism_ns]]
+    ThrashTime.* ${unit}/studies/thrash_time_test.cpp)
+edgewise_mutant(gjk_may_be_as_erratic studies/thrash/figure_8_facts.cpp [[found.fall >= least_fall && found.gjk_fall < least_fall]] [[found.fall >= least_fall]]
+    Figure8Facts.* ${unit}/studies/thrash_facts_test.cpp)

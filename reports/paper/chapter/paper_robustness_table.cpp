@@ -4,6 +4,7 @@
 // arithmetic, and the paper's own, Moore and Wilhelms.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -56,6 +57,35 @@ std::vector<GridCell> robustness_row_of(const std::vector<std::string>& names, c
     return row;
 }
 
+/// The same queries by the same table type.
+bool is_hardened_of(const ReportCell& raw, const ReportCell& cell) {
+    return !cell.is_raw() && cell.scene == raw.scene && cell.scene_parameters == raw.scene_parameters &&
+           cell.shape == raw.shape && cell.seed == raw.seed && cell.algorithm == raw.algorithm &&
+           raw.table.starts_with(cell.table);
+}
+
+/// By the rule of three where none failed, with 95 %; else the share itself.
+GridCell most_share(const measure::Figure& wrong, const measure::Figure& asked) {
+    if (!wrong.value || !asked.value || *asked.value <= 0) return missing_cell(wrong.reason);
+    if (*wrong.value == 0) return {fmt::format("{:.2g} (3/n)", 3 / *asked.value)};
+    return {fmt::format("{:.2g}", *wrong.value / *asked.value)};
+}
+
+std::vector<GridCell> raw_row(const ReportCell& raw, const ReportCell* hardened) {
+    const bool family = raw.scene == "stability";
+    const auto of = [&](const ReportCell* cell, const store::FigureName& checked,
+                        const store::FigureName& hard) {
+        return cell ? figure_cell(cell->figure(family ? hard : checked)) : missing_cell("no such cell");
+    };
+    const measure::Figure asked = raw.figure(family ? store::FigureName("stability.cases") : "error.checked"),
+                          wrong = raw.figure(family ? store::FigureName("stability.wrong_outside_band")
+                                                    : "error.wrong_verdicts");
+    return grid_row(raw.scene, raw.shape, raw.table, figure_cell(asked), figure_cell(wrong),
+                    most_share(wrong, asked), of(&raw, "error.cycles", "stability.cycles"),
+                    of(hardened, "error.wrong_verdicts", "stability.wrong_outside_band"),
+                    of(hardened, "error.fallbacks", "stability.fallbacks"));
+}
+
 }  // namespace
 
 TextGrid robustness_grid(const ReportData& data) {
@@ -69,14 +99,34 @@ TextGrid robustness_grid(const ReportData& data) {
     for (const ReportCell& cell : data.from_files) {
         // A failed cell counts: its verdicts are what failed.
         if (cell.status == "unavailable") continue;
-        groups[{cell.scene, cell.algorithm, cell.precision}].push_back(&cell);
-        all[{cell.algorithm, cell.precision}].push_back(&cell);
+        const std::string algorithm = cell.is_raw() ? "vclip, raw" : cell.algorithm;
+        groups[{cell.scene, algorithm, cell.precision}].push_back(&cell);
+        all[{algorithm, cell.precision}].push_back(&cell);
     }
     for (const auto& [key, cells] : all)
         grid.rows.push_back(robustness_row_of({"all scenes", key.first, key.second}, cells));
     for (const auto& [key, cells] : groups) {
         const auto& [scene, algorithm, precision] = key;
         grid.rows.push_back(robustness_row_of({scene, algorithm, precision}, cells));
+    }
+    return grid;
+}
+
+TextGrid raw_vclip_grid(const ReportData& data) {
+    TextGrid grid{
+        "Raw V-Clip (no fallback, no refinement: axis hardening=off) beside the hardened one, on the "
+        "same queries",
+        columns_of("scene|body or family|table type|#independent queries|#raw: wrong verdicts|"
+                   "#share, at most|#cycles|#hardened: wrong verdicts|#asked GJK"),
+        {}};
+    for (const auto* rows : {&data.from_files, &data.stability}) {
+        for (const ReportCell& raw : *rows) {
+            if (!raw.is_raw()) continue;
+            const auto hardened = std::find_if(rows->begin(), rows->end(), [&](const ReportCell& cell) {
+                return is_hardened_of(raw, cell);
+            });
+            grid.rows.push_back(raw_row(raw, hardened == rows->end() ? nullptr : &*hardened));
+        }
     }
     return grid;
 }

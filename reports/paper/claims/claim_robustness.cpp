@@ -20,7 +20,9 @@ constexpr double least_shown = 1e-4;
 /// A metric tells two algorithms apart when one fails a tenth more often.
 constexpr double apart = 1.1;
 
-bool is_subject(const ReportCell& cell) { return cell.algorithm == "vclip" || cell.algorithm == "gjk"; }
+bool is_subject(const ReportCell& cell) {
+    return !cell.is_raw() && (cell.algorithm == "vclip" || cell.algorithm == "gjk");
+}
 
 using Rows = std::vector<const ReportCell*>;
 

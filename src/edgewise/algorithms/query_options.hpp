@@ -20,6 +20,10 @@ struct QueryOptions {
     /// contact tolerance, and the distance of separated bodies is then an upper bound. V-Clip knows its
     /// verdict no sooner than its distance.
     bool verdict_only = false;
+    /// V-Clip's: a cycle, and an answer that rounding may have chosen, is GJK's to give. Else V-Clip is raw,
+    /// as published: what it ended with stands, right or wrong. Its loops are not inlined then: it is there
+    /// to be judged, not timed.
+    bool hardened = true;
     /// GJK's; V-Clip has none of its own, and where it asks GJK that solves as by default.
     SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;
 };

@@ -80,8 +80,17 @@ template <class TableA, class TableB>
     return result;
 }
 
+/// Raw V-Clip's: of a cycle, the features at hand; nothing where coordinates overflow.
+template <class TableA, class TableB>
+[[nodiscard]] Distance raw_answer(const Body<TableA>& a, const Body<TableB>& b, Step last, bool cycle) {
+    Distance result = answer(a, b, cycle ? Step::separated : last);
+    if (!std::isfinite(result.distance)) result = {.status = Status::failed};
+    return result;
+}
+
+/// `hardened`: as QueryOptions has it.
 template <class TableA, class TableB, class Observer>
-[[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
+[[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened) {
     CycleGuard guard(a.feature, b.feature);
     [[maybe_unused]] const int far_off = start_is_cold(a, b) ? 1 : 1 + steps_before_seeds;
     int escapes = 0;
@@ -95,10 +104,12 @@ template <class TableA, class TableB, class Observer>
         const bool moved = last == Step::moved || last == Step::escaped;
         const bool cycle = moved && guard.returns_to(a.feature, b.feature);
         if (moved && !cycle) continue;
-        Distance result = answer(a, b, last);
+        Distance result = hardened ? answer(a, b, last) : raw_answer(a, b, last, cycle);
         // Coordinates whose products overflow give no distance: GJK has the range, and starts cold.
         const bool is_number = std::isfinite(result.distance);
-        const Trust verdict = cycle || !is_number ? Trust::doubted : trust(result, a, b);
+        const Trust verdict = !hardened             ? Trust::sound
+                              : cycle || !is_number ? Trust::doubted
+                                                    : trust(result, a, b);
         if (verdict != Trust::sound) {
             observer.ask_gjk();
             result = answer_by_gjk(a, b);
@@ -116,7 +127,13 @@ template <class TableA, class TableB, class Observer>
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::flatten, gnu::noinline]] Distance run(Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
-    return walk(a, b, nobody);
+    return walk(a, b, nobody, true);
+}
+
+template <class TableA, class TableB>
+[[nodiscard]] [[gnu::noinline]] Distance run_raw(Body<TableA>& a, Body<TableB>& b) {
+    NoObserver nobody;
+    return walk(a, b, nobody, false);
 }
 
 }  // namespace vclip
@@ -142,7 +159,9 @@ struct VClip {
         vclip::Body<TableB> body_b{b, into_b, start.b};
         const Distance result = [&] {
             if constexpr (is_traced<TableA> || !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>)
-                return vclip::walk(body_a, body_b, observer);
+                return vclip::walk(body_a, body_b, observer, options.hardened);
+            else if (!options.hardened) [[unlikely]]
+                return vclip::run_raw(body_a, body_b);
             else
                 return vclip::run(body_a, body_b);
         }();

@@ -66,6 +66,16 @@ sweep::SceneChoice unrestricted(sweep::SceneChoice scene, const SweepArguments& 
     return scene;
 }
 
+/// Runs that only whole plans have: of scenes beside the sweep.
+void narrow_runs(const SweepArguments& options, sweep::Plan& plan) {
+    plan.stability = options.stability.value_or(narrowed(options) ? 0 : plan.stability);
+    if (narrowed(options)) {
+        plan.paging = 0;
+        plan.thrash = false;
+    }
+    plan.effort = options.effort.value_or(narrowed(options) ? 0 : plan.effort);
+}
+
 /// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.
 sweep::Plan chosen_plan(const SweepArguments& options) {
     sweep::Plan plan = sweep::make_plan(options.plan);
@@ -101,12 +111,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     plan.queries = options.queries.value_or(plan.queries);
     plan.checked = options.checked.value_or(plan.checked);
     plan.rounds = options.rounds.value_or(plan.rounds);
-    plan.stability = options.stability.value_or(narrowed(options) ? 0 : plan.stability);
-    if (narrowed(options)) {
-        plan.paging = 0;
-        plan.thrash = false;
-    }
-    plan.effort = options.effort.value_or(narrowed(options) ? 0 : plan.effort);
+    narrow_runs(options, plan);
     plan.seed = options.seed.value_or(plan.seed);
     return plan;
 }
@@ -129,6 +134,7 @@ studies::StabilitySummary run_stability_of(const sweep::SweepWork& work, store::
     studies::StabilityPlan plan;
     plan.count = plan.proofs = work.plan.stability;
     plan.seed = work.plan.seed;
+    plan.raw = work.plan.control;
     plan.types = work.types;
     plan.algorithms = work.algorithms;
     for (const scene::NamedShape& shape : work.shapes) {
@@ -194,7 +200,8 @@ void print_summary(const sweep::SweepSummary& summary, const studies::StabilityS
     }
     fmt::print("{} cells: {} verified, {} failed, {} unavailable\n", summary.cells, summary.verified,
                summary.failed, summary.unavailable);
-    if (summary.judged > 0) fmt::print("{} cells of other libraries judged\n", summary.judged);
+    if (summary.judged > 0)
+        fmt::print("{} cells of other libraries and of raw V-Clip judged\n", summary.judged);
     if (stability.rows > 0) {
         fmt::print("{} stability rows: {} failed, {} unavailable\n", stability.rows, stability.failed,
                    stability.unavailable);

@@ -26,9 +26,9 @@ struct CellRow {
     std::int64_t vertices = 0, edges = 0, faces = 0;
     std::uint64_t seed = 0;
     std::int64_t queries = 0;
-    std::string status;           ///< verified | failed | unavailable; of another library: judged
-    std::string reason;           ///< why failed or unavailable; of a judged one, what is wrong with it
-    std::string axes;             ///< further axes, as in sweep/axes.hpp; empty for the plain cell
+    std::string status;  ///< verified | failed | unavailable; of another library, and of raw V-Clip: judged
+    std::string reason;  ///< why failed or unavailable; of a judged one, what is wrong with it
+    std::string axes;    ///< further axes, as in sweep/axes.hpp; empty for the plain cell
     std::string scene_kind = {};  ///< of a scene file: part of the hash, and no column
 
     [[nodiscard]] bool verified() const { return status == "verified"; }

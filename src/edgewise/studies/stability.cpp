@@ -34,14 +34,35 @@ std::vector<const scene::HardFamily*> chosen_families(const StabilityPlan& plan)
     return result;
 }
 
-StabilityRow row_for(const StabilityPlan& plan, const scene::HardFamily& family, const bench::TableType& type,
-                     const std::string& algorithm) {
+/// One algorithm on one table type.
+struct Subject {
+    const bench::TableType* type;
+    std::string algorithm;
+    bool raw = false;
+};
+
+std::vector<Subject> subjects_of(const StabilityPlan& plan) {
+    std::vector<Subject> subjects;
+    for (const bench::TableType* type : plan.types) {
+        for (const std::string& algorithm : plan.algorithms) {
+            if (!type->serves(algorithm)) continue;
+            subjects.push_back({type, algorithm});
+            if (plan.raw && algorithm == "vclip" && type->name == raw_type)
+                subjects.push_back({type, algorithm, true});
+        }
+    }
+    return subjects;
+}
+
+StabilityRow row_for(const StabilityPlan& plan, const scene::HardFamily& family, const Subject& subject) {
+    const bench::TableType& type = *subject.type;
     StabilityRow row;
     row.cell.scene = stability_scene;
     row.cell.scene_parameters = bench::parameters_json({{"count", static_cast<double>(plan.count)}});
     row.cell.shape = family.name;
     row.cell.shape_source = "generated";
-    row.cell.algorithm = algorithm;
+    row.cell.algorithm = subject.algorithm;
+    if (subject.raw) row.cell.axes = "hardening=off";
     row.cell.layout = type.layout;
     row.cell.precision = type.precision;
     row.cell.table = type.name;
@@ -59,14 +80,36 @@ StabilityTally tally_for(const bench::TableType& type, const std::string& algori
             single ? verified_error_single : verified_depth_error_double};
 }
 
+/// By storage of the bodies: exact answers are shared.
+using SharedCases = std::map<std::string, StabilityCases>;
+
+/// Raw V-Clip is judged: what is wrong with it fails nothing, and nothing of it is proven.
+StabilityRow measured_row(const StabilityPlan& plan, const scene::HardFamily& family, const Subject& subject,
+                          SharedCases& cases) {
+    StabilityRow row = row_for(plan, family, subject);
+    if (family.name == "real_hulls_at_gaps" && plan.real.empty()) {
+        row.cell.status = "unavailable";
+        row.cell.reason = "no real meshes at hand: name some with --mesh";
+        return row;
+    }
+    const bench::TableType& type = *subject.type;
+    StabilityTally tally = tally_for(type, subject.algorithm);
+    const auto of_storage =
+        cases.try_emplace(type.storage, family, plan.count, plan.seed, type.single_storage, plan.real);
+    StabilitySubject asked(type, subject.algorithm, family.warm, of_storage.first->second,
+                           subject.raw ? 0 : plan.proofs);
+    if (subject.raw) asked.make_raw();
+    asked.run(tally);
+    for (measure::Figure& figure : tally.figures()) row.figures.push_back({std::move(figure), "stability"});
+    row.cell.reason = tally.what_is_wrong();
+    row.cell.status = subject.raw ? "judged" : row.cell.reason.empty() ? "verified" : "failed";
+    return row;
+}
+
 }  // namespace
 
 std::size_t stability_rows(const StabilityPlan& plan) {
-    std::size_t subjects = 0;
-    for (const bench::TableType* type : plan.types) {
-        for (const std::string& algorithm : plan.algorithms) subjects += type->serves(algorithm);
-    }
-    return subjects * chosen_families(plan).size();
+    return subjects_of(plan).size() * chosen_families(plan).size();
 }
 
 StabilitySummary run_stability(const StabilityPlan& plan,
@@ -74,31 +117,15 @@ StabilitySummary run_stability(const StabilityPlan& plan,
                                const std::atomic<bool>& stop) {
     StabilitySummary summary;
     for (const scene::HardFamily* family : chosen_families(plan)) {
-        const bool possible = family->name != "real_hulls_at_gaps" || !plan.real.empty();
-        std::map<std::string, StabilityCases> cases;  // by storage of the bodies: exact answers are shared
-        for (const bench::TableType* type : plan.types) {
-            for (const std::string& algorithm : plan.algorithms) {
-                summary.stopped = stop;
-                if (summary.stopped) return summary;
-                if (!type->serves(algorithm)) continue;
-                StabilityRow row = row_for(plan, *family, *type, algorithm);
-                StabilityTally tally = tally_for(*type, algorithm);
-                if (possible) {
-                    const auto of_storage = cases.try_emplace(type->storage, *family, plan.count, plan.seed,
-                                                              type->single_storage, plan.real);
-                    StabilitySubject(*type, algorithm, family->warm, of_storage.first->second, plan.proofs)
-                        .run(tally);
-                    for (measure::Figure& figure : tally.figures())
-                        row.figures.push_back({std::move(figure), "stability"});
-                }
-                const std::string wrong = possible ? tally.what_is_wrong() : "";
-                row.cell.status = !possible ? "unavailable" : wrong.empty() ? "verified" : "failed";
-                row.cell.reason = possible ? wrong : "no real meshes at hand: name some with --mesh";
-                ++summary.rows;
-                summary.failed += row.cell.status == "failed";
-                summary.unavailable += !possible;
-                on_row(row);
-            }
+        SharedCases cases;
+        for (const Subject& subject : subjects_of(plan)) {
+            summary.stopped = stop;
+            if (summary.stopped) return summary;
+            const StabilityRow row = measured_row(plan, *family, subject, cases);
+            ++summary.rows;
+            summary.failed += row.cell.status == "failed";
+            summary.unavailable += row.cell.status == "unavailable";
+            on_row(row);
         }
     }
     return summary;

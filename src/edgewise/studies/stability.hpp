@@ -20,6 +20,9 @@ namespace edgewise::studies {
 /// The scene name of these rows.
 inline constexpr const char* stability_scene = "stability";
 
+/// Whose V-Clip is judged raw.
+inline constexpr const char* raw_type = "aos_f64";
+
 struct StabilityPlan {
     std::vector<std::string> families;  ///< empty: all
     std::size_t count = 200;            ///< poses per family
@@ -27,6 +30,7 @@ struct StabilityPlan {
     std::uint64_t seed = 1;
     std::vector<const bench::TableType*> types;
     std::vector<std::string> algorithms;
+    bool raw = false;              ///< V-Clip without its fallback too, on table type raw_type
     std::vector<Polyhedron> real;  ///< for the family of real hulls; without any its rows are unavailable
 };
 

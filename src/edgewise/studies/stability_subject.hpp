@@ -20,6 +20,9 @@ class StabilitySubject {
                      StabilityCases& cases, std::size_t proofs)
         : type_(type), runner_(type.make_runner(algorithm)), warm_(warm), cases_(cases), proofs_(proofs) {}
 
+    /// Before it runs: as raw V-Clip.
+    void make_raw() { runner_->configure({.query = {.hardened = false}}); }
+
     void run(StabilityTally& tally);
 
   private:

@@ -27,7 +27,8 @@ double read_tolerance(std::string_view entry, std::string_view value, double bel
 
 constexpr std::string_view order_values = "given|bfs|spatial", sharing_values = "shared|per_instance",
                            allocator_values = "arena|jemalloc|libc", batch_values = "no|yes",
-                           sub_distance_values = "cofactors|johnson", start_values = "kept|cold",
+                           sub_distance_values = "cofactors|johnson", hardening_values = "on|off",
+                           start_values = "kept|cold",
                            needs_values = "nearer|verdict|distance|witnesses|features|depth|certificate";
 
 /// A number above 0.
@@ -71,6 +72,9 @@ void take(Axes& axes, std::string_view entry) {
         axes.starts_cold = value == "cold";
     } else if (name == "sub_distance") {
         axes.query.sub_distance = known(entry, sub_distance_solver_from(value), sub_distance_values);
+    } else if (name == "hardening") {
+        if (value != "on" && value != "off") refuse(entry, fmt::format("wants {}", hardening_values));
+        axes.query.hardened = value == "on";
     } else if (name == "needs") {
         axes.set_needs(known(entry, needs_from(value), needs_values));
     } else if (name == "margin") {
@@ -107,6 +111,8 @@ const std::vector<AxisInfo>& axes_known() {
          "a pair's queries start from its last answer, or each as if it were the first"},
         {"sub_distance", sub_distance_values,
          "how GJK solves its simplices: all cofactors at once, or Johnson's search; a batch's then one by one"},
+        {"hardening", hardening_values,
+         "off: V-Clip as published, its doubtful answers counted instead of recomputed; not to be timed"},
         {"needs", needs_values, "what the scene asks of every answer, and pays for"},
         {"margin", "RATIO", "of needs=nearer: the distance asked about, over the larger body's extent"},
     };
@@ -128,6 +134,7 @@ std::string Axes::text() const {
     if (starts_cold) parts.emplace_back("start=cold");
     if (query.sub_distance != SubDistanceSolver::cofactors)
         parts.push_back(fmt::format("sub_distance={}", to_string(query.sub_distance)));
+    if (!query.hardened) parts.emplace_back("hardening=off");
     if (needs != Needs::witnesses) parts.push_back(fmt::format("needs={}", to_string(needs)));
     if (needs == Needs::nearer) parts.push_back(fmt::format("margin={}", margin));
     return fmt::format("{}", fmt::join(parts, "+"));
@@ -136,7 +143,8 @@ std::string Axes::text() const {
 bool Axes::concerns(std::string_view algorithm) const {
     const bool of_gjk = query.gap_tolerance != 0 || query.sub_distance != SubDistanceSolver::cofactors;
     return tables != bench::TableOptions{} || needs != Needs::witnesses || query.contact_tolerance != 0 ||
-           batch || starts_cold || (of_gjk && algorithm == "gjk");
+           batch || starts_cold || (of_gjk && algorithm == "gjk") ||
+           (!query.hardened && algorithm == "vclip");
 }
 
 Axes parse_axes(std::string_view text) {

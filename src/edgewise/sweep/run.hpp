@@ -15,7 +15,7 @@ namespace edgewise::sweep {
 
 struct SweepSummary {
     std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
-    std::size_t judged = 0;  ///< of other libraries
+    std::size_t judged = 0;  ///< of other libraries, and of raw V-Clip
     bool stopped = false;    ///< before the end; what is stored stays
 };
 

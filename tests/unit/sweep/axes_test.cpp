@@ -24,8 +24,8 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
     for (const char* text :
          {"", "contact_tolerance=0.001", "gap_tolerance=1e-06", "contact_tolerance=1e+20+gap_tolerance=0.01",
           "order=bfs", "order=spatial", "sharing=per_instance", "sharing=shared", "allocator=jemalloc",
-          "batch=yes", "start=cold", "sub_distance=johnson", "needs=verdict", "needs=certificate",
-          "needs=nearer+margin=0.1", "needs=nearer+margin=0.02",
+          "batch=yes", "start=cold", "sub_distance=johnson", "hardening=off", "needs=verdict",
+          "needs=certificate", "needs=nearer+margin=0.1", "needs=nearer+margin=0.02",
           "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
     }
@@ -53,6 +53,10 @@ TEST(Axes, ConcernOnlyWhatTheyChange) {
     EXPECT_TRUE(parse_axes("order=bfs").concerns("vclip"));
     EXPECT_TRUE(parse_axes("batch=yes").concerns("vclip"));
     EXPECT_TRUE(parse_axes("start=cold").concerns("vclip"));
+    EXPECT_TRUE(parse_axes("hardening=off").concerns("vclip"));
+    EXPECT_FALSE(parse_axes("hardening=off").concerns("gjk"));
+    EXPECT_EQ(parse_axes("hardening=on").text(), "");
+    EXPECT_THROW(static_cast<void>(parse_axes("hardening=maybe")), std::invalid_argument);
     EXPECT_TRUE(parse_axes("allocator=libc").concerns("gjk"));
 }
 

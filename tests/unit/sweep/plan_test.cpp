@@ -118,12 +118,12 @@ std::vector<PaperScene> paper_scenes() {
     const Names in_static = {"aos_f64", "aos_f32", "linked_f64", "lean_f64", "points_neighbours_f64"};
     const Names thrashed = {"aos_f64", "linked_f64", "lean_f64"};
     const Names shared = {"sharing=shared"}, solved = {"sub_distance=johnson"}, cold = {"start=cold"},
-                assumed = {"sharing=shared", "needs=verdict"};
+                raw = {"hardening=off"}, assumed = {"sharing=shared", "needs=verdict"};
     const Names plain_only = {"aos_f64"}, tolerant = {"contact_tolerance=1e-05"};
     const Names asked = {
         "needs=nearer+margin=0.01", "needs=nearer",   "needs=nearer+margin=1", "needs=verdict",
         "needs=distance",           "needs=features", "needs=depth",           "needs=certificate"};
-    return {{"paper_static", in_static, {}},
+    return {{"paper_static", in_static, raw},
             {"paper_linear_8", both, solved},
             {"paper_bodies", both, {}},
             {"paper_bodies_shrinking", plain_only, {}},
@@ -139,7 +139,7 @@ std::vector<PaperScene> paper_scenes() {
             {"paper_thrash_38", thrashed, shared},
             {"paper_thrash_386", thrashed, shared},
             {"paper_caching", both, cold},
-            {"paper_seeds", plain_only, {}},
+            {"paper_seeds", plain_only, raw},
             {"paper_time_step", plain_only, assumed},
             {"paper_body_count", plain_only, {}},
             {"paper_margin", plain_only, {}},

@@ -27,6 +27,8 @@ inline constexpr FigureInfo time[] = {
     {"counters.context_switches", "1", Population::all, Repeats::timed, "times that the thread left its processor, per query"},
     {"counters.cpu_migrations", "1", Population::all, Repeats::timed, "times that the thread changed its processor, per query"},
 
+    {"pairs.creation_ns", "ns", Population::none, Repeats::timed, "to make a pair's entry in a hash map, which an engine does at its first query"},
+    {"pairs.find_ns", "ns", Population::none, Repeats::timed, "to find it there, which an engine does at every query"},
     {"build.build_ns", "ns", Population::none, Repeats::timed, "median time to build a table from the canonical body"},
     {"build.refit_ns", "ns", Population::none, Repeats::timed, "median time to refit it in place to the body deformed"},
     {"build.refit_over_build", "1", Population::none, Repeats::timed, "median ratio of the two, timed in turn"},

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// Raw V-Clip in the chapter: beside the hardened cell of the same queries, and in no claim.
+#include <gmock/gmock.h>
+
+#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/paper/claims/claims.hpp"
+#include "paper_data.hpp"
+
+namespace edgewise::reports {
+namespace {
+
+ReportData static_data(double raw_wrong) {
+    ReportData data;
+    add_scene(data, "paper_static", "");
+    add_both(
+        data, "paper_static", "{}",
+        {{"error.checked", 1000}, {"error.wrong_verdicts", 0}, {"error.fallbacks", 7}, {"error.cycles", 0}});
+    ReportCell raw =
+        made_up_cell("paper_static", "vclip", "{}",
+                     {{"error.checked", 1000}, {"error.wrong_verdicts", raw_wrong}, {"error.cycles", 2}});
+    raw.table = "aos_f64 hardening=off";
+    raw.axes = "hardening=off";
+    raw.status = "judged";
+    data.from_files.push_back(raw);
+    return data;
+}
+
+std::vector<std::string> texts_of(const std::vector<GridCell>& row) {
+    std::vector<std::string> texts;
+    for (const GridCell& cell : row) texts.push_back(cell.text);
+    return texts;
+}
+
+TEST(RawVClipGrid, StandsBesideTheHardenedOne) {
+    const TextGrid right = raw_vclip_grid(static_data(0)), wrong = raw_vclip_grid(static_data(25));
+    ASSERT_EQ(right.rows.size(), 1U);
+    EXPECT_THAT(texts_of(right.rows[0]),
+                testing::ElementsAre("paper_static", "sphere", "aos_f64 hardening=off", "1000", "0",
+                                     "0.003 (3/n)", "2", "0", "7"));
+    EXPECT_EQ(wrong.rows[0][4].text, "25");
+    EXPECT_EQ(wrong.rows[0][5].text, "0.025");
+}
+
+TEST(RawVClipGrid, FailsNoClaim) {
+    const auto verdict_of = [](const ReportData& data) {
+        for (const Claim& claim : judge_claims(data))
+            if (claim.id == "zero_failures_exact") return claim.ours;
+        return std::string();
+    };
+    EXPECT_EQ(verdict_of(static_data(25)), verdict_of(static_data(0)));
+    EXPECT_THAT(verdict_of(static_data(25)), testing::HasSubstr("answers checked 2000"));
+}
+
+}  // namespace
+}  // namespace edgewise::reports
