@@ -52,5 +52,21 @@ TEST(RawVClipGrid, FailsNoClaim) {
     EXPECT_THAT(verdict_of(static_data(25)), testing::HasSubstr("answers checked 2000"));
 }
 
+/// A library has its own algorithm and table; its time stands beside V-Clip's on the paper's record.
+TEST(StaticGrid, HasLibrariesInPlaceOfGjkAndNoRawVClip) {
+    ReportData data = static_data(0);
+    ReportCell peer = made_up_cell("paper_static", "openGJK", "{}", times(50));
+    peer.table = "opengjk_f64";
+    peer.status = "judged";
+    for (ReportCell& cell : data.from_files) cell.figures = figures_of(times(100));
+    data.from_files.push_back(peer);
+    const TextGrid grid = static_grid(data);
+    ASSERT_EQ(grid.rows.size(), 2U);
+    EXPECT_EQ(grid.rows[0][2].text, "aos_f64");
+    EXPECT_EQ(grid.rows[1][2].text, "opengjk_f64");
+    EXPECT_EQ(grid.rows[1][3].text, grid.rows[0][3].text);
+    EXPECT_EQ(grid.rows[1][5].text, "0.500");
+}
+
 }  // namespace
 }  // namespace edgewise::reports
