@@ -50,6 +50,7 @@ class error {
             at_quantile("error.p99_error_stored", answers, &measure::CheckedAnswer::error_stored, 0.99),
             worst("error.witness_error", answers, &measure::CheckedAnswer::witness_error),
             store::figure("error.wrong_verdicts", count([](Answer a) { return a.verdict_wrong; })),
+            store::figure("error.wrong_answers", count([](Answer a) { return a.wrong; })),
             store::figure("error.verdicts_in_band", count([](Answer a) { return a.in_band; })),
             store::figure("error.separated", separated),
             store::figure("error.touching", touching),

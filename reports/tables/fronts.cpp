@@ -19,6 +19,7 @@ bool asks_another_question(const ReportCell& cell) {
 
 /// Why a timed cell has no place beside the others; empty: it has one, and `point` is it.
 std::string read_point(const ReportCell& cell, FrontPoint& point) {
+    if (cell.is_raw()) return "raw V-Clip is judged, and not for its speed";
     if (asks_another_question(cell)) return "its axis asks another question";
     const measure::Figure time = cell.figure(store::separated_time.ns);
     if (!time.value) return "time: " + time.reason;

@@ -71,19 +71,35 @@ GridCell most_share(const measure::Figure& wrong, const measure::Figure& asked) 
     return {fmt::format("{:.2g}", *wrong.value / *asked.value)};
 }
 
+/// What a cell of a sweep and a row of the stability run call alike.
+struct AnswerNames {
+    store::FigureName asked, wrong, wrong_verdicts, cycles, fallbacks, refinements;
+};
+const AnswerNames of_cells = {"error.checked", "error.wrong_answers", "error.wrong_verdicts",
+                              "error.cycles",  "error.fallbacks",     "error.refinements"};
+const AnswerNames of_families = {
+    "stability.cases",  "stability.wrong_answers", "stability.wrong_outside_band",
+    "stability.cycles", "stability.fallbacks",     "stability.refinements"};
+
+/// A fallback and a refinement are GJK's answers alike.
+GridCell asked_gjk(const ReportCell& hardened, const AnswerNames& names) {
+    measure::Figure sum = hardened.figure(names.fallbacks);
+    const measure::Figure refined = hardened.figure(names.refinements);
+    if (!refined.value) return figure_cell(refined);
+    if (sum.value) *sum.value += *refined.value;
+    return figure_cell(sum);
+}
+
 std::vector<GridCell> raw_row(const ReportCell& raw, const ReportCell* hardened) {
-    const bool family = raw.scene == "stability";
-    const auto of = [&](const ReportCell* cell, const store::FigureName& checked,
-                        const store::FigureName& hard) {
-        return cell ? figure_cell(cell->figure(family ? hard : checked)) : missing_cell("no such cell");
-    };
-    const measure::Figure asked = raw.figure(family ? store::FigureName("stability.cases") : "error.checked"),
-                          wrong = raw.figure(family ? store::FigureName("stability.wrong_outside_band")
-                                                    : "error.wrong_verdicts");
-    return grid_row(raw.scene, raw.shape, raw.table, figure_cell(asked), figure_cell(wrong),
-                    most_share(wrong, asked), of(&raw, "error.cycles", "stability.cycles"),
-                    of(hardened, "error.wrong_verdicts", "stability.wrong_outside_band"),
-                    of(hardened, "error.fallbacks", "stability.fallbacks"));
+    const AnswerNames& names = raw.scene == "stability" ? of_families : of_cells;
+    const measure::Figure asked = raw.figure(names.asked), wrong = raw.figure(names.wrong);
+    std::vector<GridCell> row = grid_row(raw.scene, raw.shape, raw.table, figure_cell(asked),
+                                         figure_cell(wrong), figure_cell(raw.figure(names.wrong_verdicts)),
+                                         most_share(wrong, asked), figure_cell(raw.figure(names.cycles)));
+    const GridCell none = missing_cell("no such cell");
+    row.push_back(hardened ? figure_cell(hardened->figure(names.wrong)) : none);
+    row.push_back(hardened ? asked_gjk(*hardened, names) : none);
+    return row;
 }
 
 }  // namespace
@@ -114,10 +130,11 @@ TextGrid robustness_grid(const ReportData& data) {
 
 TextGrid raw_vclip_grid(const ReportData& data) {
     TextGrid grid{
-        "Raw V-Clip (no fallback, no refinement: axis hardening=off) beside the hardened one, on the "
-        "same queries",
-        columns_of("scene|body or family|table type|#independent queries|#raw: wrong verdicts|"
-                   "#share, at most|#cycles|#hardened: wrong verdicts|#asked GJK"),
+        "Raw V-Clip (axis hardening=off) beside the hardened one, on the same queries; cycles and GJK's "
+        "answers are of all queries",
+        columns_of("scene|body or family|table type|#independent queries|#raw: wrong answers|"
+                   "#of these, verdicts|#share, at most|#raw: cycles|#hardened: wrong answers|"
+                   "#hardened: GJK's answers"),
         {}};
     for (const auto* rows : {&data.from_files, &data.stability}) {
         for (const ReportCell& raw : *rows) {

@@ -12,6 +12,7 @@ namespace edgewise::measure {
 struct CheckedAnswer {
     bool separated = false, touching = false;  ///< exactly; else overlapping
     bool verdict_wrong = false, in_band = false;
+    bool wrong = false;        ///< in its verdict, or further off than allowed in its distance or witnesses
     double error_stored = 0;   ///< |d - d*| / scale, d* of the bodies that the table holds
     double given_away = 0;     ///< what of it was allowed as a tolerance
     double error_given = 0;    ///< the same, d* of the bodies as given

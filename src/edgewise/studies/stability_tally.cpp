@@ -68,6 +68,7 @@ void StabilityTally::add(const StabilityJudgement& judged) {
     witness_errors_.push_back(witness_error(judged));
     const bool beyond = !(errors_.back() <= error_allowed_) || !(witness_errors_.back() <= error_allowed_);
     count("stability.errors_beyond") += beyond;
+    count("stability.wrong_answers") += judged.judgement.verdict_wrong || beyond;
     count_answer(answer);
     if (judged.judgement.verdict_wrong) note("wrong verdict", judged);
     if (beyond) note("wrong distance", judged);
@@ -112,8 +113,8 @@ void StabilityTally::add_refusal(std::size_t poses, const std::string& reason) {
     if (first_refusal_.empty()) first_refusal_ = reason;
 }
 
-void StabilityTally::add_time(const std::string& bin, std::optional<double> ns) {
-    times_.emplace_back(bin, ns);
+void StabilityTally::add_time(const std::string& bin, std::optional<double> ns, const std::string& none) {
+    times_.push_back({bin, ns, none});
 }
 
 std::vector<measure::Figure> StabilityTally::figures() const {
@@ -134,10 +135,8 @@ std::vector<measure::Figure> StabilityTally::figures() const {
                                            .of(fmt::format("{:.0e}", stability_tolerances[i])),
                                        failures_[i]));
     }
-    for (const auto& [bin, ns] : times_) {
-        result.push_back(store::figure(store::FigureName("stability.ns_at_{gap}").of(bin), ns,
-                                       "no case of this family has such a gap"));
-    }
+    for (const auto& [bin, ns, none] : times_)
+        result.push_back(store::figure(store::FigureName("stability.ns_at_{gap}").of(bin), ns, none));
     return result;
 }
 

@@ -51,8 +51,8 @@ class StabilityTally {
     void add(const StabilityJudgement& judged);
     void add(const StabilityProof& proof);
     void add_refusal(std::size_t poses, const std::string& reason);
-    /// Of one bin of gaps, e.g. "-1e-03"; nothing if no case fell into it.
-    void add_time(const std::string& bin, std::optional<double> ns);
+    /// Of one bin of gaps, e.g. "-1e-03"; or why there is none.
+    void add_time(const std::string& bin, std::optional<double> ns, const std::string& none);
 
     [[nodiscard]] std::vector<measure::Figure> figures() const;
     /// Empty when there were answers and every one was right.
@@ -74,7 +74,12 @@ class StabilityTally {
     int max_steps_ = 0;
     std::array<std::size_t, stability_tolerances.size()> failures_{};
     std::vector<double> errors_, witness_errors_, depth_errors_, widths_;
-    std::vector<std::pair<std::string, std::optional<double>>> times_;
+    struct Time {
+        std::string bin;
+        std::optional<double> ns;
+        std::string none;  ///< why not
+    };
+    std::vector<Time> times_;
     std::string first_refusal_, first_wrong_;
 };
 

@@ -75,6 +75,17 @@ measure::CheckedAnswer check_near(const Distance& answer, const truth::ExactDist
     return result;
 }
 
+double allowed_error(double eps) {
+    return eps > Tolerance<double>::eps ? verified_error_single : verified_error_double;
+}
+
+/// Written so that NaN is wrong.
+bool is_wrong(const measure::CheckedAnswer& answer, double eps) {
+    const double bound = allowed_error(eps);
+    return answer.verdict_wrong || !(answer.error_stored <= bound + answer.given_away) ||
+           !(answer.witness_error <= bound);
+}
+
 truth::AccuracyBand band_of(const scene::Query& query, std::span<const Polyhedron> stored, double eps) {
     return truth::accuracy_band(stored[query.body_a].vertices, query.pose_a, stored[query.body_b].vertices,
                                 query.pose_b, eps);
@@ -94,6 +105,7 @@ std::vector<measure::CheckedAnswer> check_answers(SharedQueries& shared, std::sp
         const scene::Query& query = shared.workload().queries[i];
         const truth::AccuracyBand band = band_of(query, stored, eps);
         result.push_back(check(answers[i], exact_stored[k], exact_given[k], band, options));
+        result.back().wrong = is_wrong(result.back(), eps);
         if (k < control.size() && control[k])
             result.back().control_disagrees = *control[k] != (answers[i].status != Status::separated);
     }
@@ -111,26 +123,23 @@ std::vector<measure::CheckedAnswer> check_nearness(SharedQueries& shared, std::s
         const scene::Query& query = shared.workload().queries[i];
         result.push_back(
             check_near(answers[i], exact[k], margin(query), band_of(query, stored, eps), options));
+        result.back().wrong = is_wrong(result.back(), eps);
     }
     return result;
 }
 
 std::string what_is_wrong(const SharedQueries& shared, std::span<const measure::CheckedAnswer> checked,
                           double eps) {
-    const double bound = eps > Tolerance<double>::eps ? verified_error_single : verified_error_double;
-    const auto bad = [&](const measure::CheckedAnswer& a) {
-        return a.verdict_wrong || !(a.error_stored <= bound + a.given_away) || !(a.witness_error <= bound);
-    };
-    const auto first = std::find_if(checked.begin(), checked.end(), bad);
+    const auto first = std::ranges::find_if(checked, &measure::CheckedAnswer::wrong);
     if (first == checked.end()) return {};
     return fmt::format(
         "{} of {} checked answers are wrong; first: query {} ({}), error {:.3g} of scale, witness error "
         "{:.3g}, "
         "allowed {:.0e}",
-        std::count_if(checked.begin(), checked.end(), bad), checked.size(),
+        std::ranges::count_if(checked, &measure::CheckedAnswer::wrong), checked.size(),
         shared.checked()[static_cast<std::size_t>(first - checked.begin())],
         first->verdict_wrong ? "wrong verdict" : "wrong distance", first->error_stored, first->witness_error,
-        bound);
+        allowed_error(eps));
 }
 
 measure::AnswerCounts count_answers(std::span<const Distance> answers, std::span<const std::uint8_t> cold) {

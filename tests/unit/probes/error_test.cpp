@@ -22,6 +22,7 @@ std::vector<measure::CheckedAnswer> ten_answers() {
         checked.push_back(answer);
     }
     checked[9].verdict_wrong = true;
+    checked[8].wrong = checked[9].wrong = true;
     checked[4].in_band = true;
     return checked;
 }
@@ -33,6 +34,7 @@ TEST(Error, IsTheWorstAndVerdictsAreCounted) {
     EXPECT_EQ(found["worst_error_stored"].value, checked[9].error_stored);
     EXPECT_EQ(found["worst_error_given"].value, checked[9].error_given);
     EXPECT_EQ(found["wrong_verdicts"].value, 1);
+    EXPECT_EQ(found["wrong_answers"].value, 2);
     EXPECT_EQ(found["verdicts_in_band"].value, 1);
     EXPECT_EQ(found["separated"].value, 7);
     EXPECT_EQ(found["touching"].value, 1);

@@ -13,12 +13,18 @@ namespace {
 ReportData static_data(double raw_wrong) {
     ReportData data;
     add_scene(data, "paper_static", "");
-    add_both(
-        data, "paper_static", "{}",
-        {{"error.checked", 1000}, {"error.wrong_verdicts", 0}, {"error.fallbacks", 7}, {"error.cycles", 0}});
-    ReportCell raw =
-        made_up_cell("paper_static", "vclip", "{}",
-                     {{"error.checked", 1000}, {"error.wrong_verdicts", raw_wrong}, {"error.cycles", 2}});
+    add_both(data, "paper_static", "{}",
+             {{"error.checked", 1000},
+              {"error.wrong_verdicts", 0},
+              {"error.wrong_answers", 0},
+              {"error.fallbacks", 7},
+              {"error.refinements", 4},
+              {"error.cycles", 0}});
+    ReportCell raw = made_up_cell("paper_static", "vclip", "{}",
+                                  {{"error.checked", 1000},
+                                   {"error.wrong_verdicts", raw_wrong},
+                                   {"error.wrong_answers", raw_wrong > 0 ? raw_wrong + 5 : 0},
+                                   {"error.cycles", 2}});
     raw.table = "aos_f64 hardening=off";
     raw.axes = "hardening=off";
     raw.status = "judged";
@@ -36,10 +42,29 @@ TEST(RawVClipGrid, StandsBesideTheHardenedOne) {
     const TextGrid right = raw_vclip_grid(static_data(0)), wrong = raw_vclip_grid(static_data(25));
     ASSERT_EQ(right.rows.size(), 1U);
     EXPECT_THAT(texts_of(right.rows[0]),
-                testing::ElementsAre("paper_static", "sphere", "aos_f64 hardening=off", "1000", "0",
-                                     "0.003 (3/n)", "2", "0", "7"));
-    EXPECT_EQ(wrong.rows[0][4].text, "25");
-    EXPECT_EQ(wrong.rows[0][5].text, "0.025");
+                testing::ElementsAre("paper_static", "sphere", "aos_f64 hardening=off", "1000", "0", "0",
+                                     "0.003 (3/n)", "2", "0", "11"));
+    EXPECT_EQ(wrong.rows[0][4].text, "30");
+    EXPECT_EQ(wrong.rows[0][5].text, "25");
+    EXPECT_EQ(wrong.rows[0][6].text, "0.03");
+}
+
+/// Of hard families too: a wrong distance is a wrong answer, and no bound of 3/n stands beside it.
+TEST(RawVClipGrid, CountsWrongDistancesOfFamilies) {
+    ReportData data;
+    ReportCell raw = made_up_cell("stability", "vclip", "{}",
+                                  {{"stability.cases", 100},
+                                   {"stability.wrong_outside_band", 0},
+                                   {"stability.wrong_answers", 1},
+                                   {"stability.cycles", 0}});
+    raw.axes = "hardening=off";
+    raw.table = "aos_f64 hardening=off";
+    data.stability.push_back(raw);
+    const TextGrid grid = raw_vclip_grid(data);
+    ASSERT_EQ(grid.rows.size(), 1U);
+    EXPECT_EQ(grid.rows[0][4].text, "1");
+    EXPECT_EQ(grid.rows[0][5].text, "0");
+    EXPECT_EQ(grid.rows[0][6].text, "0.01");
 }
 
 TEST(RawVClipGrid, FailsNoClaim) {

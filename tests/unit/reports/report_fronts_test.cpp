@@ -57,6 +57,16 @@ std::vector<std::string> column(const TextGrid& grid, const std::string& title) 
     return texts;
 }
 
+TEST(Fronts, LeaveRawVClipOutThoughItIsJudged) {
+    ReportData data = front_data();
+    const std::size_t points = fronts_of(data).panels.at(0).points.size();
+    data.cells.push_back(front_cell("judged", "aos", 1, 0.0, 0.0, 0.0, "hardening=off"));
+    const Fronts fronts = fronts_of(data);
+    EXPECT_EQ(fronts.panels.at(0).points.size(), points);
+    EXPECT_THAT(fronts.left_out,
+                testing::Contains(testing::Pair(&data.cells.back(), HasSubstr("raw V-Clip"))));
+}
+
 TEST(Fronts, AreOfEachErrorAndHoldOtherLibrariesAndTolerances) {
     const TextGrid grid = front_grid(front_data(), "");
     EXPECT_THAT(column(grid, "table type or precision"),

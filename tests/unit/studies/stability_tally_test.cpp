@@ -40,6 +40,37 @@ TEST(StabilityTally, SumsWhatTheAnswersCounted) {
     EXPECT_EQ(found["fallbacks"], 1);
 }
 
+TEST(StabilityTally, AWrongDistanceIsAWrongAnswerAndIsCountedOnce) {
+    StabilityTally tally(1e-12, 1e-9);
+    truth::ExactDistance exact;
+    exact.verdict = truth::ExactVerdict::separated;
+    exact.distance = 1;
+    StabilityJudgement judged;
+    judged.exact = &exact;
+    judged.answer.status = Status::separated;
+    judged.answer.distance = 1;
+    judged.answer.point_b = Vec3d{1, 0, 0};
+    tally.add(judged);  // right
+    judged.judgement.error = 1e-6;
+    tally.add(judged);
+    judged.judgement.verdict_wrong = true;
+    tally.add(judged);
+    judged.judgement.error = 0;
+    tally.add(judged);
+    auto found = figures_of(tally);
+    EXPECT_EQ(found["errors_beyond"], 2);
+    EXPECT_EQ(found["wrong_outside_band"], 2);
+    EXPECT_EQ(found["wrong_answers"], 3);
+}
+
+TEST(StabilityTally, SaysWhyThereIsNoTime) {
+    StabilityTally tally(1e-12, 1e-9);
+    tally.add_time("0", std::nullopt, "not asked for");
+    for (const measure::Figure& figure : tally.figures())
+        if (figure.name == "ns_at_0") EXPECT_EQ(figure.reason, "not asked for");
+    EXPECT_TRUE(figures_of(tally).contains("ns_at_0"));
+}
+
 TEST(StabilityTally, CountsCapHitsApartFromWrongDepths) {
     StabilityTally tally(1e-12, 1e-9);
     StabilityProof proof;
