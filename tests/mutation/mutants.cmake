@@ -233,8 +233,6 @@ edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return walk(a, b, n
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
 edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability_tally.cpp [[judged.judgement.verdict_wrong || beyond;]] [[judged.judgement.verdict_wrong;]]
     StabilityTally.AWrongDistance* ${unit}/studies/stability_tally_test.cpp)
-edgewise_mutant(raw_vclip_is_in_claims reports/paper/claims/claim_robustness.cpp [[return !cell.is_raw() && (]] [[return (]]
-    RawVClipGrid.* ${unit}/reports/raw_vclip_test.cpp)
 
 # Figure 8
 edgewise_mutant(first_uses_are_misses studies/thrash/memory_demand.cpp [[curve_.misses(size) - curve_.firsts()]] [[curve_.misses(size)]]
