@@ -75,7 +75,8 @@ void add_slopes(const bench::TableType& type, Parts parts, nlohmann::json& row) 
                                                 {"neighbour_bits", slope.neighbour_bits},
                                                 {"least_vertices", slope.least_vertices},
                                                 {"most_vertices", slope.most_vertices},
-                                                {"bytes_per_edge", slope.bytes_per_edge}});
+                                                {"bytes_per_edge", or_null(slope.bytes_per_edge)}});
+        if (!slope.reason.empty()) row["slopes_by_index_width"].back()["reason"] = slope.reason;
     }
 }
 

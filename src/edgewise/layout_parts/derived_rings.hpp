@@ -18,7 +18,8 @@
 
 namespace edgewise {
 
-template <Precision P, class Loader>
+/// RingPlaces: where rings are in the block, by place(plan, facts) and in(base), whose result reads them.
+template <Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
 class DerivedRings : public BlockTable<P, Loader, typename P::Compute> {
     using Base = BlockTable<P, Loader, typename P::Compute>;
 
@@ -91,14 +92,14 @@ class DerivedRings : public BlockTable<P, Loader, typename P::Compute> {
     using Base::block_;
     using Base::facts_;
     using Base::loader_;
-    NarrowRingPlaces ring_places_;
+    RingPlaces ring_places_;
 
-    template <Precision, class>
+    template <Precision, class, class>
     friend class DerivedRings;
 
     DerivedRings(const Polyhedron& body, Parts parts, Loader loader) : Base(body, parts, loader) {}
     template <class OtherLoader>
-    DerivedRings(const DerivedRings<P, OtherLoader>& other, Loader loader)
+    DerivedRings(const DerivedRings<P, OtherLoader, RingPlaces>& other, Loader loader)
         : Base(other, loader), ring_places_(other.ring_places_) {}
 
     /// Half-edges of a face in order, from its first, each turned into an item.
@@ -136,7 +137,7 @@ class DerivedRings : public BlockTable<P, Loader, typename P::Compute> {
             [this](const HalfEdgeAt& at) { return next(at); });
     }
 
-    [[nodiscard]] NarrowRings rings() const { return ring_places_.in(block_.base()); }
+    [[nodiscard]] auto rings() const { return ring_places_.in(block_.base()); }
 
   private:
     /// Set in the number of a half-edge whose vertex and place in its ring do not fit: its place among all of

@@ -32,9 +32,9 @@ struct AnchoredPlane {
 
 /// Points: how coordinates are kept, from the block's start on, by place(plan, facts), write(base, body) and
 /// read(loader, base, v).
-template <class Points, Precision P, class Loader>
-class DerivedTable : public DerivedRings<P, Loader> {
-    using Base = DerivedRings<P, Loader>;
+template <class Points, Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
+class DerivedTable : public DerivedRings<P, Loader, RingPlaces> {
+    using Base = DerivedRings<P, Loader, RingPlaces>;
 
   public:
     using Base::no_face;
@@ -53,11 +53,11 @@ class DerivedTable : public DerivedRings<P, Loader> {
     }
 
     template <class OtherLoader>
-    DerivedTable(const DerivedTable<Points, P, OtherLoader>& other, Loader loader)
+    DerivedTable(const DerivedTable<Points, P, OtherLoader, RingPlaces>& other, Loader loader)
         : Base(other, loader), points_(other.points_) {}
 
     void write_body(const Polyhedron& body) { points_.write(block_.base(), body); }
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Points(), NarrowRingPlaces()); }
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Points(), RingPlaces()); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
@@ -108,7 +108,7 @@ class DerivedTable : public DerivedRings<P, Loader> {
     using Base::rings;
     [[no_unique_address]] Points points_;
 
-    template <class, Precision, class>
+    template <class, Precision, class, class>
     friend class DerivedTable;
 };
 

@@ -61,8 +61,38 @@ struct NarrowPlace {
     }
 };
 
+/// Steps within rings whose positions follow each other: Rings has first(loader, v), last(loader, v) and
+/// neighbour(loader, at).
+template <class Rings>
+class RingSteps {
+  public:
+    /// Where `wanted` stands in the ring of v; it must be there.
+    template <class Loader>
+    [[nodiscard]] Index find(const Loader& loader, Index v, Index wanted) const {
+        Index at = own().first(loader, v);
+        while (own().neighbour(loader, at) != wanted) {
+            ++at;
+            assert(at < own().last(Direct(), v));
+        }
+        return at;
+    }
+
+    /// The next position counter-clockwise, and the one before.
+    template <class Loader>
+    [[nodiscard]] Index after(const Loader& loader, Index v, Index at) const {
+        return at + 1 == own().last(loader, v) ? own().first(loader, v) : at + 1;
+    }
+    template <class Loader>
+    [[nodiscard]] Index before(const Loader& loader, Index v, Index at) const {
+        return at == own().first(loader, v) ? own().last(loader, v) - 1 : at - 1;
+    }
+
+  private:
+    [[nodiscard]] const Rings& own() const { return static_cast<const Rings&>(*this); }
+};
+
 /// Positions in a ring are counted from the start of all rings.
-class NarrowRings {
+class NarrowRings : public RingSteps<NarrowRings> {
   public:
     NarrowRings(NarrowArray offset, NarrowArray neighbour) : offset_(offset), neighbour_(neighbour) {}
 
@@ -82,27 +112,6 @@ class NarrowRings {
     template <class Loader>
     [[nodiscard]] Index neighbour(const Loader& loader, Index at) const {
         return neighbour_.read(loader, at, Field::neighbour);
-    }
-
-    /// Where `wanted` stands in the ring of v; it must be there.
-    template <class Loader>
-    [[nodiscard]] Index find(const Loader& loader, Index v, Index wanted) const {
-        Index at = first(loader, v);
-        while (neighbour(loader, at) != wanted) {
-            ++at;
-            assert(at < last(Direct(), v));
-        }
-        return at;
-    }
-
-    /// The next position counter-clockwise, and the one before.
-    template <class Loader>
-    [[nodiscard]] Index after(const Loader& loader, Index v, Index at) const {
-        return at + 1 == last(loader, v) ? first(loader, v) : at + 1;
-    }
-    template <class Loader>
-    [[nodiscard]] Index before(const Loader& loader, Index v, Index at) const {
-        return at == first(loader, v) ? last(loader, v) - 1 : at - 1;
     }
 
   private:

@@ -37,7 +37,8 @@ struct AllocatorCost {
 struct WidthSlope {
     int offset_bits, neighbour_bits;
     std::size_t least_vertices, most_vertices;
-    double bytes_per_edge;
+    std::optional<double> bytes_per_edge;  ///< nothing where the layout takes no body so large
+    std::string reason;                    ///< then
 };
 
 /// Fitted over spheres of 8 to 100 000 vertices, range by range; takes seconds per table type.
