@@ -15,6 +15,7 @@
 // arguing with itself.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <string_view>
@@ -58,6 +59,18 @@ concept ClimbingTable = SupportTable<T> && requires(const T& table, typename T::
     { *table.neighbours(v).begin() } -> std::convertible_to<typename T::Vertex>;
 };
 
+/// A climbing table that keeps the coordinates of a ring side by side: a climb then measures eight neighbours
+/// at once, and answers as it does one by one. Blocks come in the order of neighbours(v), and within a block
+/// lanes do; what a ring does not fill repeats its last vertex.
+template <class T>
+concept RingBlockTable = ClimbingTable<T> &&
+    requires(const T& table, typename T::Vertex v, Vec3<ComputeOf<T>> direction, std::size_t lane) {
+    /// <point, direction> of each
+    { (*table.ring_blocks(v).begin()).heights(direction) } -> std::same_as<std::array<ComputeOf<T>, 8>>;
+    { (*table.ring_blocks(v).begin()).vertex(lane) } -> std::same_as<typename T::Vertex>;
+    { (*table.ring_blocks(v).begin()).point(lane) } -> std::same_as<Vec3<ComputeOf<T>>>;
+};
+
 template <class T>
 concept FeatureTable = ClimbingTable<T> &&
     requires(const T& table, typename T::Vertex v, typename T::Edge e, typename T::Face f) {
@@ -86,6 +99,13 @@ concept FeatureTable = ClimbingTable<T> &&
 template <class Table>
 inline constexpr bool queries_write = requires {
     requires Table::queries_write;
+};
+
+/// Whether a table stores planes and vertices of faces even for support points alone, as the engine does
+/// whose layout it is: `static constexpr bool keeps_faces = true`.
+template <class Table>
+inline constexpr bool keeps_faces = requires {
+    requires Table::keeps_faces;
 };
 
 /// A layout that the registry lists, the sweep measures and the report describes.

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+//
+// The convex hull of bepuphysics2 (revision 956a679f, Collidables/ConvexHull.cs): vertices in bundles of
+// eight, x, y and z of all eight side by side; bounding planes in bundles likewise; of each face where its
+// list of vertices starts, and in the lists each vertex as its bundle and its lane, 16 bits each. 25.4 bytes
+// per edge in single at 386 vertices; a scan reads 4.1 of them. What stands there is the structure alone,
+// from its published list of fields, in either precision; the algorithms are ours. For GJK only: no face
+// knows its neighbours.
+//
+// A support point is found as the engine finds it, by a scan over all bundles with a best vertex per lane.
+// Planes and faces are stored whatever a table is asked for (keeps_faces, table/contract.hpp), and GJK reads
+// none. Lanes of the last bundle that no vertex fills repeat the last vertex.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "edgewise/layout_parts/block_table.hpp"
+
+namespace edgewise {
+
+/// Of eight things, `Rows` scalars each.
+template <class Stored, std::size_t Rows>
+struct BepuBundle {
+    static constexpr std::size_t lanes = 8;
+    Stored row[Rows][lanes];
+};
+
+/// A vertex of a face.
+struct BepuCorner {
+    std::uint16_t bundle, lane;
+};
+
+/// Where the arrays are, in bytes from the block's start.
+template <class Stored>
+struct BepuPlaces {
+    using Points = BepuBundle<Stored, 3>;
+    using Planes = BepuBundle<Stored, 4>;
+
+    std::uint32_t points = 0, planes = 0, corners = 0, starts = 0;
+
+    void place(BlockPlan& plan, const BodyFacts& n) {
+        points = place_bundles<Points>(plan, n.vertex_count, 3, Component::vertex_coordinates);
+        planes = place_bundles<Planes>(plan, n.face_count, 4, Component::face_planes);
+        corners = plan.array_at<BepuCorner>(n.face_ring_count(), {{Component::topology, sizeof(BepuCorner)}});
+        starts = plan.array_at<Index>(n.face_count, {{Component::topology, sizeof(Index)}});
+    }
+
+  private:
+    /// A last bundle that is not full goes row by row: its free lanes are padding.
+    template <class Bundle>
+    static std::uint32_t place_bundles(BlockPlan& plan, std::size_t count, std::size_t rows, Component use) {
+        constexpr std::size_t lanes = Bundle::lanes;
+        const std::uint32_t start = plan.array_at<Bundle>(count / lanes, {{use, sizeof(Bundle)}});
+        const std::size_t rest = count % lanes;
+        for (std::size_t row = 0; rest > 0 && row < rows; ++row)
+            plan.append(lanes * sizeof(Stored), {{use, rest * sizeof(Stored)}});
+        return start;
+    }
+};
+
+template <Precision P, class Loader = Direct>
+class bepu : public BlockTable<P, Loader> {
+    using Base = BlockTable<P, Loader>;
+    using Base::block_;
+    using Base::facts_;
+    using Base::load;
+
+  public:
+    using typename Base::Compute;
+    using typename Base::Stored;
+    using typename Base::Vertex;
+
+    static constexpr std::string_view name = "bepu";
+    static constexpr std::string_view stores =
+        "bepuphysics2's hull (956a679f): vertices and planes in bundles of eight, faces; scanned wide";
+    static constexpr std::string_view derives = "support points, by scans";
+    static constexpr bool keeps_faces = true;
+    /// 16 bits count bundles: of three neighbours or more a vertex, so many are of no more vertices.
+    static constexpr std::size_t most_neighbours = 3 * 8 * std::size_t{0x10000};
+
+    /// Both kinds of parts are the same here: the engine keeps all.
+    bepu(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
+        this->make_block(places_);
+        for (Index f = 0; f < facts_.face_count; ++f) starts()[f] = body.face_offset[f];
+        for (Index i = 0; i < facts_.face_ring_count(); ++i) {
+            const Index v = body.tail(body.face_ring[i]);
+            corners()[i] = {static_cast<std::uint16_t>(v / lanes), static_cast<std::uint16_t>(v % lanes)};
+        }
+        write_geometry(*this, body);
+    }
+
+    template <class OtherLoader>
+    bepu(const bepu<P, OtherLoader>& other, Loader loader) : Base(other, loader), places_(other.places_) {}
+
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Places()); }
+    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+
+    /// The last one fills the lanes behind it.
+    void write_vertex(Index v, const Vec3d& point) {
+        const std::size_t lane = v % lanes, end = v + 1 == facts_.vertex_count ? lanes : lane + 1;
+        for (int k = 0; k < 3; ++k)
+            std::fill(points()[v / lanes].row[k] + lane, points()[v / lanes].row[k] + end,
+                      static_cast<Stored>(point[k]));
+    }
+    void write_face(Index f, const Plane<double>& plane) {
+        auto& to = planes()[f / lanes].row;
+        for (int k = 0; k < 3; ++k) to[k][f % lanes] = static_cast<Stored>(plane.normal[k]);
+        to[3][f % lanes] = static_cast<Stored>(plane.offset);
+    }
+
+    [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        assert(v < facts_.vertex_count);
+        const auto& bundle = points()[v / lanes];
+        return {read(bundle.row[0][v % lanes]), read(bundle.row[1][v % lanes]),
+                read(bundle.row[2][v % lanes])};
+    }
+
+    /// Of a face, as stored.
+    [[nodiscard]] Plane<Compute> face_plane(Index f) const {
+        const auto& bundle = planes()[f / lanes].row;
+        const auto number = [&](std::size_t k) {
+            return static_cast<Compute>(load(bundle[k][f % lanes], Field::face_plane));
+        };
+        return {{number(0), number(1), number(2)}, number(3)};
+    }
+    /// A face's vertices in ring order.
+    [[nodiscard]] auto face_vertices(Index f) const {
+        const Index first = load(starts()[f], Field::face_ring);
+        const Index last =
+            f + 1 == facts_.face_count ? facts_.face_ring_count() : load(starts()[f + 1], Field::face_ring);
+        return IndexedRing(first, last, [this](Index at) {
+            const BepuCorner corner = load(corners()[at], Field::face_ring);
+            return static_cast<Index>(corner.bundle * lanes + corner.lane);
+        });
+    }
+
+    struct Farthest {
+        Vertex vertex;
+        Vec3<Compute> point;
+        Compute along;  ///< <point, direction>
+    };
+
+    /// The vertex farthest along the direction, the first of equals; every bit as a scan one by one finds it.
+    [[nodiscard]] Farthest scan_support(const Vec3<Compute>& direction) const {
+        std::array<Compute, lanes> best;
+        std::array<Count, lanes> bundle_of;
+        best.fill(-std::numeric_limits<Compute>::infinity());
+        bundle_of.fill(0);
+        const auto bundles = static_cast<Count>((facts_.vertex_count + lanes - 1) / lanes);
+        for (Count b = 0; b < bundles; ++b) keep_higher(b, direction, best, bundle_of);
+        const Compute top = *std::max_element(best.begin(), best.end());
+        std::size_t first = std::numeric_limits<std::size_t>::max();
+        for (std::size_t i = 0; i < lanes; ++i)
+            if (best[i] == top) first = std::min(first, std::size_t{bundle_of[i]} * lanes + i);
+        const Vec3<Compute> point = vertex(static_cast<Vertex>(first));
+        return {static_cast<Vertex>(first), point, dot(point, direction)};
+    }
+
+  private:
+    template <Precision, class>
+    friend class bepu;
+
+    using Places = BepuPlaces<Stored>;
+    static constexpr std::size_t lanes = 8;
+    /// As wide as what it stands beside, so that both are chosen by one mask.
+    using Count = std::conditional_t<sizeof(Compute) == 4, std::uint32_t, std::uint64_t>;
+
+    [[gnu::always_inline]] void keep_higher(Count b, const Vec3<Compute>& direction,
+                                            std::array<Compute, lanes>& best,
+                                            std::array<Count, lanes>& bundle_of) const {
+        const Compute x = direction.x(), y = direction.y(), z = direction.z();
+        const auto& of = points()[b].row;
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const Compute along = read(of[0][i]) * x + read(of[1][i]) * y + read(of[2][i]) * z;
+            const bool higher = along > best[i];
+            best[i] = higher ? along : best[i];
+            bundle_of[i] = higher ? b : bundle_of[i];
+        }
+    }
+
+    Compute read(const Stored& location) const { return static_cast<Compute>(load(location, Field::vertex)); }
+    template <class Element>
+    [[nodiscard]] Element* array(std::uint32_t at) const {
+        return reinterpret_cast<Element*>(block_.base() + at);
+    }
+    [[nodiscard]] auto* points() const { return array<typename Places::Points>(places_.points); }
+    [[nodiscard]] auto* planes() const { return array<typename Places::Planes>(places_.planes); }
+    [[nodiscard]] BepuCorner* corners() const { return array<BepuCorner>(places_.corners); }
+    [[nodiscard]] Index* starts() const { return array<Index>(places_.starts); }
+
+    Places places_;
+};
+
+}  // namespace edgewise
