@@ -169,6 +169,26 @@ template <ClimbingTable Table>
     return false;
 }
 
+/// One round of a climb over the ring of best.vertex, eight neighbours at a time: moves `best` to the highest
+/// of it, if that is higher, and returns whether. `next`: the highest of what is not.
+template <RingBlockTable Table>
+[[nodiscard]] bool climb_ring_blocks(const Table& table, const Vec3<ComputeOf<Table>>& direction,
+                                     SupportPoint<Table>& best, ComputeOf<Table>& next) {
+    bool improved = false;
+    for (const auto block : table.ring_blocks(best.vertex)) {
+        const auto heights = block.heights(direction);
+        const auto top = highest(heights);
+        if (top > best.along) {
+            const auto lane = static_cast<std::size_t>(first_equal(heights, top));
+            best = {block.vertex(lane), block.point(lane), heights[lane]};
+            improved = true;
+        } else {
+            next = std::max(next, top);
+        }
+    }
+    return improved;
+}
+
 /// Steepest ascent from `start`. Strictly upward, so it ends within as many rounds as there are vertices;
 /// else the shape changes while it is asked, and a scan decides. A neighbour as high as the top but for
 /// rounding may hide a slope behind it.
@@ -181,19 +201,23 @@ template <ClimbingTable Table>
     for (std::size_t round = 0; round <= table.vertex_count(); ++round) {
         Scalar next = -std::numeric_limits<Scalar>::infinity();
         bool improved = false;
-        for (const auto v : table.neighbours(best.vertex)) {
-            const auto candidate = table.vertex(v);
-            const auto along = dot(candidate, direction);
-            if (along > best.along) {
-                best.point = candidate;
-                best.along = along;
-                start = v;
-                improved = true;
-            } else {
-                next = std::max(next, along);
+        if constexpr (RingBlockTable<Table>) {
+            improved = climb_ring_blocks(table, direction, best, next);
+        } else {
+            for (const auto v : table.neighbours(best.vertex)) {
+                const auto candidate = table.vertex(v);
+                const auto along = dot(candidate, direction);
+                if (along > best.along) {
+                    best.point = candidate;
+                    best.along = along;
+                    start = v;
+                    improved = true;
+                } else {
+                    next = std::max(next, along);
+                }
             }
+            best.vertex = start;
         }
-        best.vertex = start;
         if (improved) continue;
         const Scalar band = level_band(table, best, direction);
         if (!(next >= best.along - band) || !leave_level(table, direction, band, best)) return best;
