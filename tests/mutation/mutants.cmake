@@ -226,6 +226,12 @@ edgewise_mutant(old_figures_stay store/store.cpp [[delete from figure where buil
 edgewise_mutant(failed_writes_stay store/sqlite.cpp [["rollback", nullptr]] [["commit", nullptr]]
     StoreTest.* ${unit}/store/store_test.cpp)
 
+# Layouts of the field
+edgewise_mutant(block_climb_takes_another_lanes_point algorithms/support.hpp [[best = {block.vertex(lane), block.point(lane), heights[lane]};]]
+    [[best = {block.vertex(lane), block.point(7 - lane), heights[lane]};]] FieldLayouts.Climb* ${unit}/layout_parts/field_layouts_test.cpp)
+edgewise_mutant(long_rings_end_at_their_first_block layouts/ring_block.hpp [[return vertex & more ? at(vertex & ~more, 0) : Place{block, lane, vertex};]]
+    [[return Place{block, lane, vertex & ~more};]] FieldLayouts.Keep* ${unit}/layout_parts/field_layouts_test.cpp)
+
 # Raw V-Clip
 edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false);]] [[return walk(a, b, nobody, true);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)

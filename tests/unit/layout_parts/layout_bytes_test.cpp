@@ -5,20 +5,25 @@
 // of it is padding. And all that a small body's table takes, the object included.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "edgewise/layouts/aos.hpp"
 #include "edgewise/layouts/aos_padded.hpp"
 #include "edgewise/layouts/aosoa.hpp"
+#include "edgewise/layouts/bepu.hpp"
 #include "edgewise/layouts/hot_cold.hpp"
+#include "edgewise/layouts/jitter2.hpp"
 #include "edgewise/layouts/lazy.hpp"
 #include "edgewise/layouts/lean.hpp"
+#include "edgewise/layouts/line_per_vertex.hpp"
 #include "edgewise/layouts/linked.hpp"
 #include "edgewise/layouts/points_neighbours.hpp"
 #include "edgewise/layouts/points_soa.hpp"
 #include "edgewise/layouts/quantised.hpp"
 #include "edgewise/layouts/quantised_outward.hpp"
 #include "edgewise/layouts/ring.hpp"
+#include "edgewise/layouts/ring_block.hpp"
 #include "edgewise/layouts/shared_plane.hpp"
 #include "edgewise/layouts/soa.hpp"
 #include "edgewise/layouts/soa_stagger.hpp"
@@ -197,6 +202,45 @@ TEST(LayoutBytes, OfPoints) {
     });
     expect_bytes<points_neighbours<f32>>([](const Counts& n) {
         return Row{0, 0, 12 * n.v + 24 * n.e, 0, 8 * n.v + 8 * n.e, n.short_of_lines(20, 16)};
+    });
+}
+
+/// The layouts of engines and papers, from their lists of fields.
+TEST(LayoutBytes, OfTheField) {
+    // A vertex of coordinates and two numbers of 16 bits, in double with 4 bytes of padding; neighbours
+    // of 16.
+    expect_bytes<jitter2<f32>>([](const Counts& n) {
+        return Row{0, 0, 12 * n.v, 0, 4 * n.v + 4 * n.e, between({16 * n.v, 4 * n.e})};
+    });
+    expect_bytes<jitter2<f64>>([](const Counts& n) {
+        return Row{0, 0, 24 * n.v, 0, 4 * n.v + 4 * n.e, 4 * n.v + between({32 * n.v, 4 * n.e})};
+    });
+    // Bundles of eight vertices and of eight planes; a corner of 4 bytes for either side of an edge, and
+    // where each face's begin. Arrays of full bundles start on lines.
+    expect_bytes<bepu<f32>>([](const Counts& n) {
+        const auto up = [](Bytes count) { return (count + 7) / 8 * 8; };
+        const Bytes free = 12 * (up(n.v) - n.v) + 16 * (up(n.f) - n.f);
+        const Bytes gaps =
+            n.f < 8 ? between({12 * up(n.v), 0, 0}) : between({12 * up(n.v), 16 * (n.f / 8 * 8)});
+        const Bytes planes = 12 * up(n.v) + gaps + 16 * up(n.f);
+        const Bytes before_corners = 8 * n.e < 64 ? 0 : to_line(planes);
+        const Bytes corners = planes + before_corners + 8 * n.e;
+        return Row{0,
+                   0,
+                   12 * n.v,
+                   16 * n.f,
+                   8 * n.e + 4 * n.f,
+                   free + gaps + before_corners + (4 * n.f < 64 ? 0 : to_line(corners))};
+    });
+    // A line each; all degrees here fit.
+    expect_bytes<line_per_vertex<f64>>(
+        [](const Counts& n) { return Row{0, 0, 24 * n.v, 0, 4 * n.v + 8 * n.e, 36 * n.v - 8 * n.e}; });
+    // Coordinates; then a block of 128 bytes each, with the end of the ring where eight neighbours leave
+    // room.
+    expect_bytes<ring_block<f32>>([](const Counts& n) {
+        const auto full = static_cast<Bytes>(std::count(n.degrees.begin(), n.degrees.end(), Bytes{8}));
+        const Bytes topology = 8 * n.e + 4 * (n.v - full), coordinates = 12 * n.v + 24 * n.e;
+        return Row{0, 0, coordinates, 0, topology, to_line(12 * n.v) + 140 * n.v - coordinates - topology};
     });
 }
 
