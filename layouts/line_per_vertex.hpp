@@ -22,11 +22,11 @@ namespace edgewise {
 
 /// A vertex and its neighbours, in ring order.
 template <class Stored>
-struct alignas(BlockPlan::alignment) VertexLine {
+struct VertexLine {
     static constexpr std::size_t room =
         (BlockPlan::alignment - sizeof(Vec3<Stored>) - sizeof(Index)) / sizeof(Index);
 
-    Vec3<Stored> point;
+    alignas(BlockPlan::alignment) Vec3<Stored> point;
     Index degree;
     Index neighbour[room];  ///< of more neighbours, the last is where those that are not here begin
 

@@ -25,11 +25,57 @@
 namespace edgewise {
 
 template <class Stored>
-struct alignas(BlockPlan::alignment) RingLanes {
+struct RingLanes {
     static constexpr Index lanes = 8;
 
-    Stored axis[3][lanes];  ///< x of all, y of all, z of all
+    alignas(BlockPlan::alignment) Stored axis[3][lanes];  ///< x of all, y of all, z of all
     Index vertex[lanes];
+
+    /// Lanes of a block that hold neighbours, of so many that are left of the ring.
+    [[nodiscard]] static std::size_t used_of(std::size_t left) { return left <= lanes ? left : lanes - 1; }
+
+    /// One more block, of a ring that has so many neighbours left.
+    static void append(BlockPlan& plan, std::size_t left) {
+        const std::size_t used = used_of(left) * sizeof(Stored), row = lanes * sizeof(Stored);
+        const std::size_t indices = std::min<std::size_t>(left + 1, lanes) * sizeof(Index);
+        plan.append(sizeof(RingLanes), {{Component::vertex_coordinates, used},
+                                        {Component::padding, row - used},
+                                        {Component::vertex_coordinates, used},
+                                        {Component::padding, row - used},
+                                        {Component::vertex_coordinates, used},
+                                        {Component::padding, row - used},
+                                        {Component::topology, indices}});
+    }
+};
+
+/// Eight neighbours of a vertex, some of them twice where there are fewer, as a climb asks for them
+/// (table/contract.hpp).
+template <class Compute, class Stored, class Loader>
+class RingLanesView {
+  public:
+    RingLanesView(const RingLanes<Stored>& at, const Loader& loader) : at_(&at), loader_(&loader) {}
+
+    [[nodiscard]] std::array<Compute, 8> heights(const Vec3<Compute>& direction) const {
+        const Compute x = direction.x(), y = direction.y(), z = direction.z();
+        std::array<Compute, 8> along;
+        for (std::size_t i = 0; i < 8; ++i)
+            along[i] = coordinate(0, i) * x + coordinate(1, i) * y + coordinate(2, i) * z;
+        return along;
+    }
+    [[nodiscard]] Index vertex(std::size_t lane) const {
+        return loader_->load(at_->vertex[lane], Field::neighbour);
+    }
+    [[nodiscard]] Vec3<Compute> point(std::size_t lane) const {
+        return {coordinate(0, lane), coordinate(1, lane), coordinate(2, lane)};
+    }
+
+  private:
+    [[nodiscard]] Compute coordinate(std::size_t k, std::size_t lane) const {
+        return static_cast<Compute>(loader_->load(at_->axis[k][lane], Field::vertex));
+    }
+
+    const RingLanes<Stored>* at_;
+    const Loader* loader_;
 };
 
 template <Precision P, class Loader = Direct>
@@ -38,6 +84,7 @@ class ring_block : public BlockTable<P, Loader> {
     using Base::block_;
     using Base::facts_;
     using Base::load;
+    using Base::loader_;
 
   public:
     using typename Base::Compute;
@@ -82,34 +129,6 @@ class ring_block : public BlockTable<P, Loader> {
             at(v, 0), Place{0, 0, v}, [](const Place& place) { return place.vertex; }, after);
     }
 
-    /// Eight neighbours of a vertex, some of them twice where there are fewer (table/contract.hpp).
-    class RingBlock {
-      public:
-        RingBlock(const ring_block& table, Index block) : table_(&table), at_(&table.blocks()[block]) {}
-
-        [[nodiscard]] std::array<Compute, 8> heights(const Vec3<Compute>& direction) const {
-            const Compute x = direction.x(), y = direction.y(), z = direction.z();
-            std::array<Compute, 8> along;
-            for (std::size_t i = 0; i < 8; ++i)
-                along[i] = coordinate(0, i) * x + coordinate(1, i) * y + coordinate(2, i) * z;
-            return along;
-        }
-        [[nodiscard]] Vertex vertex(std::size_t lane) const {
-            return table_->load(at_->vertex[lane], Field::neighbour);
-        }
-        [[nodiscard]] Vec3<Compute> point(std::size_t lane) const {
-            return {coordinate(0, lane), coordinate(1, lane), coordinate(2, lane)};
-        }
-
-      private:
-        [[nodiscard]] Compute coordinate(std::size_t k, std::size_t lane) const {
-            return static_cast<Compute>(table_->load(at_->axis[k][lane], Field::vertex));
-        }
-
-        const ring_block* table_;
-        const RingLanes<Stored>* at_;
-    };
-
     /// The ring of a vertex that has one.
     [[nodiscard]] auto ring_blocks(Vertex v) const {
         const auto after = [this](Index block) {
@@ -117,7 +136,7 @@ class ring_block : public BlockTable<P, Loader> {
             return last & more ? last & ~more : none;
         };
         return Chain(
-            v, none, [this](Index block) { return RingBlock(*this, block); }, after);
+            v, none, [this](Index block) { return View(blocks()[block], loader_); }, after);
     }
 
     void write_body(const Polyhedron& body) {
@@ -126,7 +145,7 @@ class ring_block : public BlockTable<P, Loader> {
             const auto ring = body.ring_of_vertex(v);
             Index block = v;
             for (std::size_t first = 0;;) {
-                const std::size_t used = used_of(ring.size() - first);
+                const std::size_t used = Lanes::used_of(ring.size() - first);
                 for (std::size_t lane = 0; lane < lanes; ++lane) {
                     const Index from = used == 0 ? v : body.head(ring[first + std::min(lane, used - 1)]);
                     for (int k = 0; k < 3; ++k)
@@ -144,6 +163,7 @@ class ring_block : public BlockTable<P, Loader> {
     friend class ring_block;
 
     using Lanes = RingLanes<Stored>;
+    using View = RingLanesView<Compute, Stored, Loader>;
     static constexpr Index lanes = Lanes::lanes, more = 1U << 31, none = 0xffffffff;
 
     /// One neighbour; past the last, whose ring it is.
@@ -151,9 +171,6 @@ class ring_block : public BlockTable<P, Loader> {
         Index block, lane, vertex;
         [[nodiscard]] bool operator==(const Place& other) const { return vertex == other.vertex; }
     };
-
-    /// Lanes of a block that hold neighbours, of so many that are left.
-    [[nodiscard]] static std::size_t used_of(std::size_t rest) { return rest <= lanes ? rest : lanes - 1; }
 
     /// Returns where the blocks start. degree_of(v): of each vertex of the body.
     template <class DegreeOf>
@@ -165,33 +182,20 @@ class ring_block : public BlockTable<P, Loader> {
         std::vector<std::size_t> rest;
         for (Index v = 0; v < facts_.vertex_count; ++v) {
             const std::size_t degree = degree_of(v);
-            append(plan, degree);
+            Lanes::append(plan, degree);
             if (degree > lanes) rest.push_back(degree);
         }
         for (std::size_t left : rest) {
-            while (left > lanes) append(plan, left -= lanes - 1);
+            while (left > lanes) Lanes::append(plan, left -= lanes - 1);
         }
         return static_cast<std::uint32_t>(start);
     }
-    /// A block of a ring that has so many neighbours left.
-    static void append(BlockPlan& plan, std::size_t left) {
-        const std::size_t used = used_of(left) * sizeof(Stored), row = lanes * sizeof(Stored);
-        const std::size_t indices = std::min<std::size_t>(left + 1, lanes) * sizeof(Index);
-        plan.append(sizeof(Lanes), {{Component::vertex_coordinates, used},
-                                    {Component::padding, row - used},
-                                    {Component::vertex_coordinates, used},
-                                    {Component::padding, row - used},
-                                    {Component::vertex_coordinates, used},
-                                    {Component::padding, row - used},
-                                    {Component::topology, indices}});
-    }
-
     /// Writes the indices of a vertex's ring; `next` is the first free block behind the vertices' own.
     void link(const Polyhedron& body, Index v, Index& next) const {
         const auto ring = body.ring_of_vertex(v);
         Index block = v;
         for (std::size_t first = 0;;) {
-            const std::size_t used = used_of(ring.size() - first);
+            const std::size_t used = Lanes::used_of(ring.size() - first);
             Lanes& to = blocks()[block];
             for (std::size_t i = 0; i < lanes; ++i) to.vertex[i] = i < used ? body.head(ring[first + i]) : v;
             first += used;

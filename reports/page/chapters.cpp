@@ -43,6 +43,10 @@ Chapter layouts_chapter(const ReportData& data) {
     std::vector<TextGrid> grids{layout_cost_grid(data)};
     if (TextGrid memory = scene_memory_grid(data); !memory.rows.empty()) grids.push_back(std::move(memory));
     Chapter chapter{"layouts", "What layouts cost", prose("layouts.md"), {{.grids = grids}}, "Layouts"};
+    ChapterBlock claim{.title = "A line per vertex",
+                       .paragraph = prose("support.md") + support_verdict(data)};
+    if (TextGrid supports = support_grid(data); !supports.rows.empty()) claim.grids = {std::move(supports)};
+    chapter.blocks.push_back(std::move(claim));
     if (!pictures.empty())
         chapter.blocks.push_back({.elements = pictures,
                                   .fold = "The layouts draw themselves: the table of a cube",

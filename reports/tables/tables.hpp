@@ -44,6 +44,11 @@ enum class PairKind { Separated, Overlapping };
 /// What the tables of scenes with more than a few of them take, beside the time of their queries.
 [[nodiscard]] TextGrid scene_memory_grid(const ReportData& data);
 
+/// Support queries on a line per vertex beside those on separate arrays, and what that says of the published
+/// claim ("up to five times", arXiv 2509.03753), in one sentence.
+[[nodiscard]] TextGrid support_grid(const ReportData& data);
+[[nodiscard]] std::string support_verdict(const ReportData& data);
+
 /// A picture that the sweep stored: whose, and the SVG.
 struct Drawing {
     std::string table, svg;

@@ -17,6 +17,7 @@
 #include "edgewise/bench/near_margins.hpp"
 #include "edgewise/bench/prepared_workload.hpp"
 #include "edgewise/bench/runner_options.hpp"
+#include "edgewise/bench/support_times.hpp"
 #include "edgewise/bench/threaded_pass.hpp"
 #include "edgewise/bench/trace/trace_extent.hpp"
 #include "edgewise/measure/cache/trace.hpp"
@@ -130,6 +131,9 @@ class Runner {
     /// (twice as large and back, with the topology kept), so often each, alternating: neighbours in time
     /// share the machine's moods.
     [[nodiscard]] virtual BuildTimes build_times(int repetitions) const = 0;
+
+    /// Support queries of the tables by themselves. Empty: the runner has no support points of its own.
+    [[nodiscard]] virtual SupportTimes support_times(int /*repetitions*/) const { return {}; }
 
     /// Bytes of one pair's cache.
     [[nodiscard]] virtual std::size_t pair_bytes() const = 0;

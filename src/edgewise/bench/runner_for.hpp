@@ -17,6 +17,7 @@
 #include "edgewise/bench/name_answer.hpp"
 #include "edgewise/bench/near_question.hpp"
 #include "edgewise/bench/runner.hpp"
+#include "edgewise/bench/support_times.hpp"
 #include "edgewise/bench/trace/trace_queries.hpp"
 #include "edgewise/layout_parts/write_geometry.hpp"
 #include "edgewise/measure/stopwatch.hpp"
@@ -91,8 +92,7 @@ class RunnerFor final : public Runner {
 
     RunnerFor() : Runner(std::is_same_v<ComputeOf<Table>, float>) {}
 
-    using Runner::answer;
-    using Runner::trace;
+    using Runner::answer, Runner::trace;
 
     [[nodiscard]] NamedAnswer answer(const scene::Query& given) const override {
         const scene::Query query = prepared().prepared(given);
@@ -130,6 +130,9 @@ class RunnerFor final : public Runner {
 
     [[nodiscard]] Ledger ledger() const override { return tables_[0].ledger(); }
     [[nodiscard]] std::size_t object_bytes() const override { return sizeof(Table); }
+    [[nodiscard]] SupportTimes support_times(int n) const override {
+        return time_supports<Algorithm>(tables_, n);
+    }
 
     [[nodiscard]] std::vector<TableMap> memory_maps() const override {
         return maps_of(tables_, bodies_, table_allocator().base());
@@ -158,7 +161,6 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] std::size_t table_count() const override { return tables_.size(); }
-
     [[nodiscard]] double materialised() const override { return mean_materialised(tables_); }
 
     /// Gives a query's two tables.

@@ -29,6 +29,7 @@ inline constexpr FigureInfo time[] = {
 
     {"pairs.creation_ns", "ns", Population::none, Repeats::timed, "to make a pair's entry in a hash map, which an engine does at its first query"},
     {"pairs.find_ns", "ns", Population::none, Repeats::timed, "to find it there, which an engine does at every query"},
+    {"support.query_ns.{start}", "ns", Population::named, Repeats::timed, "a support query by itself, of the cell's tables in turn, from the table's start or from the last answer a twentieth of a radian before"},
     {"build.build_ns", "ns", Population::none, Repeats::timed, "median time to build a table from the canonical body"},
     {"build.refit_ns", "ns", Population::none, Repeats::timed, "median time to refit it in place to the body deformed"},
     {"build.refit_over_build", "1", Population::none, Repeats::timed, "median ratio of the two, timed in turn"},
