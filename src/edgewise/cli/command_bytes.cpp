@@ -170,11 +170,25 @@ void print_slopes(const nlohmann::json& rows) {
     }
 }
 
+/// A row of each; of a layout that cannot hold the body a line on stderr, unless none can.
+nlohmann::json rows_of(const BytesArguments& options, const scene::MeshBody& shape) {
+    nlohmann::json rows = nlohmann::json::array();
+    std::string refused;
+    for (const bench::TableType* type : bench::select_table_types(options.layouts)) {
+        if (const auto stored = type->stored_body(shape.body); !stored) {
+            refused = fmt::format("{}: {}", type->name, stored.error);
+            fmt::print(stderr, "left out: {}\n", refused);
+        } else {
+            rows.push_back(row_of(*type, shape, options.slopes));
+        }
+    }
+    if (rows.empty()) throw std::invalid_argument(refused);
+    return rows;
+}
+
 int run_bytes(const BytesArguments& options, bool json) {
     const scene::MeshBody shape = chosen_body(options);
-    nlohmann::json rows = nlohmann::json::array();
-    for (const bench::TableType* type : bench::select_table_types(options.layouts))
-        rows.push_back(row_of(*type, shape, options.slopes));
+    const nlohmann::json rows = rows_of(options, shape);
     if (json) {
         nlohmann::json out;
         out["rows"] = rows;
