@@ -126,11 +126,11 @@ class ring : public StoredTable<RingArrays<typename P::Stored>, P, Loader> {
     [[nodiscard]] auto steepest_descent(Vertex v, const Vec3<Compute>& normal) const {
         const Index first = load(rings_.vertex_offset[v], Field::vertex_ring);
         const Index last = load(rings_.vertex_offset[v + 1], Field::vertex_ring);
-        Descent<ring> result;
+        Descent<Edge, Compute> result;
         Index worst = last;
         for (Index at = first; at < last; ++at) {
             const auto backwards = cast<Compute>(load(at_.vertex_edge[at].normal, Field::voronoi_plane));
-            const Compute slope = -dot(backwards, normal);
+            const Compute slope = -squared_slope(dot(backwards, normal));
             result.steepest = std::max(result.steepest, std::abs(slope));
             worst = slope < result.slope ? at : worst;
             result.slope = std::min(result.slope, slope);

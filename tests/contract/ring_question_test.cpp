@@ -64,11 +64,19 @@ void ask_about_point(const T& table, typename T::Vertex v, typename T::Face f, c
     seen.count(about);
 }
 
+/// A squared slope beside the slope itself along a normal of at most 4: within rounding of its square.
+template <class Scalar>
+void expect_slope(Scalar squared, Scalar slope) {
+    const Scalar noise = 512 * Tolerance<Scalar>::eps;
+    EXPECT_NEAR(squared, squared_slope(slope), noise);
+}
+
 template <class T>
 void ask_about_slope(const T& table, typename T::Vertex v, const Vec3<ComputeOf<T>>& normal, Seen& seen) {
     Lowest<T> falling;
     for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
-        const ComputeOf<T> along = dot(Vec3<ComputeOf<T>>(table.direction(edge)), normal);
+        const ComputeOf<T> along = slope_along(table, edge, normal);
+        expect_slope(along, dot(Vec3<ComputeOf<T>>(table.direction(edge)), normal));
         falling.see(edge, flipped ? -along : along);
     }
     const auto found = steepest_descent(table, v, normal);

@@ -6,27 +6,28 @@
 // An edge is its two vertices and where one stands in the other's ring; a face is its first half-edge.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cstdint>
 #include <optional>
 
-#include "edgewise/layout_parts/block_table.hpp"
-#include "edgewise/layout_parts/derived_walks.hpp"
-#include "edgewise/layout_parts/narrow_rings.hpp"
+#include "edgewise/layout_parts/derived_half_edges.hpp"
 #include "edgewise/table/feature_name.hpp"
 
 namespace edgewise {
 
-/// RingPlaces: where rings are in the block, by place(plan, facts) and in(base), whose result reads them.
+/// RingPlaces: as of DerivedHalfEdges.
 template <Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
-class DerivedRings : public BlockTable<P, Loader, typename P::Compute> {
-    using Base = BlockTable<P, Loader, typename P::Compute>;
+class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
+    using Base = DerivedHalfEdges<P, Loader, RingPlaces>;
 
   public:
+    using typename Base::Edge;
+    using typename Base::Face;
     using typename Base::Vertex;
-    using Edge = DerivedEdge;
-    using Face = DerivedFace;
+    /// Names an edge in the ring of a vertex: its place.
+    using RingName = Index;
 
     static constexpr Face no_face = {0xffffffff, 0xffffffff};
 
@@ -41,14 +42,12 @@ class DerivedRings : public BlockTable<P, Loader, typename P::Compute> {
                            [this, v](Index at) { return edge_at(v, at); });
     }
 
+    [[nodiscard]] Edge edge_in_ring(Vertex v, RingName at) const { return edge_at(v, at).edge; }
+
     [[nodiscard]] Vertex tail(const Edge& e) const { return e.tail; }
     [[nodiscard]] Vertex head(const Edge& e) const { return e.head; }
-    [[nodiscard]] Face left(const Edge& e) const {
-        return facts_.face_count == 0 ? no_face : face_of(from_tail(e));
-    }
-    [[nodiscard]] Face right(const Edge& e) const {
-        return facts_.face_count == 0 ? no_face : face_of(from_head(e));
-    }
+    [[nodiscard]] Face left(const Edge& e) const { return face_beside(e, Side::left); }
+    [[nodiscard]] Face right(const Edge& e) const { return face_beside(e, Side::right); }
 
     [[nodiscard]] auto ring_of_face(const Face& f) const {
         return around(f, [this](const HalfEdgeAt& h) { return edge_at(h.vertex, h.at); });
@@ -66,9 +65,7 @@ class DerivedRings : public BlockTable<P, Loader, typename P::Compute> {
     }
 
     /// An edge's number is that of its half-edge in whose ring it was found, a face's that of its first.
-    [[nodiscard]] std::uint32_t edge_name(const Edge& e) const {
-        return face_name({e.from_head ? e.head : e.tail, e.at});
-    }
+    [[nodiscard]] std::uint32_t edge_name(const Edge& e) const { return face_name(half_edge_of(e)); }
     [[nodiscard]] std::uint32_t face_name(const Face& f) const {
         const int bits = place_bits();
         const Index place = f.at - rings().first(loader_, f.vertex);
@@ -89,55 +86,52 @@ class DerivedRings : public BlockTable<P, Loader, typename P::Compute> {
     }
 
   protected:
-    using Base::block_;
+    using Base::all_triangles;
+    using Base::around;
+    using Base::corners_of;
+    using Base::edge_at;
     using Base::facts_;
+    using Base::from_head;
+    using Base::from_tail;
+    using Base::half_edge_of;
     using Base::loader_;
-    RingPlaces ring_places_;
-
-    template <Precision, class, class>
-    friend class DerivedRings;
+    using Base::next;
+    using Base::rings;
+    using typename Base::Corners;
 
     DerivedRings(const Polyhedron& body, Parts parts, Loader loader) : Base(body, parts, loader) {}
     template <class OtherLoader>
     DerivedRings(const DerivedRings<P, OtherLoader, RingPlaces>& other, Loader loader)
-        : Base(other, loader), ring_places_(other.ring_places_) {}
+        : Base(other, loader) {}
 
-    /// Half-edges of a face in order, from its first, each turned into an item.
-    template <class Item>
-    [[nodiscard]] auto around(const Face& f, Item item) const {
-        using Place = DerivedRingPlace;
-        const auto after = [this](const Place& place) { return Place{next(place.at), true}; };
-        return Chain(
-            Place{f, false}, Place{f, true}, [item](const Place& place) { return item(place.at); }, after);
-    }
-
-    [[nodiscard]] RingEdge<Edge> edge_at(Vertex v, Index at) const {
-        const Index other = rings().neighbour(loader_, at);
-        if (v < other) return {{v, other, at, false}, false};
-        return {{other, v, at, true}, true};
-    }
-    [[nodiscard]] HalfEdgeAt from_tail(const Edge& e) const {
-        assert(e.tail < e.head && e.at < facts_.neighbour_count);
-        return {e.tail, e.from_head ? rings().find(loader_, e.tail, e.head) : e.at};
-    }
-    [[nodiscard]] HalfEdgeAt from_head(const Edge& e) const {
-        return {e.head, e.from_head ? e.at : rings().find(loader_, e.head, e.tail)};
-    }
-
-    /// The next half-edge around the face on the left: at its far end, clockwise from where it came.
-    [[nodiscard]] HalfEdgeAt next(const HalfEdgeAt& h) const {
-        const Index to = rings().neighbour(loader_, h.at);
-        return {to, rings().before(loader_, to, rings().find(loader_, to, h.vertex))};
+    [[nodiscard]] Face face_beside(const Edge& e, Side side) const {
+        if (facts_.face_count == 0) return no_face;
+        if (!all_triangles()) return face_of(side == Side::left ? from_tail(e) : from_head(e));
+        const HalfEdgeAt here = half_edge_of(e);
+        if (e.from_head == (side == Side::right)) return face_of(here);
+        return face_of({here.vertex, rings().before(loader_, here.vertex, here.at)});
     }
 
     /// The face on the left of a half-edge: its smallest half-edge, as in the body.
     [[nodiscard]] Face face_of(const HalfEdgeAt& h) const {
+        if (all_triangles()) return triangle_of(corners_of(h), h);
         return first_of_face(
             h, [this](const HalfEdgeAt& at) { return rings().neighbour(loader_, at.at); },
             [this](const HalfEdgeAt& at) { return next(at); });
     }
 
-    [[nodiscard]] auto rings() const { return ring_places_.in(block_.base()); }
+    [[nodiscard]] Face triangle_of(const Corners& c, const HalfEdgeAt& h) const {
+        const Index least = std::min({c.first, c.second, c.third});
+        const auto far_end = [&](Index other) { return other == least ? 0xffffffffU : other; };
+        const Index least_but_one = std::min({far_end(c.first), far_end(c.second), far_end(c.third)});
+        const auto joins = [&](Index a, Index b) {
+            return std::min(a, b) == least && std::max(a, b) == least_but_one;
+        };
+        if (joins(c.first, c.second)) return h;
+        const bool second = joins(c.second, c.third);
+        const Index from = second ? c.second : c.third, to = second ? c.third : c.first;
+        return {from, rings().find(loader_, from, to)};
+    }
 
   private:
     /// Set in the number of a half-edge whose vertex and place in its ring do not fit: its place among all of

@@ -1,115 +1,122 @@
 // SPDX-License-Identifier: MIT
 //
-// A feature table that stores no feature: neighbour rings and vertex coordinates are all there is, and every
-// edge, face and plane is computed from them when it is asked for. For layouts that differ in how they keep
-// coordinates.
-//
-// The neighbour before and the one after an edge in a ring (derived_rings.hpp) are the third corners of its
-// two faces: two vectors give the face's normal there. Planes are through a vertex, not at a distance from
-// the origin, so nothing cancels; and both features on the two sides of a plane derive it from the same
-// corner, so that they read the same number.
+// A feature table that stores no feature, and answers questions about whole rings (table/ring_questions.hpp)
+// in one pass: each vertex is read once, no square root is taken, and where all faces are triangles no ring
+// is searched for a place that the question knows.
 #pragma once
 
-#include <cassert>
-#include <string_view>
-#include <vector>
+#include <algorithm>
+#include <cmath>
+#include <optional>
 
-#include "edgewise/layout_parts/derived_rings.hpp"
+#include "edgewise/layout_parts/derived_planes.hpp"
+#include "edgewise/table/ring_questions.hpp"
 
 namespace edgewise {
 
-/// The plane through `anchor`; its normal has any length.
-template <class Scalar>
-struct AnchoredPlane {
-    Vec3<Scalar> normal, anchor;
-    Scalar offset = 0;
-
-    /// In units of |normal|.
-    [[nodiscard]] Scalar distance(const Vec3<Scalar>& p) const {
-        return dot(normal, Vec3<Scalar>(p - anchor)) + offset;
-    }
-};
-
-/// Points: how coordinates are kept, from the block's start on, by place(plan, facts), write(base, body) and
-/// read(loader, base, v).
+/// Points and RingPlaces: as of DerivedPlanes.
 template <class Points, Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
-class DerivedTable : public DerivedRings<P, Loader, RingPlaces> {
-    using Base = DerivedRings<P, Loader, RingPlaces>;
+class DerivedTable : public DerivedPlanes<Points, P, Loader, RingPlaces> {
+    using Base = DerivedPlanes<Points, P, Loader, RingPlaces>;
 
   public:
-    using Base::no_face;
     using typename Base::Compute;
     using typename Base::Edge;
     using typename Base::Face;
     using typename Base::Vertex;
 
-    static constexpr std::string_view derives = "edges, faces and every plane";
-    static constexpr bool derives_planes = true;
+    using Base::Base;
+    using Base::vertex;
 
-    DerivedTable(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
-        this->make_block(points_, this->ring_places_);
-        rings().fill(body);
-        write_body(body);
-    }
-
-    template <class OtherLoader>
-    DerivedTable(const DerivedTable<Points, P, OtherLoader, RingPlaces>& other, Loader loader)
-        : Base(other, loader), points_(other.points_) {}
-
-    void write_body(const Polyhedron& body) { points_.write(block_.base(), body); }
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Points(), RingPlaces()); }
-    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
-
-    [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
-        assert(v < facts_.vertex_count);
-        return cast<Compute>(points_.read(loader_, block_.base(), v));
-    }
-
-    [[nodiscard]] Vec3<Compute> direction(const Edge& e) const {
-        const Vec3<Compute> along = vertex(e.head) - vertex(e.tail);
-        return along / norm(along);
-    }
-
-    [[nodiscard]] AnchoredPlane<Compute> vertex_edge_plane(const Edge& e, End end) const {
-        const Vec3<Compute> from = vertex(e.tail), to = vertex(e.head);
-        if (end == End::tail) return {from - to, from};
-        return {to - from, to};
-    }
-
-    /// Perpendicular to the edge, within the face: that part of another side of the face which is.
-    [[nodiscard]] AnchoredPlane<Compute> edge_face_plane(const Edge& e, Side side) const {
-        const Vec3<Compute> base = vertex(e.tail);
-        if (facts_.face_count == 0) return {Vec3<Compute>::Zero(), base, -1};
-        const Index at = this->from_tail(e).at;
-        const Index third =
-            side == Side::left ? rings().after(loader_, e.tail, at) : rings().before(loader_, e.tail, at);
-        const Vec3<Compute> along = vertex(e.head) - base;
-        const Vec3<Compute> aside = vertex(rings().neighbour(loader_, third)) - base;
-        return {squared_norm(along) * aside - dot(along, aside) * along, base};
-    }
-
-    /// Unit normal: of the whole ring, since a corner of a long side and a short one would turn it.
-    [[nodiscard]] AnchoredPlane<Compute> face_plane(const Face& f) const {
-        assert(!(f == no_face));
-        const Vec3<Compute> base = vertex(f.vertex);
-        Vec3<Compute> normal = Vec3<Compute>::Zero(), before = Vec3<Compute>::Zero();
-        const auto corner_at = [&](const HalfEdgeAt& h) { return Vec3<Compute>(vertex(h.vertex) - base); };
-        for (const Vec3<Compute> corner : this->around(f, corner_at)) {
-            normal += cross(before, corner);
-            before = corner;
+    template <class Visit>
+    void visit_vertex_planes(Vertex v, Visit visit) const {
+        const Vec3<Compute> base = vertex(v);
+        const Index last = rings().last(loader_, v);
+        for (Index at = rings().first(loader_, v); at < last; ++at) {
+            const Vec3<Compute> other = vertex(rings().neighbour(loader_, at));
+            if (!visit(at, AnchoredPlane<Compute>{base - other, base})) return;
         }
-        return {normal / norm(normal), base};
+    }
+    template <class Visit>
+    void visit_face_sides(const Face& f, Visit visit) const {
+        if (!this->all_triangles()) return visit_ring_of_face(f, visit);
+        const auto c = this->corners_of(f);
+        const Vec3<Compute> first = vertex(c.first), second = vertex(c.second), third = vertex(c.third);
+        if (visit(this->edge_at(c.first, f.at).edge, side_plane(c.first < c.second, first, second, third)) &&
+            visit(this->edge_somewhere(c.second, c.third),
+                  side_plane(c.second < c.third, second, third, first)))
+            visit(this->edge_at(c.first, c.third_at).edge,
+                  side_plane(c.third < c.first, third, first, second));
+    }
+    [[nodiscard]] Compute slope_along(const Edge& e, const Vec3<Compute>& normal) const {
+        return slope_of(Vec3<Compute>(vertex(e.head) - vertex(e.tail)), normal);
+    }
+    [[nodiscard]] auto steepest_descent(Vertex v, const Vec3<Compute>& normal) const {
+        const Vec3<Compute> base = vertex(v);
+        const Index first = rings().first(loader_, v), last = rings().last(loader_, v);
+        Descent<Edge, Compute> result;
+        Index worst = last;
+        for (Index at = first; at < last; ++at) {
+            const Vec3<Compute> along = vertex(rings().neighbour(loader_, at)) - base;
+            const Compute slope = slope_of(along, normal);
+            result.steepest = std::max(result.steepest, std::abs(slope));
+            worst = slope < result.slope ? at : worst;
+            result.slope = std::min(result.slope, slope);
+        }
+        if (worst != last) result.edge = this->edge_at(v, worst).edge;
+        return result;
+    }
+    [[nodiscard]] std::optional<Edge> most_violated_vertex_plane(Vertex v, const Vec3<Compute>& point) const {
+        const Vec3<Compute> base = vertex(v);
+        const Vec3<Compute> from_base = point - base;
+        const Index first = rings().first(loader_, v), last = rings().last(loader_, v);
+        Index worst = last;
+        Compute least = 0;
+        for (Index at = first; at < last; ++at) {
+            const Vec3<Compute> backwards = base - vertex(rings().neighbour(loader_, at));
+            const Compute d = dot(backwards, from_base);
+            worst = d < least ? at : worst;
+            least = d < least ? d : least;
+        }
+        if (worst == last) return std::nullopt;
+        return this->edge_at(v, worst).edge;
+    }
+    [[nodiscard]] std::optional<Edge> most_violated_face_side(const Face& f,
+                                                              const Vec3<Compute>& point) const {
+        if (!this->all_triangles()) return violated_side_of_ring(f, point);
+        const auto c = this->corners_of(f);
+        const Vec3<Compute> first = vertex(c.first), second = vertex(c.second), third = vertex(c.third);
+        const Compute at_first = side_plane(c.first < c.second, first, second, third).distance(point);
+        const Compute at_second = side_plane(c.second < c.third, second, third, first).distance(point);
+        const Compute at_third = side_plane(c.third < c.first, third, first, second).distance(point);
+        const Compute least = std::min({Compute(0), at_first, at_second, at_third});
+        if (!(least < 0)) return std::nullopt;
+        if (at_first == least) return this->edge_at(c.first, f.at).edge;
+        if (at_second == least) return this->edge_somewhere(c.second, c.third);
+        return this->edge_at(c.first, c.third_at).edge;
     }
 
   protected:
-    using Base::block_;
-    using Base::facts_;
     using Base::loader_;
     using Base::rings;
-    [[no_unique_address]] Points points_;
 
-    template <class, Precision, class, class>
-    friend class DerivedTable;
+  private:
+    using Base::side_plane;
+
+    [[nodiscard]] static Compute slope_of(const Vec3<Compute>& along, const Vec3<Compute>& normal) {
+        return squared_slope(dot(along, normal)) / squared_norm(along);
+    }
+    template <class Visit>
+    void visit_ring_of_face(const Face& f, Visit visit) const {
+        for (const auto [edge, flipped] : this->ring_of_face(f)) {
+            if (!visit(edge, this->edge_face_plane(edge, flipped ? Side::right : Side::left))) return;
+        }
+    }
+    [[nodiscard]] std::optional<Edge> violated_side_of_ring(const Face& f, const Vec3<Compute>& p) const {
+        return most_violated<DerivedTable>(this->ring_of_face(f), [&](const Edge& edge, bool flipped) {
+            return this->edge_face_plane(edge, flipped ? Side::right : Side::left).distance(p);
+        });
+    }
 };
 
 }  // namespace edgewise

@@ -9,8 +9,11 @@
 
 namespace edgewise {
 
-/// `at` is the head's place in the ring of the tail, or, seen from the head, the tail's place in its ring.
+/// `at` is the head's place in the ring of the tail, or, seen from the head, the tail's place in its ring; or
+/// nowhere: then it is looked for when it is needed.
 struct DerivedEdge {
+    static constexpr Index nowhere = 0xffffffff;
+
     Index tail, head, at;
     bool from_head;
 

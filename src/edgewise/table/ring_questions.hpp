@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include "edgewise/table/contract.hpp"
 
@@ -55,23 +56,94 @@ template <FeatureTable Table>
     }
 }
 
-/// The incident edge that falls steepest along `normal` and how steep every edge is at most.
+/// What names an edge in the ring of a vertex: its handle, or a place that `edge_in_ring` turns into it.
 template <FeatureTable Table>
+[[nodiscard]] typename Table::Edge edge_in_ring(const Table& table, typename Table::Vertex v,
+                                                const auto& name) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(name)>, typename Table::Edge>)
+        return name;
+    else
+        return table.edge_in_ring(v, name);
+}
+
+/// Calls visit(name, vertex-edge plane) around a vertex, in the order of its ring, until it returns false.
+template <FeatureTable Table, class Visit>
+void visit_vertex_planes(const Table& table, typename Table::Vertex v, Visit visit) {
+    if constexpr (requires { table.visit_vertex_planes(v, visit); }) {
+        table.visit_vertex_planes(v, visit);
+    } else {
+        for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
+            if (!visit(edge, table.vertex_edge_plane(edge, flipped ? End::head : End::tail))) return;
+        }
+    }
+}
+
+/// Calls visit(edge, edge-face plane) around a face, in the order of its ring, until it returns false.
+template <FeatureTable Table, class Visit>
+void visit_face_sides(const Table& table, typename Table::Face f, Visit visit) {
+    if constexpr (requires { table.visit_face_sides(f, visit); }) {
+        table.visit_face_sides(f, visit);
+    } else {
+        for (const auto [edge, flipped] : table.ring_of_face(f)) {
+            if (!visit(edge, table.edge_face_plane(edge, flipped ? Side::right : Side::left))) return;
+        }
+    }
+}
+
+/// What names edges in rings of vertices.
+template <FeatureTable Table>
+struct RingNameOf {
+    using Type = typename Table::Edge;
+};
+template <FeatureTable Table>
+requires requires { typename Table::RingName; }
+struct RingNameOf<Table> {
+    using Type = typename Table::RingName;
+};
+
+/// The face's plane for signs and ratios of heights: its normal has any length.
+template <FeatureTable Table>
+[[nodiscard]] auto unscaled_face_plane(const Table& table, typename Table::Face f) {
+    if constexpr (requires { table.unscaled_face_plane(f); })
+        return table.unscaled_face_plane(f);
+    else
+        return table.face_plane(f);
+}
+
+/// The square of a slope, with the slope's sign: what edges derived from their ends have without a root.
+template <class Scalar>
+[[nodiscard]] Scalar squared_slope(Scalar slope) {
+    return slope * std::abs(slope);
+}
+
+/// Squared slope of the edge, tail to head, along a normal, times the square of the normal's length.
+template <FeatureTable Table>
+[[nodiscard]] ComputeOf<Table> slope_along(const Table& table, typename Table::Edge e,
+                                           const Vec3<ComputeOf<Table>>& normal) {
+    if constexpr (requires { table.slope_along(e, normal); }) {
+        return table.slope_along(e, normal);
+    } else {
+        return squared_slope(dot(table.direction(e), normal));
+    }
+}
+
+/// The incident edge that falls steepest along `normal` and how steep every edge is at most; squared slopes.
+template <class Edge, class Scalar>
 struct Descent {
-    std::optional<typename Table::Edge> edge;
-    ComputeOf<Table> slope = 0;     ///< of that edge, leaving the vertex; negative
-    ComputeOf<Table> steepest = 0;  ///< largest |slope| in the ring
+    std::optional<Edge> edge;
+    Scalar slope = 0;     ///< of that edge, leaving the vertex; negative
+    Scalar steepest = 0;  ///< largest |slope| in the ring
 };
 
 template <FeatureTable Table>
-[[nodiscard]] Descent<Table> steepest_descent(const Table& table, typename Table::Vertex v,
-                                              const Vec3<ComputeOf<Table>>& normal) {
+[[nodiscard]] Descent<typename Table::Edge, ComputeOf<Table>> steepest_descent(
+    const Table& table, typename Table::Vertex v, const Vec3<ComputeOf<Table>>& normal) {
     if constexpr (requires { table.steepest_descent(v, normal); }) {
         return table.steepest_descent(v, normal);
     } else {
-        Descent<Table> result;
+        Descent<typename Table::Edge, ComputeOf<Table>> result;
         for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
-            const auto along = dot(table.direction(edge), normal);
+            const auto along = slope_along(table, edge, normal);
             const auto slope = flipped ? -along : along;
             result.steepest = std::max(result.steepest, std::abs(slope));
             if (slope < result.slope) {

@@ -73,7 +73,7 @@ TEST(RingQuestions, SteepestDescentIsTheLeastSlopeAndTheFirstOfEquals) {
             if (i % 2) normal = (normal * 1.5).array().round();
             const auto v = static_cast<Index>(rng.below(body->vertex_count()));
             const auto leaving = [&](RingEdge<Index> r) {
-                return (r.flipped ? -1 : 1) * dot(table.direction(r.edge), normal);
+                return (r.flipped ? -1 : 1) * squared_slope(dot(table.direction(r.edge), normal));
             };
             const Worst steepest = worst_of(table.ring_of_vertex(v), leaving);
             double largest = 0;
@@ -95,7 +95,7 @@ struct OwnAnswers : ReferenceTable {
     using ReferenceTable::ReferenceTable;
     [[nodiscard]] std::optional<Index> most_violated_vertex_plane(Index, const Vec3d&) const { return 3; }
     [[nodiscard]] std::optional<Index> most_violated_face_side(Index, const Vec3d&) const { return 4; }
-    [[nodiscard]] auto steepest_descent(Index, const Vec3d&) const { return Descent<OwnAnswers>{5, -1, 2}; }
+    [[nodiscard]] auto steepest_descent(Index, const Vec3d&) const { return Descent<Edge, double>{5, -1, 2}; }
 };
 
 TEST(RingQuestions, ATablesOwnAnswerIsPreferred) {

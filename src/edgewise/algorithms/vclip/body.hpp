@@ -92,12 +92,12 @@ template <class Viewer, class Table>
     return {viewer.from_other.point(own.tail), viewer.from_other.point(own.head)};
 }
 
-/// Slope of the body's edge, tail to head, over a plane of the other body with this normal. V-F, E-F and E-E
-/// must agree on "towards the plane" to the last bit, or the pair cycles between them: so all of them ask for
-/// the product of the edge's own direction with the normal turned into the edge's frame, and nothing else.
+/// Squared slope (ring_questions.hpp) of the body's edge, tail to head, over a plane of the other body with
+/// this normal. V-F, E-F and E-E must agree on "towards the plane" to the last bit, or the pair cycles
+/// between them: so all of them ask the table for the edge's slope along the normal turned into its frame.
 template <class Table>
 [[nodiscard]] ComputeOf<Table> slope_over(const Body<Table>& body, const Vec3<ComputeOf<Table>>& normal) {
-    return dot(body.table.direction(body.feature.edge()), body.from_other.direction(normal));
+    return slope_along(body.table, body.feature.edge(), body.from_other.direction(normal));
 }
 
 /// Signed height over the plane at a place of the segment.

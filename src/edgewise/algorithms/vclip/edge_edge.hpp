@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cassert>
+#include <cstdint>
 #include <optional>
 
 #include "edgewise/algorithms/vclip/body.hpp"
@@ -29,7 +30,8 @@ class EdgeClipping {
     [[nodiscard]] bool leave() { return leave_to_vertex() || leave_to_face(); }
 
   private:
-    using Neighbour = Feature<Mine>;
+    /// What lies beyond a plane of this edge. Its handle is asked for only when it is moved to.
+    enum class Neighbour : std::uint8_t { tail, head, left, right };
 
     [[nodiscard]] bool leave_to_vertex() {
         if (clip_by_end(End::tail) || clip_by_end(End::head)) return true;
@@ -39,21 +41,20 @@ class EdgeClipping {
     }
 
     [[nodiscard]] bool clip_by_end(End end) {
-        const Mine& table = mine_.table;
-        const auto vertex = Neighbour::of_vertex(end == End::tail ? table.tail(edge_) : table.head(edge_));
-        const auto plane = table.vertex_edge_plane(edge_, end);
-        const auto clipped =
-            clip_.against(-plane.distance(segment_.tail), -plane.distance(segment_.head), vertex);
-        return clipped == Clipped::simply_excluded && move_to(vertex);
+        const auto vertex = end == End::tail ? Neighbour::tail : Neighbour::head;
+        return clip_by(mine_.table.vertex_edge_plane(edge_, end), vertex) == Clipped::simply_excluded &&
+               move_to(vertex);
+    }
+
+    template <class Plane>
+    [[nodiscard]] Clipped clip_by(const Plane& plane, Neighbour beyond) {
+        return clip_.against(-plane.distance(segment_.tail), -plane.distance(segment_.head), beyond);
     }
 
     [[nodiscard]] bool leave_to_face() {
         for (const Side side : {Side::left, Side::right}) {
-            const Mine& table = mine_.table;
-            const auto face = Neighbour::of_face(side == Side::left ? table.left(edge_) : table.right(edge_));
-            const auto plane = table.edge_face_plane(edge_, side);
-            const auto clipped =
-                clip_.against(-plane.distance(segment_.tail), -plane.distance(segment_.head), face);
+            const auto face = side == Side::left ? Neighbour::left : Neighbour::right;
+            const auto clipped = clip_by(mine_.table.edge_face_plane(edge_, side), face);
             if (clipped == Clipped::simply_excluded) return move_to(face);
         }
         if (clip_.low > clip_.high) return leave_after_compound_exclusion();
@@ -74,7 +75,15 @@ class EdgeClipping {
     }
 
     [[nodiscard]] static bool is_face(const std::optional<Neighbour>& n) {
-        return n && n->kind() == FeatureKind::face;
+        return n == Neighbour::left || n == Neighbour::right;
+    }
+    [[nodiscard]] typename Mine::Vertex vertex_of(Neighbour n) const {
+        assert(n == Neighbour::tail || n == Neighbour::head);
+        return n == Neighbour::tail ? mine_.table.tail(edge_) : mine_.table.head(edge_);
+    }
+    [[nodiscard]] typename Mine::Face face_of(Neighbour n) const {
+        assert(is_face(n));
+        return n == Neighbour::left ? mine_.table.left(edge_) : mine_.table.right(edge_);
     }
 
     /// Derivative tests (TR-97-05, Algorithm 2) against a vertex: the distance falls until the projection.
@@ -84,27 +93,26 @@ class EdgeClipping {
     [[nodiscard]] bool past_high_vertex() const {
         return projection_of(*clip_.at_high) - clip_.high > Tolerance<Scalar>::vertex_derivative;
     }
-    [[nodiscard]] Scalar projection_of(const Neighbour& vertex) const {
+    [[nodiscard]] Scalar projection_of(Neighbour vertex) const {
         const Vec3<Scalar> along = segment_.head - segment_.tail;
-        return projection(segment_.tail, along, mine_.table.vertex(vertex.vertex()));
+        return projection(segment_.tail, along, mine_.table.vertex(vertex_of(vertex)));
     }
 
     /// Derivative tests against a face: the sign of the height times the slope of the edge over the plane.
-    [[nodiscard]] bool rises_at(const Neighbour& face, Scalar lambda) const {
-        return derivative(face, lambda) > 0;
-    }
-    [[nodiscard]] bool falls_at(const Neighbour& face, Scalar lambda) const {
-        return derivative(face, lambda) < 0;
-    }
-    [[nodiscard]] Scalar derivative(const Neighbour& face, Scalar lambda) const {
-        const auto plane = mine_.table.face_plane(face.face());
+    [[nodiscard]] bool rises_at(Neighbour face, Scalar lambda) const { return derivative(face, lambda) > 0; }
+    [[nodiscard]] bool falls_at(Neighbour face, Scalar lambda) const { return derivative(face, lambda) < 0; }
+    [[nodiscard]] Scalar derivative(Neighbour face, Scalar lambda) const {
+        const auto plane = unscaled_face_plane(mine_.table, face_of(face));
         const Scalar height = height_at(plane, segment_, lambda);
         const Scalar slope = slope_over(theirs_, plane.normal);
         return height > 0 ? slope : height < 0 ? -slope : Scalar(0);
     }
 
-    bool move_to(const Neighbour& neighbour) {
-        mine_.feature = neighbour;
+    bool move_to(Neighbour neighbour) {
+        if (is_face(neighbour))
+            mine_.move_to_face(face_of(neighbour));
+        else
+            mine_.move_to_vertex(vertex_of(neighbour));
         return true;
     }
 

@@ -41,8 +41,10 @@ void move_to_nearest_edge(Body<Table>& body, const Segment<ComputeOf<Table>>& se
 /// their noise at both ends of the clipped edge and, where they are rounded, on all sides of the piercing.
 template <class Theirs, class Clipped>
 [[nodiscard]] Step pierced(const Body<Theirs>& theirs, const Segment<ComputeOf<Theirs>>& segment,
-                           const Clipped& clip, ComputeOf<Theirs> low, ComputeOf<Theirs> high) {
+                           const Clipped& clip) {
     using Scalar = ComputeOf<Theirs>;
+    const auto plane = theirs.table.face_plane(theirs.feature.face());
+    const Scalar low = height_at(plane, segment, clip.low), high = height_at(plane, segment, clip.high);
     assert(clip.low <= clip.high && "a part of the edge is left");
     const Scalar size = std::max(max_abs(segment.tail), max_abs(segment.head));
     const Scalar noise = std::max(plane_noise<Theirs> * size, face_noise(theirs.table));
@@ -51,8 +53,8 @@ template <class Theirs, class Clipped>
         const Scalar lambda = clip.low + low / (low - high) * (clip.high - clip.low);
         const Vec3<Scalar> point = segment.at(lambda);
         for (const auto [side, flipped] : theirs.table.ring_of_face(theirs.feature.face())) {
-            const auto plane = theirs.table.edge_face_plane(side, flipped ? Side::right : Side::left);
-            if (plane.distance(point) <= noise) return Step::touching;
+            const auto beside = theirs.table.edge_face_plane(side, flipped ? Side::right : Side::left);
+            if (beside.distance(point) <= noise) return Step::touching;
         }
     }
     return Step::overlapping;
@@ -65,21 +67,20 @@ template <class Mine, class Theirs>
     const auto face = theirs.feature.face();
     const auto segment = segment_seen_by(theirs, mine.table, edge);
     Clip<Scalar, typename Theirs::Edge> clip;
-    for (const auto [side, flipped] : theirs.table.ring_of_face(face)) {
-        const auto plane = theirs.table.edge_face_plane(side, flipped ? Side::right : Side::left);
-        if (clip.against(plane.distance(segment.tail), plane.distance(segment.head), side) !=
-            Clipped::inside) {
-            move_to_nearest_edge(theirs, segment);
-            return Step::moved;
-        }
+    bool inside = true;
+    visit_face_sides(theirs.table, face, [&](const auto& side, const auto& plane) {
+        return inside = clip.against(plane.distance(segment.tail), plane.distance(segment.head), side) ==
+                        Clipped::inside;
+    });
+    if (!inside) {
+        move_to_nearest_edge(theirs, segment);
+        return Step::moved;
     }
 
-    const auto plane = theirs.table.face_plane(face);
+    const auto plane = unscaled_face_plane(theirs.table, face);
     const Scalar low = height_at(plane, segment, clip.low);
     const Scalar high = height_at(plane, segment, clip.high);
-    if (low == 0 || high == 0 || (low < 0) != (high < 0)) {
-        return pierced(theirs, segment, clip, low, high);
-    }
+    if (low == 0 || high == 0 || (low < 0) != (high < 0)) return pierced(theirs, segment, clip);
 
     const Scalar slope = slope_over(mine, plane.normal);
     const bool nearer_at_low = low > 0 ? slope >= 0 : slope <= 0;

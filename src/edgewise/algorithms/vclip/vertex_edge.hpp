@@ -5,6 +5,8 @@
 // left of it.
 #pragma once
 
+#include <optional>
+
 #include <cassert>
 
 #include "edgewise/algorithms/vclip/body.hpp"
@@ -40,33 +42,29 @@ template <class Mine, class Theirs>
     using Scalar = ComputeOf<Mine>;
     const auto vertex = mine.feature.vertex();
     const auto segment = segment_seen_by(mine, theirs.table, theirs.feature.edge());
-    Clip<Scalar, typename Mine::Edge> clip;
-    for (const auto [edge, flipped] : mine.table.ring_of_vertex(vertex)) {
-        const auto plane = mine.table.vertex_edge_plane(edge, flipped ? End::head : End::tail);
-        const auto clipped = clip.against(plane.distance(segment.tail), plane.distance(segment.head), edge);
-        if (clipped == Clipped::simply_excluded) {
-            mine.move_to_edge(edge);
-            return true;
-        }
-    }
+    using Name = typename RingNameOf<Mine>::Type;
+    Clip<Scalar, Name> clip;
+    std::optional<Name> excluding;
+    visit_vertex_planes(mine.table, vertex, [&](const Name& name, const auto& plane) {
+        const auto clipped = clip.against(plane.distance(segment.tail), plane.distance(segment.head), name);
+        if (clipped == Clipped::simply_excluded) excluding = name;
+        return !excluding;
+    });
+    const auto move_to = [&](const Name& name) {
+        mine.move_to_edge(edge_in_ring(mine.table, vertex, name));
+        return true;
+    };
+    if (excluding) return move_to(*excluding);
     if (!clip.at_low && !clip.at_high) return false;
     assert((clip.low <= clip.high || (clip.at_low && clip.at_high)) && "two planes leave nothing, not one");
 
     const Vec3<Scalar> along = segment.head - segment.tail;
     const Scalar closest = projection(segment.tail, along, mine.table.vertex(vertex));
     const Scalar short_of_low = clip.low - closest, past_high = closest - clip.high;
-    if (clip.low > clip.high) {  // nothing is left: it must go, to the worse side
-        mine.move_to_edge(short_of_low >= past_high ? *clip.at_low : *clip.at_high);
-        return true;
-    }
-    if (clip.at_low && short_of_low > Tolerance<Scalar>::vertex_derivative) {
-        mine.move_to_edge(*clip.at_low);
-        return true;
-    }
-    if (clip.at_high && past_high > Tolerance<Scalar>::vertex_derivative) {
-        mine.move_to_edge(*clip.at_high);
-        return true;
-    }
+    if (clip.low > clip.high)  // nothing is left: it must go, to the worse side
+        return move_to(short_of_low >= past_high ? *clip.at_low : *clip.at_high);
+    if (clip.at_low && short_of_low > Tolerance<Scalar>::vertex_derivative) return move_to(*clip.at_low);
+    if (clip.at_high && past_high > Tolerance<Scalar>::vertex_derivative) return move_to(*clip.at_high);
     return false;
 }
 

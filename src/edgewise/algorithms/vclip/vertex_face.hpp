@@ -17,15 +17,16 @@
 namespace edgewise::vclip {
 
 /// Moves `mine` from its vertex to the steepest edge towards the plane of the other body's face, which lies
-/// at signed `height` below it; false if every edge leads away.
-template <class Mine, class Theirs>
-[[nodiscard]] bool approach_plane(Body<Mine>& mine, const Body<Theirs>& theirs, ComputeOf<Mine> height) {
-    using Scalar = ComputeOf<Mine>;
-    const auto normal = theirs.table.face_plane(theirs.feature.face()).normal;
+/// at signed `height` below it and has this normal, both of any scale; false if every edge leads away.
+template <class Table>
+[[nodiscard]] bool approach_plane(Body<Table>& mine, const Vec3<ComputeOf<Table>>& normal,
+                                  ComputeOf<Table> height) {
+    using Scalar = ComputeOf<Table>;
     const Vec3<Scalar> towards = height > 0 ? normal : Vec3<Scalar>(-normal);
     const auto descent =
         steepest_descent(mine.table, mine.feature.vertex(), mine.from_other.direction(towards));
-    if (!descent.edge || -descent.slope <= Tolerance<Scalar>::towards_plane * descent.steepest) return false;
+    constexpr Scalar level = Tolerance<Scalar>::towards_plane * Tolerance<Scalar>::towards_plane;
+    if (!descent.edge || -descent.slope <= level * descent.steepest) return false;
     mine.move_to_edge(*descent.edge);
     return true;
 }
@@ -59,8 +60,9 @@ template <class Mine, class Theirs>
         theirs.move_to_edge(*side);
         return Step::moved;
     }
-    const auto height = theirs.table.face_plane(face).distance(point);
-    if (approach_plane(mine, theirs, height)) return Step::moved;
+    const auto plane = unscaled_face_plane(theirs.table, face);
+    const auto height = plane.distance(point);
+    if (approach_plane(mine, Vec3<ComputeOf<Mine>>(plane.normal), height)) return Step::moved;
     return height > 0 ? Step::separated : escape_local_minimum(theirs, point);
 }
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// Half-edges of a table that stores no feature: a vertex and a place in its ring each. What is next around a
+// face, which face corner is beside an edge, and where the same edge stands in the other end's ring.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+
+#include "edgewise/layout_parts/block_table.hpp"
+#include "edgewise/layout_parts/derived_walks.hpp"
+#include "edgewise/layout_parts/narrow_rings.hpp"
+
+namespace edgewise {
+
+/// RingPlaces: where rings are in the block, by place(plan, facts) and in(base), whose result reads them.
+template <Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
+class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
+    using Base = BlockTable<P, Loader, typename P::Compute>;
+
+  public:
+    using typename Base::Vertex;
+    using Edge = DerivedEdge;
+    using Face = DerivedFace;
+
+  protected:
+    using Base::block_;
+    using Base::facts_;
+    using Base::loader_;
+    RingPlaces ring_places_;
+
+    template <Precision, class, class>
+    friend class DerivedHalfEdges;
+
+    DerivedHalfEdges(const Polyhedron& body, Parts parts, Loader loader) : Base(body, parts, loader) {}
+    template <class OtherLoader>
+    DerivedHalfEdges(const DerivedHalfEdges<P, OtherLoader, RingPlaces>& other, Loader loader)
+        : Base(other, loader), ring_places_(other.ring_places_) {}
+
+    [[nodiscard]] auto rings() const { return ring_places_.in(block_.base()); }
+
+    /// Half-edges of a face in order, from its first, each turned into an item.
+    template <class Item>
+    [[nodiscard]] auto around(const Face& f, Item item) const {
+        using Place = DerivedRingPlace;
+        const auto after = [this](const Place& place) { return Place{next(place.at), true}; };
+        return Chain(
+            Place{f, false}, Place{f, true}, [item](const Place& place) { return item(place.at); }, after);
+    }
+
+    [[nodiscard]] RingEdge<Edge> edge_at(Vertex v, Index at) const {
+        const Index other = rings().neighbour(loader_, at);
+        if (v < other) return {{v, other, at, false}, false};
+        return {{other, v, at, true}, true};
+    }
+    [[nodiscard]] HalfEdgeAt from_tail(const Edge& e) const {
+        assert(e.tail < e.head);
+        const bool known = !e.from_head && e.at != Edge::nowhere;
+        return {e.tail, known ? e.at : rings().find(loader_, e.tail, e.head)};
+    }
+    [[nodiscard]] HalfEdgeAt from_head(const Edge& e) const {
+        return {e.head, e.from_head ? e.at : rings().find(loader_, e.head, e.tail)};
+    }
+    /// From the end in whose ring its place is known.
+    [[nodiscard]] HalfEdgeAt half_edge_of(const Edge& e) const {
+        return e.from_head ? HalfEdgeAt{e.head, e.at} : from_tail(e);
+    }
+    [[nodiscard]] static Edge edge_somewhere(Vertex v, Vertex other) {
+        return {std::min(v, other), std::max(v, other), Edge::nowhere, false};
+    }
+
+    /// Then the third corner of a face is the same from either end of an edge, and no ring is searched for
+    /// it.
+    [[nodiscard]] bool all_triangles() const { return 3 * facts_.face_count == facts_.neighbour_count; }
+
+    /// Where the neighbour stands, in the ring of the end at hand, that is the third corner of the face on
+    /// this side: of the tail's ring, but of either's where all faces are triangles.
+    [[nodiscard]] Index third_place(const Edge& e, Side side) const {
+        if (e.from_head && all_triangles())
+            return side == Side::left ? rings().before(loader_, e.head, e.at)
+                                      : rings().after(loader_, e.head, e.at);
+        const Index at = from_tail(e).at;
+        return side == Side::left ? rings().after(loader_, e.tail, at) : rings().before(loader_, e.tail, at);
+    }
+
+    /// The corners of a triangle, counter-clockwise from where a half-edge of it starts, and where the third
+    /// stands in the ring of the first.
+    struct Corners {
+        Index first, second, third, third_at;
+    };
+    [[nodiscard]] Corners corners_of(const HalfEdgeAt& h) const {
+        const Index third_at = rings().after(loader_, h.vertex, h.at);
+        return {h.vertex, rings().neighbour(loader_, h.at), rings().neighbour(loader_, third_at), third_at};
+    }
+
+    /// The next half-edge around the face on the left: at its far end, clockwise from where it came.
+    [[nodiscard]] HalfEdgeAt next(const HalfEdgeAt& h) const {
+        const Index to = rings().neighbour(loader_, h.at);
+        return {to, rings().before(loader_, to, rings().find(loader_, to, h.vertex))};
+    }
+};
+
+}  // namespace edgewise

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+//
+// A table that stores no feature: neighbour rings and vertex coordinates are all there is, and every
+// edge, face and plane is computed from them when it is asked for. For layouts that differ in how they keep
+// coordinates.
+//
+// The neighbour before and the one after an edge in a ring (derived_rings.hpp) are the third corners of its
+// two faces: two vectors give the face's normal there. Planes are through a vertex, not at a distance from
+// the origin, so nothing cancels; and both features on the two sides of a plane derive it from the same
+// corner, so that they read the same number.
+#pragma once
+
+#include <cassert>
+#include <string_view>
+#include <vector>
+
+#include "edgewise/layout_parts/derived_rings.hpp"
+
+namespace edgewise {
+
+/// The plane through `anchor`; its normal has any length.
+template <class Scalar>
+struct AnchoredPlane {
+    Vec3<Scalar> normal, anchor;
+    Scalar offset = 0;
+
+    /// In units of |normal|.
+    [[nodiscard]] Scalar distance(const Vec3<Scalar>& p) const {
+        return dot(normal, Vec3<Scalar>(p - anchor)) + offset;
+    }
+};
+
+/// Points: how coordinates are kept, from the block's start on, by place(plan, facts), write(base, body) and
+/// read(loader, base, v).
+template <class Points, Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
+class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
+    using Base = DerivedRings<P, Loader, RingPlaces>;
+
+  public:
+    using Base::no_face;
+    using typename Base::Compute;
+    using typename Base::Edge;
+    using typename Base::Face;
+    using typename Base::Vertex;
+
+    static constexpr std::string_view derives = "edges, faces and every plane";
+    static constexpr bool derives_planes = true;
+
+    DerivedPlanes(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
+        this->make_block(points_, this->ring_places_);
+        rings().fill(body);
+        write_body(body);
+    }
+
+    template <class OtherLoader>
+    DerivedPlanes(const DerivedPlanes<Points, P, OtherLoader, RingPlaces>& other, Loader loader)
+        : Base(other, loader), points_(other.points_) {}
+
+    void write_body(const Polyhedron& body) { points_.write(block_.base(), body); }
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Points(), RingPlaces()); }
+    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+
+    [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        assert(v < facts_.vertex_count);
+        return cast<Compute>(points_.read(loader_, block_.base(), v));
+    }
+
+    [[nodiscard]] Vec3<Compute> direction(const Edge& e) const {
+        const Vec3<Compute> along = vertex(e.head) - vertex(e.tail);
+        return along / norm(along);
+    }
+
+    [[nodiscard]] AnchoredPlane<Compute> vertex_edge_plane(const Edge& e, End end) const {
+        const Vec3<Compute> from = vertex(e.tail), to = vertex(e.head);
+        if (end == End::tail) return {from - to, from};
+        return {to - from, to};
+    }
+
+    /// Perpendicular to the edge, within the face: that part of another side of the face which is.
+    [[nodiscard]] AnchoredPlane<Compute> edge_face_plane(const Edge& e, Side side) const {
+        const Vec3<Compute> base = vertex(e.tail);
+        if (facts_.face_count == 0) return {Vec3<Compute>::Zero(), base, -1};
+        const Index third = rings().neighbour(loader_, this->third_place(e, side));
+        return across(base, vertex(e.head), vertex(third));
+    }
+
+    /// Unit normal: of the whole ring, since a corner of a long side and a short one would turn it.
+    [[nodiscard]] AnchoredPlane<Compute> face_plane(const Face& f) const {
+        const auto plane = unscaled_face_plane(f);
+        return {plane.normal / norm(plane.normal), plane.anchor};
+    }
+    [[nodiscard]] AnchoredPlane<Compute> unscaled_face_plane(const Face& f) const {
+        assert(!(f == no_face));
+        const Vec3<Compute> base = vertex(f.vertex);
+        if (this->all_triangles()) {
+            const auto corners = this->corners_of(f);
+            const Vec3<Compute> to_second = vertex(corners.second) - base;
+            return {cross(to_second, Vec3<Compute>(vertex(corners.third) - base)), base};
+        }
+        Vec3<Compute> normal = Vec3<Compute>::Zero(), before = Vec3<Compute>::Zero();
+        const auto corner_at = [&](const HalfEdgeAt& h) { return Vec3<Compute>(vertex(h.vertex) - base); };
+        for (const Vec3<Compute> corner : this->around(f, corner_at)) {
+            normal += cross(before, corner);
+            before = corner;
+        }
+        return {normal, base};
+    }
+
+  protected:
+    using Base::block_;
+    using Base::facts_;
+    using Base::loader_;
+    using Base::rings;
+    [[no_unique_address]] Points points_;
+
+    /// Perpendicular to the edge from base to end, towards the other corner.
+    [[nodiscard]] static AnchoredPlane<Compute> across(const Vec3<Compute>& base, const Vec3<Compute>& end,
+                                                       const Vec3<Compute>& other) {
+        const Vec3<Compute> along = end - base, aside = other - base;
+        return {squared_norm(along) * aside - dot(along, aside) * along, base};
+    }
+    /// The same between two corners of a triangle, seen from the smaller one.
+    [[nodiscard]] static AnchoredPlane<Compute> side_plane(bool rising, const Vec3<Compute>& from,
+                                                           const Vec3<Compute>& to,
+                                                           const Vec3<Compute>& other) {
+        return rising ? across(from, to, other) : across(to, from, other);
+    }
+
+    template <class, Precision, class, class>
+    friend class DerivedPlanes;
+};
+
+}  // namespace edgewise
