@@ -8,15 +8,16 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "edgewise/geometry/pack.hpp"
 #include "edgewise/layout_parts/block_table.hpp"
+#include "edgewise/table/loader.hpp"
 
 namespace edgewise {
 
@@ -80,94 +81,61 @@ class points_soa : public BlockTable<P, Loader> {
 
     /// The vertex farthest along the direction, the first of equals; every bit as a scan one by one finds it.
     [[nodiscard]] Farthest scan_support(const Vec3<Compute>& direction) const {
-        const Vertex start = this->first_vertex();
-        Highest best{start, dot(vertex(start), direction)};
-        std::size_t first = 0, rest = this->vertex_count();
-        for (; rest >= 64; first += 64, rest -= 64) scan_chunk<64>(first, 64, direction, best);
-        // The smallest chunk that the rest fits in: a box is eight numbers, not sixty-four, and with the
-        // count known when compiled nothing is filled up.
-        if (rest == 8) {
-            scan_chunk<8>(first, 8, direction, best);
-        } else if (rest > 0 && rest < 8) {
-            scan_chunk<8>(first, rest, direction, best);
-        } else if (rest > 8 && rest <= 16) {
-            scan_chunk<16>(first, rest, direction, best);
-        } else if (rest > 16) {
-            scan_chunk<64>(first, rest, direction, best);
-        }
-        return {best.vertex, vertex(best.vertex), best.along};
+        const Vertex best = [&] {
+            if constexpr (std::is_same_v<Loader, Direct>)
+                if (this->vertex_count() >= Pack<Compute>::size) return scan_packs(direction);
+            return scan_one_by_one(direction);
+        }();
+        const Vec3<Compute> point = vertex(best);
+        return {best, point, dot(point, direction)};
     }
 
   private:
     template <Precision, class>
     friend class points_soa;
 
-    struct Highest {
-        Vertex vertex;
-        Compute along;
-    };
-
-    /// The highest of up to `Size` vertices, if it is above the best.
-    template <std::size_t Size>
-    [[gnu::always_inline]] void scan_chunk(std::size_t first, std::size_t count,
-                                           const Vec3<Compute>& direction, Highest& best) const {
-        std::array<Compute, Size> heights;
-        measure(first, count, direction, heights);
-        const Compute top = highest(heights);
-        if (!(top > best.along)) return;
-        const std::size_t at = first_of(top, heights);
-        // Not `top`: of two equal zeros it may have the other sign.
-        best = {static_cast<Vertex>(first + at), heights[at]};
+    /// A pack of vertices at a time, the last ones perhaps again: each place keeps its highest, and at the
+    /// end the first vertex that is as high as the highest of all. No branch but the loop's.
+    [[nodiscard]] [[gnu::always_inline]] Vertex scan_packs(const Vec3<Compute>& direction) const {
+        using Of = Pack<Compute>;
+        const std::size_t count = this->vertex_count(), last = count - Of::size;
+        typename Of::Numbers highest = heights_from(0, direction);
+        typename Of::Words where = Of::places();
+        for (std::size_t next = Of::size; next < count; next += Of::size) {
+            const std::size_t first = std::min(next, last);
+            const typename Of::Numbers heights = heights_from(first, direction);
+            const typename Of::Words higher = heights > highest;
+            highest = higher ? heights : highest;
+            where = higher ? Of::places() + static_cast<typename Of::Word>(first) : where;
+        }
+        const auto vertex = static_cast<std::size_t>(Of::lowest(where, highest == Of::highest(highest)));
+        return static_cast<Vertex>(std::min(vertex, last + Of::size - 1));  // of heights that are no numbers
     }
 
-    /// Where the first of these is. Of few, without a loop whose end no processor can predict.
-    template <std::size_t Size>
-    [[nodiscard]] [[gnu::always_inline]] static std::size_t first_of(
-        Compute top, const std::array<Compute, Size>& heights) {
-        if constexpr (Size > 16) {
-            return static_cast<std::size_t>(std::find(heights.begin(), heights.end(), top) - heights.begin());
-        } else {
-            unsigned equal = 0;
-#pragma GCC unroll 16
-            for (unsigned i = 0; i < Size; ++i) equal |= static_cast<unsigned>(heights[i] == top) << i;
-            return static_cast<std::size_t>(std::countr_zero(equal));
+    [[nodiscard]] [[gnu::always_inline]] typename Pack<Compute>::Numbers heights_from(
+        std::size_t first, const Vec3<Compute>& direction) const {
+        const auto along = [&](int k) __attribute__((always_inline)) {
+            return Pack<Compute>::load(axis(k) + first) * direction[k];
+        };
+        return along(0) + along(1) + along(2);
+    }
+
+    [[nodiscard]] Vertex scan_one_by_one(const Vec3<Compute>& direction) const {
+        Vertex best = this->first_vertex();
+        Compute most = dot(vertex(best), direction);
+        for (const Vertex v : this->all_vertices()) {
+            const Compute along = dot(vertex(v), direction);
+            if (!(along > most)) continue;
+            most = along;
+            best = v;
         }
+        return best;
     }
 
     Compute coordinate(int k, std::size_t v) const {
         return static_cast<Compute>(load(axis(k)[v], Field::vertex));
     }
     [[nodiscard]] Stored* axis(int k) const { return coordinates_.axis(k, this->block_.base()); }
-
-    /// Heights of `count` vertices; what is left of the chunk can never win. Positions have 64 bits here: a
-    /// sum of 32-bit ones may wrap round, and g++ then gathers scalars one by one.
-    template <std::size_t Size>
-    [[gnu::always_inline]] void measure(std::size_t first, std::size_t count, const Vec3<Compute>& direction,
-                                        std::array<Compute, Size>& heights) const {
-        const Compute x = direction.x(), y = direction.y(), z = direction.z();
-        const Stored *const xs = axis(0) + first, *const ys = axis(1) + first, *const zs = axis(2) + first;
-        const auto read = [this](const Stored& location) {
-            return static_cast<Compute>(load(location, Field::vertex));
-        };
-        for (std::size_t i = 0; i < count; ++i)
-            heights[i] = read(xs[i]) * x + read(ys[i]) * y + read(zs[i]) * z;
-        std::fill(heights.begin() + count, heights.end(), -std::numeric_limits<Compute>::infinity());
-    }
-
-    /// Half against half: one running maximum would be a chain of comparisons that no compiler may reorder.
-    template <std::size_t Size>
-    static Compute highest(const std::array<Compute, Size>& heights) {
-        if constexpr (Size == 1) {
-            return heights[0];
-        } else {
-            std::array<Compute, Size / 2> higher;
-            for (std::size_t i = 0; i < Size / 2; ++i) {
-                const Compute a = heights[i], b = heights[i + Size / 2];
-                higher[i] = b > a ? b : a;
-            }
-            return highest(higher);
-        }
-    }
 
     Coordinates coordinates_;
 };

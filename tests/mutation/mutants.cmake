@@ -32,8 +32,8 @@ edgewise_mutant(johnson_volume_sign algorithms/johnson.hpp [[(k & 1 ? -1 : 1)]] 
     Johnson.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(johnson_foot_of_slivers algorithms/subset.hpp [[if (sliver || height]] [[if (height]]
     Johnson.* ${unit}/algorithms/johnson_test.cpp)
-edgewise_mutant(cofactors_ask_no_second_opinion algorithms/cofactors.hpp [[if (count == 4 && weigh_passing<4>(w, allowed, found)) return;]]
-    [[if (count == 4 && (weigh_passing<4>(w, allowed, found) || true)) return;]] Cofactors.* ${unit}/algorithms/johnson_test.cpp)
+edgewise_mutant(cofactors_ask_no_second_opinion algorithms/cofactors.hpp [[if (count == 4) return weigh_passing<4, newest_belongs>(w, found);]]
+    [[if (count == 4) return weigh_passing<4, newest_belongs>(w, found) || true;]] Cofactors.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(johnson_is_not_asked algorithms/sub_distance.hpp [[return solver == SubDistanceSolver::cofactors ? Way::cofactors : Way::johnson;]] [[return Way::cofactors;]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
 edgewise_mutant(batch_takes_johnson_into_lanes algorithms/query_batch.hpp [[if (by_cofactors && width != LaneWidth::none)]] [[if (width != LaneWidth::none)]]

@@ -59,9 +59,10 @@ struct CornersOfWhole {
     }
 };
 
-/// The cofactors of every subset of `count` points. Loops are unrolled, so that nothing but arithmetic is
-/// left.
-template <class Scalar, int count>
+/// The cofactors of every subset of `count` points that the closest point may rest on: where that is known to
+/// rest on the newest, the last of them, of half of them. Loops are unrolled, so that nothing but arithmetic
+/// is left.
+template <class Scalar, int count, bool newest_belongs>
 class Cofactors {
   public:
     using Points = std::array<Vec3<Scalar>, 4>;
@@ -69,11 +70,12 @@ class Cofactors {
     [[gnu::always_inline]] explicit Cofactors(const Points& w) {
 #pragma GCC unroll 16
         for (int subset = 1; subset < proper_end; ++subset) {
+            if (!is_asked(subset) && !is_asked_with_newest(subset)) continue;
 #pragma GCC unroll 4
             for (int k = 0; k < count; ++k) {
                 const bool member = subset >> k & 1;
                 of_[subset][k] = member ? cofactor<Scalar, count>(w, of_, subset & ~(1 << k), k) : Scalar(0);
-                if (member) positive_ |= bit_of(subset, k, of_[subset][k] > 0);
+                if (member && is_asked(subset)) positive_ |= bit_of(subset, k, of_[subset][k] > 0);
             }
         }
         if constexpr (count == 4) add_volumes(w);
@@ -85,7 +87,7 @@ class Cofactors {
 #pragma GCC unroll 16
         for (unsigned i = 0; i < ascending_subsets.size(); ++i) {
             const int subset = ascending_subsets[i];
-            if (subset >= subsets) continue;
+            if (subset >= subsets || !is_asked(subset)) continue;
             std::uint64_t asked = 0, wanted = 0;
 #pragma GCC unroll 4
             for (int k = 0; k < count; ++k) {
@@ -103,6 +105,17 @@ class Cofactors {
   private:
     static constexpr int subsets = 1 << count;
     static constexpr int proper_end = count == 4 ? 15 : subsets;  ///< without the whole of four
+
+    static constexpr int newest = 1 << (count - 1);
+
+    /// The closest point may rest on this subset.
+    [[nodiscard]] static constexpr bool is_asked(int subset) {
+        return !newest_belongs || (subset & newest) != 0;
+    }
+    /// The cofactors of one that holds one point more, the newest, are made of this subset's.
+    [[nodiscard]] static constexpr bool is_asked_with_newest(int subset) {
+        return (subset | newest) < proper_end;
+    }
 
     [[nodiscard]] static constexpr std::uint64_t bit_of(int subset, int k, bool set = true) {
         return static_cast<std::uint64_t>(set) << (4 * subset + k);
@@ -122,21 +135,12 @@ class Cofactors {
     std::uint64_t positive_ = 0;
 };
 
-/// Bit i: ascending_subsets[i] holds this point.
-[[nodiscard]] constexpr unsigned subsets_that_hold(int point) {
-    unsigned result = 0;
-    for (unsigned i = 0; i < ascending_subsets.size(); ++i)
-        result |= (ascending_subsets[i] >> point & 1U) << i;
-    return result;
-}
-
 /// Weighs the subset that passes by its signs; false if none does, or rounding has it wrong.
-template <int count, class Scalar>
+template <int count, bool newest_belongs, class Scalar>
 [[nodiscard]] [[gnu::always_inline]] inline bool weigh_passing(const std::array<Vec3<Scalar>, 4>& w,
-                                                               unsigned allowed,
                                                                ClosestOfSimplex<Scalar>& found) {
-    const Cofactors<Scalar, count> cofactors(w);
-    const unsigned passing = cofactors.passing() & allowed;
+    const Cofactors<Scalar, count, newest_belongs> cofactors(w);
+    const unsigned passing = cofactors.passing();
     if (passing == 0) return false;
     const PointMask subset = ascending_subsets[std::countr_zero(passing)];
     const auto& weights = cofactors.of(subset);
@@ -159,22 +163,51 @@ template <int count, class Scalar>
     return excludes;
 }
 
+/// The same for any count above one.
+template <bool newest_belongs, class Scalar>
+[[nodiscard]] [[gnu::always_inline]] inline bool weigh_passing_of(const std::array<Vec3<Scalar>, 4>& w,
+                                                                  int count,
+                                                                  ClosestOfSimplex<Scalar>& found) {
+    if (count == 3) return weigh_passing<3, newest_belongs>(w, found);
+    if (count == 4) return weigh_passing<4, newest_belongs>(w, found);
+    return weigh_passing<2, newest_belongs>(w, found);
+}
+
+/// Where no subset passes by its signs.
+template <class Scalar>
+[[gnu::noinline]] void search_closest(const std::array<Vec3<Scalar>, 4>& w, int count,
+                                      ClosestOfSimplex<Scalar>& found) {
+    Johnson<Scalar> johnson(w, count);
+    found = johnson.holds_origin() ? johnson.inside() : johnson.closest();
+}
+
+/// Of any simplex, and of one that is known to rest on its newest point: two functions, since their branches
+/// go different ways.
+template <class Scalar>
+[[gnu::noinline]] void find_closest_of_any(const std::array<Vec3<Scalar>, 4>& w, int count,
+                                           ClosestOfSimplex<Scalar>& found) {
+    if (!weigh_passing_of<false>(w, count, found)) search_closest(w, count, found);
+}
+template <class Scalar>
+[[gnu::noinline]] void find_closest_with_newest(const std::array<Vec3<Scalar>, 4>& w, int count,
+                                                ClosestOfSimplex<Scalar>& found) {
+    if (!weigh_passing_of<true>(w, count, found)) search_closest(w, count, found);
+}
+
 /// The point of w[0 .. count-1], 1 <= count <= 4, closest to the origin. `newest_belongs`: it is known to
 /// rest on the last of them, in exact arithmetic.
 template <class Scalar>
-[[gnu::noinline]] void find_closest(const std::array<Vec3<Scalar>, 4>& w, int count, bool newest_belongs,
-                                    ClosestOfSimplex<Scalar>& found) {
+void find_closest(const std::array<Vec3<Scalar>, 4>& w, int count, bool newest_belongs,
+                  ClosestOfSimplex<Scalar>& found) {
     assert(count >= 1 && count <= 4);
-    const unsigned allowed = newest_belongs ? subsets_that_hold(count - 1) : ~0U;
-    if (count == 3 && weigh_passing<3>(w, allowed, found)) return;
-    if (count == 4 && weigh_passing<4>(w, allowed, found)) return;
-    if (count == 2 && weigh_passing<2>(w, allowed, found)) return;
     if (count == 1) {
         found.weight[0] = 1;
-        return found.rest_on(1, w, w[0]);
+        found.rest_on(1, w, w[0]);
+    } else if (newest_belongs) {
+        find_closest_with_newest(w, count, found);
+    } else {
+        find_closest_of_any(w, count, found);
     }
-    Johnson<Scalar> johnson(w, count);
-    found = johnson.holds_origin() ? johnson.inside() : johnson.closest();
 }
 
 }  // namespace edgewise

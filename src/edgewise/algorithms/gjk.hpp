@@ -91,7 +91,6 @@ class GjkRun {
     /// The first support points say that the last query's simplex is of no use after this much motion: cold,
     /// if that begins nearer.
     [[nodiscard]] [[gnu::noinline]] bool start_nearer(Scalar squared) {
-        if (is_cold_) return false;
         is_cold_ = true;
         const SubDistance<TableA, TableB> warm = sub_;
         sub_.clear();
@@ -113,14 +112,15 @@ class GjkRun {
     [[nodiscard]] bool advance(Scalar squared) {
         const auto& simplex = sub_.simplex();
         const Vec3<Scalar>& v = sub_.closest().point;
-        const auto a = support_from(a_, Vec3<Scalar>(-v), simplex.vertex_a[simplex.count - 1]);
-        const auto b = support_from(b_, a_from_b_.direction_back(v), simplex.vertex_b[simplex.count - 1]);
+        const auto a = support_from(a_, Vec3<Scalar>(-v), simplex.vertex_a(simplex.count - 1));
+        const auto b = support_from(b_, a_from_b_.direction_back(v), simplex.vertex_b(simplex.count - 1));
         const Vec3<Scalar> on_b = a_from_b_.point(b.point);
         const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
         if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared)) return false;
-        if (steps_ == 1 && reach_ < static_cast<Scalar>(far_off_simplex) * squared && start_nearer(squared))
+        if (steps_ == 1 && !is_cold_ && reach_ < static_cast<Scalar>(far_off_simplex) * squared &&
+            start_nearer(squared))
             return true;
         if (simplex.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
             return false;

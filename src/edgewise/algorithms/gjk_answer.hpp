@@ -20,8 +20,8 @@ template <SupportTable TableA, SupportTable TableB>
     using Scalar = ComputeOf<TableA>;
     Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
     for (int i = 0; i < simplex.count; ++i) {
-        on_a += closest.weight[i] * simplex.on_a[i];
-        on_b += closest.weight[i] * simplex.on_b[i];
+        on_a += closest.weight[i] * simplex.on_a(i);
+        on_b += closest.weight[i] * simplex.on_b(i);
     }
     Distance answer;
     answer.status = status;

@@ -136,8 +136,8 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
         if (simplex.count == 4) return false;
         query.count = simplex.count;
         for (int i = 0; i < simplex.count; ++i) {
-            query.vertex_a[i] = static_cast<std::uint32_t>(simplex.vertex_a[i]);
-            query.vertex_b[i] = static_cast<std::uint32_t>(simplex.vertex_b[i]);
+            query.vertex_a[i] = static_cast<std::uint32_t>(simplex.vertex_a(i));
+            query.vertex_b[i] = static_cast<std::uint32_t>(simplex.vertex_b(i));
             query.difference[i] = simplex.difference[i];
             query.weight[i] = sub.closest().weight[i];
         }

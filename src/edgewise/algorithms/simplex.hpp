@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// GJK's simplex while a query runs.
+// GJK's simplex while a query runs. Its points lie in places of their own, where they stay as long as they
+// belong to it: in order are their differences alone, which are all that the next iteration asks for.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
+#include <cstdint>
 
 #include "edgewise/algorithms/subset.hpp"
 #include "edgewise/table/contract.hpp"
@@ -14,23 +17,36 @@ namespace edgewise {
 
 /// Up to four pairs of vertices, and the points they stand for in the Minkowski difference (A's frame).
 template <SupportTable TableA, SupportTable TableB>
-struct Simplex {
+class Simplex {
+  public:
     using Scalar = ComputeOf<TableA>;
 
     int count = 0;
-    std::array<typename TableA::Vertex, 4> vertex_a;
-    std::array<typename TableB::Vertex, 4> vertex_b;
-    std::array<Vec3<Scalar>, 4> on_a, on_b;  ///< both in A's frame
     std::array<Vec3<Scalar>, 4> difference;
     Scalar size = 0;  ///< longest coordinate of all points pushed so far: what rounding is relative to
+
+    [[nodiscard]] typename TableA::Vertex vertex_a(int i) const { return vertex_a_[place_[i]]; }
+    [[nodiscard]] typename TableB::Vertex vertex_b(int i) const { return vertex_b_[place_[i]]; }
+    /// Both in A's frame.
+    [[nodiscard]] const Vec3<Scalar>& on_a(int i) const { return on_a_[place_[i]]; }
+    [[nodiscard]] const Vec3<Scalar>& on_b(int i) const { return on_b_[place_[i]]; }
+
+    void clear() {
+        count = 0;
+        size = 0;
+        taken_ = 0;
+    }
 
     void push(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& point_a,
               const Vec3<Scalar>& point_b) {
         assert(count < 4);
-        vertex_a[count] = a;
-        vertex_b[count] = b;
-        on_a[count] = point_a;
-        on_b[count] = point_b;
+        const auto place = static_cast<std::uint8_t>(std::countr_one(taken_));
+        taken_ |= 1U << place;
+        place_[count] = place;
+        vertex_a_[place] = a;
+        vertex_b_[place] = b;
+        on_a_[place] = point_a;
+        on_b_[place] = point_b;
         difference[count] = point_a - point_b;
         ++count;
         size = std::max({size, max_abs(point_a), max_abs(point_b)});
@@ -40,32 +56,46 @@ struct Simplex {
     void drop_newest(Scalar before) {
         assert(count > 0);
         --count;
+        taken_ &= ~(1U << place_[count]);
         size = before;
     }
 
+    /// Which of them it is, if any, no processor can predict: all are compared.
     [[nodiscard]] bool holds(typename TableA::Vertex a, typename TableB::Vertex b) const {
-        for (int i = 0; i < count; ++i) {
-            if (vertex_a[i] == a && vertex_b[i] == b) return true;
-        }
-        return false;
+        unsigned equal = 0;
+#pragma GCC unroll 4
+        for (unsigned i = 0; i < 4; ++i)
+            equal |= (static_cast<unsigned>(vertex_a_[i] == a) & static_cast<unsigned>(vertex_b_[i] == b))
+                     << i;
+        return (equal & taken_) != 0;
     }
 
     /// Drops what the closest point does not rest on; weights move along. Which points those are no processor
     /// can predict: all are copied down, and what is dropped is written over by the next.
     void keep(ClosestOfSimplex<Scalar>& closest) {
         int kept = 0;
-        for (int i = 0; i < count; ++i) {
-            vertex_a[kept] = vertex_a[i];
-            vertex_b[kept] = vertex_b[i];
-            on_a[kept] = on_a[i];
-            on_b[kept] = on_b[i];
+        unsigned taken = 0;
+#pragma GCC unroll 4
+        for (int i = 0; i < 4; ++i) {
+            const unsigned stays = closest.members >> i & 1U;
+            const std::uint8_t place = place_[i];
+            taken |= stays << place;
+            place_[kept] = place;
             difference[kept] = difference[i];
             closest.weight[kept] = closest.weight[i];
-            kept += closest.members >> i & 1;
+            kept += static_cast<int>(stays);
         }
-        assert(kept > 0 && "a closest point rests on some vertex");
+        assert(kept > 0 && kept <= count && "a closest point rests on some vertex");
         count = kept;
+        taken_ = taken;
     }
+
+  private:
+    std::array<std::uint8_t, 4> place_{};  ///< of each point in the following
+    std::array<typename TableA::Vertex, 4> vertex_a_{};
+    std::array<typename TableB::Vertex, 4> vertex_b_{};
+    std::array<Vec3<Scalar>, 4> on_a_, on_b_;
+    unsigned taken_ = 0;  ///< bit i: place i holds a point
 };
 
 /// Of the squared distance: a last simplex whose closest point promises no more than this is far off. A

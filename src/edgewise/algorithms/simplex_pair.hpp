@@ -137,7 +137,8 @@ class SimplexPair {
     void hold(const TableA& a, const TableB& b, const Simplex<TableA, TableB>& simplex) {
         bool all_fit = true;
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(simplex.count); ++i) {
-            const Corner corner = {simplex.vertex_a[i], simplex.vertex_b[i]};
+            const Corner corner = {simplex.vertex_a(static_cast<int>(i)),
+                                   simplex.vertex_b(static_cast<int>(i))};
             all_fit = all_fit && Corners::fits(corner);
             if (all_fit) corners_.set(i, corner);
         }

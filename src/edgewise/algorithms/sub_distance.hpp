@@ -37,8 +37,7 @@ class SubDistance {
 
     /// As before the first point.
     void clear() {
-        simplex_.count = 0;
-        simplex_.size = 0;
+        simplex_.clear();
         way_ = way_of(solver_);
     }
     /// One of a query's first points, up to four; then solve_first().

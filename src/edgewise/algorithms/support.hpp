@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "edgewise/geometry/pack.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
 
@@ -61,47 +62,45 @@ concept CountedTable = ClimbingTable<Table> && requires {
     requires Table::counts_vertices && std::unsigned_integral<typename Table::Vertex>;
 };
 
-/// As scan_support, eight vertices at a time, of which none but the highest decides anything: which of them
-/// is the highest so far no processor can predict.
+/// As scan_any, a pack of vertices at a time, the last ones perhaps again: each place keeps its highest, and
+/// at the end the first vertex that is as high as the highest of all. Which of them is the highest so far no
+/// processor can predict: nothing branches but the loop.
 template <CountedTable Table>
-[[nodiscard]] SupportPoint<Table> scan_eights(const Table& table, const Vec3<ComputeOf<Table>>& direction) {
+[[nodiscard]] SupportPoint<Table> scan_packs(const Table& table, const Vec3<ComputeOf<Table>>& direction) {
     using Scalar = ComputeOf<Table>;
     using Vertex = typename Table::Vertex;
+    using Of = Pack<Scalar>;
     const std::size_t count = table.vertex_count();
-    Vertex best = 0;
-    Scalar most = -std::numeric_limits<Scalar>::infinity();
-    for (std::size_t first = 0; first < count; first += 8) {
-        const std::size_t rest = count - first;
-        std::array<Scalar, 8> heights;
-        const auto measure = [&](auto place) {
-#pragma GCC unroll 8
-            for (std::size_t i = 0; i < 8; ++i)
-                heights[i] = dot(table.vertex(static_cast<Vertex>(first + place(i))), direction);
+    const auto heights_from = [&](std::size_t first) __attribute__((always_inline)) {
+        const auto height = [&](std::size_t i) __attribute__((always_inline)) {
+            return dot(table.vertex(static_cast<Vertex>(std::min(first + i, count - 1))), direction);
         };
-        if (rest >= 8) {
-            measure([](std::size_t i) { return i; });
-        } else {  // the last one again in place of what is not there: it never comes first
-            measure([&](std::size_t i) { return std::min(i, rest - 1); });
-        }
-        const Scalar top = highest(heights);
-        if (!(top > most)) continue;
-        most = top;
-        best = static_cast<Vertex>(first + first_equal(heights, top));
+        if constexpr (Of::size == 4)
+            return typename Of::Numbers{height(0), height(1), height(2), height(3)};
+        else
+            return typename Of::Numbers{height(0), height(1), height(2), height(3),
+                                        height(4), height(5), height(6), height(7)};
+    };
+    typename Of::Numbers highest = heights_from(0);
+    typename Of::Words where = Of::places();
+    for (std::size_t first = Of::size; first < count; first += Of::size) {
+        const typename Of::Numbers heights = heights_from(first);
+        const typename Of::Words higher = heights > highest;
+        highest = higher ? heights : highest;
+        where = higher ? Of::places() + static_cast<typename Of::Word>(first) : where;
     }
-    const auto point = table.vertex(best);
-    return {best, point, dot(point, direction)};
+    const auto best = static_cast<std::size_t>(Of::lowest(where, highest == Of::highest(highest)));
+    const auto vertex = static_cast<Vertex>(std::min(best, count - 1));  // where heights are no numbers
+    const auto point = table.vertex(vertex);
+    return {vertex, point, dot(point, direction)};
 }
 
-/// The farthest vertex of all, the first of equals. A layout that can scan faster defines a member of the
-/// same name, with the same answer to the bit.
+/// The farthest vertex of all, the first of equals, as any table finds it.
 template <SupportTable Table>
-[[nodiscard]] [[gnu::noinline]] SupportPoint<Table> scan_support(const Table& table,
-                                                                 const Vec3<ComputeOf<Table>>& direction) {
-    if constexpr (requires { table.scan_support(direction); }) {
-        const auto [vertex, point, along] = table.scan_support(direction);
-        return {vertex, point, along};
-    } else if constexpr (CountedTable<Table>) {
-        return scan_eights(table, direction);
+[[nodiscard]] [[gnu::noinline]] SupportPoint<Table> scan_any(const Table& table,
+                                                             const Vec3<ComputeOf<Table>>& direction) {
+    if constexpr (CountedTable<Table>) {
+        return scan_packs(table, direction);
     } else {
         const auto first = table.first_vertex();
         const auto start = table.vertex(first);
@@ -112,6 +111,17 @@ template <SupportTable Table>
             if (along > best.along) best = {v, point, along};
         }
         return best;
+    }
+}
+
+/// The same. A layout that can scan faster defines a member of this name, with the same answer to the bit.
+template <SupportTable Table>
+[[nodiscard]] SupportPoint<Table> scan_support(const Table& table, const Vec3<ComputeOf<Table>>& direction) {
+    if constexpr (requires { table.scan_support(direction); }) {
+        const auto [vertex, point, along] = table.scan_support(direction);
+        return {vertex, point, along};
+    } else {
+        return scan_any(table, direction);
     }
 }
 

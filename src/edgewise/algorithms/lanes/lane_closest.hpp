@@ -17,7 +17,8 @@
 
 namespace edgewise {
 
-/// The closest points to the origin of n simplices, each of which is known to rest on its newest point.
+/// The closest points to the origin of n simplices, each of which is known to rest on its newest point: that
+/// is w[3], whatever comes before it.
 template <class Scalar, int n>
 class LaneClosest {
   public:
@@ -26,14 +27,16 @@ class LaneClosest {
     using Vector = LaneVec<Scalar, n>;
     using Points = std::array<Vector, 4>;
 
-    /// counts: 1 to 4 points per lane.
-    [[gnu::always_inline]] LaneClosest(const Points& w, const Mask& counts) {
+    /// older: how many points per lane there are beside the newest: the first of w, 0 to 3.
+    [[gnu::always_inline]] LaneClosest(const Points& w, const Mask& older) {
+#pragma GCC unroll 3
+        for (int k = 0; k < 3; ++k) absent_[k] = older <= k;
         add_cofactors(w);
-        if (any_lane(counts == 4)) add_volumes(w);
-        choose(counts);
+        if (any_lane(older == 3)) add_volumes(w);
+        choose();
         weigh(w);
         if (any_lane(is_triangle())) find_foot(w);
-        try_others(w, counts);
+        try_others(w);
     }
 
     [[nodiscard]] const Vector& point() const { return point_; }
@@ -43,22 +46,23 @@ class LaneClosest {
     [[nodiscard]] const Mask& sure() const { return sure_; }
 
   private:
+    static constexpr int newest = 8, whole = 15;
+
     [[gnu::always_inline]] void add_cofactors(const Points& w) {
 #pragma GCC unroll 16
-        for (int subset = 1; subset < 15; ++subset) {
+        for (int subset = 1; subset < whole; ++subset) {
+            if ((subset | newest) == whole && !(subset & newest)) continue;  // no asked one's are made of it
 #pragma GCC unroll 4
             for (int k = 0; k < 4; ++k) {
                 if (!(subset >> k & 1)) continue;
-                if (subset == 1 << k) {
+                if (subset == 1 << k)
                     of_[subset][k] = Number{} + 1;
-                    positive_[subset][k] = ~Mask{};
-                } else {
+                else
                     of_[subset][k] = cofactor<Number, 4>(w, of_, subset & ~(1 << k), k);
-                    positive_[subset][k] = of_[subset][k] > 0;
-                }
+                if (subset & newest) positive_[subset][k] = of_[subset][k] > 0;
             }
         }
-        for (int k = 0; k < 4; ++k) positive_[15][k] = Mask{};
+        for (int k = 0; k < 4; ++k) positive_[whole][k] = Mask{};
     }
 
     [[gnu::always_inline]] void add_volumes(const Points& w) {
@@ -66,29 +70,30 @@ class LaneClosest {
 #pragma GCC unroll 4
         for (int k = 0; k < 4; ++k) {
             const Number& corner = volumes.corner[k];
-            positive_[15][k] = ((corner > 0) & (volumes.whole > 0)) | ((corner < 0) & (volumes.whole < 0));
+            positive_[whole][k] = ((corner > 0) & (volumes.whole > 0)) | ((corner < 0) & (volumes.whole < 0));
         }
     }
 
-    /// The first subset, in Johnson's order, that passes by its signs and holds the newest point, which is
-    /// the highest.
-    [[gnu::always_inline]] void choose(const Mask& counts) {
+    /// The first subset that holds the newest point and passes by its signs, in Johnson's order.
+    [[gnu::always_inline]] void choose() {
         subset_ = Mask{};
 #pragma GCC unroll 4
         for (Number& weight : weight_) weight = Number{};
 #pragma GCC unroll 16
-        for (std::size_t i = 0; i < ascending_subsets.size(); ++i) {
-            const int subset = ascending_subsets[i];
-            const int highest = std::bit_width(static_cast<unsigned>(subset));
-            Mask first = (counts == highest) & (subset_ == 0);
+        for (const int subset : ascending_subsets) {
+            if (!(subset & newest)) continue;
+            Mask first = subset_ == 0;
 #pragma GCC unroll 4
-            for (int k = 0; k < highest; ++k) {
+            for (int k = 0; k < 4; ++k) {
                 const Mask& positive = positive_[subset | 1 << k][k];
-                first &= subset >> k & 1 ? positive : ~positive;
+                if (k == 3)
+                    first &= positive;
+                else
+                    first &= subset >> k & 1 ? positive & ~absent_[k] : ~positive | absent_[k];
             }
             subset_ |= first & subset;
 #pragma GCC unroll 4
-            for (int k = 0; k < highest; ++k) {
+            for (int k = 0; k < 4; ++k) {
                 if (subset >> k & 1) weight_[k] = (Number)((Mask)weight_[k] | (first & (Mask)of_[subset][k]));
             }
         }
@@ -107,15 +112,16 @@ class LaneClosest {
         }
     }
 
+    /// With the newest point, two others.
     [[nodiscard]] [[gnu::always_inline]] Mask is_triangle() const {
-        return (subset_ == 7) | (subset_ == 11) | (subset_ == 13) | (subset_ == 14);
+        return (subset_ == 11) | (subset_ == 13) | (subset_ == 14);
     }
 
     /// As TriangleSides: the foot on the triangle's normal, where that is better known.
     [[gnu::always_inline]] void find_foot(const Points& w) {
         const Vector lowest = select(subset_ == 14, w[1], w[0]);
         const Vector second = select(subset_ >= 13, w[2], w[1]);
-        const Vector p = second - lowest, q = select(subset_ == 7, w[2], w[3]) - lowest;
+        const Vector p = second - lowest, q = w[3] - lowest;
         const Vector normal = cross(p, q);
         const Number squared = squared_norm(normal);
         const Number longest = larger(squared_norm(p), squared_norm(q));
@@ -130,17 +136,18 @@ class LaneClosest {
     }
 
     /// No other point lies nearer along the direction of what was chosen.
-    [[gnu::always_inline]] void try_others(const Points& w, const Mask& counts) {
+    [[gnu::always_inline]] void try_others(const Points& w) {
         Vector member = w[3];
 #pragma GCC unroll 4
         for (int k = 2; k >= 0; --k) member = select(rests_on(k), w[k], member);
 #pragma GCC unroll 4
-        for (int k = 0; k < 4; ++k) {
+        for (int k = 0; k < 3; ++k) {
             const Mask nearer = dot(point_, member - w[k]) > 0;
-            sure_ &= rests_on(k) | (counts <= k) | ~nearer;
+            sure_ &= rests_on(k) | absent_[k] | ~nearer;
         }
     }
 
+    std::array<Mask, 3> absent_;  ///< of the older points
     std::array<std::array<Number, 4>, 15> of_;
     std::array<std::array<Mask, 4>, 16> positive_;
     std::array<Number, 4> weight_;

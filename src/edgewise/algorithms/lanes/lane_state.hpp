@@ -21,6 +21,7 @@ struct LaneState {
     LaneBodies<Scalar, n> a, b;
     std::array<Number, 9> rotation{};  ///< of a_from_b, row by row
     Vector translation{}, closest{};
+    /// The first `count`, up to three; the newest, while it is taken in, is the last.
     std::array<Mask, 4> vertices{};  ///< A's and B's as one word
     std::array<Vector, 4> difference{};
     std::array<Number, 4> weight{};
@@ -84,30 +85,26 @@ struct LaneState {
 
     [[nodiscard]] [[gnu::always_inline]] Mask holds(const Mask& both) const {
         Mask held{};
-#pragma GCC unroll 4
-        for (int k = 0; k < 4; ++k) held |= (count > k) & (vertices[k] == both);
+#pragma GCC unroll 3
+        for (int k = 0; k < 3; ++k) held |= (count > k) & (vertices[k] == both);
         return held;
     }
 
-    /// A point more in every lane.
+    /// A point more in every lane: the newest, whose place is the last of four.
     [[gnu::always_inline]] void push(const Mask& both, const Vector& of_difference) {
-#pragma GCC unroll 4
-        for (int k = 0; k < 4; ++k) {
-            const Mask here = count == k;
-            vertices[k] = select(here, both, vertices[k]);
-            difference[k] = select(here, of_difference, difference[k]);
-        }
-        count += 1;
+        vertices[3] = both;
+        difference[3] = of_difference;
     }
 
-    /// As Simplex::keep: drops the points that the closest one (LaneClosest) does not rest on.
+    /// As Simplex::keep: drops the points that the closest one (LaneClosest) does not rest on. A lane that
+    /// rests on all four is asked by itself, and its last point may be lost here.
     template <class Closest>
     [[gnu::always_inline]] void keep(const Closest& now) {
         Mask kept{};
 #pragma GCC unroll 4
         for (int from = 0; from < 4; ++from) {
-#pragma GCC unroll 4
-            for (int to = 0; to <= from; ++to) {
+#pragma GCC unroll 3
+            for (int to = 0; to <= from && to < 3; ++to) {
                 const Mask here = kept == to;
                 vertices[to] = select(here, vertices[from], vertices[to]);
                 difference[to] = select(here, difference[from], difference[to]);
