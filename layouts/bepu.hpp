@@ -13,16 +13,14 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
+#include "edgewise/layout_parts/lane_scan.hpp"
 
 namespace edgewise {
 
@@ -150,18 +148,13 @@ class bepu : public BlockTable<P, Loader> {
 
     /// The vertex farthest along the direction, the first of equals; every bit as a scan one by one finds it.
     [[nodiscard]] Farthest scan_support(const Vec3<Compute>& direction) const {
-        std::array<Compute, lanes> best;
-        std::array<Count, lanes> bundle_of;
-        best.fill(-std::numeric_limits<Compute>::infinity());
-        bundle_of.fill(0);
-        const auto bundles = static_cast<Count>((facts_.vertex_count + lanes - 1) / lanes);
-        for (Count b = 0; b < bundles; ++b) keep_higher(b, direction, best, bundle_of);
-        const Compute top = *std::max_element(best.begin(), best.end());
-        std::size_t first = std::numeric_limits<std::size_t>::max();
-        for (std::size_t i = 0; i < lanes; ++i)
-            if (best[i] == top) first = std::min(first, std::size_t{bundle_of[i]} * lanes + i);
-        const Vec3<Compute> point = vertex(static_cast<Vertex>(first));
-        return {static_cast<Vertex>(first), point, dot(point, direction)};
+        const std::size_t bundles = (facts_.vertex_count + lanes - 1) / lanes;
+        const Index first =
+            farthest_in_lanes<lanes>(bundles, direction, [this](int k, std::size_t bundle, std::size_t lane) {
+                return read(points()[bundle].row[k][lane]);
+            });
+        const Vec3<Compute> point = vertex(first);
+        return {first, point, dot(point, direction)};
     }
 
   private:
@@ -170,21 +163,6 @@ class bepu : public BlockTable<P, Loader> {
 
     using Places = BepuPlaces<Stored>;
     static constexpr std::size_t lanes = 8;
-    /// As wide as what it stands beside, so that both are chosen by one mask.
-    using Count = std::conditional_t<sizeof(Compute) == 4, std::uint32_t, std::uint64_t>;
-
-    [[gnu::always_inline]] void keep_higher(Count b, const Vec3<Compute>& direction,
-                                            std::array<Compute, lanes>& best,
-                                            std::array<Count, lanes>& bundle_of) const {
-        const Compute x = direction.x(), y = direction.y(), z = direction.z();
-        const auto& of = points()[b].row;
-        for (std::size_t i = 0; i < lanes; ++i) {
-            const Compute along = read(of[0][i]) * x + read(of[1][i]) * y + read(of[2][i]) * z;
-            const bool higher = along > best[i];
-            best[i] = higher ? along : best[i];
-            bundle_of[i] = higher ? b : bundle_of[i];
-        }
-    }
 
     Compute read(const Stored& location) const { return static_cast<Compute>(load(location, Field::vertex)); }
     template <class Element>

@@ -71,7 +71,7 @@ class JitterRings : public RingSteps<JitterRings<Stored>> {
         return loader.load(vertices_[v].end, Field::vertex_ring);
     }
     template <class Loader>
-    [[nodiscard]] Index neighbour(const Loader& loader, Index at) const {
+    [[nodiscard]] Index neighbour(const Loader& loader, Index /*v*/, Index at) const {
         return loader.load(neighbours_[at], Field::neighbour);
     }
 

@@ -42,7 +42,8 @@ std::string reference_shape(const ReportData& data) {
 
 std::vector<std::string> byte_components(const ReportData& data) {
     std::vector<std::string> order{"voronoi_planes", "edge_geometry", "vertex_coordinates",
-                                   "face_planes",    "topology",      "padding"};
+                                   "face_planes",    "topology",      "input_order",
+                                   "padding"};
     std::set<std::string> present;
     for (const ReportCell& cell : data.cells)
         for (const store::FigureRow& figure : cell.figures)

@@ -22,7 +22,8 @@ namespace {
 
 struct Worst {
     double distance = 0, witness = 0, depth = 0;  ///< over scale, beyond the band
-    int apart = 0, contact = 0, in_band = 0, refused = 0;
+    int apart = 0, contact = 0, in_band = 0;
+    int refused = 0, too_large = 0;  ///< out of the storage's range; too large for the layout
 };
 
 struct Subject {
@@ -40,7 +41,8 @@ class Corpus : public testing::TestWithParam<Subject> {
         const double eps = GetParam().type.eps;
         const JudgedCase judged = judge_case(*runner_, {eps, eps > Tolerance<double>::eps}, given);
         if (!judged.answered) {
-            ++worst_.refused;
+            const bool large = judged.refusal.find(" takes bodies of up to ") != std::string::npos;
+            ++(large ? worst_.too_large : worst_.refused);
             std::printf("%s: %s\n", given.id.c_str(), judged.refusal.c_str());
             return;
         }

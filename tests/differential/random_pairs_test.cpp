@@ -208,6 +208,7 @@ TYPED_TEST_SUITE(RandomPairs, TableTypes);
 TYPED_TEST(RandomPairs, AnswersAreRightFromAnyStart) {
     using Table = typename TypeParam::Table;
     for (const char* name : {"tetra4", "cube8", "sphere38", "sphere386"}) {
+        if (!holds<Table>(shape(name))) continue;
         const Setting setting = make_setting<Table>(name);
         expect_every_regime(setting);
         for_each_algorithm<Table>(

@@ -5,6 +5,7 @@
 // and warm, of solids and of flat bodies. It is the program's own code that answers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -87,6 +88,14 @@ TEST(SameClass, EveryTableTypeAnswersAsOneThatIsJudged) {
     for (std::string name; names >> name;) judged.insert(name);
     std::map<std::string, std::string> classes, others;  // algorithm and answers -> who; who -> the same
     for (const bench::TableType& type : bench::table_types()) {
+        const auto all = bodies();
+        const bool holds_all = std::all_of(all.begin(), all.end(), [&](const Polyhedron& body) {
+            return static_cast<bool>(type.stored_body(body));
+        });
+        if (!holds_all) {  // no other answers the same bodies
+            EXPECT_TRUE(judged.count(type.name)) << type.name;
+            continue;
+        }
         for (const std::string& algorithm : type.algorithms) {
             const std::string given = algorithm + " " + answers(type, algorithm);
             if (judged.count(type.name)) {

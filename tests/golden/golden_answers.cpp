@@ -66,10 +66,11 @@ void add(bench::Fingerprint& print, const Distance& answer) {
     print.add(static_cast<std::uint64_t>(answer.refinements));
 }
 
-/// Every table type and algorithm on one scene and shape.
+/// Every table type and algorithm on one scene and shape that the layout can hold.
 void add_answers(Prints& prints, const scene::Workload& workload, const std::string& detail) {
     for (const bench::TableType& type : bench::table_types()) {
         for (const std::string& algorithm : type.algorithms) {
+            if (!type.stored_body(workload.bodies[0])) continue;  // too large for the layout
             const auto runner = type.make_runner(algorithm);
             const std::string error = runner->load(workload);
             if (!error.empty()) throw std::runtime_error(type.name + ": " + error);

@@ -68,6 +68,7 @@ void add_works(Works& works, const sweep::SceneChoice& scene, const std::string&
                                      {shape, "built-in", scene::make_shape(shape).or_throw(), ""});
     for (const bench::TableType& type : bench::table_types()) {
         for (const std::string& algorithm : type.algorithms) {
+            if (!type.stored_body(asked.workload().bodies[0])) continue;  // too large for the layout
             const auto runner = type.make_runner(algorithm);
             const std::string error = runner->load(asked.workload());
             if (!error.empty()) throw std::runtime_error(type.name + ": " + error);

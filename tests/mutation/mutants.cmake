@@ -46,8 +46,12 @@ edgewise_mutant(climb_stops_at_level_vertices algorithms/support.hpp [[|| !leave
     Climb* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(inward_edges_are_climbed geometry/strictly_convex.cpp [[return dot(turn, side) >= least_ * reach_;]] [[return true;]]
     StrictlyConvex.* ${unit}/geometry/strictly_convex_test.cpp)
-edgewise_mutant(seeds_of_the_other_side layout_parts/seeds.hpp [[static_cast<int>(x > least) - static_cast<int>(x < -least)]] [[static_cast<int>(x < -least) - static_cast<int>(x > least)]]
+edgewise_mutant(seeds_of_the_other_side layout_parts/seed_directions.hpp [[static_cast<int>(x > least) - static_cast<int>(x < -least)]] [[static_cast<int>(x < -least) - static_cast<int>(x > least)]]
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
+edgewise_mutant(grid_cells_of_the_other_side layout_parts/seed_directions.hpp [[(along < 0 ? 1 : 0)]] [[(along < 0 ? 0 : 1)]]
+    Seeds* ${unit}/layout_parts/seeds_test.cpp)
+edgewise_mutant(far_neighbours_are_near layout_parts/relative_rings.hpp [[return far_at(loader, at);]] [[return v;]]
+    RelativeRings.Are* ${unit}/layout_parts/relative_rings_test.cpp)
 edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[(shift + turn * radius_)]] [[(shift + 0 * turn)]]
     NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]

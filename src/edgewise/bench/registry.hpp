@@ -35,6 +35,9 @@ struct TableType {
     /// a table that nobody asks anything: for its memory
     std::function<std::shared_ptr<const void>(const Polyhedron&, Parts)> make_table;
     std::function<Ledger(const Polyhedron&, Parts)> ledger;  ///< of a table built from a body it can store
+    /// bytes more of a table that keeps the user's indices of its vertices; empty of layouts that do not
+    /// number them anew
+    std::function<std::size_t(const Polyhedron&)> input_order_bytes;
     /// of such a table, where its memory comes from now (table_memory.hpp)
     std::function<std::vector<MappedPiece>(const Polyhedron&, Parts)> memory_map;
 

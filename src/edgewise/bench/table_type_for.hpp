@@ -9,6 +9,7 @@
 
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/bench/runner_for.hpp"
+#include "edgewise/layout_parts/input_order.hpp"
 #include "edgewise/table/pieces.hpp"
 #include "edgewise/table/stored_body.hpp"
 
@@ -41,6 +42,11 @@ void describe(TableType& type) {
         return std::static_pointer_cast<const void>(std::make_shared<const Table>(body, parts));
     };
     type.ledger = [](const Polyhedron& body, Parts parts) { return Table(body, parts).ledger(); };
+    if constexpr (requires { Table::vertex_order; }) {
+        type.input_order_bytes = [](const Polyhedron& body) {
+            return Table(body, Parts::features, {}, InputOrder::kept).ledger()[Component::input_order];
+        };
+    }
     type.memory_map = [](const Polyhedron& body, Parts parts) {
         return memory_map(Table(body, parts).pieces());
     };

@@ -106,6 +106,10 @@ nlohmann::json row_of(const bench::TableType& type, const scene::MeshBody& shape
             std::find(component_names.begin(), component_names.end(), figure.name) != component_names.end();
         (component ? row["components"] : row)[figure.name] = or_null(figure.value);
     }
+    row["input_order_bytes_per_edge"] =
+        type.input_order_bytes ? nlohmann::json(static_cast<double>(type.input_order_bytes(body)) /
+                                                static_cast<double>(body.edge_count()))
+                               : nlohmann::json();
     row["bytes_per_vertex"] = row["table_bytes"].get<double>() / static_cast<double>(body.vertex_count());
     add_costs(type, body, parts, row);
     if (slopes) add_slopes(type, parts, row);
@@ -120,18 +124,39 @@ void print_number(const nlohmann::json& value, int width, int digits) {
     }
 }
 
+/// Those that some table has bytes of.
+std::vector<std::string> components_in(const nlohmann::json& rows) {
+    std::vector<std::string> names(component_names.begin(), component_names.end());
+    std::erase_if(names, [&](const std::string& name) {
+        return std::all_of(rows.begin(), rows.end(),
+                           [&](const nlohmann::json& row) { return row["components"][name] == 0; });
+    });
+    return names;
+}
+
+void print_input_orders(const nlohmann::json& rows) {
+    for (const auto& row : rows) {
+        if (row["input_order_bytes_per_edge"].is_null()) continue;
+        fmt::print(
+            "{}: numbers vertices in an order of its own; {:.2f} more where it keeps the user's indices\n",
+            row["table"].get<std::string>(), row["input_order_bytes_per_edge"].get<double>());
+    }
+}
+
 void print_table(const nlohmann::json& rows) {
+    const std::vector<std::string> components = components_in(rows);
     fmt::print("{:<24}{:>8}{:>8}{:>8}", "table", "paper", "total", "slope");
-    for (const auto name : component_names) fmt::print("{:>20}", name);
+    for (const std::string& name : components) fmt::print("{:>20}", name);
     fmt::print("   (bytes per edge)\n");
     for (const auto& row : rows) {
         fmt::print("{:<24}", row["table"].get<std::string>());
         for (const char* key : {"paper_bytes_per_edge", "total_bytes_per_edge", "slope_bytes_per_edge"}) {
             print_number(row[key], 8, 2);
         }
-        for (const auto name : component_names) print_number(row["components"][std::string(name)], 20, 2);
+        for (const std::string& name : components) print_number(row["components"][name], 20, 2);
         fmt::print("\n");
     }
+    print_input_orders(rows);
 }
 
 void print_costs(const nlohmann::json& rows) {

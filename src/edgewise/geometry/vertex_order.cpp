@@ -9,12 +9,13 @@
 #include <numeric>
 
 #include "edgewise/geometry/aabb.hpp"
+#include "edgewise/geometry/bandwidth_order.hpp"
 #include "edgewise/geometry/polyhedron_builder.hpp"
 
 namespace edgewise {
 namespace {
 
-constexpr std::array<std::string_view, 3> names = {"given", "bfs", "spatial"};
+constexpr std::array<std::string_view, 4> names = {"given", "bfs", "spatial", "rcm"};
 
 constexpr unsigned curve_bits = 10;
 
@@ -85,6 +86,7 @@ std::vector<Index> breadth_first(const Polyhedron& body) {
 
 /// New index -> index in the body.
 std::vector<Index> order_of_vertices(const Polyhedron& body, VertexOrder order) {
+    if (order == VertexOrder::rcm) return bandwidth_order(body);
     return order == VertexOrder::bfs ? breadth_first(body) : along_curve(body);
 }
 

@@ -17,6 +17,7 @@ enum class VertexOrder : std::uint8_t {
     given,
     bfs,      ///< breadth first from the first vertex, around each in ring order
     spatial,  ///< along a Hilbert curve through the body's box, 2^10 cells a side
+    rcm,      ///< reverse Cuthill-McKee: neighbours' numbers differ little (bandwidth_order.hpp)
 };
 
 [[nodiscard]] std::string_view to_string(VertexOrder order);

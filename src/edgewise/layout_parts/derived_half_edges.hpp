@@ -49,7 +49,7 @@ class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
     }
 
     [[nodiscard]] RingEdge<Edge> edge_at(Vertex v, Index at) const {
-        const Index other = rings().neighbour(loader_, at);
+        const Index other = rings().neighbour(loader_, v, at);
         if (v < other) return {{v, other, at, false}, false};
         return {{other, v, at, true}, true};
     }
@@ -73,14 +73,14 @@ class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
     /// it.
     [[nodiscard]] bool all_triangles() const { return 3 * facts_.face_count == facts_.neighbour_count; }
 
-    /// Where the neighbour stands, in the ring of the end at hand, that is the third corner of the face on
-    /// this side: of the tail's ring, but of either's where all faces are triangles.
-    [[nodiscard]] Index third_place(const Edge& e, Side side) const {
-        if (e.from_head && all_triangles())
-            return side == Side::left ? rings().before(loader_, e.head, e.at)
-                                      : rings().after(loader_, e.head, e.at);
-        const Index at = from_tail(e).at;
-        return side == Side::left ? rings().after(loader_, e.tail, at) : rings().before(loader_, e.tail, at);
+    /// The third corner of the face on this side, as the ring of the end at hand has it: the tail's, but
+    /// either's where all faces are triangles.
+    [[nodiscard]] Index third_corner(const Edge& e, Side side) const {
+        const bool from_head = e.from_head && all_triangles();
+        const HalfEdgeAt h = from_head ? HalfEdgeAt{e.head, e.at} : from_tail(e);
+        const Index at = (side == Side::left) == from_head ? rings().before(loader_, h.vertex, h.at)
+                                                           : rings().after(loader_, h.vertex, h.at);
+        return rings().neighbour(loader_, h.vertex, at);
     }
 
     /// The corners of a triangle, counter-clockwise from where a half-edge of it starts, and where the third
@@ -90,12 +90,13 @@ class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
     };
     [[nodiscard]] Corners corners_of(const HalfEdgeAt& h) const {
         const Index third_at = rings().after(loader_, h.vertex, h.at);
-        return {h.vertex, rings().neighbour(loader_, h.at), rings().neighbour(loader_, third_at), third_at};
+        return {h.vertex, rings().neighbour(loader_, h.vertex, h.at),
+                rings().neighbour(loader_, h.vertex, third_at), third_at};
     }
 
     /// The next half-edge around the face on the left: at its far end, clockwise from where it came.
     [[nodiscard]] HalfEdgeAt next(const HalfEdgeAt& h) const {
-        const Index to = rings().neighbour(loader_, h.at);
+        const Index to = rings().neighbour(loader_, h.vertex, h.at);
         return {to, rings().before(loader_, to, rings().find(loader_, to, h.vertex))};
     }
 };

@@ -46,7 +46,10 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
     static constexpr std::string_view derives = "edges, faces and every plane";
     static constexpr bool derives_planes = true;
 
-    DerivedPlanes(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
+    /// RingPlaces or Points that depend on more of the body than its facts learn it by `prepare(body)`.
+    DerivedPlanes(const Polyhedron& body, Parts parts, Loader loader = {}, Points points = {})
+        : Base(body, parts, loader), points_(points) {
+        if constexpr (requires { this->ring_places_.prepare(body); }) this->ring_places_.prepare(body);
         this->make_block(points_, this->ring_places_);
         rings().fill(body);
         write_body(body);
@@ -57,7 +60,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
         : Base(other, loader), points_(other.points_) {}
 
     void write_body(const Polyhedron& body) { points_.write(block_.base(), body); }
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Points(), RingPlaces()); }
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(points_, this->ring_places_); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
@@ -80,7 +83,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
     [[nodiscard]] AnchoredPlane<Compute> edge_face_plane(const Edge& e, Side side) const {
         const Vec3<Compute> base = vertex(e.tail);
         if (facts_.face_count == 0) return {Vec3<Compute>::Zero(), base, -1};
-        const Index third = rings().neighbour(loader_, this->third_place(e, side));
+        const Index third = this->third_corner(e, side);
         return across(base, vertex(e.head), vertex(third));
     }
 

@@ -34,7 +34,7 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
     [[nodiscard]] auto neighbours(Vertex v) const {
         assert(v < facts_.vertex_count);
         return IndexedRing(rings().first(loader_, v), rings().last(loader_, v),
-                           [this](Index at) { return rings().neighbour(loader_, at); });
+                           [this, v](Index at) { return rings().neighbour(loader_, v, at); });
     }
     [[nodiscard]] auto ring_of_vertex(Vertex v) const {
         assert(v < facts_.vertex_count);
@@ -116,7 +116,7 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
     [[nodiscard]] Face face_of(const HalfEdgeAt& h) const {
         if (all_triangles()) return triangle_of(corners_of(h), h);
         return first_of_face(
-            h, [this](const HalfEdgeAt& at) { return rings().neighbour(loader_, at.at); },
+            h, [this](const HalfEdgeAt& at) { return rings().neighbour(loader_, at.vertex, at.at); },
             [this](const HalfEdgeAt& at) { return next(at); });
     }
 

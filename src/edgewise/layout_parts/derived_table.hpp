@@ -33,7 +33,7 @@ class DerivedTable : public DerivedPlanes<Points, P, Loader, RingPlaces> {
         const Vec3<Compute> base = vertex(v);
         const Index last = rings().last(loader_, v);
         for (Index at = rings().first(loader_, v); at < last; ++at) {
-            const Vec3<Compute> other = vertex(rings().neighbour(loader_, at));
+            const Vec3<Compute> other = vertex(rings().neighbour(loader_, v, at));
             if (!visit(at, AnchoredPlane<Compute>{base - other, base})) return;
         }
     }
@@ -57,7 +57,7 @@ class DerivedTable : public DerivedPlanes<Points, P, Loader, RingPlaces> {
         Descent<Edge, Compute> result;
         Index worst = last;
         for (Index at = first; at < last; ++at) {
-            const Vec3<Compute> along = vertex(rings().neighbour(loader_, at)) - base;
+            const Vec3<Compute> along = vertex(rings().neighbour(loader_, v, at)) - base;
             const Compute slope = slope_of(along, normal);
             result.steepest = std::max(result.steepest, std::abs(slope));
             worst = slope < result.slope ? at : worst;
@@ -73,7 +73,7 @@ class DerivedTable : public DerivedPlanes<Points, P, Loader, RingPlaces> {
         Index worst = last;
         Compute least = 0;
         for (Index at = first; at < last; ++at) {
-            const Vec3<Compute> backwards = base - vertex(rings().neighbour(loader_, at));
+            const Vec3<Compute> backwards = base - vertex(rings().neighbour(loader_, v, at));
             const Compute d = dot(backwards, from_base);
             worst = d < least ? at : worst;
             least = d < least ? d : least;

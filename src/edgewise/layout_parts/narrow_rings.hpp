@@ -23,13 +23,13 @@ class NarrowArray {
     /// Writes `count` numbers: make(i) at i.
     template <class Make>
     void fill(std::size_t count, Make make) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const Index value = make(static_cast<Index>(i));
-            assert(width_ == 4 || value >> (8 * width_) == 0);
-            if (width_ == 1) data_[i] = static_cast<std::byte>(value);
-            if (width_ == 2) reinterpret_cast<std::uint16_t*>(data_)[i] = static_cast<std::uint16_t>(value);
-            if (width_ == 4) reinterpret_cast<std::uint32_t*>(data_)[i] = value;
-        }
+        for (std::size_t i = 0; i < count; ++i) write(i, make(static_cast<Index>(i)));
+    }
+    void write(std::size_t i, Index value) {
+        assert(width_ == 4 || value >> (8 * width_) == 0);
+        if (width_ == 1) data_[i] = static_cast<std::byte>(value);
+        if (width_ == 2) reinterpret_cast<std::uint16_t*>(data_)[i] = static_cast<std::uint16_t>(value);
+        if (width_ == 4) reinterpret_cast<std::uint32_t*>(data_)[i] = value;
     }
 
     template <class Loader>
@@ -44,25 +44,28 @@ class NarrowArray {
     std::uint32_t width_;
 };
 
+/// Bytes for each of numbers up to this one.
+[[nodiscard]] inline std::uint8_t narrow_width(std::size_t largest) {
+    return largest <= 0xff ? 1 : largest <= 0xffff ? 2 : 4;
+}
+
 /// Where such an array is in a block, without a pointer.
 struct NarrowPlace {
     std::uint32_t at = 0;
     std::uint8_t width = 1;
 
     /// `largest` decides the width.
-    NarrowPlace(BlockPlan& plan, std::size_t count, std::size_t largest)
-        : width(largest <= 0xff     ? 1
-                : largest <= 0xffff ? 2
-                                    : 4) {
-        const Shares topology = {{Component::topology, width}};
-        at = width == 1   ? plan.array_at<std::uint8_t>(count, topology)
-             : width == 2 ? plan.array_at<std::uint16_t>(count, topology)
-                          : plan.array_at<std::uint32_t>(count, topology);
+    NarrowPlace(BlockPlan& plan, std::size_t count, std::size_t largest, Component use = Component::topology)
+        : width(narrow_width(largest)) {
+        const Shares shares = {{use, width}};
+        at = width == 1   ? plan.array_at<std::uint8_t>(count, shares)
+             : width == 2 ? plan.array_at<std::uint16_t>(count, shares)
+                          : plan.array_at<std::uint32_t>(count, shares);
     }
 };
 
 /// Steps within rings whose positions follow each other: Rings has first(loader, v), last(loader, v) and
-/// neighbour(loader, at).
+/// neighbour(loader, v, at), who stands at a position in the ring of v.
 template <class Rings>
 class RingSteps {
   public:
@@ -70,7 +73,7 @@ class RingSteps {
     template <class Loader>
     [[nodiscard]] Index find(const Loader& loader, Index v, Index wanted) const {
         Index at = own().first(loader, v);
-        while (own().neighbour(loader, at) != wanted) {
+        while (own().neighbour(loader, v, at) != wanted) {
             ++at;
             assert(at < own().last(Direct(), v));
         }
@@ -110,7 +113,7 @@ class NarrowRings : public RingSteps<NarrowRings> {
         return offset_.read(loader, v + 1, Field::vertex_ring);
     }
     template <class Loader>
-    [[nodiscard]] Index neighbour(const Loader& loader, Index at) const {
+    [[nodiscard]] Index neighbour(const Loader& loader, Index /*v*/, Index at) const {
         return neighbour_.read(loader, at, Field::neighbour);
     }
 

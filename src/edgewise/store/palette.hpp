@@ -14,14 +14,15 @@ struct NamedColour {
 };
 
 /// What bytes are for; told apart by people of every colour vision (Okabe and Ito, 2008), padding in grey.
-inline constexpr std::array<NamedColour, 6> component_colours = {{{"voronoi_planes", "#0072b2"},
+inline constexpr std::array<NamedColour, 7> component_colours = {{{"voronoi_planes", "#0072b2"},
                                                                   {"edge_geometry", "#56b4e9"},
                                                                   {"vertex_coordinates", "#e69f00"},
                                                                   {"face_planes", "#cc79a7"},
                                                                   {"topology", "#009e73"},
+                                                                  {"input_order", "#d55e00"},
                                                                   {"padding", "#d9d9d9"}}};
 /// For components that the store names and this list does not.
-inline constexpr std::array<std::string_view, 4> further_component_colours = {"#d55e00", "#f0e442", "#2e4057",
+inline constexpr std::array<std::string_view, 4> further_component_colours = {"#a0522d", "#f0e442", "#2e4057",
                                                                               "#8d6a9f"};
 
 /// Layouts, in the order of the report's legends: ten plain colours and ten dark ones, all readable on white;

@@ -25,7 +25,7 @@ double read_tolerance(std::string_view entry, std::string_view value, double bel
     return number;
 }
 
-constexpr std::string_view order_values = "given|bfs|spatial", sharing_values = "shared|per_instance",
+constexpr std::string_view order_values = "given|bfs|spatial|rcm", sharing_values = "shared|per_instance",
                            allocator_values = "arena|jemalloc|libc", batch_values = "no|yes",
                            sub_distance_values = "cofactors|johnson", hardening_values = "on|off",
                            start_values = "kept|cold",

@@ -101,8 +101,8 @@ inline constexpr bool queries_write = requires {
     requires Table::queries_write;
 };
 
-/// Whether a table stores planes and vertices of faces even for support points alone, as the engine does
-/// whose layout it is: `static constexpr bool keeps_faces = true`.
+/// Whether a table stores planes, edges and faces even for support points alone, as the engine does whose
+/// layout it is: `static constexpr bool keeps_faces = true`.
 template <class Table>
 inline constexpr bool keeps_faces = requires {
     requires Table::keeps_faces;

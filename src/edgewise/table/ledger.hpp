@@ -17,11 +17,13 @@ enum class Component : std::uint8_t {
     vertex_coordinates,
     face_planes,
     topology,
-    padding,  ///< inside records and between arrays
+    input_order,  ///< which vertex of the user's list each vertex is
+    padding,      ///< inside records and between arrays
 };
 
-inline constexpr std::array<std::string_view, 6> component_names = {
-    "voronoi_planes", "edge_geometry", "vertex_coordinates", "face_planes", "topology", "padding"};
+inline constexpr std::array<std::string_view, 7> component_names = {
+    "voronoi_planes", "edge_geometry", "vertex_coordinates", "face_planes", "topology",
+    "input_order",    "padding"};
 
 struct Ledger {
     std::array<std::size_t, component_names.size()> bytes{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The body that a table really holds: as given, rounded to single, or whatever a lossy layout makes of it. A
-// rounded body is the hull of its stored points.
+// The body that a table really holds: as given, rounded to single, or whatever a lossy layout makes of it,
+// and perhaps in another order of vertices. A rounded body is the hull of its stored points.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/vertex_order.hpp"
 
 namespace edgewise {
 
@@ -28,21 +29,39 @@ template <class Table>
         return Result<Polyhedron>::success(body);
     }
 }
+
+template <class Table>
+[[nodiscard]] Result<Polyhedron> too_large(std::size_t most, const char* what, std::size_t count) {
+    return Result<Polyhedron>::failure(std::string(Table::name) + " takes bodies of up to " +
+                                       std::to_string(most) + " " + what + ", and this one has " +
+                                       std::to_string(count));
+}
 }  // namespace detail
+
+/// Whether there are bodies in the storage's range that are too large for the layout.
+template <class Table>
+inline constexpr bool is_limited = requires {
+    Table::most_neighbours;
+}
+|| requires { Table::most_vertices; };
 
 /// Fails when the storage cannot hold the body: out of its range, nothing is left of it, or larger than the
 /// layout's indices can count: such a layout says `static constexpr std::size_t most_neighbours`, of the
-/// rings of all vertices together.
+/// rings of all vertices together, or most_vertices. One that wants vertices in an order of its own says
+/// `static constexpr VertexOrder vertex_order`.
 template <class Table>
 [[nodiscard]] Result<Polyhedron> stored_body(const Polyhedron& body) {
     auto stored = detail::rounded_body<Table>(body);
+    if (!stored) return stored;
     if constexpr (requires { Table::most_neighbours; }) {
-        if (stored && stored->vertex_ring.size() > Table::most_neighbours)
-            return Result<Polyhedron>::failure(std::string(Table::name) + " takes bodies of up to " +
-                                               std::to_string(Table::most_neighbours / 2) +
-                                               " edges, and this one has " +
-                                               std::to_string(stored->edge_count()));
+        if (stored->vertex_ring.size() > Table::most_neighbours)
+            return detail::too_large<Table>(Table::most_neighbours / 2, "edges", stored->edge_count());
     }
+    if constexpr (requires { Table::most_vertices; }) {
+        if (stored->vertex_count() > Table::most_vertices)
+            return detail::too_large<Table>(Table::most_vertices, "vertices", stored->vertex_count());
+    }
+    if constexpr (requires { Table::vertex_order; }) return reordered(*stored, Table::vertex_order);
     return stored;
 }
 

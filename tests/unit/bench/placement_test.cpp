@@ -73,7 +73,7 @@ TEST_P(Placement, AnotherOrderGivesTheSameDistances) {
     const double allowed = type().eps > 1e-10 ? 1e-5 : 1e-13;
     for (const std::string& algorithm : type().algorithms) {
         const Placed plain = place(type(), algorithm, {});
-        for (const VertexOrder order : {VertexOrder::bfs, VertexOrder::spatial}) {
+        for (const VertexOrder order : {VertexOrder::bfs, VertexOrder::spatial, VertexOrder::rcm}) {
             const Placed other = place(type(), algorithm, {order, Sharing::shared, AllocatorKind::arena});
             for (std::size_t i = 0; i < plain.answers.size(); ++i)
                 EXPECT_NEAR(other.answers[i].distance, plain.answers[i].distance, allowed);

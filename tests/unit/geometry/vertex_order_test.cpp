@@ -17,7 +17,8 @@
 namespace edgewise {
 namespace {
 
-constexpr VertexOrder all_orders[] = {VertexOrder::given, VertexOrder::bfs, VertexOrder::spatial};
+constexpr VertexOrder all_orders[] = {VertexOrder::given, VertexOrder::bfs, VertexOrder::spatial,
+                                      VertexOrder::rcm};
 
 /// Mean distance in numbers between neighbours.
 double mean_jump(const Polyhedron& body) {

@@ -8,12 +8,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <set>
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/layouts/lean_seeds.hpp"
+#include "edgewise/layouts/lean_seeds114.hpp"
+#include "edgewise/layouts/lean_seeds1536.hpp"
+#include "edgewise/layouts/lean_seeds482.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/table/stored_body.hpp"
@@ -25,30 +30,60 @@ namespace {
 /// so many vertices for a seed, and the table has one from so many on.
 static_assert(seeds_from == scan_cold_below);
 
-Vec3d axis_of(int place) { return Vec3d(place / 9 - 1, place / 3 % 3 - 1, place % 3 - 1); }
-
-TEST(Seeds, ADirectionsPlaceIsTheNearestOfTwentySix) {
+/// Directions of the set are their own places; of any others the place's direction is at most so far away.
+template <class Directions>
+void expect_near_places(double most_radians) {
     scene::Rng rng(1);
     double worst = 0;
-    for (int i = 0; i < 20000; ++i) {
+    std::set<Index> places;
+    for (int i = 0; i < 40000; ++i) {
         const Vec3d direction = rng.on_sphere() * std::exp2(rng.uniform(-60, 60));
-        const Vec3d axis = axis_of(static_cast<int>(seed_place(direction)));
-        ASSERT_GT(squared_norm(axis), 0);
+        const Index place = Directions::place(direction);
+        ASSERT_LT(place, Directions::count);
+        ASSERT_LT(Directions::place(cast<float>(direction)), Directions::count);
+        places.insert(place);
+        const Vec3d axis = Directions::direction(place);
         const double cosine = dot(direction, axis) / norm(direction) / norm(axis);
         worst = std::max(worst, std::acos(std::min(1.0, cosine)));
     }
-    std::printf("farthest from its axis: %.3f rad\n", worst);
-    EXPECT_LT(worst, 0.53);
-    EXPECT_EQ(seed_place(Vec3d(0, 0, 0)), 13U);
-    for (int place = 0; place < 27; ++place) EXPECT_EQ(seed_place(axis_of(place)), static_cast<Index>(place));
+    std::printf("%zu directions: farthest from its place %.3f rad\n", Directions::count, worst);
+    EXPECT_LT(worst, most_radians);
+    const std::size_t real = Directions::count == 27 ? 26 : Directions::count;
+    EXPECT_EQ(places.size(), real) << "each is the place of some";
+    for (Index i = 0; i < Directions::count; ++i)
+        EXPECT_EQ(Directions::place(Directions::direction(i)), i) << Directions::count;
 }
 
-template <class Table>
+TEST(Seeds, ADirectionsPlaceIsNearIt) {
+    expect_near_places<CornerDirections>(0.53);
+    expect_near_places<RingDirections<7>>(0.29);    // half a diagonal of 22.5 degrees: 0.278
+    expect_near_places<RingDirections<15>>(0.145);  // of 11.25
+    expect_near_places<GridDirections<16>>(0.09);   // of a sixteenth of 2, one from the middle: 0.088
+}
+
+template <class Directions>
+void expect_a_place() {
+    const double huge = std::numeric_limits<double>::infinity(),
+                 none = std::numeric_limits<double>::quiet_NaN();
+    for (const double x : {0.0, -0.0, 1e-320, 1e300, huge, -huge, none})
+        for (const double y : {0.0, 1.0, -1e-310, huge, none})
+            for (const double z : {0.0, -1.0, 1e308, none})
+                EXPECT_LT(Directions::place(Vec3d(x, y, z)), Directions::count);
+}
+
+TEST(Seeds, EveryDirectionHasAPlace) {
+    expect_a_place<CornerDirections>();
+    expect_a_place<RingDirections<7>>();
+    expect_a_place<RingDirections<15>>();
+    expect_a_place<GridDirections<16>>();
+}
+
+template <class Table, class Directions>
 void expect_highest(const Polyhedron& body) {
     const Table table(body, Parts::features);
-    for (int place = 0; place < 27; ++place) {
-        if (place == 13) continue;
-        const auto direction = cast<ComputeOf<Table>>(axis_of(place));
+    for (Index place = 0; place < Directions::count; ++place) {
+        const auto direction = cast<ComputeOf<Table>>(Directions::direction(place));
+        if (direction == Vec3<ComputeOf<Table>>::Zero()) continue;
         const auto height = [&](Index v) { return dot(table.vertex(v), direction); };
         const Index seed = table.seed(direction);
         ASSERT_LT(seed, body.vertex_count());
@@ -59,8 +94,11 @@ void expect_highest(const Polyhedron& body) {
 TEST(Seeds, AreTheFarthestVertices) {
     for (const char* shape : {"sphere38", "sphere386", "sphere1538"}) {  // 8 and 16 bits
         const Polyhedron body = scene::make_shape(shape).or_throw();
-        expect_highest<lean_seeds<f64>>(body);
-        expect_highest<lean_seeds<f32>>(stored_body<lean_seeds<f32>>(body).or_throw());
+        expect_highest<lean_seeds<f64>, CornerDirections>(body);
+        expect_highest<lean_seeds114<f64>, RingDirections<7>>(body);
+        expect_highest<lean_seeds482<f64>, RingDirections<15>>(body);
+        expect_highest<lean_seeds1536<f64>, GridDirections<16>>(body);
+        expect_highest<lean_seeds<f32>, CornerDirections>(stored_body<lean_seeds<f32>>(body).or_throw());
     }
 }
 

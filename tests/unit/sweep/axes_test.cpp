@@ -23,9 +23,9 @@ std::string error_of(const char* text) {
 TEST(Axes, ReadBackAsTheyAreWritten) {
     for (const char* text :
          {"", "contact_tolerance=0.001", "gap_tolerance=1e-06", "contact_tolerance=1e+20+gap_tolerance=0.01",
-          "order=bfs", "order=spatial", "sharing=per_instance", "sharing=shared", "allocator=jemalloc",
-          "batch=yes", "start=cold", "sub_distance=johnson", "hardening=off", "needs=verdict",
-          "needs=certificate", "needs=nearer+margin=0.1", "needs=nearer+margin=0.02",
+          "order=bfs", "order=spatial", "order=rcm", "sharing=per_instance", "sharing=shared",
+          "allocator=jemalloc", "batch=yes", "start=cold", "sub_distance=johnson", "hardening=off",
+          "needs=verdict", "needs=certificate", "needs=nearer+margin=0.1", "needs=nearer+margin=0.02",
           "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
     }
@@ -65,7 +65,7 @@ TEST(Axes, BadOnesAreOneClearLine) {
                              "gap_tolerance=nan", "gap_tolerance=0.1x", "contact_tolerance=inf"}) {
         EXPECT_NE(error_of(text).find("wants a number from 0"), std::string::npos) << text << error_of(text);
     }
-    EXPECT_NE(error_of("order=random").find("wants given|bfs|spatial"), std::string::npos);
+    EXPECT_NE(error_of("order=random").find("wants given|bfs|spatial|rcm"), std::string::npos);
     EXPECT_NE(error_of("sharing").find("wants shared|per_instance"), std::string::npos);
     EXPECT_NE(error_of("allocator=mine").find("wants arena|jemalloc|libc"), std::string::npos);
     EXPECT_NE(error_of("margin=0.1").find("write both"), std::string::npos);

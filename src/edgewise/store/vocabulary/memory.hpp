@@ -15,6 +15,7 @@ inline constexpr FigureInfo memory[] = {
     {"bytes.vertex_coordinates", "B/edge", Population::none, Repeats::exactly, "coordinates of vertices"},
     {"bytes.face_planes", "B/edge", Population::none, Repeats::exactly, "planes of faces"},
     {"bytes.topology", "B/edge", Population::none, Repeats::exactly, "indices, rings, offsets and links"},
+    {"bytes.input_order", "B/edge", Population::none, Repeats::exactly, "which vertex of the user's list each vertex is, where the table keeps it"},
     {"bytes.padding", "B/edge", Population::none, Repeats::exactly, "bytes that hold nothing"},
     {"bytes.paper_bytes_per_edge", "B/edge", Population::none, Repeats::exactly, "slope of the paper's subtotal (Voronoi planes, edge geometry, coordinates) per additional edge"},
     {"bytes.total_bytes_per_edge", "B/edge", Population::none, Repeats::exactly, "the whole table over the shape's edges"},

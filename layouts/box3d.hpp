@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+//
+// The hull of Box3D (revision 30c67b5e, include/box3d/types.h): half-edges of four bytes (next, twin, origin,
+// face), one half-edge for each vertex and each face, points, face planes, and points and normals once more
+// in arrays of x, y and z, which its scans read four at a time. 35.7 bytes per edge. What stands there is the
+// structure alone, from its published list of fields; the algorithms are ours.
+//
+// Support points are found as the engine finds them, by a scan over the arrays. V-Clip walks the half-edges:
+// counter-clockwise around a vertex is around the face to the half-edge before and over to its twin, since no
+// half-edge knows the one before. Planes of edges are derived, from points and face normals. Everything is
+// stored whatever a table is asked for (keeps_faces, table/contract.hpp). The engine takes 128 edges at most,
+// for which eight bits number the half-edges; larger bodies are refused.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "edgewise/layout_parts/half_edge_table.hpp"
+#include "edgewise/layout_parts/lane_scan.hpp"
+#include "edgewise/layout_parts/planes_of_faces.hpp"
+
+namespace edgewise {
+
+struct BoxHalfEdge {
+    std::uint8_t next, twin, origin, face;
+};
+
+/// Where the arrays are, in bytes from the block's start, in the engine's order.
+template <class Stored>
+struct BoxPlaces {
+    static constexpr std::size_t lanes = 4;
+    using Axes = std::array<std::uint32_t, 3>;
+
+    std::uint32_t vertices = 0, points = 0, edges = 0, planes = 0, faces = 0;
+    Axes point_axes{}, normal_axes{};  ///< full lanes
+
+    void place(BlockPlan& plan, const BodyFacts& n) {
+        const Shares byte = {{Component::topology, 1}};
+        vertices = plan.array_at<std::uint8_t>(n.vertex_count, byte);
+        points = plan.array_at<Vec3<Stored>>(n.vertex_count,
+                                             {{Component::vertex_coordinates, sizeof(Vec3<Stored>)}});
+        edges = plan.array_at<BoxHalfEdge>(n.neighbour_count, {{Component::topology, sizeof(BoxHalfEdge)}});
+        planes =
+            plan.array_at<Plane<Stored>>(n.face_count, {{Component::face_planes, sizeof(Plane<Stored>)}});
+        faces = plan.array_at<std::uint8_t>(n.face_count, byte);
+        place_axes(plan, n.vertex_count, Component::vertex_coordinates, point_axes);
+        place_axes(plan, n.face_count, Component::face_planes, normal_axes);
+    }
+
+    [[nodiscard]] static std::size_t groups(std::size_t count) { return (count + lanes - 1) / lanes; }
+
+  private:
+    static void place_axes(BlockPlan& plan, std::size_t count, Component use, Axes& at) {
+        for (std::uint32_t& start : at) {
+            start = plan.array_at<Stored>(count, {{use, sizeof(Stored)}});
+            plan.array_at<Stored>(groups(count) * lanes - count, {});
+        }
+    }
+};
+
+template <Precision P, class Loader = Direct>
+class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
+    using Base = HalfEdgeTable<box3d<P, Loader>, P, Loader>;
+    using Base::block_;
+    using Base::facts_;
+    using Base::load;
+
+  public:
+    using typename Base::Compute;
+    using typename Base::Edge;
+    using typename Base::Face;
+    using typename Base::Stored;
+    using typename Base::Vertex;
+
+    static constexpr std::string_view name = "box3d";
+    static constexpr std::string_view stores =
+        "Box3D's hull (30c67b5e): half-edges of four bytes, points and face planes, in lanes once more";
+    static constexpr std::string_view derives = "planes of edges; support points, by scans";
+    static constexpr bool keeps_faces = true;
+    static constexpr std::size_t most_neighbours = 2 * 128;
+
+    /// Both kinds of parts are the same here: the engine keeps all.
+    box3d(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
+        this->make_block(places_);
+        const auto byte = [](Index i) { return static_cast<std::uint8_t>(i); };
+        const std::vector<HalfEdge> successor = this->successors(body);
+        for (HalfEdge h = 0; h < successor.size(); ++h)
+            edges()[h] = {byte(successor[h]), byte(h ^ 1), byte(body.tail(h)), byte(body.face(h))};
+        for (Index v = 0; v < facts_.vertex_count; ++v)
+            vertices()[v] = body.edge_count() > 0 ? byte(body.ring_of_vertex(v)[0]) : 0;
+        for (Index f = 0; f < facts_.face_count; ++f) faces()[f] = byte(body.ring_of_face(f)[0]);
+        write_geometry(*this, body);
+    }
+
+    template <class OtherLoader>
+    box3d(const box3d<P, OtherLoader>& other, Loader loader) : Base(other, loader), places_(other.places_) {}
+
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Places()); }
+    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+
+    void write_vertex(Index v, const Vec3d& point) {
+        points()[v] = cast<Stored>(point);
+        write_lanes(places_.point_axes, v, facts_.vertex_count, point);
+    }
+    void write_face(Index f, const Plane<double>& plane) {
+        planes()[f] = cast<Stored>(plane);
+        write_lanes(places_.normal_axes, f, facts_.face_count, plane.normal);
+    }
+
+    /// The engine scans.
+    [[nodiscard]] static bool climbable() { return false; }
+
+    [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        assert(v < facts_.vertex_count);
+        return cast<Compute>(load(points()[v], Field::vertex));
+    }
+    [[nodiscard]] Vec3<Compute> direction(Edge e) const {
+        const Vec3<Compute> along = vertex(this->head(e)) - vertex(this->tail(e));
+        return along / norm(along);
+    }
+    [[nodiscard]] AnchoredPlane<Compute> vertex_edge_plane(Edge e, End end) const {
+        return plane_beyond(end, direction(e), vertex(end == End::tail ? this->tail(e) : this->head(e)));
+    }
+    [[nodiscard]] AnchoredPlane<Compute> edge_face_plane(Edge e, Side side) const {
+        const Vec3<Compute> tail = vertex(this->tail(e));
+        const Face face = side == Side::left ? this->left(e) : this->right(e);
+        if (face == Base::no_face) return plane_beside_nothing(tail);
+        return plane_beside(side, direction(e), face_plane(face).normal, tail);
+    }
+    [[nodiscard]] Plane<Compute> face_plane(Face f) const {
+        assert(f < facts_.face_count);
+        return cast<Compute>(load(planes()[f], Field::face_plane));
+    }
+
+    struct Farthest {
+        Vertex vertex;
+        Vec3<Compute> point;
+        Compute along;  ///< <point, direction>
+    };
+
+    /// The vertex farthest along the direction, the first of equals; every bit as a scan one by one finds it.
+    [[nodiscard]] Farthest scan_support(const Vec3<Compute>& direction) const {
+        const std::array<Stored*, 3> axes = {axis(places_.point_axes, 0), axis(places_.point_axes, 1),
+                                             axis(places_.point_axes, 2)};
+        const Index first = farthest_in_lanes<lanes>(
+            Places::groups(facts_.vertex_count), direction, [&](int k, std::size_t group, std::size_t lane) {
+                return static_cast<Compute>(load(axes[k][group * lanes + lane], Field::vertex));
+            });
+        const Vec3<Compute> point = vertex(first);
+        return {first, point, dot(point, direction)};
+    }
+
+  private:
+    template <Precision, class>
+    friend class box3d;
+    friend Base;
+
+    using Places = BoxPlaces<Stored>;
+    static constexpr std::size_t lanes = Places::lanes;
+
+    /// As HalfEdgeTable asks for them.
+    [[nodiscard]] Index next(Index h) const { return load(edges()[h].next, Field::face_ring); }
+    [[nodiscard]] Index twin(Index h) const { return load(edges()[h].twin, Field::vertex_ring); }
+    [[nodiscard]] Index origin(Index h) const { return load(edges()[h].origin, Field::edge_ends); }
+    [[nodiscard]] Face face_of(Index h) const {
+        const Index face = load(edges()[h].face, Field::edge_ends);
+        return facts_.face_count == 0 ? Base::no_face : face;
+    }
+    [[nodiscard]] Index before(Index h) const {
+        Index at = h;
+        for (Index after = next(at); after != h; after = next(at)) at = after;
+        return at;
+    }
+    [[nodiscard]] Index leaving(Vertex v) const { return load(vertices()[v], Field::vertex_ring); }
+    [[nodiscard]] Index first_of(Face f) const { return load(faces()[f], Field::face_ring); }
+
+    /// The last one fills the lanes behind it.
+    void write_lanes(const typename Places::Axes& axes, Index i, Index count, const Vec3d& numbers) const {
+        const std::size_t end = i + 1 == count ? Places::groups(count) * lanes : std::size_t{i} + 1;
+        for (int k = 0; k < 3; ++k)
+            std::fill(axis(axes, k) + i, axis(axes, k) + end, static_cast<Stored>(numbers[k]));
+    }
+    [[nodiscard]] Stored* axis(const typename Places::Axes& axes, int k) const {
+        return array<Stored>(axes[static_cast<std::size_t>(k)]);
+    }
+    template <class Element>
+    [[nodiscard]] Element* array(std::uint32_t at) const {
+        return reinterpret_cast<Element*>(block_.base() + at);
+    }
+    [[nodiscard]] std::uint8_t* vertices() const { return array<std::uint8_t>(places_.vertices); }
+    [[nodiscard]] Vec3<Stored>* points() const { return array<Vec3<Stored>>(places_.points); }
+    [[nodiscard]] BoxHalfEdge* edges() const { return array<BoxHalfEdge>(places_.edges); }
+    [[nodiscard]] Plane<Stored>* planes() const { return array<Plane<Stored>>(places_.planes); }
+    [[nodiscard]] std::uint8_t* faces() const { return array<std::uint8_t>(places_.faces); }
+
+    Places places_;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+//
+// The convex polyhedron of parry (revision 3a41ac21, shape/convex_polyhedron.rs): points; for each vertex and
+// each face where its part of the adjacency lists begins and how long it is; faces with their normals; edges
+// with ends, faces, direction and a flag, 32 bytes in single and 48 in double; and four lists of 32-bit
+// indices, faces and edges of vertices, edges and vertices of faces. 84 bytes per edge in single, 112 in
+// double. What stands there is the structure alone, from its published list of fields; the algorithms are
+// ours.
+//
+// Support points are found as the library finds them, by a scan over the points. V-Clip has all that it asks
+// for but planes, which are derived from directions, normals and points. Lists are in cyclic order, as in
+// every table here. Everything is stored whatever a table is asked for (keeps_faces, table/contract.hpp).
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "edgewise/layout_parts/block_table.hpp"
+#include "edgewise/layout_parts/planes_of_faces.hpp"
+
+namespace edgewise {
+
+/// Part of two adjacency lists.
+struct ParryRange {
+    Index first, count;
+};
+
+template <class Stored>
+struct ParryFace {
+    ParryRange around;
+    Vec3<Stored> normal;
+};
+
+template <class Stored>
+struct ParryEdge {
+    Index vertices[2], faces[2];  ///< tail and head; left and right, or no_face
+    Vec3<Stored> direction;
+    bool deleted;  ///< of the library's builder: false
+};
+
+/// Where the arrays are, in bytes from the block's start.
+template <class Stored>
+struct ParryPlaces {
+    using Face = ParryFace<Stored>;
+    using Edge = ParryEdge<Stored>;
+
+    std::uint32_t points = 0, vertices = 0, faces = 0, edges = 0;
+    std::uint32_t faces_of_vertex = 0, edges_of_vertex = 0, edges_of_face = 0, vertices_of_face = 0;
+
+    void place(BlockPlan& plan, const BodyFacts& n) {
+        const Shares index = {{Component::topology, sizeof(Index)}};
+        points = plan.array_at<Vec3<Stored>>(n.vertex_count,
+                                             {{Component::vertex_coordinates, sizeof(Vec3<Stored>)}});
+        vertices = plan.array_at<ParryRange>(n.vertex_count, {{Component::topology, sizeof(ParryRange)}});
+        faces = plan.array_at<Face>(n.face_count, {{Component::topology, sizeof(ParryRange)},
+                                                   {Component::face_planes, sizeof(Vec3<Stored>)}});
+        edges = plan.array_at<Edge>(n.edge_count(), {{Component::topology, 4 * sizeof(Index)},
+                                                     {Component::edge_geometry, sizeof(Vec3<Stored>)}});
+        faces_of_vertex = plan.array_at<Index>(n.face_ring_count(), index);
+        edges_of_vertex = plan.array_at<Index>(n.neighbour_count, index);
+        edges_of_face = plan.array_at<Index>(n.face_ring_count(), index);
+        vertices_of_face = plan.array_at<Index>(n.face_ring_count(), index);
+    }
+};
+
+template <Precision P, class Loader = Direct>
+class parry : public BlockTable<P, Loader> {
+    using Base = BlockTable<P, Loader>;
+    using Base::block_;
+    using Base::facts_;
+    using Base::load;
+
+  public:
+    using typename Base::Compute;
+    using typename Base::Stored;
+    using typename Base::Vertex;
+    using Edge = Index;
+    using Face = Index;
+
+    static constexpr Face no_face = edgewise::no_face;
+    static constexpr std::string_view name = "parry";
+    static constexpr std::string_view stores =
+        "parry's polyhedron (3a41ac21): points, edges, faces, four adjacency lists of 32 bits";
+    static constexpr std::string_view derives = "planes of edges; support points, by scans";
+    static constexpr bool keeps_faces = true;
+
+    /// Both kinds of parts are the same here: the library keeps all.
+    parry(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
+        this->make_block(places_);
+        link_vertices(body);
+        link_faces(body);
+        for (Index e = 0; e < facts_.edge_count(); ++e) {
+            const PolyhedronEdge& ends = body.edges[e];
+            edges()[e] = {{ends.tail, ends.head}, {ends.left, ends.right}, {}, false};
+        }
+        write_geometry(*this, body);
+    }
+
+    template <class OtherLoader>
+    parry(const parry<P, OtherLoader>& other, Loader loader) : Base(other, loader), places_(other.places_) {}
+
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Places()); }
+    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+
+    void write_vertex(Index v, const Vec3d& point) { points()[v] = cast<Stored>(point); }
+    void write_edge(Index e, const EdgeGeometry& g) { edges()[e].direction = cast<Stored>(g.direction); }
+    void write_face(Index f, const Plane<double>& plane) { faces()[f].normal = cast<Stored>(plane.normal); }
+
+    /// The library scans.
+    [[nodiscard]] static bool climbable() { return false; }
+
+    [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
+    [[nodiscard]] auto neighbours(Vertex v) const {
+        const ParryRange part = load(vertices()[v], Field::vertex_ring);
+        return IndexedRing(part.first, part.first + part.count, [this, v](Index at) {
+            const auto& ends = edges()[load(list(places_.edges_of_vertex)[at], Field::vertex_ring)].vertices;
+            const Index tail = load(ends[0], Field::neighbour);
+            return tail == v ? load(ends[1], Field::neighbour) : tail;
+        });
+    }
+    [[nodiscard]] auto ring_of_vertex(Vertex v) const {
+        const ParryRange part = load(vertices()[v], Field::vertex_ring);
+        return IndexedRing(part.first, part.first + part.count, [this, v](Index at) {
+            const Edge e = load(list(places_.edges_of_vertex)[at], Field::vertex_ring);
+            return RingEdge<Edge>{e, head(e) == v};
+        });
+    }
+    [[nodiscard]] auto ring_of_face(Face f) const {
+        assert(f < facts_.face_count);
+        const ParryRange part = load(faces()[f].around, Field::face_ring);
+        return IndexedRing(part.first, part.first + part.count, [this, f](Index at) {
+            const Edge e = load(list(places_.edges_of_face)[at], Field::face_ring);
+            return RingEdge<Edge>{e, right(e) == f};
+        });
+    }
+
+    [[nodiscard]] std::uint32_t edge_name(Edge e) const { return e; }
+    [[nodiscard]] std::uint32_t face_name(Face f) const { return f; }
+    [[nodiscard]] std::optional<Edge> edge_named(std::uint32_t number) const {
+        return number < facts_.edge_count() ? std::optional<Edge>(number) : std::nullopt;
+    }
+    [[nodiscard]] std::optional<Face> face_named(std::uint32_t number) const {
+        return number < facts_.face_count ? std::optional<Face>(number) : std::nullopt;
+    }
+
+    [[nodiscard]] Vertex tail(Edge e) const { return load(edges()[e].vertices[0], Field::edge_ends); }
+    [[nodiscard]] Vertex head(Edge e) const { return load(edges()[e].vertices[1], Field::edge_ends); }
+    [[nodiscard]] Face left(Edge e) const { return load(edges()[e].faces[0], Field::edge_ends); }
+    [[nodiscard]] Face right(Edge e) const { return load(edges()[e].faces[1], Field::edge_ends); }
+
+    [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        assert(v < facts_.vertex_count);
+        return cast<Compute>(load(points()[v], Field::vertex));
+    }
+    [[nodiscard]] Vec3<Compute> direction(Edge e) const {
+        assert(e < facts_.edge_count());
+        return cast<Compute>(load(edges()[e].direction, Field::edge_direction));
+    }
+    [[nodiscard]] AnchoredPlane<Compute> vertex_edge_plane(Edge e, End end) const {
+        return plane_beyond(end, direction(e), vertex(end == End::tail ? tail(e) : head(e)));
+    }
+    [[nodiscard]] AnchoredPlane<Compute> edge_face_plane(Edge e, Side side) const {
+        const Vec3<Compute> at_tail = vertex(tail(e));
+        const Face face = side == Side::left ? left(e) : right(e);
+        if (face == no_face) return plane_beside_nothing(at_tail);
+        return plane_beside(side, direction(e), normal(face), at_tail);
+    }
+    [[nodiscard]] AnchoredPlane<Compute> face_plane(Face f) const {
+        const Index first = load(faces()[f].around.first, Field::face_ring);
+        return {normal(f), vertex(load(list(places_.vertices_of_face)[first], Field::face_ring))};
+    }
+
+  private:
+    template <Precision, class>
+    friend class parry;
+
+    using Places = ParryPlaces<Stored>;
+
+    void link_vertices(const Polyhedron& body) const {
+        for (Index v = 0; v < facts_.vertex_count; ++v)
+            vertices()[v] = {body.vertex_offset[v], body.vertex_offset[v + 1] - body.vertex_offset[v]};
+        for (Index at = 0; at < facts_.neighbour_count; ++at) {
+            const HalfEdge h = body.vertex_ring[at];
+            list(places_.edges_of_vertex)[at] = h >> 1;
+            if (facts_.face_count > 0) list(places_.faces_of_vertex)[at] = body.face(h);
+        }
+    }
+    void link_faces(const Polyhedron& body) const {
+        for (Index f = 0; f < facts_.face_count; ++f)
+            faces()[f].around = {body.face_offset[f], body.face_offset[f + 1] - body.face_offset[f]};
+        for (Index at = 0; at < facts_.face_ring_count(); ++at) {
+            list(places_.edges_of_face)[at] = body.face_ring[at] >> 1;
+            list(places_.vertices_of_face)[at] = body.tail(body.face_ring[at]);
+        }
+    }
+
+    [[nodiscard]] Vec3<Compute> normal(Face f) const {
+        assert(f < facts_.face_count);
+        return cast<Compute>(load(faces()[f].normal, Field::face_plane));
+    }
+    template <class Element>
+    [[nodiscard]] Element* array(std::uint32_t at) const {
+        return reinterpret_cast<Element*>(block_.base() + at);
+    }
+    [[nodiscard]] auto* points() const { return array<Vec3<Stored>>(places_.points); }
+    [[nodiscard]] ParryRange* vertices() const { return array<ParryRange>(places_.vertices); }
+    [[nodiscard]] auto* faces() const { return array<ParryFace<Stored>>(places_.faces); }
+    [[nodiscard]] auto* edges() const { return array<ParryEdge<Stored>>(places_.edges); }
+    [[nodiscard]] Index* list(std::uint32_t at) const { return array<Index>(at); }
+
+    Places places_;
+};
+
+}  // namespace edgewise
