@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/page/bundles.hpp"
 #include "edgewise/reports/page/files.hpp"
 #include "edgewise/reports/page/page.hpp"
@@ -37,6 +38,7 @@ ReportSummary summary(const ReportData& data, const StaticPictures& pictures, bo
             .page = page.string(),
             .charts = charts,
             .pictures = pictures.svg.size(),
+            .answer = answer_paragraph(answer_of(data), data),
             .note = !charts                 ? "The chart bundles are missing: the report shows tables only."
                     : pictures.note.empty() ? no_pdf
                                             : pictures.note};

@@ -32,10 +32,10 @@ std::string key(const std::vector<GridCell>& row) {
 
 std::string reference_shape(const ReportData& data) {
     const ReportCell* largest = nullptr;
-    for (const ReportCell& cell : data.cells) {
-        if (cell.shape == "sphere386") return cell.shape;
-        if (!largest || std::tie(cell.vertices, largest->shape) > std::tie(largest->vertices, cell.shape))
-            largest = &cell;
+    for (const ReportCell* cell : data.swept()) {
+        if (cell->shape == "sphere386") return cell->shape;
+        if (!largest || std::tie(cell->vertices, largest->shape) > std::tie(largest->vertices, cell->shape))
+            largest = cell;
     }
     return largest ? largest->shape : "";
 }
@@ -44,8 +44,8 @@ std::vector<std::string> byte_components(const ReportData& data) {
     std::vector<std::string> order{"voronoi_planes", "edge_geometry", "vertex_coordinates",
                                    "face_planes",    "topology",      "padding"};
     std::set<std::string> present;
-    for (const ReportCell& cell : data.cells)
-        for (const store::FigureRow& figure : cell.figures)
+    for (const ReportCell* cell : data.swept())
+        for (const store::FigureRow& figure : cell->figures)
             if (is_component(figure)) present.insert(figure.name);
     std::erase_if(order, [&](const std::string& name) { return present.erase(name) == 0; });
     order.insert(order.end(), present.begin(), present.end());
