@@ -25,7 +25,7 @@ struct Range {
     }
 };
 
-std::string opening(bool own_tables) {
+std::string condition_of(bool own_tables) {
     return own_tables ? "If every body has a table of its own" : "If your bodies share a table";
 }
 
@@ -85,6 +85,18 @@ std::string exceptions(const Take& take) {
     return text.empty() ? text : " Elsewhere: " + text + ".";
 }
 
+/// Scenes in which the winner's own interval tells next to nothing.
+std::string noisy_sentence(const std::vector<SceneAnswer>& scenes) {
+    std::string names;
+    for (const SceneAnswer& scene : scenes)
+        if (scene.too_noisy) append(names, scene.label);
+    if (names.empty()) return names;
+    return fmt::format(
+        " Too noisy to choose by, the winner's interval spans more than a factor of 2: {}. "
+        "Measure these again on a machine with nothing else to do.",
+        names);
+}
+
 std::string scene_count(std::size_t count) { return plural(count, "scene"); }
 
 /// Where the choice beats the baseline, by how much; where not, that nothing does.
@@ -114,11 +126,11 @@ AdviceText keep_baseline(const Take& take, const Answer& answer, bool own_tables
     const std::string paper = fmt::format("{} on the paper's layout ({})",
                                           algorithm_title(answer.baseline.algorithm), answer.baseline.table);
     if (take.is(answer.baseline))
-        return {fmt::format("{}, keep {}.", opening(own_tables), paper),
+        return {fmt::format("{}, keep {}.", condition_of(own_tables), paper),
                 fmt::format("Nothing beats it by more than noise in {}.", scenes)};
     const Candidate& chosen = take.example();
     const Candidate* baseline = take.places.front().scene->baseline();
-    return {fmt::format("{}, nothing beats the paper's layout ({} on {}): take {}.", opening(own_tables),
+    return {fmt::format("{}, nothing beats the paper's layout ({} on {}): take {}.", condition_of(own_tables),
                         algorithm_title(answer.baseline.algorithm), answer.baseline.table, chosen.name()),
             fmt::format("It ties in {} of {} and is the smallest that does: {}.",
                         std::count_if(take.places.begin(), take.places.end(),
@@ -130,7 +142,7 @@ AdviceText take_winner(const Take& take, bool own_tables) {
     const Candidate& chosen = take.example();
     const Candidate* baseline = take.places.front().scene->baseline();
     const std::string cost = costs(chosen, baseline);
-    return {fmt::format("{}, take {}.", opening(own_tables), chosen.name()),
+    return {fmt::format("{}, take {}.", condition_of(own_tables), chosen.name()),
             (cost.empty() ? "" : "It has " + cost + ".") + ratios_sentence(take)};
 }
 
@@ -149,7 +161,8 @@ std::optional<AdviceText> advice_of(const std::vector<SceneAnswer>& scenes, cons
     const bool own_tables = scenes.front().own_tables;
     AdviceText text = take->beats_baseline_somewhere() ? take_winner(*take, own_tables)
                                                        : keep_baseline(*take, answer, own_tables);
-    text.rest += memory_sentence(*take) + exceptions(*take) + gjk_sentence(*take);
+    if (own_tables) text.rest += memory_sentence(*take);
+    text.rest += noisy_sentence(scenes) + exceptions(*take) + gjk_sentence(*take);
     return text;
 }
 
@@ -207,7 +220,7 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
     text.counts = cells_sentence(answer) + " " + gaps_sentence(answer);
     if (const std::size_t missing = missing_cells(answer.runs, answer.counts.cells); missing > 0)
         text.counts = fmt::format(
-            "A sweep was stopped: {} of its cells are missing, and the same command "
+            "A sweep did not finish: {} of its cells are missing, and the same command "
             "goes on with them. {}",
             missing, text.counts);
     return text;

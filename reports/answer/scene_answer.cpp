@@ -23,6 +23,8 @@ std::string plain_axes(std::span<const ReportCell* const> cells) {
     return plainest ? plainest->axes : std::string();
 }
 
+constexpr double slowest_tie = 1.25, widest_interval = 2;
+
 void sort_by_ratio(std::vector<Candidate>& candidates) {
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.ratio < b.ratio; });
@@ -72,8 +74,10 @@ const Candidate* SceneAnswer::smallest_of_ties() const {
     const auto bytes = [](const Candidate& one) {
         return one.bytes_per_edge.value_or(std::numeric_limits<double>::infinity());
     };
-    for (const std::size_t place : ties)
+    for (const std::size_t place : ties) {
+        if (candidates[place].ratio > slowest_tie * winner()->ratio) continue;
         if (!smallest || bytes(candidates[place]) < bytes(*smallest)) smallest = &candidates[place];
+    }
     return smallest;
 }
 
@@ -82,7 +86,11 @@ bool SceneAnswer::ties_with_winner(const Candidate& candidate) const {
                        [&](std::size_t place) { return &candidates[place] == &candidate; });
 }
 
-const Candidate* SceneAnswer::choice() const { return beats_baseline ? winner() : smallest_of_ties(); }
+const Candidate* SceneAnswer::choice() const {
+    if (beats_baseline) return winner();
+    if (!too_noisy) return smallest_of_ties();
+    return baseline() && ties_with_winner(*baseline()) ? baseline() : winner();
+}
 
 SceneAnswer scene_answer(std::span<const ReportCell* const> cells, const Question& question,
                          const Baseline& baseline) {
@@ -97,6 +105,8 @@ SceneAnswer scene_answer(std::span<const ReportCell* const> cells, const Questio
     sort_by_ratio(answer.candidates);
     sort_by_ratio(answer.peers);
     find_ties(answer);
+    if (const Candidate* winner = answer.winner())
+        answer.too_noisy = winner->high() > widest_interval * winner->low();
     const ReportCell& any = *cells.front();
     answer.scene = any.scene, answer.label = any.scene_label, answer.shape = any.shape;
     answer.vertices = any.vertices, answer.edges = any.edges;

@@ -40,15 +40,17 @@ struct SceneAnswer {
     std::vector<std::size_t> ties;      ///< places of candidates whose intervals reach the winner's; it first
     std::vector<std::size_t> out;       ///< places of those over the error limit, or without an error
     bool beats_baseline = false;        ///< the winner, by more than its interval and the noise band
+    bool too_noisy = false;             ///< the winner's interval spans more than a factor of 2
 
     /// Each null where there is none.
     [[nodiscard]] const Candidate* winner() const;
     [[nodiscard]] const Candidate* baseline() const;  ///< its own cell, beside the one timed with every cell
     [[nodiscard]] const Candidate* best(const std::string& algorithm) const;  ///< within the limit
-    [[nodiscard]] const Candidate* best_peer() const;  ///< within the limit, else the fastest
-    [[nodiscard]] const Candidate* smallest_of_ties() const;
+    [[nodiscard]] const Candidate* best_peer() const;         ///< within the limit, else the fastest
+    [[nodiscard]] const Candidate* smallest_of_ties() const;  ///< at most a quarter slower than the winner
     [[nodiscard]] bool ties_with_winner(const Candidate& candidate) const;
-    /// What a reader should take: the winner where it beats the baseline, else the smallest of the ties.
+    /// What a reader should take: the winner where it beats the baseline, else the smallest of the ties that
+    /// is at most a quarter slower than the winner; of a scene that is too noisy the baseline if it ties.
     [[nodiscard]] const Candidate* choice() const;
     [[nodiscard]] const Candidate* find(const std::string& algorithm, const std::string& table) const;
 };

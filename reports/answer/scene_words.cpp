@@ -19,7 +19,7 @@ std::string bodies_of(const ReportCell& cell) {
 std::string turn_of(const ReportCell& cell) {
     if (parameter_of(cell, "random_orientation") == 1) return "turn at random in every step";
     const auto turn = parameter_of(cell, "rotation_step");
-    return turn ? fmt::format("turn by {} rad per step", number_text(*turn)) : "turn";
+    return turn ? fmt::format("turn by {:g} rad per step", *turn) : "turn";
 }
 
 std::string motion_of(const ReportCell& cell) {

@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "edgewise/bench/build_info.hpp"
-#include "edgewise/bench/utc_time.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/measure/machine/utc_time.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"
@@ -227,7 +227,7 @@ int run_sweep(const SweepArguments& options, bool json) {
         store.set_meta(store::command_key + command, bench::this_build().id);
         nlohmann::json run = {{"build", bench::this_build().id},
                               {"cells", work.cells()},
-                              {"started", bench::utc_time()},
+                              {"started", measure::utc_time()},
                               {"ended", nullptr}};
         note_run(store, command, run);
         summary = run_with_progress(work, store);
@@ -236,7 +236,7 @@ int run_sweep(const SweepArguments& options, bool json) {
         if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
         if (!summary.stopped) run_thrash_of(work.plan, store, summary.stopped);
         if (!summary.stopped) run_effort_of(work, store, summary.stopped);
-        if (!summary.stopped) run["ended"] = bench::utc_time(), note_run(store, command, run);
+        if (!summary.stopped) run["ended"] = measure::utc_time(), note_run(store, command, run);
     }
     if (summary.stopped) {
         warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there",

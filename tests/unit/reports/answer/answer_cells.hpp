@@ -11,7 +11,7 @@
 
 namespace edgewise::reports {
 
-struct MadeCell {
+struct MadeCandidate {
     std::string algorithm, layout, precision = "f64";
     std::vector<double> ratios;  ///< of the rounds; the median is the cell's
     double error = 1e-15;
@@ -19,14 +19,14 @@ struct MadeCell {
     std::string axes = {}, status = "verified";
 };
 
-inline const std::string shared_scene = R"({"bodies":100,"rotation_step":0.1})",
-                         own_scene = R"({"bodies":600,"rotation_step":0.1,"own_tables":1})";
+inline const std::string shared_tables = R"({"bodies":100,"rotation_step":0.1})",
+                         own_tables_scene = R"({"bodies":600,"rotation_step":0.1,"own_tables":1})";
 
-inline ReportCell answer_cell(const MadeCell& made, const std::string& parameters = shared_scene,
+inline ReportCell answer_cell(const MadeCandidate& made, const std::string& parameters = shared_tables,
                               const std::string& shape = "sphere386") {
     ReportCell cell;
     cell.scene = "tumble", cell.scene_parameters = parameters;
-    cell.scene_label = parameters == own_scene ? "own" : "shared";
+    cell.scene_label = parameters == own_tables_scene ? "own" : "shared";
     cell.shape = shape, cell.vertices = shape == "cube8" ? 8 : 386, cell.edges = 1152;
     cell.algorithm = made.algorithm, cell.layout = made.layout, cell.precision = made.precision;
     cell.table = made.layout + "_" + made.precision + (made.axes.empty() ? "" : " " + made.axes);
@@ -39,7 +39,7 @@ inline ReportCell answer_cell(const MadeCell& made, const std::string& parameter
                     {{"mean_steps", 3.0, "steps"}, "error"},
                     {{"total_bytes_per_edge", made.bytes_per_edge, "B/edge"}, "bytes"},
                     {{"requested_bytes", 6e5 * made.bytes_per_edge, "B"}, "memory"},
-                    {{"tables", parameters == own_scene ? 600.0 : 1.0, "tables"}, "memory"},
+                    {{"tables", parameters == own_tables_scene ? 600.0 : 1.0, "tables"}, "memory"},
                     {{"instructions", std::nullopt, "1", "no counters here", "bare metal"}, "counters"}};
     for (std::size_t i = 0; i < made.ratios.size(); ++i) {
         measure::Round round{static_cast<int>(i), {}, {}};

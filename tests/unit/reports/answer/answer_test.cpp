@@ -20,27 +20,29 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-const MadeCell paper{"vclip", "aos", "f64", {0.98, 1.0, 1.02}},
-    lean{"vclip", "lean", "f32", {0.70, 0.72, 0.74}, 1e-7, 8.8},
-    lean_double{"vclip", "lean", "f64", {0.73, 0.75, 0.77}, 1e-16, 12.8},
-    slow{"vclip", "soa", "f64", {1.2, 1.3, 1.4}, 1e-15, 233.5},
-    gjk{"gjk", "lean", "f64", {1.4, 1.5, 1.6}, 1e-15, 12.8},
-    rough{"vclip", "quantised", "f64", {0.5, 0.5, 0.51}, 2e-5, 6.8};
+const MadeCandidate candidate_paper{"vclip", "aos", "f64", {0.98, 1.0, 1.02}},
+    candidate_lean{"vclip", "lean", "f32", {0.70, 0.72, 0.74}, 1e-7, 8.8},
+    candidate_lean_double{"vclip", "lean", "f64", {0.73, 0.75, 0.77}, 1e-16, 12.8},
+    candidate_slow{"vclip", "soa", "f64", {1.2, 1.3, 1.4}, 1e-15, 233.5},
+    candidate_gjk{"gjk", "lean", "f64", {1.4, 1.5, 1.6}, 1e-15, 12.8},
+    candidate_rough{"vclip", "quantised", "f64", {0.5, 0.5, 0.51}, 2e-5, 6.8};
 
-ReportData data_of(const std::vector<MadeCell>& cells, const std::string& parameters = shared_scene) {
+ReportData answer_data(const std::vector<MadeCandidate>& cells,
+                       const std::string& parameters = shared_tables) {
     ReportData data;
-    for (const MadeCell& cell : cells) data.cells.push_back(answer_cell(cell, parameters));
+    for (const MadeCandidate& cell : cells) data.cells.push_back(answer_cell(cell, parameters));
     return data;
 }
 
-std::vector<std::string> names(const SceneAnswer& scene, const std::vector<std::size_t>& places) {
+std::vector<std::string> candidate_names(const SceneAnswer& scene, const std::vector<std::size_t>& places) {
     std::vector<std::string> found;
     for (const std::size_t place : places) found.push_back(scene.candidates[place].name());
     return found;
 }
 
 TEST(Answer, TheFastestWithinTheErrorWinsAndTiesReachItsInterval) {
-    const ReportData data = data_of({paper, slow, lean_double, lean, rough, gjk});
+    const ReportData data = answer_data({candidate_paper, candidate_slow, candidate_lean_double,
+                                         candidate_lean, candidate_rough, candidate_gjk});
     const Answer answer = answer_of(data);
     ASSERT_EQ(answer.shared.size(), 1u);
     EXPECT_TRUE(answer.own.empty());
@@ -49,8 +51,8 @@ TEST(Answer, TheFastestWithinTheErrorWinsAndTiesReachItsInterval) {
     EXPECT_EQ(scene.winner()->name(), "V-Clip on lean_f32");
     EXPECT_EQ(scene.winner()->low(), 0.70);
     EXPECT_EQ(scene.winner()->high(), 0.74);
-    EXPECT_THAT(names(scene, scene.ties), ElementsAre("V-Clip on lean_f32", "V-Clip on lean_f64"));
-    EXPECT_THAT(names(scene, scene.out), ElementsAre("V-Clip on quantised_f64"));
+    EXPECT_THAT(candidate_names(scene, scene.ties), ElementsAre("V-Clip on lean_f32", "V-Clip on lean_f64"));
+    EXPECT_THAT(candidate_names(scene, scene.out), ElementsAre("V-Clip on quantised_f64"));
     EXPECT_TRUE(scene.beats_baseline);
     EXPECT_EQ(scene.best("gjk")->name(), "GJK on lean_f64");
     EXPECT_EQ(scene.choice(), scene.winner());
@@ -58,14 +60,14 @@ TEST(Answer, TheFastestWithinTheErrorWinsAndTiesReachItsInterval) {
 }
 
 TEST(Answer, ALargerLimitLetsTheLossyOneWin) {
-    const ReportData data = data_of({paper, lean, rough});
+    const ReportData data = answer_data({candidate_paper, candidate_lean, candidate_rough});
     const Answer answer = answer_of(data, {.error_limit = 1e-4});
     EXPECT_EQ(answer.shared.front().winner()->name(), "V-Clip on quantised_f64");
 }
 
 TEST(Answer, WhereTheBaselineTiesNothingBeatsItAndTheSmallestIsNamed) {
-    const MadeCell single{"vclip", "aos", "f32", {0.95, 0.96, 1.03}, 1e-7, 138.8};
-    const ReportData data = data_of({paper, single, slow});
+    const MadeCandidate single{"vclip", "aos", "f32", {0.95, 0.96, 1.03}, 1e-7, 138.8};
+    const ReportData data = answer_data({candidate_paper, single, candidate_slow});
     const Answer answer = answer_of(data);
     const SceneAnswer& scene = answer.shared.front();
     EXPECT_EQ(scene.winner()->name(), "V-Clip on aos_f32");
@@ -79,12 +81,12 @@ TEST(Answer, WhereTheBaselineTiesNothingBeatsItAndTheSmallestIsNamed) {
 
 /// The winner's interval lies below 1, but the baseline against itself differs by as much.
 TEST(Answer, ARatioWithinTheNoiseIsNone) {
-    const MadeCell noisy{"vclip", "aos", "f64", {0.90, 0.91, 0.92}},
+    const MadeCandidate noisy{"vclip", "aos", "f64", {0.90, 0.91, 0.92}},
         ahead{"vclip", "hot_cold", "f64", {0.93, 0.94, 0.95}, 1e-15, 200};
-    ReportData data = data_of({noisy, ahead});
+    ReportData data = answer_data({noisy, ahead});
     const ReportCell calm = answer_cell({"vclip", "aos", "f64", {1.1, 1.2, 1.2}}, R"({"bodies":12})");
     data.cells.push_back(calm);
-    const MadeCell first{"vclip", "lean", "f64", {0.93, 0.94, 0.95}, 1e-15, 12.8};
+    const MadeCandidate first{"vclip", "lean", "f64", {0.93, 0.94, 0.95}, 1e-15, 12.8};
     data.cells.push_back(answer_cell(first, R"({"bodies":12})"));
     const Answer answer = answer_of(data);
     EXPECT_EQ(answer.noise.cells, 2u);
@@ -97,9 +99,24 @@ TEST(Answer, ARatioWithinTheNoiseIsNone) {
     EXPECT_THAT(answer_paragraph(answer, data), HasSubstr("-9 % to +20 %"));
 }
 
+/// The winner's interval is so wide that everything ties: nothing small and slow is recommended for that.
+TEST(Answer, WhatIsTooNoisyIsNotChosenBy) {
+    const MadeCandidate noisy{"vclip", "aos", "f32", {0.5, 0.9, 1.9}, 1e-7, 138.8},
+        tiny{"gjk", "points_soa", "f32", {1.7, 1.8, 1.9}, 1e-7, 4.1};
+    const ReportData data = answer_data({candidate_paper, noisy, tiny});
+    const Answer answer = answer_of(data);
+    const SceneAnswer& scene = answer.shared.front();
+    EXPECT_TRUE(scene.too_noisy);
+    EXPECT_EQ(scene.ties.size(), 3u);
+    EXPECT_EQ(scene.choice(), scene.baseline());
+    EXPECT_EQ(scene.smallest_of_ties()->name(), "V-Clip on aos_f32") << "points_soa is twice as slow";
+    EXPECT_THAT(answer_paragraph(answer, data), HasSubstr("Too noisy to choose by"));
+}
+
 TEST(Answer, SharedAndOwnTablesAreAnsweredApart) {
-    ReportData data = data_of({paper, slow});
-    for (const MadeCell& made : {paper, lean}) data.cells.push_back(answer_cell(made, own_scene));
+    ReportData data = answer_data({candidate_paper, candidate_slow});
+    for (const MadeCandidate& made : {candidate_paper, candidate_lean})
+        data.cells.push_back(answer_cell(made, own_tables_scene));
     const Answer both = answer_of(data);
     EXPECT_EQ(both.shared.size(), 1u);
     ASSERT_EQ(both.own.size(), 1u);
@@ -116,8 +133,8 @@ TEST(Answer, SharedAndOwnTablesAreAnsweredApart) {
 }
 
 TEST(Answer, OneShapeAtATime) {
-    ReportData data = data_of({paper, lean});
-    data.cells.push_back(answer_cell(slow, shared_scene, "cube8"));
+    ReportData data = answer_data({candidate_paper, candidate_lean});
+    data.cells.push_back(answer_cell(candidate_slow, shared_tables, "cube8"));
     EXPECT_EQ(answer_of(data).shared.front().shape, "sphere386");
     const Answer cubes = answer_of(data, {.shape = "cube8"});
     ASSERT_EQ(cubes.shared.size(), 1u);
@@ -129,12 +146,12 @@ TEST(Answer, OneShapeAtATime) {
 }
 
 TEST(Answer, OthersNeverWin) {
-    MadeCell peer{"bullet", "bullet", "f64", {0.1, 0.1, 0.1}},
+    MadeCandidate peer{"bullet", "bullet", "f64", {0.1, 0.1, 0.1}},
         raw{"vclip", "aos", "f64", {0.1, 0.1, 0.1}, 1e-15, 234, "hardening=off", "judged"},
         axis{"vclip", "lean", "f64", {0.1, 0.1, 0.1}, 1e-15, 12.8, "order=bfs"},
         failed{"vclip", "lean", "f64", {0.1, 0.1, 0.1}, 1e-15, 12.8, "", "failed"};
     peer.status = "judged";
-    ReportData data = data_of({paper, lean, raw, axis, failed});
+    ReportData data = answer_data({candidate_paper, candidate_lean, raw, axis, failed});
     data.peers = {answer_cell(peer)};
     const Answer answer = answer_of(data);
     const SceneAnswer& scene = answer.shared.front();
@@ -147,22 +164,21 @@ TEST(Answer, OthersNeverWin) {
 /// A scene of a file counts like a built-in one, and its needs are an axis of all its cells.
 TEST(Answer, ScenesOfFilesCount) {
     ReportData data;
-    for (MadeCell made : {paper, lean}) {
+    for (MadeCandidate made : {candidate_paper, candidate_lean}) {
         made.axes = "needs=distance";
-        data.from_files.push_back(answer_cell(made, own_scene));
+        data.from_files.push_back(answer_cell(made, own_tables_scene));
         data.from_files.back().scene = "mine", data.from_files.back().scene_kind = "tumble";
     }
     const Answer answer = answer_of(data);
     ASSERT_EQ(answer.own.size(), 1u);
     EXPECT_EQ(answer.own.front().winner()->table, "lean_f32");
-    EXPECT_EQ(
-        answer.own.front().sentence,
-        "600 bodies drift and turn by 0.100 rad per step, pairs followed from step to step; a table for "
-        "each body");
+    EXPECT_EQ(answer.own.front().sentence,
+              "600 bodies drift and turn by 0.1 rad per step, pairs followed from step to step; a table for "
+              "each body");
 }
 
 TEST(Answer, CountsWhatWasNotMeasuredByReason) {
-    const ReportData data = data_of({paper, lean});
+    const ReportData data = answer_data({candidate_paper, candidate_lean});
     const Answer answer = answer_of(data);
     EXPECT_EQ(answer.gaps.missing, 2u);
     EXPECT_EQ(answer.gaps.figures(), 16u);
@@ -174,21 +190,22 @@ TEST(Answer, CountsWhatWasNotMeasuredByReason) {
 }
 
 TEST(Answer, AStoppedSweepSaysWhatIsMissing) {
-    ReportData data = data_of({paper, lean});
+    ReportData data = answer_data({candidate_paper, candidate_lean});
     data.build.id = "b";
     const std::string key = std::string(store::run_key) + "sweep --plan quick";
     data.meta = {{key, R"({"build":"b","cells":1281,"started":"2026-01-01T00:00:00Z","ended":null})"}};
     const Answer stopped = answer_of(data);
     EXPECT_EQ(missing_cells(stopped.runs, stopped.counts.cells), 1279u);
     EXPECT_THAT(answer_paragraph(stopped, data),
-                HasSubstr("A sweep was stopped: 1279 of its cells are missing"));
+                HasSubstr("A sweep did not finish: 1279 of its cells are missing"));
     data.meta = {{key, R"({"build":"b","cells":1281,"started":"2026-01-01T00:00:00Z",)"
                        R"("ended":"2026-01-01T01:00:00Z"})"}};
-    EXPECT_THAT(answer_paragraph(answer_of(data), data), Not(HasSubstr("stopped")));
+    EXPECT_THAT(answer_paragraph(answer_of(data), data), Not(HasSubstr("did not finish")));
 }
 
 TEST(Answer, AsJson) {
-    ReportData data = data_of({paper, lean, lean_double, rough, gjk});
+    ReportData data =
+        answer_data({candidate_paper, candidate_lean, candidate_lean_double, candidate_rough, candidate_gjk});
     const nlohmann::json json = answer_json(answer_of(data));
     for (const char* key : {"asked", "take", "next", "out", "changes_it", "held", "command"})
         EXPECT_TRUE(json.contains(key)) << key;

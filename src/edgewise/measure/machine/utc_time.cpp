@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/bench/utc_time.hpp"
+#include "edgewise/measure/machine/utc_time.hpp"
 
 #include <array>
 #include <ctime>
 
-namespace edgewise::bench {
+namespace edgewise::measure {
 
 std::string utc_time() {
     const std::time_t now = std::time(nullptr);
@@ -15,4 +15,4 @@ std::string utc_time() {
     return {text.data(), length};
 }
 
-}  // namespace edgewise::bench
+}  // namespace edgewise::measure

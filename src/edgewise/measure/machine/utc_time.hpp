@@ -5,9 +5,9 @@
 
 #include <string>
 
-namespace edgewise::bench {
+namespace edgewise::measure {
 
 /// Now, as "2026-01-31T23:59:59Z" (ISO 8601, UTC).
 [[nodiscard]] std::string utc_time();
 
-}  // namespace edgewise::bench
+}  // namespace edgewise::measure
