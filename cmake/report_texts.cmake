@@ -6,7 +6,7 @@
 # edgewise_write_report_texts(OUTPUT): writes the source file OUTPUT.
 function(edgewise_write_report_texts OUTPUT)
     set(reports ${PROJECT_SOURCE_DIR}/reports)
-    file(GLOB_RECURSE files CONFIGURE_DEPENDS ${reports}/*.vl.json ${reports}/*.md ${reports}/text/page.*
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS ${reports}/*.vl.json ${reports}/*.md ${reports}/text/page/page.*
         ${reports}/paper/text/*.json ${reports}/paper/claims/*.json)
     list(FILTER files EXCLUDE REGEX "^${reports}/out/")  # what sweeps write
     list(SORT files)
@@ -21,6 +21,10 @@ function(edgewise_write_report_texts OUTPUT)
         set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
         file(READ ${file} text)
         string(APPEND TEXTS "    {\"${name}\", R\"text(${text})text\"},\n")
+        if(name MATCHES "^page.*[.]js$")  # by which the page's policy knows its own scripts
+            string(SHA256 digest "${text}")
+            string(APPEND TEXTS "    {\"${name}.sha256\", \"${digest}\"},\n")
+        endif()
     endforeach()
     configure_file(${PROJECT_SOURCE_DIR}/cmake/report_texts.cpp.in ${OUTPUT} @ONLY)
 endfunction()

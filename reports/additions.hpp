@@ -4,7 +4,6 @@
 // (edgewise_addition): nothing else names such a folder, and deleting it deletes what it adds.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,8 +22,8 @@ struct StoreDifference {
 struct Addition {
     /// All that have something to draw; those with a section stand in the chapter.
     std::vector<Chart> (*charts)(const ReportData& data);
-    /// Stands before all other chapters; null: this store gives none. `charts`: all of the report's.
-    std::optional<Chapter> (*chapter)(const ReportData& data, const std::vector<Chart>& charts);
+    /// They stand after the chapter on hard cases. `charts`: all of the report's.
+    std::vector<Chapter> (*chapters)(const ReportData& data, const std::vector<Chart>& charts);
 
     const char *command, *command_does;  ///< a command that reads a store, and what --help says of it
     /// What the command prints.

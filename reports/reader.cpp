@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 
+#include "edgewise/reports/scene_label.hpp"
 #include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {
@@ -24,7 +27,8 @@ std::vector<ReportCell> reader_in_order(std::vector<store::StoredCell> stored) {
     std::vector<ReportCell> cells;
     for (store::StoredCell& cell : stored) {
         if (!cell.axes.empty()) cell.table += " " + cell.axes;
-        cells.push_back({std::move(cell), ""});
+        std::string label = scene_label(cell);
+        cells.push_back({std::move(cell), std::move(label)});
     }
     std::sort(cells.begin(), cells.end(), [](const ReportCell& a, const ReportCell& b) {
         return std::tie(a.scene, a.scene_parameters, a.vertices, a.shape, a.algorithm, a.table, a.hash) <
@@ -39,8 +43,21 @@ std::vector<ReportCell> take_out(std::vector<ReportCell>& cells, IsOne is_one) {
     std::vector<ReportCell> taken;
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(taken), is_one);
     std::erase_if(cells, is_one);
-    label_scenes(taken);
     return taken;
+}
+
+/// A cell of a scene file is one of that file's kind, and is called by what the file varies.
+void name_by_file(std::vector<ReportCell>& cells,
+                  const std::vector<std::pair<std::string, std::string>>& scene_files) {
+    std::map<std::string, const std::string*> texts;
+    for (const auto& [name, text] : scene_files) texts[name] = &text;
+    for (ReportCell& cell : cells) {
+        const std::string& text = *texts.at(cell.scene);
+        cell.scene_label = scene_label(cell, text);
+        const auto json = nlohmann::json::parse(text, nullptr, false);
+        if (json.is_object() && json.contains("scene") && json["scene"].is_string())
+            cell.scene_kind = json["scene"];
+    }
 }
 
 /// Scenes by name, the rows of other runs, and the cells of scenes from files.
@@ -63,14 +80,20 @@ void sort_out(ReportData& data) {
         take_out(data.cells, [](const ReportCell& cell) { return cell.scene.starts_with("effort "); });
     data.from_files =
         take_out(data.cells, [&](const ReportCell& cell) { return names.contains(cell.scene); });
-    label_scenes(data.cells);
-    // Labelled beside ours: they are of the same scenes.
+    name_by_file(data.from_files, data.scene_files);
     const auto is_peer = [](const ReportCell& cell) { return cell.judged() && !cell.is_raw(); };
     std::copy_if(data.cells.begin(), data.cells.end(), std::back_inserter(data.peers), is_peer);
     std::erase_if(data.cells, is_peer);
 }
 
 }  // namespace
+
+std::vector<const ReportCell*> ReportData::swept() const {
+    std::vector<const ReportCell*> all;
+    for (const auto* from : {&cells, &from_files})
+        for (const ReportCell& cell : *from) all.push_back(&cell);
+    return all;
+}
 
 std::size_t ReportData::count(const std::string& status) const {
     const auto has_it = [&](const ReportCell& cell) { return cell.status == status; };

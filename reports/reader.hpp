@@ -17,7 +17,7 @@ namespace edgewise::reports {
 
 /// `axes` are part of `table` here, since their cells stand beside the plain ones.
 struct ReportCell : store::StoredCell {
-    std::string scene_label;  ///< scene, and the parameters that tell it from its namesakes
+    std::string scene_label;  ///< what the scene is called (scene_label.hpp)
 
     /// The value of an axis; null where the cell has none of that name.
     [[nodiscard]] std::optional<std::string> axis(std::string_view name) const;
@@ -39,15 +39,12 @@ struct ReportData {
     std::vector<ReportCell> peers;   ///< cells of other libraries, in the scenes of `cells`; order likewise
     std::vector<std::pair<std::string, std::string>> scene_files;  ///< name and text (JSON), by name
 
+    /// The sweep's cells, of built-in scenes and of files, in this order; no peers, no rows of other runs.
+    [[nodiscard]] std::vector<const ReportCell*> swept() const;
     [[nodiscard]] std::size_t cell_count() const { return cells.size() + from_files.size(); }
     [[nodiscard]] std::size_t count(const std::string& status) const;  ///< of all cells
     [[nodiscard]] bool any_failed() const;                             ///< cell or stability row
 };
-
-/// Names scenes for people: the scene alone where it occurs with one set of parameters, else with the
-/// parameters that differ, e.g. "tumble (rotation_step 0.01)"; a value that most of its namesakes have goes
-/// without saying.
-void label_scenes(std::vector<ReportCell>& cells);
 
 /// Reads one build as store::read_build does.
 [[nodiscard]] ReportData read_report(const std::string& store, const std::string& build = {});

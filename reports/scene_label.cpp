@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// The labels of scenes. Parameters that are no JSON object are shown as they are.
+// The labels of scenes: from a scene's own parameters alone, so that a scene is called the same in every
+// store and can be cited. Parameters that are no JSON object are shown as they are.
+#include "edgewise/reports/scene_label.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
-
-#include "edgewise/reports/reader.hpp"
+#include <vector>
 
 namespace edgewise::reports {
 
@@ -24,48 +24,91 @@ SceneLabelJson parse_parameters(const std::string& text) {
     return text.empty() ? SceneLabelJson::object() : SceneLabelJson{{"parameters", text}};
 }
 
-/// The keys whose value is not the same in all of `variants`, each with the value that more than half of
-/// them have: that one is not written. Empty: no value is so common.
-std::map<std::string, std::string> differing_keys(const std::set<std::string>& variants) {
-    std::map<std::string, std::map<std::string, std::size_t>> values;
-    for (const std::string& variant : variants) {
-        const SceneLabelJson parameters = parse_parameters(variant);
-        for (const auto& item : parameters.items()) ++values[item.key()][item.value().dump()];
-    }
-    std::map<std::string, std::string> differing;
-    for (const auto& [key, counts] : values) {
-        if (counts.begin()->second == variants.size()) continue;
-        const auto most = std::max_element(counts.begin(), counts.end(),
-                                           [](const auto& a, const auto& b) { return a.second < b.second; });
-        differing[key] = 2 * most->second > variants.size() ? most->first : std::string();
-    }
-    return differing;
-}
-
 std::string shown(const SceneLabelJson& value) {
     if (value.is_string()) return value.get<std::string>();
     const double number = value.is_number() ? value.get<double>() : 0.5;
     return std::floor(number) == number ? fmt::format("{:.0f}", number) : value.dump();
 }
 
-std::string label(const ReportCell& cell, const std::map<std::string, std::string>& keys) {
-    const SceneLabelJson parameters = parse_parameters(cell.scene_parameters);
-    std::vector<std::string> inside;
-    for (const auto& [key, usual] : keys) {
-        if (parameters.contains(key) && parameters[key].dump() != usual)
-            inside.push_back(key + " " + shown(parameters[key]));
-    }
-    return inside.empty() ? cell.scene : fmt::format("{} ({})", cell.scene, fmt::join(inside, ", "));
+const SceneStandard* standard_of(std::string_view kind, std::string_view parameter) {
+    const auto standards = scene_standards();
+    const auto found = std::find_if(standards.begin(), standards.end(), [&](const SceneStandard& standard) {
+        return standard.kind == kind && standard.parameter == parameter;
+    });
+    return found == standards.end() ? nullptr : &*found;
+}
+
+bool goes_without_saying(const std::string& kind, const std::string& name, const SceneLabelJson& value) {
+    const SceneStandard* standard = standard_of(kind, name);
+    return standard && !standard->always_said && value.is_number() && value.get<double>() == standard->value;
+}
+
+std::string label(const std::string& scene, const std::vector<std::string>& inside) {
+    return inside.empty() ? scene : fmt::format("{} ({})", scene, fmt::join(inside, ", "));
+}
+
+/// The parameter that a scene file varies; empty: none.
+std::string varied_by(const SceneLabelJson& file) {
+    const SceneLabelJson vary = file.is_object() ? file.value("vary", SceneLabelJson()) : SceneLabelJson();
+    return vary.is_object() && !vary.empty() ? vary.begin().key() : std::string();
 }
 
 }  // namespace
 
-void label_scenes(std::vector<ReportCell>& cells) {
-    std::map<std::string, std::set<std::string>> variants;
-    for (const ReportCell& cell : cells) variants[cell.scene].insert(cell.scene_parameters);
-    std::map<std::string, std::map<std::string, std::string>> keys;
-    for (const auto& [scene, texts] : variants) keys[scene] = differing_keys(texts);
-    for (ReportCell& cell : cells) cell.scene_label = label(cell, keys[cell.scene]);
+std::span<const SceneStandard> scene_standards() {
+    static constexpr SceneStandard standards[] = {{"static", "occupancy", 0.1},
+                                                  {"static", "bodies", 64},
+                                                  {"static", "margin", 0},
+                                                  {"cold", "distance", 1},
+                                                  {"cold", "overlapping", 0.1},
+                                                  {"cold", "deepest", 0.5},
+                                                  {"gap", "gap", -0.1, true},
+                                                  {"gap", "span", 1.1},
+                                                  {"tumble", "rotation_step", 0.01, true},
+                                                  {"tumble", "translation_step", 0.001},
+                                                  {"tumble", "bodies", 12},
+                                                  {"tumble", "occupancy", 0.1},
+                                                  {"tumble", "margin", 0.2},
+                                                  {"tumble", "steps", 100},
+                                                  {"tumble", "in_time_order", 0},
+                                                  {"tumble", "step_in_dimensions", 0},
+                                                  {"tumble", "random_orientation", 0},
+                                                  {"tumble", "random_velocities", 0},
+                                                  {"tumble", "own_tables", 0},
+                                                  {"tumble", "box_of_bodies", 0},
+                                                  {"tumble", "precession", 0},
+                                                  {"tumble", "least_steps", 0},
+                                                  {"tumble", "population", 0},
+                                                  {"proximity", "pairs", 30},
+                                                  {"proximity", "gap", 0.001},
+                                                  {"proximity", "rotation_step", 0.25 / 60},
+                                                  {"pressure", "bodies", 600, true},
+                                                  {"pressure", "rotation_step", 0.1},
+                                                  {"pressure", "gap", 0.1},
+                                                  {"pressure", "new_order", 0},
+                                                  {"pressure", "least_steps", 0}};
+    return standards;
+}
+
+std::optional<double> parameter_of(const store::CellRow& cell, const std::string& name) {
+    const SceneLabelJson parameters = SceneLabelJson::parse(cell.scene_parameters, nullptr, false);
+    if (!parameters.is_object() || !parameters.contains(name) || !parameters[name].is_number())
+        return std::nullopt;
+    return parameters[name].get<double>();
+}
+
+std::string scene_label(const store::CellRow& cell, const std::string& file_text) {
+    const SceneLabelJson parameters = parse_parameters(cell.scene_parameters);
+    const SceneLabelJson file = SceneLabelJson::parse(file_text, nullptr, false);
+    const std::string varied = varied_by(file);
+    if (!varied.empty() && parameters.contains(varied))
+        return label(cell.scene, {varied + " " + shown(parameters[varied])});
+    if (file.is_object() && varied.empty()) return cell.scene;
+    const std::string kind = file.is_object() ? file.value("scene", cell.scene) : cell.scene;
+    std::vector<std::string> inside;
+    for (const auto& [name, value] : parameters.items())
+        if (!goes_without_saying(kind, name, value)) inside.push_back(name + " " + shown(value));
+    return label(cell.scene, inside);
 }
 
 }  // namespace edgewise::reports

@@ -16,8 +16,8 @@ namespace {
 ChartRows component_rows(const ReportData& data, const std::vector<std::string>& components) {
     ChartRows rows;
     std::set<std::string> seen;
-    for (const ReportCell& cell : data.cells) {
-        if (!cell.verified()) continue;
+    for (const ReportCell* verified : verified_cells(data)) {
+        const ReportCell& cell = *verified;
         if (!seen.insert(cell.algorithm + '\n' + cell.table + '\n' + cell.shape).second) continue;
         for (std::size_t i = 0; i < components.size(); ++i) {
             const measure::Figure figure = cell.figure("bytes", components[i]);
@@ -29,6 +29,7 @@ ChartRows component_rows(const ReportData& data, const std::vector<std::string>&
             row["component"] = in_words(components[i]);
             row["order"] = i;
             row["bytes"] = *figure.value;
+            row["total"] = cell.figure("bytes.total_bytes_per_edge").value.value_or(0);
             rows.values.push_back(std::move(row));
         }
     }

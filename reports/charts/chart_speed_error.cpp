@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Speed against error: what accuracy a nanosecond buys, a panel for each shape of the scene chosen, with the
-// front of time and the error chosen as a step line. The axis of errors is the same whatever is chosen, so
-// that choices can be compared.
+// Speed against error: what accuracy a nanosecond buys, a panel for each scene with the shape chosen, with
+// the front of time and the error chosen as a step line. The axis of errors is the same whatever is chosen,
+// so that choices can be compared.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -13,13 +13,14 @@
 #include "edgewise/reports/charts/error_axis.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/fronts.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/palette.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-constexpr std::size_t most_panels = 12;  ///< of one scene, in view at once
+constexpr std::size_t most_panels = 12;  ///< of one shape, in view at once
 constexpr const char* another_library = "another library";
 
 /// "p50_front"
@@ -57,10 +58,10 @@ ChartJson speed_error_rows(const Fronts& fronts, std::vector<std::string>& notes
     std::map<std::string, std::size_t> panels, not_drawn;
     for (const auto& [cell, why] : fronts.left_out) ++not_drawn[why];
     for (const FrontPanel& panel : fronts.panels) {
-        if (panels[panel.scene_label]++ < most_panels) {
+        if (panels[panel.shape]++ < most_panels) {
             add_rows_of(panel, rows);
         } else {
-            not_drawn[fmt::format("of shapes beyond the {} smallest of their scene", most_panels)] +=
+            not_drawn[fmt::format("of scenes beyond the first {} with their shape", most_panels)] +=
                 panel.points.size();
         }
     }
@@ -105,21 +106,21 @@ void note_places(const ChartJson& values, std::vector<std::string>& notes) {
     }
 }
 
-/// In order of the panels.
-ChartJson scenes_drawn(const Fronts& fronts) {
-    ChartJson scenes = ChartJson::array();
-    for (const FrontPanel& panel : fronts.panels)
-        if (scenes.empty() || scenes.back() != panel.scene_label) scenes.push_back(panel.scene_label);
-    return scenes;
+/// By vertices.
+ChartJson shapes_drawn(const Fronts& fronts) {
+    std::set<std::pair<std::int64_t, std::string>> shapes;
+    for (const FrontPanel& panel : fronts.panels) shapes.emplace(panel.vertices, panel.shape);
+    ChartJson names = ChartJson::array();
+    for (const auto& [vertices, shape] : shapes) names.push_back(shape);
+    return names;
 }
 
-/// The scene that is shown until another is chosen: that with the most points, of these the first.
-ChartJson first_scene(const ChartJson& values, const ChartJson& scenes) {
-    std::map<std::string, std::size_t> points;
-    for (const ChartJson& row : values) ++points[row["scene"].get<std::string>()];
-    return *std::max_element(scenes.begin(), scenes.end(), [&](const ChartJson& a, const ChartJson& b) {
-        return points[a.get<std::string>()] < points[b.get<std::string>()];
-    });
+/// The shape that is shown until another is chosen: the reference shape if it is drawn, else the largest.
+std::string first_shape(const ReportData& data, const ChartJson& shapes) {
+    const std::string reference = reference_shape(data);
+    for (const ChartJson& shape : shapes)
+        if (shape == reference) return reference;
+    return shapes.back();
 }
 
 /// Layouts with the colours that they have everywhere, then libraries.
@@ -129,8 +130,8 @@ void add_holders(ChartJson& slots, const ReportData& data, const ChartJson& valu
     for (const ChartJson& row : values)
         if (row["kind"] == another_library) libraries.insert(row["holder"].get<std::string>());
     for (const std::string& library : libraries) holders.push_back(library);
-    for (std::size_t i = 0; i < holders.size(); ++i)
-        colours.push_back(store::layout_colours[i % store::layout_colours.size()]);
+    for (const ChartJson& holder : holders)
+        colours.push_back(store::layout_colour(holder.get<std::string>()));
     slots["holders"] = holders, slots["holder_colours"] = colours;
 }
 
@@ -160,11 +161,9 @@ Chart speed_error_chart(const ReportData& data) {
     if (!take_rows(chart, rows)) return chart;
     const ErrorAxis axis = place_on_axis(rows.values);
     note_places(rows.values, chart.notes);
-    const ChartJson scenes = scenes_drawn(fronts), first = first_scene(rows.values, scenes);
-    chart.notes.push_back(
-        fmt::format("Shown until another is chosen: {}, worst error.", first.get<std::string>()));
+    const ChartJson shapes = shapes_drawn(fronts);
     ChartJson slots = axis_slots(axis);
-    slots["drawn_scenes"] = scenes, slots["first_scene"] = first;
+    slots["drawn_shapes"] = shapes, slots["first_shape"] = first_shape(data, shapes);
     add_kinds(slots, data);
     add_holders(slots, data, rows.values);
     draw(chart, data, rows.values, slots);

@@ -50,7 +50,7 @@ std::vector<std::string> ordered_values(const ChartJson& values, const char* mem
 /// By vertices, then name.
 std::vector<std::string> shapes_by_size(const ReportData& data) {
     std::set<std::pair<std::int64_t, std::string>> shapes;
-    for (const ReportCell& cell : data.cells) shapes.emplace(cell.vertices, cell.shape);
+    for (const ReportCell* cell : data.swept()) shapes.emplace(cell->vertices, cell->shape);
     std::vector<std::string> names;
     for (const auto& [vertices, name] : shapes)
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -67,6 +67,13 @@ void add_order(ChartJson& slots, const std::string& names_slot, const std::vecto
     slots[list_slot] = range;
 }
 
+/// Every layout with its own colour, whatever others there are.
+void add_colours(ChartJson& slots, const std::vector<std::string>& layouts) {
+    slots["layouts"] = layouts;
+    slots["layout_colours"] = ChartJson::array();
+    for (const std::string& layout : layouts) slots["layout_colours"].push_back(store::layout_colour(layout));
+}
+
 const ChartJson dashes[] = {{1, 0}, {6, 3}, {2, 2}, {8, 3, 2, 3}, {1, 4}, {10, 2}, {4, 1, 1, 1, 1, 1}};
 const char* const point_shapes[] = {"circle", "triangle-up", "square", "diamond", "cross", "triangle-down"};
 const std::vector<std::string> first_precisions = {"f64", "f32", "mixed"};
@@ -74,10 +81,9 @@ const std::vector<std::string> first_precisions = {"f64", "f32", "mixed"};
 }  // namespace
 
 std::vector<Chart> all_charts(const ReportData& data) {
-    std::vector<Chart> charts = {bytes_chart(data), time_chart(data), speed_error_chart(data),
-                                 ratio_chart(data)};
+    std::vector<Chart> charts = {speed_error_chart(data), bytes_chart(data), time_chart(data)};
     if (!modelled_cells(data).empty()) charts.push_back(misses_chart(data));
-    if (!data.stability.empty()) charts.insert(charts.end(), {tolerance_chart(data), gap_chart(data)});
+    if (!data.stability.empty()) charts.push_back(tolerance_chart(data));
     for (const Addition& addition : additions())
         for (Chart& chart : addition.charts(data)) charts.push_back(std::move(chart));
     return charts;
@@ -128,8 +134,7 @@ void draw(Chart& chart, const ReportData& data, const ChartJson& values, const C
 
 ChartJson order_slots(const ReportData& data, const ChartJson& values) {
     ChartJson slots{{"scenes", scene_labels(data)}, {"shapes", shapes_by_size(data)}};
-    add_order(slots, "layouts", ordered_names(data, &ReportCell::layout, {"aos", "soa"}), "layout_colours",
-              store::layout_colours);
+    add_colours(slots, ordered_names(data, &ReportCell::layout, {"aos", "soa"}));
     add_order(slots, "algorithms", algorithm_names(data), "algorithm_shapes", point_shapes);
     add_order(slots, "precisions", ordered_names(data, &ReportCell::precision, first_precisions),
               "precision_dashes", dashes);
@@ -222,7 +227,23 @@ Chart misses_chart(const ReportData& data) {
     ChartRows rows;
     for (const ReportCell* cell : modelled_cells(data))
         add_misses(*cell, cell_json(*cell), Starts::all, rows.values);
-    return drawn_chart(chart_of_file("misses"), data, std::move(rows));
+    Chart chart = chart_of_file("misses");
+    if (take_rows(chart, rows))
+        draw(chart, data, rows.values, scene_slots(scenes_of_rows(data, rows.values)));
+    return chart;
+}
+
+ChartJson scenes_of_rows(const ReportData& data, const ChartJson& values) {
+    std::set<std::string> present;
+    for (const ChartJson& row : values) present.insert(row["scene"].get<std::string>());
+    ChartJson scenes = ChartJson::array();
+    for (const std::string& scene : scene_labels(data))
+        if (present.contains(scene)) scenes.push_back(scene);
+    return scenes;
+}
+
+ChartJson scene_slots(const ChartJson& scenes) {
+    return {{"drawn_scenes", scenes}, {"first_scene", scenes.back()}};
 }
 
 ChartJson curve_json(const ReportCell& cell) {

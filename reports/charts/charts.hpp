@@ -21,12 +21,12 @@ using ChartJson = nlohmann::ordered_json;
 struct Chart {
     std::string name;  ///< of its file and its element: "bytes"
     std::string title;
-    std::string how_to_read;         ///< two or three sentences
-    ChartJson spec;                  ///< null when there is nothing to draw
-    std::vector<std::string> notes;  ///< what is not drawn, and why
-    TextGrid fallback;               ///< the data as a small table, where no picture can be shown
-    std::string section = {};  ///< of the chapter on the paper's figures; empty: among the page's charts
-    ChartJson file = {};       ///< what its file says (spec_file.hpp)
+    std::string how_to_read;                ///< two or three sentences
+    ChartJson spec;                         ///< null when there is nothing to draw
+    std::vector<std::string> notes;         ///< what is not drawn, and why
+    TextGrid fallback;                      ///< the data as a small table, where no picture can be shown
+    std::string section = {};               ///< of the chapter that shows it
+    ChartJson file = {};                    ///< what its file says (spec_file.hpp)
     ChartJson points = ChartJson::array();  ///< the rows that it draws
     int figure = 0;  ///< of the paper: then it comes as PDF and CSV too (page/paper_figures.hpp)
 };
@@ -40,9 +40,7 @@ struct Chart {
 [[nodiscard]] Chart time_chart(const ReportData& data);
 [[nodiscard]] Chart speed_error_chart(const ReportData& data);
 [[nodiscard]] Chart misses_chart(const ReportData& data);
-[[nodiscard]] Chart ratio_chart(const ReportData& data);
 [[nodiscard]] Chart tolerance_chart(const ReportData& data);
-[[nodiscard]] Chart gap_chart(const ReportData& data);
 [[nodiscard]] std::vector<Chart> all_charts(const ReportData& data);
 
 /// The most marks one chart may hold; browsers draw this many in about half a second. A chart that draws a
@@ -90,6 +88,10 @@ void add_misses(const ReportCell& cell, const ChartJson& named, Starts starts, C
 /// Colours by layout, shapes by algorithm, dashes by precision, each from a fixed order of names, whatever
 /// else is shown or hidden; of curves also dashes by variant and shapes by point (charts.hpp).
 [[nodiscard]] ChartJson order_slots(const ReportData& data, const ChartJson& values);
+/// The scenes that the rows have, in the order of the data.
+[[nodiscard]] ChartJson scenes_of_rows(const ReportData& data, const ChartJson& values);
+/// Of a chart with a choice of scenes, one at least: these, and the last of them as the one in view first.
+[[nodiscard]] ChartJson scene_slots(const ChartJson& scenes);
 /// Algorithms in the order of all charts.
 [[nodiscard]] std::vector<std::string> algorithm_names(const ReportData& data);
 /// Keeps every k-th row so that at most `rows` stay; says so in a note.

@@ -9,11 +9,7 @@
 namespace edgewise::reports {
 
 [[nodiscard]] bool have_bundles(const std::filesystem::path& directory);
-/// The three as <script> elements with their licences, safe to stand in HTML; empty when one is missing.
-[[nodiscard]] std::string bundle_scripts(const std::filesystem::path& directory);
-/// Script text that may stand in a <script> element: no "</script", no "<!--", no sourceMappingURL line.
-[[nodiscard]] std::string inline_script(const std::string& text);
-/// JSON that may stand in a <script> element: every '<' becomes \u003c.
-[[nodiscard]] std::string inline_json(const std::string& json);
+/// The three with their licences, packed (packing.hpp) as "bundle-NAME"; empty when one is missing.
+[[nodiscard]] std::string bundle_elements(const std::filesystem::path& directory);
 
 }  // namespace edgewise::reports

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// One function a chapter; what is long is folded.
+// One function a chapter; what is long is made when it is opened.
 #include "edgewise/reports/page/chapters.hpp"
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
 #include "edgewise/reports/additions.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/page/html.hpp"
+#include "edgewise/reports/page/safe_svg.hpp"
+#include "edgewise/reports/page/sentences.hpp"
 #include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
@@ -20,47 +26,88 @@ namespace {
 
 /// The first reason for a count that is missing.
 std::string why_not_counted(const ReportData& data) {
-    for (const ReportCell& cell : data.cells) {
-        const measure::Figure figure = cell.figure("counters.instructions");
-        if (cell.verified() && !figure.value) return " Not counted here: " + figure.reason + ".";
+    for (const ReportCell* cell : verified_cells(data)) {
+        const measure::Figure figure = cell->figure("counters.instructions");
+        if (!figure.value) return " Not counted here: " + figure.reason + ".";
     }
     return {};
 }
 
-Chapter bytes_chapter(const ReportData& data) {
-    const std::string shape = reference_shape(data);
-    return {"bytes",
-            "Bytes per edge",
-            prose("bytes.md"),
-            {{.title = shape, .grids = {bytes_grid(data, shape)}, .page_only = true},
-             {.grids = {bytes_grid(data, "")}, .fold = "All shapes"}}};
+std::string all_rows(const TextGrid& grid, const std::string& what) {
+    return fmt::format("{} ({})", what, plural(grid.rows.size(), "row"));
 }
 
-Chapter layouts_chapter(const ReportData& data) {
+/// A fold with one long table.
+ChapterBlock folded(TextGrid grid, const std::string& what) {
+    std::string line = all_rows(grid, what);
+    return {.grids = {std::move(grid)}, .fold = std::move(line)};
+}
+
+Chapter bytes_chapter(const Answer&, const ReportData& data) {
+    return {.id = "bytes",
+            .title = "How many bytes, and for what?",
+            .paragraph = prose("bytes.md"),
+            .blocks = {{.section = "bytes", .grids = {bytes_grid(data, reference_shape(data))}},
+                       folded(bytes_grid(data, ""), "All shapes")},
+            .link = "Bytes",
+            .sentence = bytes_sentence(data)};
+}
+
+/// Drawings that hold more than plain shapes are left out, and said to be.
+ChapterBlock drawings_block(const ReportData& data) {
     std::string pictures;
-    for (const Drawing& drawing : drawings(data))
-        pictures += "<div class=\"chart\">" + drawing.svg + "</div>\n";
-    std::vector<TextGrid> grids{layout_cost_grid(data)};
-    if (TextGrid memory = scene_memory_grid(data); !memory.rows.empty()) grids.push_back(std::move(memory));
-    Chapter chapter{"layouts", "What layouts cost", prose("layouts.md"), {{.grids = grids}}, "Layouts"};
+    for (const Drawing& drawing : drawings(data)) {
+        const auto safe = safe_svg(drawing.svg);
+        pictures += safe
+                        ? "<div class=\"wide drawing\" tabindex=\"0\" role=\"group\" aria-label=\"table of " +
+                              html_text(drawing.table) + "\">" + *safe + "</div>\n"
+                        : html_paragraph("The stored picture of " + drawing.table +
+                                         " holds more than shapes and text, and is not shown.");
+    }
+    if (pictures.empty()) return {};
+    return {.elements = pictures, .fold = "The layouts draw themselves: the table of a cube, line by line"};
+}
+
+Chapter layouts_chapter(const Answer&, const ReportData& data) {
+    Chapter chapter{.id = "layouts",
+                    .title = "Which fields travel together, and what does a layout cost?",
+                    .paragraph = prose("layouts.md"),
+                    .blocks = {{.grids = {layout_cost_grid(data)}}},
+                    .link = "Layouts"};
+    if (TextGrid memory = scene_memory_grid(data); !memory.rows.empty())
+        chapter.blocks.push_back({.grids = {std::move(memory)}});
     ChapterBlock claim{.title = "A line per vertex",
                        .paragraph = prose("support.md") + support_verdict(data)};
     if (TextGrid supports = support_grid(data); !supports.rows.empty()) claim.grids = {std::move(supports)};
     chapter.blocks.push_back(std::move(claim));
-    if (!pictures.empty())
-        chapter.blocks.push_back({.elements = pictures,
-                                  .fold = "The layouts draw themselves: the table of a cube",
-                                  .page_only = true});
+    if (ChapterBlock pictures = drawings_block(data); !pictures.fold.empty())
+        chapter.blocks.push_back(std::move(pictures));
     return chapter;
 }
 
-Chapter caches_chapter(const ReportData& data) {
+/// The machine whose misses stand in full view: this one if it was modelled, else the first.
+std::string shown_machine(const std::vector<std::string>& machines) {
+    const bool host = std::find(machines.begin(), machines.end(), "host") != machines.end();
+    return host ? "host" : machines.front();
+}
+
+Chapter caches_chapter(const Answer&, const ReportData& data) {
     const bool modelled = !modelled_cells(data).empty();
-    Chapter chapter{"caches", "Caches", prose(modelled ? "caches.md" : "no_caches.md"), {}};
+    Chapter chapter{.id = "caches",
+                    .title = "What does a miss cost me, and from how many bodies on?",
+                    .paragraph = prose(modelled ? "caches.md" : "no_caches.md"),
+                    .link = "Misses",
+                    .sentence = misses_sentence(data)};
     if (!modelled) return chapter;
-    chapter.blocks = {{.grids = {misses_grid(data), working_sets_grid(data), policy_grid(data)}}};
-    for (const std::string& machine : modelled_machines(data)) {
-        ChapterBlock block{.grids = {causes_grid(data, machine)}, .fold = machine + ": why, what and where"};
+    const std::vector<std::string> machines = modelled_machines(data);
+    if (machines.empty()) return chapter;
+    chapter.blocks = {{.section = "misses", .grids = {misses_grid(data, shown_machine(machines))}},
+                      {.paragraph = policy_sentence(data)},
+                      folded(working_sets_grid(data), "Working sets, knees, and what was ever touched"),
+                      folded(policy_grid(data), "Rankings under other replacement policies")};
+    for (const std::string& machine : machines) {
+        ChapterBlock block{.grids = {misses_grid(data, machine), causes_grid(data, machine)},
+                           .fold = machine + ": misses, why, what and where"};
         for (const std::string& level : broken_down_levels(data, machine))
             for (const store::FigureName& by : {misses_by_field, misses_by_step})
                 block.grids.push_back(breakdown_grid(data, machine, level, by));
@@ -69,41 +116,41 @@ Chapter caches_chapter(const ReportData& data) {
     return chapter;
 }
 
-Chapter counters_chapter(const ReportData& data) {
-    return {"counters",
-            "Counters and heap",
-            prose("counters.md") + why_not_counted(data),
-            {{.grids = {counters_grid(data)}}},
-            "Counters"};
+Chapter counters_chapter(const Answer&, const ReportData& data) {
+    return {.id = "counters",
+            .title = "What did the processor and the kernel count?",
+            .paragraph = prose("counters.md") + why_not_counted(data),
+            .blocks = {{.grids = {counters_grid(data)}}},
+            .link = "Counters"};
 }
 
-/// The reference shape in full view, all shapes folded.
-Chapter times_chapter(const ReportData& data) {
-    Chapter chapter{"times", "Times", prose("times.md"), {}};
+Chapter times_chapter(const Answer& answer, const ReportData& data) {
+    Chapter chapter{.id = "times",
+                    .title = "How does time grow with the body?",
+                    .paragraph = prose("times.md"),
+                    .blocks = {{.section = "times"}},
+                    .link = "Times",
+                    .sentence = times_sentence(answer, data)};
     for (const std::string& scene : scene_labels(data)) {
-        ChapterBlock shown{.title = scene, .page_only = true};
-        std::vector<ChapterBlock> all;
         for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
-            const TextGrid grid = time_grid(data, scene, kind, "");
-            if (grid.rows.empty()) continue;
-            if (TextGrid reference = time_grid(data, scene, kind, reference_shape(data));
-                !reference.rows.empty())
-                shown.grids.push_back(std::move(reference));
-            all.push_back({.grids = {grid},
-                           .fold = fmt::format("{}, {} pairs, all shapes ({})", scene, pair_name(kind),
-                                               plural(grid.rows.size(), "cell"))});
+            TextGrid grid = time_grid(data, scene, kind, "");
+            if (!grid.rows.empty())
+                chapter.blocks.push_back(
+                    folded(std::move(grid), fmt::format("{}, {} pairs", scene, pair_name(kind))));
         }
-        chapter.blocks.push_back(std::move(shown));
-        chapter.blocks.insert(chapter.blocks.end(), all.begin(), all.end());
     }
     return chapter;
 }
 
 /// Where other libraries were measured.
-std::optional<Chapter> peers_chapter(const ReportData& data) {
+std::optional<Chapter> peers_chapter(const Answer& answer, const ReportData& data) {
     if (!has_peers(data) && data.effort.empty()) return std::nullopt;
-    Chapter chapter{
-        "peers", "Beside other libraries", prose("peers.md"), {{.grids = {peers_grid(data)}}}, "Peers"};
+    Chapter chapter{.id = "peers",
+                    .title = "How far are the libraries?",
+                    .paragraph = prose("peers.md"),
+                    .blocks = {{.grids = {peers_grid(data)}}},
+                    .link = "Libraries",
+                    .sentence = peers_sentence(answer)};
     for (const std::string& scene : scene_labels(data)) {
         TextGrid grid = peer_grid(data, scene);
         if (!grid.rows.empty()) chapter.blocks.push_back({.title = scene, .grids = {std::move(grid)}});
@@ -116,58 +163,85 @@ std::optional<Chapter> peers_chapter(const ReportData& data) {
 }
 
 /// The reference shape in full view, all shapes folded.
-Chapter fronts_chapter(const ReportData& data) {
-    const std::string shape = reference_shape(data);
-    Chapter chapter{"fronts",
-                    "Speed against error",
-                    prose("fronts.md"),
-                    {{.title = shape, .grids = {front_grid(data, shape)}, .page_only = true}},
-                    "Fronts"};
-    TextGrid all = front_grid(data, "");
-    std::string fold = fmt::format("All scenes and shapes ({})", plural(all.rows.size(), "row"));
-    chapter.blocks.push_back({.grids = {std::move(all)}, .fold = std::move(fold)});
+Chapter fronts_chapter(const Answer&, const ReportData& data) {
+    Chapter chapter{.id = "fronts",
+                    .title = "How fast, and how exact?",
+                    .paragraph = prose("fronts.md"),
+                    .blocks = {{.section = "fronts", .grids = {front_grid(data, reference_shape(data))}},
+                               folded(front_grid(data, ""), "All scenes and shapes")},
+                    .link = "Speed and error",
+                    .sentence = fronts_sentence(data)};
     if (TextGrid left_out = left_out_grid(data); !left_out.rows.empty())
-        chapter.blocks.push_back({.grids = {std::move(left_out)}});
+        chapter.blocks.push_back(folded(std::move(left_out), "Timed, and among no points"));
     return chapter;
 }
 
-Chapter errors_chapter(const ReportData& data) {
-    return {"errors",
-            "Errors",
-            prose("errors.md"),
-            {{.grids = {error_summary_grid(data)}},
-             {.grids = {error_grid(data)}, .fold = fmt::format("Every cell ({})", data.cells.size())}}};
+Chapter errors_chapter(const Answer&, const ReportData& data) {
+    TextGrid summary = error_summary_grid(data);
+    drop_zero_columns(summary);
+    return {.id = "errors",
+            .title = "How wrong are the answers?",
+            .paragraph = prose("errors.md"),
+            .blocks = {{.grids = {std::move(summary)}}, folded(error_grid(data), "Every cell")},
+            .link = "Errors"};
 }
 
-Chapter stability_chapter(const ReportData& data) {
-    if (data.stability.empty()) return {"stability", "Stability", prose("no_stability.md"), {}};
-    Chapter chapter{"stability", "Stability", prose("stability.md"), {}};
-    chapter.blocks = {{.grids = {stability_summary_grid(data)}},
-                      {.grids = {stability_grid(data)},
-                       .fold = fmt::format("Every family ({})", plural(data.stability.size(), "row"))}};
+Chapter stability_chapter(const Answer&, const ReportData& data) {
+    Chapter chapter{.id = "stability", .title = "Does it hold on hard cases?", .link = "Hard cases"};
+    chapter.paragraph = prose(data.stability.empty() ? "no_stability.md" : "stability.md");
+    if (data.stability.empty()) return chapter;
+    TextGrid summary = stability_summary_grid(data);
+    drop_zero_columns(summary);
+    chapter.sentence = stability_sentence(data);
+    chapter.blocks = {{.section = "stability", .grids = {std::move(summary)}},
+                      folded(stability_grid(data), "Family by family")};
     return chapter;
 }
 
-Chapter cells_chapter(const ReportData& data) {
+TextGrid gaps_grid(const Answer& answer) {
+    TextGrid grid{"Figures that were not measured", columns_of("reason|remedy|probes|#figures"), {}};
+    for (const Gap& gap : answer.gaps.gaps) {
+        std::string probes;
+        for (const std::string& probe : gap.probes) append(probes, probe);
+        grid.rows.push_back(
+            grid_row(gap.reason, gap.remedy.empty() ? "none known" : gap.remedy, probes, gap.figures));
+    }
+    return grid;
+}
+
+Chapter missing_chapter(const Answer& answer, const ReportData&) {
+    return {.id = "missing",
+            .title = "What was not measured, and how would I get it?",
+            .paragraph = prose("missing.md"),
+            .blocks = {{.grids = {gaps_grid(answer)}}},
+            .link = "Not measured",
+            .sentence = gaps_sentence(answer)};
+}
+
+Chapter method_chapter(const Answer&, const ReportData& data) {
+    TextGrid facts = facts_grid(data), scenes = scenes_grid(data);
+    facts.shown_rows = scenes.shown_rows = 40;
     return {
-        "cells",
-        "All cells",
-        {},
-        {{.paragraph = prose("cells.md"), .page_only = true},
-         {.grids = {cells_grid(data)}, .fold = fmt::format("All {}", plural(data.cells.size(), "cell"))}}};
+        .id = "machine",
+        .title = "Method, machine and build",
+        .paragraph = prose("purpose.md"),
+        .blocks = {{.grids = {std::move(facts)}}, folded(std::move(scenes), "Scenes and their parameters")},
+        .link = "Method"};
 }
 
 }  // namespace
 
-std::vector<Chapter> report_chapters(const ReportData& data, const std::vector<Chart>& charts) {
+std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& data,
+                                     const std::vector<Chart>& charts) {
     std::vector<Chapter> chapters;
+    const auto add = [&](std::initializer_list<Chapter (*)(const Answer&, const ReportData&)> made) {
+        for (const auto chapter : made) chapters.push_back(chapter(answer, data));
+    };
+    add({fronts_chapter, bytes_chapter, caches_chapter, times_chapter, stability_chapter});
     for (const Addition& addition : additions())
-        if (auto chapter = addition.chapter(data, charts)) chapters.push_back(std::move(*chapter));
-    if (auto chapter = peers_chapter(data)) chapters.push_back(std::move(*chapter));
-    for (const auto chapter :
-         {bytes_chapter, layouts_chapter, caches_chapter, counters_chapter, times_chapter, fronts_chapter,
-          errors_chapter, stability_chapter, cells_chapter})
-        chapters.push_back(chapter(data));
+        for (Chapter& chapter : addition.chapters(data, charts)) chapters.push_back(std::move(chapter));
+    if (auto chapter = peers_chapter(answer, data)) chapters.push_back(std::move(*chapter));
+    add({layouts_chapter, errors_chapter, counters_chapter, missing_chapter, method_chapter});
     return chapters;
 }
 

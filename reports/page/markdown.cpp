@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// The report as Markdown. Pictures are linked, where there are any.
+// The report in short, as Markdown: what a person pastes into a pull request or a thesis. The page has the
+// rest.
 #include <fmt/core.h>
 
-#include "edgewise/reports/page/chapters.hpp"
+#include <algorithm>
+
+#include "edgewise/reports/answer/answer_json.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/answer/findings.hpp"
+#include "edgewise/reports/page/first_screen/answer_rows.hpp"
 #include "edgewise/reports/page/page.hpp"
+#include "edgewise/reports/pictures/marks.hpp"
+#include "edgewise/reports/pictures/time_bytes.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
@@ -13,51 +21,95 @@ namespace edgewise::reports {
 
 namespace {
 
-/// `level`: of the heading, such as "###"; nothing for an empty title or paragraph.
-std::string headed(const std::string& level, const std::string& title, const std::string& paragraph = {}) {
-    return (title.empty() ? "" : level + " " + title + "\n\n") +
-           (paragraph.empty() ? "" : paragraph + "\n\n");
-}
+constexpr std::size_t few_rows = 6;
 
-std::string charts_markdown(const std::vector<Chart>& charts, const StaticPictures& pictures,
-                            const std::string& section, const std::string& level) {
+std::string headed(const std::string& title) { return "## " + title + "\n\n"; }
+
+std::string list(const std::vector<std::string>& items) {
     std::string out;
-    for (const Chart& chart : charts) {
-        if (chart.section != section) continue;
-        out += headed(level, chart.title, chart.how_to_read);
-        if (pictures.svg.contains(chart.name))
-            out += fmt::format("![{}](figures/{}.svg)\n\n", chart.title, chart.name);
-        for (const std::string& note : chart.notes) out += "- " + markdown_text(note) + "\n";
-        if (!chart.notes.empty()) out += "\n";
-    }
-    return out;
+    for (const std::string& item : items) out += "- " + markdown_text(item) + "\n";
+    return out.empty() ? out : out + "\n";
 }
 
-std::string block_markdown(const ChapterBlock& block, const std::vector<Chart>& charts,
-                           const StaticPictures& pictures) {
-    if (block.page_only) return {};
-    std::string out = headed("###", block.title, block.paragraph);
-    if (!block.section.empty()) out += charts_markdown(charts, pictures, block.section, "####");
-    for (const TextGrid& grid : block.grids) out += grid_markdown(grid);
-    return out;
+std::string advice_markdown(const AnswerText& text) {
+    std::string out;
+    for (const AdviceText& advice : text.advice)
+        out += fmt::format("**{}** {}\n\n", markdown_text(advice.lead), markdown_text(advice.rest));
+    return out + fmt::format("{} {} {}\n\n", markdown_text(text.conditions), markdown_text(text.noise),
+                             markdown_text(text.counts));
+}
+
+/// Total and the paper's subtotal of the tables of one shape: the smallest, and the paper's layout.
+std::string bytes_markdown(const ReportData& data, const Answer& answer) {
+    TextGrid all = bytes_grid(data, reference_shape(data));
+    TextGrid few{fmt::format("{}: bytes per edge of whole tables, smallest first, and the paper's layout",
+                             reference_shape(data)),
+                 columns_of("algorithm|table type|#total|#paper's subtotal (slope)|#table, bytes"),
+                 {}};
+    const std::size_t total = all.columns.size() - 4;
+    std::stable_sort(all.rows.begin(), all.rows.end(), [&](const auto& a, const auto& b) {
+        return a[total].why.empty() && b[total].why.empty() &&
+               std::stod(a[total].text) < std::stod(b[total].text);
+    });
+    for (const auto& row : all.rows) {
+        const bool baseline =
+            row[0].text == answer.baseline.algorithm && row[1].text == answer.baseline.table;
+        if (few.rows.size() < few_rows - 1 || baseline)
+            few.rows.push_back({row[0], row[1], row[total], row[total + 1], row[total + 3]});
+    }
+    return grid_markdown(few);
+}
+
+std::string fronts_markdown(const Answer& answer) {
+    std::string out;
+    for (const SceneAnswer* scene : answer.scenes()) {
+        std::string names;
+        for (const std::size_t place : front_of_time_and_bytes(*scene))
+            append(names, mark_text(scene->candidates[place]), "; ");
+        if (!names.empty())
+            out += fmt::format("- {}: {}\n", markdown_text(scene->label), markdown_text(names));
+        if (std::count(out.begin(), out.end(), '\n') == static_cast<long>(most_answer_rows)) break;
+    }
+    return out + "\n";
+}
+
+std::string problems_markdown(const ReportData& data) {
+    TextGrid problems = problems_grid(data);
+    if (problems.rows.empty()) return {};
+    const std::size_t all = problems.rows.size();
+    if (all > few_rows) problems.rows.resize(few_rows);
+    return headed("Failed and unavailable cells") +
+           (all > few_rows ? fmt::format("The first {} of {}; results/ has them all.\n\n", few_rows, all)
+                           : "") +
+           grid_markdown(problems);
+}
+
+std::string repeat_markdown(const ReportData& data, const Answer& answer) {
+    std::string out;
+    for (const SweepRun& run : answer.runs)
+        out += fmt::format("    edgewise {}    # {}{}\n", run.command, run.started,
+                           run.finished() ? "" : ", not finished");
+    if (out.empty()) out = "    layouts/sweep    # the store does not say with which options\n";
+    out += "    " + advise_command(answer) + "\n\n";
+    return out + fmt::format("{}; {} {}, {}; revision {}.\n", machine_text(data),
+                             markdown_text(data.build.compiler), data.build.build_type,
+                             markdown_text(data.build.flags), data.build.git_revision);
 }
 
 }  // namespace
 
-std::string report_markdown(const ReportData& data, const std::vector<Chart>& charts,
-                            const StaticPictures& pictures) {
-    std::string out =
-        fmt::format("# Edgewise report\n\n{}\n\n**{}**\n\n", prose("purpose.md"), verdict_line(data));
-    const TextGrid problems = problems_grid(data);
-    if (!problems.rows.empty()) out += headed("##", "Failed and unavailable cells") + grid_markdown(problems);
-    out += headed("##", "Machine and build") + grid_markdown(facts_grid(data)) +
-           grid_markdown(scenes_grid(data));
-    out += headed("##", "Charts", pictures.note) + charts_markdown(charts, pictures, "", "###");
-    for (const Chapter& chapter : report_chapters(data, charts)) {
-        out += headed("##", chapter.title, chapter.paragraph);
-        for (const ChapterBlock& block : chapter.blocks) out += block_markdown(block, charts, pictures);
-    }
-    return out;
+std::string report_markdown(const ReportData& data, const Answer& answer, const StaticPictures& pictures) {
+    const AnswerText text = answer_text(answer, data);
+    std::string out = "# Which layout, and what does it cost?\n\n" + advice_markdown(text);
+    out += grid_markdown(answer_grid(answer)) + problems_markdown(data);
+    if (!answer.scenes().empty()) out += "![Time against bytes](figures/answer.svg)\n\n";
+    if (!pictures.note.empty()) out += markdown_text(pictures.note) + "\n\n";
+    out += headed("On the front of time and bytes") + fronts_markdown(answer);
+    out += headed("Bytes") + bytes_markdown(data, answer);
+    out += headed("What to look at") + list(what_to_look_at(answer));
+    out += headed("What passed") + list(what_passed(answer));
+    out += headed("Method") + std::string(report_text("method.md")) + "\n";
+    return out + headed("How to repeat") + repeat_markdown(data, answer);
 }
 
 }  // namespace edgewise::reports

@@ -1,129 +1,156 @@
 // SPDX-License-Identifier: MIT
 //
-// The page. Failures stand before everything else; what is long is folded. Its frame is page.html, by whose
-// policy nothing is loaded from anywhere: scripts and styles only as they stand in the page, no eval. The
-// fallback inside each chart's element stays until page.js has drawn it, and comes back when that fails.
+// The page: the answer, what to look at, what passed, then the chapters; what is long is packed and made when
+// it is opened. Its frame is page.html, by whose policy nothing is loaded from anywhere, and no script runs
+// but the page's own, known by their hashes, and what these start from the page's own packed bundles.
 #include "edgewise/reports/page/page.hpp"
 
 #include <fmt/core.h>
 
-#include "edgewise/reports/page/bundles.hpp"
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "edgewise/reports/page/chapters.hpp"
+#include "edgewise/reports/page/first_screen/first_screen.hpp"
+#include "edgewise/reports/page/html.hpp"
+#include "edgewise/reports/page/packing.hpp"
+#include "edgewise/reports/page/page_data.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
-#include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-/// What is drawn, and how.
-struct PageCharts {
-    const std::vector<Chart>& all;
-    const StaticPictures& pictures;
-    bool alive;  ///< with their specifications for the scripts
+/// In the order in which they need each other.
+constexpr const char* page_scripts[] = {"page.tables.js", "page.cells.js", "page.question.js", "page.js"};
+
+/// Writes chapters, and keeps aside what is made when it is opened.
+class ChapterWriter {
+  public:
+    ChapterWriter(const std::vector<Chart>& charts, const StaticPictures& pictures)
+        : charts_(charts), pictures_(pictures) {}
+
+    std::string chapter(const Chapter& chapter) {
+        std::string out = "<section>\n" + html_heading(chapter.id, chapter.title);
+        if (!chapter.sentence.empty()) out += html_paragraph(chapter.sentence, "sentence");
+        for (const ChapterBlock& block : chapter.blocks) out += this->block(block);
+        if (!chapter.paragraph.empty()) out += html_paragraph(chapter.paragraph, "note");
+        return out + "</section>\n";
+    }
+
+    [[nodiscard]] std::string packed() const {
+        return packed_element("folds",
+                              folds_.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) +
+               packed_element("grids", grids_data(grids_));
+    }
+
+  private:
+    std::string block(const ChapterBlock& block) {
+        std::string out = block.title.empty() ? "" : "<h3>" + html_text(block.title) + "</h3>\n";
+        if (!block.paragraph.empty()) out += html_paragraph(block.paragraph);
+        if (!block.section.empty()) out += section(block.section);
+        out += block.elements;
+        if (!block.fold.empty()) return fold(block.fold, out, block.grids);
+        for (const TextGrid& grid : block.grids) out += this->grid(grid);
+        return out;
+    }
+
+    /// The first rows, and all of them on demand.
+    std::string grid(const TextGrid& grid) {
+        // One row more than are shown is no reason to open anything.
+        if (grid.rows.size() <= grid.shown_rows + 1) return grid_html(grid);
+        return grid_html(grid, grid.shown_rows) +
+               fold(fmt::format("All {} of this table", plural(grid.rows.size(), "row")), "", {grid});
+    }
+
+    std::string fold(const std::string& line, const std::string& html, const std::vector<TextGrid>& grids) {
+        nlohmann::json places = nlohmann::json::array();
+        for (const TextGrid& grid : grids) {
+            places.push_back(grids_.size());
+            grids_.push_back(grid);
+        }
+        folds_.push_back({{"html", html}, {"grids", places}});
+        return fmt::format(
+            "<details data-fold=\"{}\"><summary>{}</summary><p class=\"waiting note\">Made by a script when it "
+            "is opened; results/ beside this page has the same figures.</p></details>\n",
+            folds_.size() - 1, html_text(line));
+    }
+
+    std::string section(const std::string& name) {
+        std::string out;
+        for (const Chart& chart : charts_)
+            if (chart.section == name) out += this->chart(chart);
+        return out;
+    }
+
+    /// Title, words, picture or table, notes.
+    std::string chart(const Chart& chart) {
+        std::string out = "<h3>" + html_text(chart.title) + "</h3>\n";
+        if (chart.spec.is_null())
+            return out + html_paragraph("Nothing to draw: no cell has the figures of this chart.", "note");
+        const auto still = pictures_.still.find(chart.name);
+        out += fmt::format(
+            "<div class=\"chart\" tabindex=\"0\" role=\"group\" aria-label=\"{0}\"><div "
+            "id=\"chart-{1}\" data-chart=\"{1}\" data-label=\"{0}\">\n{2}</div></div>\n",
+            html_text(chart.title), html_text(chart.name),
+            still != pictures_.still.end() ? still->second : grid_html(chart.fallback, 6));
+        out += html_paragraph(chart.how_to_read, "note");
+        for (const std::string& note : chart.notes) out += html_paragraph(note, "note");
+        return out;
+    }
+
+    const std::vector<Chart>& charts_;
+    const StaticPictures& pictures_;
+    std::vector<TextGrid> grids_;
+    nlohmann::json folds_ = nlohmann::json::array();
 };
 
-/// `style` is a class of the style sheet, or empty.
-std::string html_paragraph(const std::string& text, const std::string& style = {}) {
-    return fmt::format("<p{}>{}</p>\n", style.empty() ? "" : " class=\"" + style + "\"", html_text(text));
-}
-
-/// A chapter's heading, with the name that links use.
-std::string html_heading(const std::string& id, const std::string& text) {
-    return fmt::format("<h2 id=\"{}\">{}</h2>\n", id, html_text(text));
-}
-
-/// Title, words, picture or fallback, notes; `level`: of its heading, such as "h3".
-std::string html_chart(const Chart& chart, const PageCharts& charts, const std::string& level) {
-    std::string out = fmt::format("<{0}>{1}</{0}>\n", level, html_text(chart.title));
-    out += html_paragraph(chart.how_to_read);
-    if (chart.spec.is_null()) {
-        out += html_paragraph("Nothing to draw: no cell has the figures of this chart.", "note");
-    } else {
-        const auto svg = charts.pictures.svg.find(chart.name);
-        out += fmt::format("<div class=\"chart\"><div id=\"chart-{}\">\n{}</div></div>\n", chart.name,
-                           svg != charts.pictures.svg.end() ? svg->second : grid_html(chart.fallback));
-        if (charts.alive)
-            out += fmt::format("<script type=\"application/json\" data-chart=\"{}\">{}</script>\n",
-                               chart.name, inline_json(spec_text(chart)));
-    }
-    for (const std::string& note : chart.notes) out += html_paragraph(note, "note");
-    return out;
-}
-
-std::string charts_html(const PageCharts& charts, const std::string& section, const std::string& level) {
-    std::string out;
-    for (const Chart& chart : charts.all)
-        if (chart.section == section) out += html_chart(chart, charts, level);
-    return out;
-}
-
-std::string opening_html(const ReportData& data, const std::vector<Chapter>& chapters) {
-    const bool failed = data.any_failed(), partly = data.count("unavailable") > 0;
-    std::string out = "<h1>Edgewise report</h1>\n" + html_paragraph(prose("purpose.md"));
-    out += html_paragraph(verdict_line(data), failed ? "verdict bad" : partly ? "verdict part" : "verdict");
-    if (failed || partly) {
-        out += html_heading("problems", failed ? "Failed and unavailable cells" : "Unavailable cells");
-        out += grid_html(problems_grid(data));
-    }
-    out += "<nav><a href=\"#machine\">Machine and build</a><a href=\"#charts\">Charts</a>";
+std::string contents(const std::vector<Chapter>& chapters) {
+    std::string out = "<nav aria-label=\"Chapters\">";
     for (const Chapter& chapter : chapters)
         out += fmt::format("<a href=\"#{}\">{}</a>", chapter.id,
                            html_text(chapter.link.empty() ? chapter.title : chapter.link));
-    out += "</nav>\n";
-    out += html_heading("machine", "Machine and build");
-    out += "<div class=\"facts\">\n" + grid_html(facts_grid(data)) + "</div>\n<h3>Scenes</h3>\n";
-    return out + grid_html(scenes_grid(data));
+    return out + "<a href=\"#cells\">All cells</a></nav>\n";
 }
 
-std::string block_html(const ChapterBlock& block, const PageCharts& charts) {
-    std::string out = block.title.empty() ? "" : "<h3>" + html_text(block.title) + "</h3>\n";
-    if (!block.paragraph.empty()) out += html_paragraph(block.paragraph);
-    if (!block.section.empty()) out += charts_html(charts, block.section, "h4");
-    out += block.elements;
-    for (const TextGrid& grid : block.grids) out += grid_html(grid);
-    if (block.fold.empty()) return out;
-    return fmt::format("<details><summary>{}</summary>\n{}</details>\n", html_text(block.fold), out);
+std::string cells_html(const ReportData& data) {
+    return "<section>\n" + html_heading("cells", "All cells") + html_paragraph(prose("cells.md")) +
+           fmt::format(fmt::runtime(report_text("page.cells.html")),
+                       fmt::arg("cells", plural(data.cell_count(), "cell"))) +
+           "</section>\n";
 }
 
-std::string chapter_html(const Chapter& chapter, const PageCharts& charts) {
-    std::string out = html_heading(chapter.id, chapter.title);
-    if (!chapter.paragraph.empty()) out += html_paragraph(chapter.paragraph);
-    for (const ChapterBlock& block : chapter.blocks) out += block_html(block, charts);
+std::string script_elements() {
+    std::string out;
+    for (const char* name : page_scripts) out += fmt::format("<script>{}</script>\n", report_text(name));
+    return out;
+}
+
+std::string script_hashes() {
+    std::string out;
+    for (const char* name : page_scripts)
+        append(out, fmt::format("'{}'", script_hash(report_text(fmt::format("{}.sha256", name)))), " ");
     return out;
 }
 
 }  // namespace
 
-std::string verdict_line(const ReportData& data) {
-    const std::size_t failed = data.count("failed"), unavailable = data.count("unavailable");
-    std::string line = plural(data.count("verified"), "cell");
-    if (failed == 0 && unavailable == 0)
-        line = fmt::format("All {} verified.", line);
-    else
-        line = fmt::format("{} verified, {} failed, {} unavailable.", line, failed, unavailable);
-    if (data.cell_count() == 0) line = "No cells.";
-    if (data.stability.empty()) return line;
-    std::size_t failed_rows = 0;
-    for (const ReportCell& row : data.stability) failed_rows += row.status == "failed";
-    return line +
-           fmt::format(" Of {}, {} failed.", plural(data.stability.size(), "stability row"), failed_rows);
-}
-
-std::string page_html(const ReportData& data, const std::vector<Chart>& all, const StaticPictures& pictures,
-                      const std::string& scripts) {
-    const PageCharts charts{all, pictures, !scripts.empty()};
-    const std::vector<Chapter> chapters = report_chapters(data, all);
-    std::string out = opening_html(data, chapters) + html_heading("charts", "Charts");
-    if (!charts.alive) out += html_paragraph(prose("no_bundles.md"), "verdict part");
+std::string page_html(const ReportData& data, const Answer& answer, const std::vector<Chart>& charts,
+                      const StaticPictures& pictures, const std::string& bundles) {
+    const std::vector<Chapter> chapters = report_chapters(answer, data, charts);
+    ChapterWriter writer(charts, pictures);
+    std::string out = first_screen_html(answer, data) + contents(chapters);
+    if (bundles.empty()) out += html_paragraph(prose("no_bundles.md"), "verdict part");
     if (!pictures.note.empty()) out += html_paragraph(pictures.note, "note");
-    out += charts_html(charts, "", "h3");
-    for (const Chapter& chapter : chapters) out += chapter_html(chapter, charts);
-    const std::string page_script = fmt::format("<script>\n{}</script>\n", report_text("page.js"));
-    return fmt::format(fmt::runtime(report_text("page.html")), fmt::arg("style", report_text("page.css")),
-                       fmt::arg("chapters", out),
-                       fmt::arg("scripts", charts.alive ? scripts + page_script : ""));
+    for (const Chapter& chapter : chapters) out += writer.chapter(chapter);
+    out += cells_html(data);
+    const std::string packed = packed_element("charts", bundles.empty() ? "{}" : charts_data(charts)) +
+                               writer.packed() + packed_element("cells", cells_data(data)) +
+                               packed_element("answers", answers_data(data)) + bundles;
+    return fmt::format(fmt::runtime(report_text("page.html")), fmt::arg("hashes", script_hashes()),
+                       fmt::arg("style", report_text("page.css")), fmt::arg("chapters", out),
+                       fmt::arg("scripts", packed + script_elements()));
 }
 
 }  // namespace edgewise::reports

@@ -6,12 +6,15 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
+#include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/page/bundles.hpp"
 #include "edgewise/reports/page/files.hpp"
 #include "edgewise/reports/page/page.hpp"
 #include "edgewise/reports/page/paper_figures.hpp"
+#include "edgewise/reports/pictures/time_bytes.hpp"
 #include "edgewise/reports/results/wide_results.hpp"
 
 namespace edgewise::reports {
@@ -42,6 +45,29 @@ ReportSummary summary(const ReportData& data, const StaticPictures& pictures, bo
                                             : pictures.note};
 }
 
+/// The choice of each scene, what it is compared with, and the best GJK.
+std::set<std::string> few_tables(const Answer& answer) {
+    constexpr std::size_t most = 6;
+    std::set<std::string> tables;
+    for (const SceneAnswer* scene : answer.scenes())
+        for (const Candidate* one :
+             {scene->baseline(), scene->choice(), scene->best("gjk"), scene->best("vclip")})
+            if (one && tables.size() < most) tables.insert(one->table);
+    return tables;
+}
+
+/// figures/answer.svg, which the Markdown shows.
+void write_answer_picture(const Answer& answer, const std::filesystem::path& out) {
+    std::error_code ignored;
+    std::filesystem::remove(out / "figures" / "answer.svg", ignored);
+    for (const SceneAnswer* scene : answer.scenes()) {
+        const std::string svg = time_bytes_svg(*scene, answer.noise);
+        if (svg.empty()) continue;
+        write_file(out / "figures" / "answer.svg", standalone(svg));
+        return;
+    }
+}
+
 }  // namespace
 
 ReportSummary write_report(const std::string& store, const std::string& out_directory,
@@ -49,14 +75,18 @@ ReportSummary write_report(const std::string& store, const std::string& out_dire
     const ReportData data = read_report(store);
     const std::filesystem::path out = out_directory;
     make_directory(out);
+    const Answer answer = answer_of(data);
     const std::vector<Chart> charts = all_charts(data);
-    const std::string scripts = bundle_scripts(bundle_directory);
-    const StaticPictures pictures = write_pictures(charts, out, bundle_directory);
+    const std::string bundles = bundle_elements(bundle_directory);
+    const StaticPictures pictures = write_pictures(charts, few_tables(answer), out, bundle_directory);
     const std::string no_pdf = write_paper_figures(data, charts, pictures, out);
     write_results(data, out);
-    write_file(out / "report.md", report_markdown(data, charts, pictures));
-    write_file(out / "index.html", page_html(data, charts, pictures, scripts));
-    return summary(data, pictures, !scripts.empty(), no_pdf, out / "index.html");
+    write_answer_picture(answer, out);
+    write_file(out / "report.md", report_markdown(data, answer, pictures));
+    write_file(out / "index.html", page_html(data, answer, charts, pictures, bundles));
+    ReportSummary made = summary(data, pictures, !bundles.empty(), no_pdf, out / "index.html");
+    made.answer = answer_paragraph(answer, data);
+    return made;
 }
 
 }  // namespace edgewise::reports

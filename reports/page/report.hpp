@@ -14,7 +14,8 @@ struct ReportSummary {
     std::string page;          ///< path of index.html
     bool charts = false;       ///< the page carries the chart bundles
     std::size_t pictures = 0;  ///< static SVG pictures rendered
-    std::string note;          ///< what is missing and what to do; empty when nothing is
+    std::string answer = {};   ///< which layout to take, as one paragraph
+    std::string note = {};     ///< what is missing and what to do; empty when nothing is
 };
 
 /// Reads `store` and writes index.html, report.md, results/ and figures/ into `out_directory`.

@@ -43,7 +43,7 @@ std::vector<Chart> chapter_charts(const ReportData& data) {
 Addition paper_addition();
 Addition paper_addition() {
     return {.charts = chapter_charts,
-            .chapter = paper_chapter,
+            .chapters = paper_chapters,
             .command = "claims",
             .command_does = "The paper's claims, each with a verdict from a store",
             .command_text = claims_text,

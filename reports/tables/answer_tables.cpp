@@ -41,13 +41,13 @@ const SummaryColumn stability_columns[] = {
     {{"cases", "stability.cases"}, true},
     {{"refused", "stability.refused"}, true},
     {{"in the band", "stability.in_band"}, true},
-    {{"wrong verdicts", "stability.wrong_outside_band"}, true},
+    {{"wrong verdicts outside the band", "stability.wrong_outside_band"}, true},
     {{"differing inside the band", "stability.wrong_inside_band"}, true},
     {{"errors beyond the bound", "stability.errors_beyond"}, true},
-    {{"worst error", "stability.worst_error"}, false},
-    {{"p99.9 error", "stability.p999_error"}, false},
-    {{"witness error", "stability.worst_witness_error"}, false},
-    {{"depth error", "stability.worst_depth_error"}, false},
+    {{"worst error beyond the band", "stability.worst_error"}, false},
+    {{"p99.9 error beyond the band", "stability.p999_error"}, false},
+    {{"witness error beyond the bound", "stability.worst_witness_error"}, false},
+    {{"depth error beyond the bound", "stability.worst_depth_error"}, false},
     {{"depths beyond the bound", "stability.depths_beyond"}, true},
     {{"cap hits", "stability.cap_hits"}, true},
     {{"certificate width", "stability.worst_certificate_width"}, false},
@@ -108,9 +108,9 @@ TextGrid error_summary_grid(const ReportData& data) {
 
 TextGrid error_grid(const ReportData& data) {
     TextGrid grid = figure_grid("Every cell", "scene|shape|algorithm|table type|status", error_columns);
-    for (const ReportCell& cell : data.cells)
-        add_row(grid, grid_row(cell.scene_label, cell.shape, cell.algorithm, cell.table, cell.status), cell,
-                error_columns);
+    for (const ReportCell* cell : data.swept())
+        add_row(grid, grid_row(cell->scene_label, cell->shape, cell->algorithm, cell->table, cell->status),
+                *cell, error_columns);
     return grid;
 }
 

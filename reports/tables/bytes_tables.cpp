@@ -22,6 +22,11 @@ const FigureColumn total_columns[] = {{"total", "bytes.total_bytes_per_edge"},
                                       {"total (slope)", "bytes.slope_bytes_per_edge"},
                                       {"table, bytes", "bytes.table_bytes"}};
 
+/// Largest first; those without a total last.
+double sort_total(const ReportCell& cell) {
+    return cell.figure("bytes.total_bytes_per_edge").value.value_or(-1);
+}
+
 std::string key(const std::vector<GridCell>& row) {
     std::string joined;
     for (const GridCell& cell : row) joined += cell.text + '\x1f' + cell.why + '\x1e';
@@ -32,10 +37,10 @@ std::string key(const std::vector<GridCell>& row) {
 
 std::string reference_shape(const ReportData& data) {
     const ReportCell* largest = nullptr;
-    for (const ReportCell& cell : data.cells) {
-        if (cell.shape == "sphere386") return cell.shape;
-        if (!largest || std::tie(cell.vertices, largest->shape) > std::tie(largest->vertices, cell.shape))
-            largest = &cell;
+    for (const ReportCell* cell : data.swept()) {
+        if (cell->shape == "sphere386") return cell->shape;
+        if (!largest || std::tie(cell->vertices, largest->shape) > std::tie(largest->vertices, cell->shape))
+            largest = cell;
     }
     return largest ? largest->shape : "";
 }
@@ -45,8 +50,8 @@ std::vector<std::string> byte_components(const ReportData& data) {
                                    "face_planes",    "topology",      "input_order",
                                    "padding"};
     std::set<std::string> present;
-    for (const ReportCell& cell : data.cells)
-        for (const store::FigureRow& figure : cell.figures)
+    for (const ReportCell* cell : data.swept())
+        for (const store::FigureRow& figure : cell->figures)
             if (is_component(figure)) present.insert(figure.name);
     std::erase_if(order, [&](const std::string& name) { return present.erase(name) == 0; });
     order.insert(order.end(), present.begin(), present.end());
@@ -63,8 +68,9 @@ TextGrid bytes_grid(const ReportData& data, const std::string& shape) {
                     total_columns);
     std::vector<const ReportCell*> cells = verified_cells(data, shape);
     std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
-        return std::tie(b->vertices, a->shape, b->algorithm, a->table) <
-               std::tie(a->vertices, b->shape, a->algorithm, b->table);
+        const double total_a = sort_total(*a), total_b = sort_total(*b);
+        return std::tie(b->vertices, a->shape, b->algorithm, total_b, a->table) <
+               std::tie(a->vertices, b->shape, a->algorithm, total_a, b->table);
     });
     std::set<std::string> seen;
     for (const ReportCell* cell : cells) {

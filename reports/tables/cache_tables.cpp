@@ -22,8 +22,8 @@ namespace {
 /// The levels of a machine, as the figures of any cell name them: caches from the first on, then TLBs.
 std::vector<std::string> levels_of(const ReportData& data, const std::string& machine) {
     std::set<std::pair<bool, std::string>> found;
-    for (const ReportCell& cell : data.cells) {
-        for (const store::FigureRow& figure : cell.figures) {
+    for (const ReportCell* cell : data.swept()) {
+        for (const store::FigureRow& figure : cell->figures) {
             if (const auto level = store::level_misses.all.of(machine).value_in(figure.probe, figure.name))
                 found.insert({level->find("TLB") != std::string::npos, *level});
         }
@@ -61,8 +61,8 @@ std::vector<const ReportCell*> modelled_cells(const ReportData& data) {
 
 std::vector<std::string> modelled_machines(const ReportData& data) {
     std::set<std::string> found;
-    for (const ReportCell& cell : data.cells) {
-        for (const store::FigureRow& figure : cell.figures) {
+    for (const ReportCell* cell : data.swept()) {
+        for (const store::FigureRow& figure : cell->figures) {
             const std::size_t dot = figure.name.find('.');
             if (figure.probe != "caches" || dot == std::string::npos) continue;
             if (const std::string name = figure.name.substr(0, dot); name.find('/') == std::string::npos)
@@ -72,9 +72,10 @@ std::vector<std::string> modelled_machines(const ReportData& data) {
     return {found.begin(), found.end()};
 }
 
-TextGrid misses_grid(const ReportData& data) {
+TextGrid misses_grid(const ReportData& data, const std::string& only) {
     std::map<std::string, std::vector<std::string>> levels;
-    for (const std::string& machine : modelled_machines(data)) levels[machine] = levels_of(data, machine);
+    for (const std::string& machine : modelled_machines(data))
+        if (only.empty() || machine == only) levels[machine] = levels_of(data, machine);
     std::vector<FigureColumn> columns;
     for (const auto& [machine, of_machine] : levels) {
         for (const std::string& level : of_machine)

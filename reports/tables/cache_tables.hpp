@@ -17,8 +17,8 @@ namespace edgewise::reports {
 /// Machines with figures, in order of name; not those under another policy.
 [[nodiscard]] std::vector<std::string> modelled_machines(const ReportData& data);
 
-/// Misses per query in each level of each machine, and the modelled memory time.
-[[nodiscard]] TextGrid misses_grid(const ReportData& data);
+/// Misses per query in each level of a machine, and the modelled memory time; an empty name: of all machines.
+[[nodiscard]] TextGrid misses_grid(const ReportData& data, const std::string& machine = {});
 /// Of one machine: each level's misses by cause, cold and warm.
 [[nodiscard]] TextGrid causes_grid(const ReportData& data, const std::string& machine);
 /// The levels of a machine whose misses are told by field and step.
@@ -34,5 +34,10 @@ inline constexpr store::FigureName misses_by_field("caches.{machine}.{level}.fie
 /// One line per scene, algorithm and level: whether tree-PLRU or random replacement ranks the tables
 /// otherwise.
 [[nodiscard]] TextGrid policy_grid(const ReportData& data);
+/// Its sums.
+struct PolicyCounts {
+    std::size_t pairs = 0, changed = 0;
+};
+[[nodiscard]] PolicyCounts policy_counts(const ReportData& data);
 
 }  // namespace edgewise::reports

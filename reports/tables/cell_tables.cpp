@@ -2,22 +2,47 @@
 //
 // Tables about the cells themselves: scenes, problems, the full list.
 #include <algorithm>
+#include <map>
+#include <set>
 
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-std::vector<GridCell> problem_row(const ReportCell& cell) {
-    return grid_row(cell.status, cell.scene_label, cell.shape, cell.algorithm, cell.table,
-                    cell.reason.empty() ? "no reason stored" : cell.reason);
+/// Cells of one shape with one reason: a mesh that is not there is one problem, not hundreds.
+struct Problem {
+    std::set<std::string> scenes, algorithms, tables;
+    std::size_t cells = 0;
+};
+
+/// The name, or how many there are.
+std::string one_or_many(const std::set<std::string>& names, const char* noun) {
+    return names.size() == 1 ? *names.begin() : plural(names.size(), noun);
 }
 
 void add_status(TextGrid& grid, const ReportData& data, const std::string& status) {
+    std::vector<std::pair<std::string, std::string>> order;
+    std::map<std::pair<std::string, std::string>, Problem> problems;
     for (const auto* rows : {&data.cells, &data.from_files, &data.stability, &data.paging, &data.effort}) {
-        for (const ReportCell& row : *rows)
-            if (row.status == status) grid.rows.push_back(problem_row(row));
+        for (const ReportCell& row : *rows) {
+            if (row.status != status) continue;
+            const auto key = std::make_pair(row.shape, row.reason);
+            Problem& problem = problems[key];
+            if (problem.cells++ == 0) order.push_back(key);
+            problem.scenes.insert(row.scene_label);
+            problem.algorithms.insert(row.algorithm);
+            problem.tables.insert(row.table);
+        }
+    }
+    for (const auto& key : order) {
+        const Problem& problem = problems[key];
+        grid.rows.push_back(grid_row(status, problem.cells, one_or_many(problem.scenes, "scene"), key.first,
+                                     one_or_many(problem.algorithms, "algorithm"),
+                                     one_or_many(problem.tables, "table type"),
+                                     key.second.empty() ? std::string("no reason stored") : key.second));
     }
 }
 
@@ -32,18 +57,18 @@ std::string pair_name(PairKind kind) { return kind == PairKind::Separated ? "sep
 std::vector<const ReportCell*> verified_cells(const ReportData& data, const std::string& shape,
                                               const std::string& scene_label) {
     std::vector<const ReportCell*> cells;
-    for (const ReportCell& cell : data.cells)
-        if (cell.verified() && (shape.empty() || cell.shape == shape) &&
-            (scene_label.empty() || cell.scene_label == scene_label))
-            cells.push_back(&cell);
+    for (const ReportCell* cell : data.swept())
+        if (cell->verified() && (shape.empty() || cell->shape == shape) &&
+            (scene_label.empty() || cell->scene_label == scene_label))
+            cells.push_back(cell);
     return cells;
 }
 
 std::vector<std::string> scene_labels(const ReportData& data) {
     std::vector<std::string> labels;
-    for (const ReportCell& cell : data.cells)
-        if (std::find(labels.begin(), labels.end(), cell.scene_label) == labels.end())
-            labels.push_back(cell.scene_label);
+    for (const ReportCell* cell : data.swept())
+        if (std::find(labels.begin(), labels.end(), cell->scene_label) == labels.end())
+            labels.push_back(cell->scene_label);
     return labels;
 }
 
@@ -53,11 +78,11 @@ TextGrid scenes_grid(const ReportData& data) {
         std::size_t cells = 0;
         std::int64_t least = 0, most = 0;
         std::string parameters;
-        for (const ReportCell& cell : data.cells) {
-            if (cell.scene_label != label) continue;
-            least = cells == 0 ? cell.queries : std::min(least, cell.queries);
-            most = std::max(most, cell.queries);
-            parameters = cell.scene_parameters;
+        for (const ReportCell* cell : data.swept()) {
+            if (cell->scene_label != label) continue;
+            least = cells == 0 ? cell->queries : std::min(least, cell->queries);
+            most = std::max(most, cell->queries);
+            parameters = cell->scene_parameters;
             ++cells;
         }
         const std::string queries =
@@ -68,7 +93,7 @@ TextGrid scenes_grid(const ReportData& data) {
 }
 
 TextGrid problems_grid(const ReportData& data) {
-    TextGrid grid{"", columns_of("status|scene|shape|algorithm|table type|reason"), {}};
+    TextGrid grid{"", columns_of("status|#cells|scene|shape|algorithm|table type|reason"), {}};
     add_status(grid, data, "failed");
     add_status(grid, data, "unavailable");
     return grid;
@@ -77,10 +102,10 @@ TextGrid problems_grid(const ReportData& data) {
 TextGrid cells_grid(const ReportData& data) {
     TextGrid grid{
         "", columns_of("scene|shape|source|#V|#E|#F|algorithm|table type|#seed|#queries|status|cell"), {}};
-    for (const ReportCell& cell : data.cells)
-        grid.rows.push_back(grid_row(cell.scene_label, cell.shape, cell.shape_source, cell.vertices,
-                                     cell.edges, cell.faces, cell.algorithm, cell.table, cell.seed,
-                                     cell.queries, cell.status, cell.hash.substr(0, 12)));
+    for (const ReportCell* cell : data.swept())
+        grid.rows.push_back(grid_row(cell->scene_label, cell->shape, cell->shape_source, cell->vertices,
+                                     cell->edges, cell->faces, cell->algorithm, cell->table, cell->seed,
+                                     cell->queries, cell->status, cell->hash.substr(0, 12)));
     return grid;
 }
 

@@ -73,7 +73,8 @@ void append(std::string& list, const std::string& part, const char* separator) {
     list += part;
 }
 
-std::string plural(std::size_t count, const std::string& noun) {
+std::string plural(std::size_t count, const std::string& noun, const std::string& many) {
+    if (count != 1 && !many.empty()) return fmt::format("{} {}", count, many);
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 

@@ -21,6 +21,7 @@ inline constexpr double kibibyte = 1024, mebibyte = 1024 * kibibyte;
 [[nodiscard]] std::string in_words(std::string name);              ///< "face_planes" -> "face planes"
 /// Adds `part` to a list in one text.
 void append(std::string& list, const std::string& part, const char* separator = ", ");
-[[nodiscard]] std::string plural(std::size_t count, const std::string& noun);  ///< "1 cell", "2 cells"
+/// "1 cell", "2 cells"; `many`: a plural that is not made with s.
+[[nodiscard]] std::string plural(std::size_t count, const std::string& noun, const std::string& many = {});
 
 }  // namespace edgewise::reports

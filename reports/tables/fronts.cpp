@@ -67,7 +67,7 @@ Fronts fronts_of(const ReportData& data) {
     const std::vector<std::string> scenes = scene_labels(data);
     std::map<std::tuple<std::ptrdiff_t, std::int64_t, std::string>, FrontPanel> panels;
     Fronts fronts;
-    for (const auto* from : {&data.cells, &data.peers}) {
+    for (const auto* from : {&data.cells, &data.from_files, &data.peers}) {
         for (const ReportCell& cell : *from) {
             if (!cell.is_timed()) continue;
             FrontPoint point{};

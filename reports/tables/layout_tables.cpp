@@ -21,9 +21,9 @@ namespace {
 /// The warm scene if there is one: its queries are what layouts are for.
 std::string reference_scene(const ReportData& data) {
     std::string first;
-    for (const ReportCell& cell : data.cells) {
-        if (cell.scene == "tumble") return cell.scene_label;
-        if (first.empty()) first = cell.scene_label;
+    for (const ReportCell* cell : data.swept()) {
+        if (cell->scene == "tumble") return cell->scene_label;
+        if (first.empty()) first = cell->scene_label;
     }
     return first;
 }
@@ -105,9 +105,9 @@ TextGrid counters_grid(const ReportData& data) {
 TextGrid scene_memory_grid(const ReportData& data) {
     TextGrid grid = figure_grid("Cells with more than four tables", "scene|shape|algorithm|table type",
                                 scene_memory_columns);
-    for (const ReportCell& cell : data.cells)
-        if (cell.verified() && cell.figure("memory.tables").value.value_or(0) > 4)
-            add_row(grid, grid_row(cell.scene_label, cell.shape, cell.algorithm, cell.table), cell,
+    for (const ReportCell* cell : verified_cells(data))
+        if (cell->figure("memory.tables").value.value_or(0) > 4)
+            add_row(grid, grid_row(cell->scene_label, cell->shape, cell->algorithm, cell->table), *cell,
                     scene_memory_columns);
     return grid;
 }

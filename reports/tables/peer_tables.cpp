@@ -30,7 +30,7 @@ constexpr std::string_view batched = "batch=yes";
 std::vector<const ReportCell*> side_by_side(const ReportData& data, const std::string& scene_label,
                                             const std::string& shape) {
     std::vector<const ReportCell*> cells;
-    for (const auto* from : {&data.cells, &data.peers}) {
+    for (const auto* from : {&data.cells, &data.from_files, &data.peers}) {
         for (const ReportCell& cell : *from) {
             if (cell.scene_label == scene_label && cell.shape == shape && cell.is_timed() &&
                 (cell.axes.empty() || cell.axes == batched))

@@ -66,6 +66,15 @@ std::vector<PolicyLevel> policy_levels(const ReportCell& cell) {
 
 }  // namespace
 
+PolicyCounts policy_counts(const ReportData& data) {
+    PolicyCounts counts;
+    for (const auto& row : policy_grid(data).rows) {
+        counts.pairs += std::stoul(row[5].text);
+        counts.changed += std::stoul(row[6].text);
+    }
+    return counts;
+}
+
 TextGrid policy_grid(const ReportData& data) {
     TextGrid grid{
         "Does the replacement policy change the ranking by misses? (LRU first)",

@@ -35,17 +35,18 @@ bool is_plain(const ReportCell& cell, const char* layout) {
 
 std::vector<Compared> compared(const ReportData& data) {
     std::vector<Compared> all;
-    for (const ReportCell& line : data.cells) {
-        if (!is_plain(line, "line_per_vertex")) continue;
-        const auto same = [&](const ReportCell& other) {
-            return is_plain(other, "aos") && other.scene_label == line.scene_label &&
-                   other.shape == line.shape && other.precision == line.precision;
+    const std::vector<const ReportCell*> cells = data.swept();
+    for (const ReportCell* line : cells) {
+        if (!is_plain(*line, "line_per_vertex")) continue;
+        const auto same = [&](const ReportCell* other) {
+            return is_plain(*other, "aos") && other->scene_label == line->scene_label &&
+                   other->shape == line->shape && other->precision == line->precision;
         };
-        const auto separate = std::find_if(data.cells.begin(), data.cells.end(), same);
-        if (separate == data.cells.end()) continue;
+        const auto separate = std::find_if(cells.begin(), cells.end(), same);
+        if (separate == cells.end()) continue;
         for (const std::string start : {"cold", "warm"}) {
             const store::FigureName name = query_ns.of(start);
-            all.push_back({&line, &*separate, start, line.figure(name), separate->figure(name)});
+            all.push_back({line, *separate, start, line->figure(name), (*separate)->figure(name)});
         }
     }
     return all;

@@ -20,7 +20,8 @@ enum class PairKind { Separated, Overlapping };
 [[nodiscard]] TextGrid facts_grid(const ReportData& data);
 /// Name and full parameters of every scene.
 [[nodiscard]] TextGrid scenes_grid(const ReportData& data);
-/// Cells that failed, then cells that were unavailable, with their reasons.
+/// Cells that failed, then cells that were unavailable, with their reasons; those of one shape and reason are
+/// a row.
 [[nodiscard]] TextGrid problems_grid(const ReportData& data);
 /// Every cell: what it is and its status.
 [[nodiscard]] TextGrid cells_grid(const ReportData& data);

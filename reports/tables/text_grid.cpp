@@ -80,9 +80,26 @@ std::vector<GridColumn> columns_of(std::string_view titles) {
     return columns;
 }
 
-std::string grid_html(const TextGrid& grid) {
+void drop_zero_columns(TextGrid& grid) {
+    std::string zeros;
+    for (std::size_t i = grid.columns.size(); i-- > 0;) {
+        const bool zero = grid.columns[i].number && !grid.rows.empty() &&
+                          std::all_of(grid.rows.begin(), grid.rows.end(),
+                                      [&](const auto& row) { return row[i].text == "0"; });
+        if (!zero) continue;
+        append(zeros, grid.columns[i].title);
+        const auto place = static_cast<std::ptrdiff_t>(i);
+        grid.columns.erase(grid.columns.begin() + place);
+        for (auto& row : grid.rows) row.erase(row.begin() + place);
+    }
+    if (!zeros.empty()) grid.caption += fmt::format(". 0 in every row: {}", zeros);
+}
+
+std::string grid_html(const TextGrid& grid, std::size_t most) {
     Reasons reasons;
-    std::string out = "<div class=\"wide\"><table>\n";
+    std::string out =
+        fmt::format("<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"{}\"><table>\n",
+                    html_text(grid.caption.empty() ? "table" : grid.caption));
     if (!grid.caption.empty()) out += fmt::format("<caption>{}</caption>\n", html_text(grid.caption));
     out += "<thead><tr>";
     for (const GridColumn& column : grid.columns)
@@ -90,6 +107,7 @@ std::string grid_html(const TextGrid& grid) {
                            html_text(column.title));
     out += "</tr></thead>\n<tbody>\n";
     for (const auto& row : grid.rows) {
+        if (most-- == 0) break;
         out += "<tr>";
         for (std::size_t i = 0; i < row.size(); ++i)
             out += html_cell(row[i], grid.columns[i].number, reasons);

@@ -26,7 +26,11 @@ struct TextGrid {
     std::string caption;
     std::vector<GridColumn> columns;
     std::vector<std::vector<GridCell>> rows;
+    std::size_t shown_rows = 8;  ///< in full view on the page, where a longer grid has all on demand
 };
+
+/// Takes out columns of numbers that are 0 in every row; a sentence after the caption names them.
+void drop_zero_columns(TextGrid& grid);
 
 /// The figure's number divided by `unit`, with as many digits as it has meaning where `digits` names none; a
 /// star where its unit says that it is unverified. Or "not measured" with its reason and remedy.
@@ -75,7 +79,8 @@ void add_row(TextGrid& grid, std::vector<GridCell> names, const ReportCell& cell
     grid.rows.push_back(std::move(names));
 }
 
-[[nodiscard]] std::string grid_html(const TextGrid& grid);
+/// `most`: rows of it.
+[[nodiscard]] std::string grid_html(const TextGrid& grid, std::size_t most = static_cast<std::size_t>(-1));
 [[nodiscard]] std::string grid_markdown(const TextGrid& grid);
 
 }  // namespace edgewise::reports

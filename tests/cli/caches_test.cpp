@@ -39,7 +39,8 @@ TEST(Caches, AreModelledForCellsThatAskForIt) {
     const auto others = rows_of(folder / "s.db", "select value is null and figure.reason <> '' " + figure +
                                                      "'cube8' and name = 'misses_per_query'");
     EXPECT_THAT(others, testing::AllOf(testing::SizeIs(10), testing::Each(HasSubstr("1"))));
-    EXPECT_THAT(text_of(folder / "report.md"), testing::AllOf(HasSubstr("zen5 L1D"), HasSubstr("mine L1D")));
+    EXPECT_THAT(text_of(folder / "index.html"),
+                testing::AllOf(HasSubstr("zen5: misses, why"), HasSubstr("mine L1D")));
 }
 
 /// A table that is built again takes another time.

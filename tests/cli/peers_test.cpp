@@ -37,7 +37,7 @@ TEST(Peers, AreMeasuredAndJudgedBesideOurs) {
     EXPECT_EQ(summary["verified"], 6) << "V-Clip and GJK, both in batches too, and GJK with two tolerances";
     EXPECT_EQ(summary["failed"], 0);
     EXPECT_EQ(summary["judged"], peers_built());
-    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("## Beside other libraries"));
+    EXPECT_THAT(text_of(folder / "reports/out/index.html"), HasSubstr("How far are the libraries?"));
 
     const auto judged_whose = [&](const std::string& figure, const std::string& condition) {
         return rows_of(folder / "reports/out/edgewise.db",

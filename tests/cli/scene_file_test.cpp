@@ -45,7 +45,7 @@ TEST(SceneFiles, AreMeasuredPointByPoint) {
             .size(),
         0U)
         << "a table for each body";
-    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("Scenes from files"));
+    EXPECT_THAT(text_of(folder / "reports/out/index.html"), HasSubstr("Your own scenes"));
     EXPECT_THAT(text_of(folder / "reports/out/results/mine.csv"), HasSubstr(",mine,"));
     const Outcome again = sweep(folder, "aos_f64,lean_f64");
     EXPECT_EQ(again.out, outcome.out) << "nothing is measured twice";

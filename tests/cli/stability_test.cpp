@@ -35,7 +35,7 @@ TEST(Stability, WritesARowForEachFamilyAlgorithmAndTableType) {
     EXPECT_THAT(cases, testing::Each(HasSubstr("10")));
     const Outcome report = run({"report", "s.db", "--out", "pages"}, folder);
     EXPECT_EQ(report.exit_code, 0) << report.err;
-    EXPECT_THAT(text_of(folder / "pages/report.md"), HasSubstr("parallel_faces"));
+    EXPECT_THAT(text_of(folder / "pages/results/stability.csv"), HasSubstr("parallel_faces"));
     EXPECT_THAT(text_of(folder / "pages/index.html"), HasSubstr("data-chart=\"tolerance\""));
 }
 

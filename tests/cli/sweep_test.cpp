@@ -53,8 +53,9 @@ TEST(Sweep, TakesFurtherAxesOneAtATimeBesideThePlainCells) {
     // The gap and the solver are GJK's alone: four cells for V-Clip's two.
     EXPECT_EQ(summary["cells"], 4 * 3 * (2 + 4));
     EXPECT_EQ(summary["verified"], summary["cells"]);
-    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("aos_f32 gap_tolerance=0.001"));
-    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("aos_f64 sub_distance=johnson"));
+    EXPECT_THAT(text_of(folder / "reports/out/results/tumble.csv"), HasSubstr("aos_f32 gap_tolerance=0.001"));
+    EXPECT_THAT(text_of(folder / "reports/out/results/tumble.csv"),
+                HasSubstr("aos_f64 sub_distance=johnson"));
 
     const Outcome unknown = run(with(tiny, {"--axes", "colour=red"}), folder);
     EXPECT_EQ(unknown.exit_code, 2);
@@ -71,7 +72,7 @@ TEST(Sweep, AsksForNearnessWithItsMarginInTheCellsName) {
     const std::string csv = text_of(folder / "reports/out/results/tumble.csv");
     EXPECT_THAT(csv, HasSubstr("needs=nearer+margin=0.1"));
     EXPECT_THAT(csv, HasSubstr("told_by_bounds"));
-    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("aos_f64 needs=nearer+margin=1"));
+    EXPECT_THAT(csv, HasSubstr("aos_f64 needs=nearer+margin=1"));
     const Outcome bench =
         run({"bench", "--needs", "nearer", "--queries", "100", "--repetitions", "1"}, folder);
     EXPECT_EQ(bench.exit_code, 0) << bench.err;

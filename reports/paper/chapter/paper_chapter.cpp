@@ -19,6 +19,8 @@ namespace edgewise::reports {
 
 namespace {
 
+constexpr const char* paper_title = "What did the paper find, and do we?";
+
 /// A paragraph, then its charts, then its grids; left out without charts and rows.
 struct ChapterPart {
     std::string title, paragraph;
@@ -94,21 +96,28 @@ void add_part(ChapterPart part, const std::vector<Chart>& charts, std::vector<Ch
     }
 }
 
-}  // namespace
-
-std::optional<Chapter> paper_chapter(const ReportData& data, const std::vector<Chart>& charts) {
-    if (data.scene_files.empty()) return std::nullopt;
-    Chapter chapter{"paper", has_paper_scene(data) ? "The paper, replicated" : "Scenes from files", {}, {}};
+Chapter paper_chapter(const ReportData& data, const std::vector<Chart>& charts) {
+    Chapter chapter{"paper", paper_title, {}, {}, "The paper"};
     if (TextGrid assumed = assumptions_grid(data); !assumed.rows.empty())
         chapter.blocks.push_back({.title = "What we had to assume",
                                   .paragraph = assumptions_paragraph(data),
                                   .grids = {std::move(assumed)}});
     chapter.blocks.push_back({.grids = {claims_grid(data)}});
-    std::vector<ChapterPart> parts;
-    if (has_paper_scene(data)) parts = paper_parts(data);
-    parts.push_back(own_part(data));
-    for (ChapterPart& part : parts) add_part(std::move(part), charts, chapter.blocks);
+    for (ChapterPart& part : paper_parts(data)) add_part(std::move(part), charts, chapter.blocks);
     return chapter;
+}
+
+}  // namespace
+
+std::vector<Chapter> paper_chapters(const ReportData& data, const std::vector<Chart>& charts) {
+    std::vector<Chapter> chapters;
+    Chapter own{"own", "Your own scenes", {}, {}, "Your scenes"};
+    add_part(own_part(data), charts, own.blocks);
+    if (!own.blocks.empty()) chapters.push_back(std::move(own));
+    chapters.push_back(has_paper_scene(data)
+                           ? paper_chapter(data, charts)
+                           : Chapter{"paper", paper_title, prose("no_paper.md"), {}, "The paper"});
+    return chapters;
 }
 
 }  // namespace edgewise::reports

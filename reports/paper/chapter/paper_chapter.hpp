@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // The chapter on the paper's figures: the claims and how they fare, then part by part what the paper shows.
+// Before it stand a user's own scenes.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "edgewise/reports/page/chapters.hpp"
 
 namespace edgewise::reports {
 
-/// Null when the store holds no scenes from files. `charts`: those that the report has.
-[[nodiscard]] std::optional<Chapter> paper_chapter(const ReportData& data, const std::vector<Chart>& charts);
+/// Own scenes, where there are any; then the paper, in two lines where none of its scenes was measured.
+/// `charts`: those that the report has.
+[[nodiscard]] std::vector<Chapter> paper_chapters(const ReportData& data, const std::vector<Chart>& charts);
 
 }  // namespace edgewise::reports

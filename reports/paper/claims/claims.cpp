@@ -111,6 +111,7 @@ TextGrid claims_grid(const ReportData& data) {
     TextGrid grid{claims_summary(claims),
                   columns_of("kind|section|claim|paper|here, with 95 % intervals|verdict|why|rule|holds"),
                   {}};
+    grid.shown_rows = claims.size();
     for (const Claim& claim : claims) {
         const bool measured = claim.verdict != "not measured";
         grid.rows.push_back(grid_row(claim.kind, claim.section, claim.claim, claim.paper, claim.ours,

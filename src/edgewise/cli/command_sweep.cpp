@@ -12,6 +12,7 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/measure/machine/utc_time.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"
@@ -184,8 +185,14 @@ void run_effort_of(const sweep::SweepWork& work, store::Store& store, bool& stop
         stop_on_signals());
 }
 
+/// What the sweep is to do and when it began, into the store; again with its end once all of it is done.
+void note_run(store::Store& store, const std::string& command, const nlohmann::json& run) {
+    store.set_meta(store::run_key + command, run.dump());
+}
+
 void print_summary(const sweep::SweepSummary& summary, const studies::StabilitySummary& stability,
-                   const std::string& store, const std::string& page, bool json) {
+                   const std::string& store, const reports::ReportSummary& report, bool json) {
+    const std::string& page = report.page;
     if (json) {
         nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
                                {"failed", summary.failed}, {"unavailable", summary.unavailable},
@@ -206,7 +213,7 @@ void print_summary(const sweep::SweepSummary& summary, const studies::StabilityS
         fmt::print("{} stability rows: {} failed, {} unavailable\n", stability.rows, stability.failed,
                    stability.unavailable);
     }
-    fmt::print("store: {}\nreport: {}\n", store, page);
+    fmt::print("store: {}\nreport: {}\n\n{}\n\nopen {} in a browser\n", store, page, report.answer, page);
 }
 
 int run_sweep(const SweepArguments& options, bool json) {
@@ -216,13 +223,20 @@ int run_sweep(const SweepArguments& options, bool json) {
     studies::StabilitySummary stability;
     {
         store::Store store(options.store);
-        store.set_meta(store::command_key + command_line(*options.command), bench::this_build().id);
+        const std::string command = command_line(*options.command);
+        store.set_meta(store::command_key + command, bench::this_build().id);
+        nlohmann::json run = {{"build", bench::this_build().id},
+                              {"cells", work.cells()},
+                              {"started", measure::utc_time()},
+                              {"ended", nullptr}};
+        note_run(store, command, run);
         summary = run_with_progress(work, store);
         if (!summary.stopped) stability = run_stability_of(work, store);
         summary.stopped = summary.stopped || stability.stopped;
         if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
         if (!summary.stopped) run_thrash_of(work.plan, store, summary.stopped);
         if (!summary.stopped) run_effort_of(work, store, summary.stopped);
+        if (!summary.stopped) run["ended"] = measure::utc_time(), note_run(store, command, run);
     }
     if (summary.stopped) {
         warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there",
@@ -232,7 +246,7 @@ int run_sweep(const SweepArguments& options, bool json) {
     const std::string out = options.out.empty() ? folder_of(options.store) : options.out;
     const reports::ReportSummary report = reports::write_report(options.store, out, bench::charts_folder());
     if (!report.note.empty()) warn(report.note);
-    print_summary(summary, stability, options.store, report.page, json);
+    print_summary(summary, stability, options.store, report, json);
     return summary.failed + stability.failed > 0 ? exit_check_failed : exit_done;
 }
 

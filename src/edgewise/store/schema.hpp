@@ -18,6 +18,10 @@ inline constexpr const char* scene_file_key = "scene ";
 /// Likewise this and the options of a sweep that filled the store: the build that ran it.
 inline constexpr const char* command_key = "command ";
 
+/// Likewise this and the options of a sweep: what it was to do, as JSON {"build", "cells", "started",
+/// "ended"}; times are UTC (ISO 8601), `ended` is null until it has done it all.
+inline constexpr const char* run_key = "run ";
+
 /// Keys of `meta` that name another library: "peer " and the cells' table type.
 inline constexpr const char* peer_key = "peer ";
 

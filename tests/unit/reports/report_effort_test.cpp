@@ -61,7 +61,7 @@ TEST(EffortTables, StandFewestInstructionsFirstWithReasons) {
 TEST(EffortTables, StandInTheChapterOfPeers) {
     const auto chapter_of = [](const ReportData& data) {
         std::optional<Chapter> found;
-        for (Chapter& chapter : report_chapters(data, {}))
+        for (Chapter& chapter : report_chapters(answer_of(data), data, {}))
             if (chapter.id == "peers") found = std::move(chapter);
         return found;
     };

@@ -21,26 +21,28 @@ std::string scene_sql(const std::string& name) {
            name + "' where hash = 'h-null';" + figure_sql("h-null", "time", "all_ns", "250", "ns");
 }
 
-TEST_F(Report, OfThePaperIsAChapterOfBothPages) {
+TEST_F(Report, OfThePaperIsAChapterOfThePage) {
     (void)write_report(make_store(scene_sql("paper_angular_8")), (directory_ / "out").string(), "");
     EXPECT_THAT(text("out/index.html"),
-                AllOf(HasSubstr("<h2 id=\"paper\">The paper, replicated</h2>"),
-                      HasSubstr("id=\"chart-figure_6\""), HasSubstr("href=\"#paper\"")));
-    EXPECT_THAT(text("out/report.md"), AllOf(HasSubstr("## The paper, replicated"),
-                                             HasSubstr("#### Figure 6"), Not(HasSubstr("#### Figure 7"))));
+                AllOf(HasSubstr("<h2 id=\"paper\">What did the paper find, and do we?</h2>"),
+                      HasSubstr("id=\"chart-figure_6\""), HasSubstr("href=\"#paper\""),
+                      Not(HasSubstr("id=\"chart-figure_7\""))));
     EXPECT_THAT(text("out/figures/figure_6.vl.json"), HasSubstr("250"));
 }
 
 TEST_F(Report, OfAUsersSceneNamesNoPaper) {
     (void)write_report(make_store(scene_sql("mine")), (directory_ / "out").string(), "");
-    EXPECT_THAT(text("out/report.md"), AllOf(HasSubstr("## Scenes from files"),
-                                             HasSubstr("mine: time against"), Not(HasSubstr("Figure 6"))));
+    EXPECT_THAT(text("out/index.html"),
+                AllOf(HasSubstr("Your own scenes"), HasSubstr("id=\"chart-scene_mine\""),
+                      Not(HasSubstr("Figure 6")), HasSubstr("layouts/sweep --paper")));
 }
 
-TEST_F(Report, WithoutSceneFilesHasNoSuchChapter) {
+TEST_F(Report, WithoutSceneFilesSaysHowToGetThePapers) {
     const ReportData data = read_report(make_store());
-    EXPECT_FALSE(paper_chapter(data, {}));
-    for (const Chart& chart : all_charts(data)) EXPECT_TRUE(chart.section.empty()) << chart.name;
+    const std::vector<Chapter> chapters = paper_chapters(data, {});
+    ASSERT_EQ(chapters.size(), 1u);
+    EXPECT_TRUE(chapters[0].blocks.empty());
+    EXPECT_THAT(chapters[0].paragraph, HasSubstr("layouts/sweep --paper"));
 }
 
 }  // namespace

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/answer/answer.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "edgewise/reports/tables/tables.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+/// Of one scene by shape.
+using ByShape = std::map<std::string, std::vector<const ReportCell*>>;
+
+struct StoredScenes {
+    std::vector<std::string> order;  ///< keys as the cells come
+    std::map<std::string, ByShape> by_key;
+};
+
+StoredScenes scenes_of(const ReportData& data) {
+    StoredScenes scenes;
+    std::vector<const ReportCell*> cells = data.swept();
+    for (const ReportCell& peer : data.peers) cells.push_back(&peer);
+    for (const ReportCell* cell : cells) {
+        const std::string key = cell->scene + '\n' + cell->scene_parameters;
+        if (!scenes.by_key.contains(key)) scenes.order.push_back(key);
+        scenes.by_key[key][cell->shape].push_back(cell);
+    }
+    return scenes;
+}
+
+/// The shape that a scene answers for; null where it has none of that name.
+const std::vector<const ReportCell*>* chosen_shape(const ByShape& shapes, const Question& question,
+                                                   const std::string& reference) {
+    const auto found = shapes.find(question.shape.value_or(reference));
+    if (found != shapes.end()) return &found->second;
+    if (question.shape) return nullptr;
+    return &std::max_element(shapes.begin(), shapes.end(), [](const auto& a, const auto& b) {
+                return a.second.front()->vertices < b.second.front()->vertices;
+            })->second;
+}
+
+/// "vclip x aos_f64" in the store's meta.
+Baseline baseline_of(const ReportData& data) {
+    for (const auto& [key, value] : data.meta) {
+        const std::size_t cross = value.find(" x ");
+        if (key == "baseline" && cross != value.npos)
+            return {value.substr(0, cross), value.substr(cross + 3)};
+    }
+    return {};
+}
+
+NoiseBand noise_of(const std::vector<const SceneAnswer*>& scenes) {
+    NoiseBand band;
+    for (const SceneAnswer* scene : scenes) {
+        const Candidate* baseline = scene->baseline();
+        if (!baseline) continue;
+        const bool first = band.cells++ == 0;
+        band.low = first ? baseline->ratio : std::min(band.low, baseline->ratio);
+        band.high = first ? baseline->ratio : std::max(band.high, baseline->ratio);
+    }
+    return band;
+}
+
+CellCounts counts_of(const ReportData& data) {
+    CellCounts counts{data.cell_count(),         data.count("verified"), data.count("failed"),
+                      data.count("unavailable"), data.stability.size(),  0};
+    for (const ReportCell& row : data.stability) counts.stability_failed += row.status == "failed";
+    return counts;
+}
+
+/// Of one table type over all scenes.
+struct Tally {
+    std::size_t losses = 0, ties = 0;
+    double bytes = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool better_than(const Tally& other) const {
+        return std::make_tuple(other.ties, losses, bytes) < std::make_tuple(ties, other.losses, other.bytes);
+    }
+};
+
+}  // namespace
+
+std::vector<const SceneAnswer*> Answer::scenes() const {
+    std::vector<const SceneAnswer*> all;
+    for (const auto* from : {&shared, &own})
+        for (const SceneAnswer& scene : *from) all.push_back(&scene);
+    return all;
+}
+
+Answer answer_of(const ReportData& data, const Question& question) {
+    Answer answer;
+    answer.question = question;
+    answer.baseline = baseline_of(data);
+    answer.shape = question.shape.value_or(reference_shape(data));
+    const StoredScenes stored = scenes_of(data);
+    for (const std::string& key : stored.order) {
+        const auto* cells = chosen_shape(stored.by_key.at(key), question, answer.shape);
+        if (!cells) continue;
+        SceneAnswer scene = scene_answer(*cells, question, answer.baseline);
+        if (scene.candidates.empty() || scene.own_tables != question.own_tables.value_or(scene.own_tables))
+            continue;
+        if (scene.shape == answer.shape) answer.vertices = scene.vertices;
+        (scene.own_tables ? answer.own : answer.shared).push_back(std::move(scene));
+    }
+    answer.noise = noise_of(answer.scenes());
+    for (auto* group : {&answer.shared, &answer.own})
+        for (SceneAnswer& scene : *group) judge_against_noise(scene, answer.noise);
+    answer.counts = counts_of(data);
+    answer.runs = sweep_runs(data);
+    answer.gaps = gaps_of(data);
+    return answer;
+}
+
+const Candidate& Take::example() const {
+    const Candidate* best = nullptr;
+    for (const Place& place : places)
+        if (place.ties && (!best || place.candidate->ratio < best->ratio)) best = place.candidate;
+    return *best;
+}
+
+bool Take::is(const Baseline& baseline) const {
+    return algorithm == baseline.algorithm && table == baseline.table;
+}
+
+bool Take::beats_baseline_somewhere() const {
+    return std::any_of(places.begin(), places.end(),
+                       [](const Place& place) { return place.ties && place.scene->beats_baseline; });
+}
+
+std::optional<Take> take_of(const std::vector<SceneAnswer>& scenes) {
+    std::map<std::pair<std::string, std::string>, Tally> tallies;
+    for (const SceneAnswer& scene : scenes) {
+        for (const Candidate& one : scene.candidates) {
+            Tally& tally = tallies[{one.cell->algorithm, one.table}];
+            ++(scene.ties_with_winner(one) ? tally.ties : tally.losses);
+            tally.bytes = one.bytes_per_edge.value_or(tally.bytes);
+        }
+    }
+    std::erase_if(tallies, [](const auto& tally) { return tally.second.ties == 0; });
+    if (tallies.empty()) return std::nullopt;
+    const auto best = std::min_element(tallies.begin(), tallies.end(), [](const auto& a, const auto& b) {
+        return a.second.better_than(b.second);
+    });
+    Take take{best->first.first, best->first.second, {}};
+    for (const SceneAnswer& scene : scenes) {
+        if (!scene.winner()) continue;
+        const Candidate* candidate = scene.find(take.algorithm, take.table);
+        take.places.push_back({&scene, candidate, candidate && scene.ties_with_winner(*candidate)});
+    }
+    return take;
+}
+
+}  // namespace edgewise::reports

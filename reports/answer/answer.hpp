@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// The report's answer: which layout to take, scene by scene, how sure that is, and what was not measured. One
+// function from a store to it; page, Markdown, the end of a sweep and `edgewise advise` show the same object.
+//
+// Per scene the fastest table type within the error limit wins, and all whose interval reaches its own tie
+// with it. Where the baseline ties, or the ratio lies within what the baseline differs from itself, nothing
+// beats the baseline, and of the ties the smallest is named.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/answer/gaps.hpp"
+#include "edgewise/reports/answer/question.hpp"
+#include "edgewise/reports/answer/scene_answer.hpp"
+#include "edgewise/reports/answer/sweep_runs.hpp"
+
+namespace edgewise::reports {
+
+/// The cells of the store, by status.
+struct CellCounts {
+    std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
+    std::size_t stability_rows = 0, stability_failed = 0;
+};
+
+struct Answer {
+    Question question;
+    std::string shape;          ///< the one asked for, or the reference shape
+    std::int64_t vertices = 0;  ///< of that shape
+    Baseline baseline;
+    std::vector<SceneAnswer> shared;  ///< scenes whose bodies share a table, in the order of the cells
+    std::vector<SceneAnswer> own;     ///< scenes with a table for each body
+    NoiseBand noise;                  ///< over the baseline's own cells of these scenes
+    CellCounts counts;
+    std::vector<SweepRun> runs;  ///< that filled the store, in order of their commands
+    Gaps gaps;
+
+    [[nodiscard]] std::vector<const SceneAnswer*> scenes() const;  ///< shared, then own
+};
+
+/// The data must outlive the answer. Of scenes without the asked shape none; without an asked shape each
+/// scene answers for the reference shape if it has it, else for its largest.
+[[nodiscard]] Answer answer_of(const ReportData& data, const Question& question = {});
+
+/// One algorithm and table type for several scenes.
+struct Take {
+    std::string algorithm, table;
+    struct Place {
+        const SceneAnswer* scene;
+        const Candidate* candidate;  ///< null: not measured there
+        bool ties;                   ///< with the winner, or is it
+    };
+    std::vector<Place> places;  ///< one for each scene that has a winner
+
+    [[nodiscard]] const Candidate& example() const;  ///< where it ties; the smallest ratio
+    [[nodiscard]] bool is(const Baseline& baseline) const;
+    [[nodiscard]] bool beats_baseline_somewhere() const;
+};
+/// The most scenes in which it ties, then the fewest in which it is beaten, then the smallest tables. Null
+/// where no scene has a winner.
+[[nodiscard]] std::optional<Take> take_of(const std::vector<SceneAnswer>& scenes);
+
+}  // namespace edgewise::reports

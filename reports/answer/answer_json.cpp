@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/answer/answer_json.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+using AnswerJson = nlohmann::json;
+
+constexpr std::size_t runners_up = 2;  ///< named after those that tie
+
+AnswerJson or_null(const std::optional<double>& value) { return value ? AnswerJson(*value) : AnswerJson(); }
+
+AnswerJson band_json(const NoiseBand& noise) {
+    if (noise.cells == 0) return {};
+    return {{"low", noise.low}, {"high", noise.high}, {"cells", noise.cells}};
+}
+
+AnswerJson scene_json(const SceneAnswer& scene) {
+    AnswerJson json = {{"scene", scene.label},           {"sentence", scene.sentence},
+                       {"shape", scene.shape},           {"vertices", scene.vertices},
+                       {"own_tables", scene.own_tables}, {"beats_baseline", scene.beats_baseline}};
+    json["candidates"] = AnswerJson::array();
+    for (const Candidate& one : scene.candidates) {
+        json["candidates"].push_back(candidate_json(one));
+        json["candidates"].back()["meets_error"] = one.meets_error;
+        json["candidates"].back()["ties"] = scene.ties_with_winner(one);
+    }
+    json["peers"] = AnswerJson::array();
+    for (const Candidate& one : scene.peers) json["peers"].push_back(candidate_json(one));
+    return json;
+}
+
+/// The scene by which `take` is shown: where it ties with the smallest ratio.
+const SceneAnswer& shown_scene(const Take& take) {
+    const Candidate* example = &take.example();
+    for (const Take::Place& place : take.places)
+        if (place.candidate == example) return *place.scene;
+    return *take.places.front().scene;
+}
+
+AnswerJson next_json(const SceneAnswer& scene, const Candidate& taken) {
+    AnswerJson next = AnswerJson::array();
+    std::size_t behind = 0;
+    for (const Candidate& one : scene.candidates) {
+        if (&one == &taken || !one.meets_error) continue;
+        const bool ties = scene.ties_with_winner(one);
+        if (!ties && behind++ >= runners_up) continue;
+        next.push_back(candidate_json(one));
+        next.back()["ties"] = ties;
+    }
+    return next;
+}
+
+AnswerJson out_json(const SceneAnswer& scene, double limit) {
+    AnswerJson out = AnswerJson::array();
+    for (const std::size_t place : scene.out) {
+        const Candidate& one = scene.candidates[place];
+        out.push_back(candidate_json(one));
+        out.back()["reason"] = one.worst_error
+                                   ? fmt::format("error {} is over {}",
+                                                 number_text(*one.worst_error, "scale"), limit_text(limit))
+                                   : "its error was not measured";
+    }
+    return out;
+}
+
+/// Who would win under a larger limit: the fastest of those that are out, if it is faster than the winner.
+void add_larger_limit(const SceneAnswer& scene, std::vector<std::string>& changes) {
+    for (const std::size_t place : scene.out) {
+        const Candidate& one = scene.candidates[place];
+        if (!one.worst_error || !scene.winner()) continue;
+        const Candidate& winner = *scene.winner();
+        const bool smaller = one.bytes_per_edge && winner.bytes_per_edge &&
+                             *one.bytes_per_edge < *winner.bytes_per_edge && one.low() <= winner.high();
+        if (!smaller && one.high() >= winner.low()) continue;
+        changes.push_back(
+            fmt::format("an error of {} or more allowed: {}, {} of the paper's time, {} bytes per edge",
+                        number_text(*one.worst_error, "scale"), one.name(), ratio_text(one),
+                        one.bytes_per_edge ? number_text(*one.bytes_per_edge, "B/edge") : "?"));
+        return;
+    }
+}
+
+/// Below which limit the taken one goes out.
+void add_smaller_limit(const Candidate& taken, std::vector<std::string>& changes) {
+    if (taken.worst_error && *taken.worst_error > 0)
+        changes.push_back(fmt::format("an error below {} asked for: {} goes out",
+                                      number_text(*taken.worst_error, "scale"), taken.name()));
+}
+
+void add_other_tables(const Answer& answer, const std::vector<SceneAnswer>& scenes, const Take& take,
+                      std::vector<std::string>& changes) {
+    const bool own = scenes.front().own_tables;
+    const std::vector<SceneAnswer>& others = own ? answer.shared : answer.own;
+    const char* condition = own ? "one table for all bodies" : "a table for each body";
+    const std::optional<Take> other = take_of(others);
+    if (!other) {
+        changes.push_back(fmt::format("{}: not measured here", condition));
+        return;
+    }
+    if (other->algorithm == take.algorithm && other->table == take.table) return;
+    const SceneAnswer& scene = shown_scene(*other);
+    const Candidate* here = scene.find(take.algorithm, take.table);
+    std::string text = fmt::format("{}: {}, {} of the paper's time", condition, other->example().name(),
+                                   ratio_text(other->example()));
+    if (here) text += fmt::format("; {} then takes {}", here->name(), ratio_text(*here));
+    changes.push_back(text);
+}
+
+}  // namespace
+
+AnswerJson candidate_json(const Candidate& candidate) {
+    return {{"algorithm", candidate.cell->algorithm},
+            {"table", candidate.table},
+            {"ns", candidate.ns},
+            {"time_ratio", {candidate.low(), candidate.ratio, candidate.high()}},
+            {"bytes_per_edge", or_null(candidate.bytes_per_edge)},
+            {"table_bytes", or_null(candidate.table_bytes)},
+            {"lines_per_query", or_null(candidate.lines_per_query)},
+            {"error", or_null(candidate.worst_error)}};
+}
+
+std::vector<std::string> what_changes_it(const Answer& answer, const std::vector<SceneAnswer>& scenes) {
+    std::vector<std::string> changes;
+    const std::optional<Take> take = take_of(scenes);
+    if (!take) return changes;
+    add_other_tables(answer, scenes, *take, changes);
+    add_larger_limit(shown_scene(*take), changes);
+    add_smaller_limit(take->example(), changes);
+    return changes;
+}
+
+std::string advise_command(const Answer& answer) {
+    std::string command = "edgewise advise";
+    if (answer.vertices > 0) command += fmt::format(" --vertices {}", answer.vertices);
+    if (answer.question.own_tables)
+        command += *answer.question.own_tables ? " --own-tables" : " --shared-tables";
+    return command + " --error " + limit_text(answer.question.error_limit);
+}
+
+AnswerJson answer_json(const Answer& answer) {
+    const Question& question = answer.question;
+    AnswerJson json = {
+        {"asked",
+         {{"error", question.error_limit},
+          {"shape", answer.shape},
+          {"own_tables", question.own_tables ? AnswerJson(*question.own_tables) : AnswerJson()}}},
+        {"take", nullptr},
+        {"next", AnswerJson::array()},
+        {"out", AnswerJson::array()},
+        {"changes_it", AnswerJson::array()},
+        {"held", nullptr},
+        {"command", advise_command(answer)},
+        {"noise", band_json(answer.noise)}};
+    json["scenes"] = AnswerJson::array();
+    for (const SceneAnswer* scene : answer.scenes()) json["scenes"].push_back(scene_json(*scene));
+    const std::vector<SceneAnswer>& scenes = answer.shared.empty() ? answer.own : answer.shared;
+    const std::optional<Take> take = take_of(scenes);
+    if (!take) return json;
+    const SceneAnswer& shown = shown_scene(*take);
+    json["take"] = candidate_json(take->example());
+    json["take"]["scene"] = shown.label;
+    json["take"]["own_tables"] = shown.own_tables;
+    json["take"]["beats_baseline"] = take->beats_baseline_somewhere();
+    json["next"] = next_json(shown, take->example());
+    json["out"] = out_json(shown, question.error_limit);
+    json["changes_it"] = what_changes_it(answer, scenes);
+    return json;
+}
+
+}  // namespace edgewise::reports

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// The answer as JSON, under the keys of `edgewise advise`: asked, take, next, out, changes_it, held, command.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "edgewise/reports/answer/answer.hpp"
+
+namespace edgewise::reports {
+
+/// "take" is for the tables asked about; where both were asked, for a shared table if scenes of it were
+/// measured, and "own_tables" says so. "next" are the others that tie, then who follows; "out" those over the
+/// error limit; "changes_it" sentences; "held" is null: no prediction stands beside the measurement here.
+/// "scenes" has every scene with its candidates. Numbers that were not measured are null.
+[[nodiscard]] nlohmann::json answer_json(const Answer& answer);
+
+/// algorithm, table, ns, time_ratio [low, mid, high], bytes_per_edge, lines_per_query, error.
+[[nodiscard]] nlohmann::json candidate_json(const Candidate& candidate);
+
+/// What would change the answer of `scenes`: another error limit, or the other kind of tables.
+[[nodiscard]] std::vector<std::string> what_changes_it(const Answer& answer,
+                                                       const std::vector<SceneAnswer>& scenes);
+
+/// `edgewise advise` with the options that ask the same.
+[[nodiscard]] std::string advise_command(const Answer& answer);
+
+}  // namespace edgewise::reports

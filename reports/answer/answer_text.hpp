@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// The answer in sentences, without markup: for the page, Markdown, the end of a sweep and `edgewise advise`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/answer/answer.hpp"
+
+namespace edgewise::reports {
+
+/// What to take, and what that rests on.
+struct AdviceText {
+    std::string lead, rest;
+};
+
+struct AnswerText {
+    std::vector<AdviceText> advice;  ///< for a shared table, then for a table each, where these were measured
+    std::string conditions;          ///< which bodies, which error, which machine
+    std::string noise;               ///< what less than is none, and what the intervals hold for
+    std::string counts;              ///< cells verified and failed, figures not measured
+};
+
+[[nodiscard]] AnswerText answer_text(const Answer& answer, const ReportData& data);
+
+/// All of it as one paragraph.
+[[nodiscard]] std::string answer_paragraph(const Answer& answer, const ReportData& data);
+
+/// "keep V-Clip on aos_f64" and so on, of one group of scenes; null where none has a winner.
+[[nodiscard]] std::optional<AdviceText> advice_of(const std::vector<SceneAnswer>& scenes,
+                                                  const Answer& answer);
+
+/// Whether every planned cell is there: "1281 of 1281 planned cells verified, 0 failed", or that the sweep
+/// was stopped and how many are missing.
+[[nodiscard]] std::string cells_sentence(const Answer& answer);
+/// "31213 of 171554 figures were not measured".
+[[nodiscard]] std::string gaps_sentence(const Answer& answer);
+/// "-3 % to +8 %"; says so where it was not measured.
+[[nodiscard]] std::string noise_text(const NoiseBand& noise);
+
+/// Why a candidate takes the time that it takes beside another: steps, lines and the cost of a step.
+[[nodiscard]] std::string why_sentence(const Candidate& candidate, const Candidate& beside);
+
+/// "1e-6"
+[[nodiscard]] std::string limit_text(double limit);
+/// "0.72 [0.69, 0.83]", with two decimals: more would promise what another process does not hold.
+[[nodiscard]] std::string ratio_text(const Candidate& candidate);
+/// "5.8 MiB"
+[[nodiscard]] std::string size_text(double bytes);
+/// Processor and data caches: "AMD EPYC, 32 KiB / 1 MiB / 32 MiB of cache".
+[[nodiscard]] std::string machine_text(const ReportData& data);
+
+}  // namespace edgewise::reports

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// How the answer writes limits, ratios, sizes and the machine.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+using UnitsJson = nlohmann::json;
+
+std::string cpu_name(const UnitsJson& machine) {
+    const UnitsJson cpu = machine.is_object() ? machine.value("cpu", UnitsJson()) : UnitsJson();
+    if (cpu.is_string()) return cpu.get<std::string>();
+    if (cpu.is_object() && cpu.contains("name") && cpu["name"].is_string()) return cpu["name"];
+    return "a processor that the store does not name";
+}
+
+std::vector<std::string> data_caches(const UnitsJson& machine) {
+    std::vector<std::string> sizes;
+    const UnitsJson caches = machine.is_object() ? machine.value("caches", UnitsJson()) : UnitsJson();
+    if (!caches.is_array()) return sizes;
+    for (const UnitsJson& cache : caches) {
+        if (!cache.is_object() || !cache.contains("bytes") || !cache["bytes"].is_number()) continue;
+        if (cache.contains("type") && cache["type"] == "Instruction") continue;
+        sizes.push_back(size_text(cache["bytes"].get<double>()));
+    }
+    return sizes;
+}
+
+}  // namespace
+
+std::string limit_text(double limit) {
+    const int power = static_cast<int>(std::floor(std::log10(limit) + 1e-9));
+    const std::string factor = fmt::format("{:.3g}", limit / std::pow(10.0, power));
+    return fmt::format("{}e{}", factor, power);
+}
+
+std::string ratio_text(const Candidate& candidate) {
+    if (!candidate.interval) return fmt::format("{:.2f}", candidate.ratio);
+    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", candidate.ratio, candidate.low(), candidate.high());
+}
+
+std::string size_text(double bytes) {
+    if (bytes >= mebibyte) return number_text(std::round(bytes / mebibyte * 10) / 10) + " MiB";
+    if (bytes >= kibibyte) return number_text(std::round(bytes / kibibyte * 10) / 10) + " KiB";
+    return number_text(bytes, "B") + " B";
+}
+
+std::string machine_text(const ReportData& data) {
+    const UnitsJson machine = UnitsJson::parse(data.build.machine_json, nullptr, false);
+    const std::vector<std::string> caches = data_caches(machine);
+    if (caches.empty()) return cpu_name(machine);
+    return fmt::format("{}, {} of cache", cpu_name(machine), fmt::join(caches, " / "));
+}
+
+}  // namespace edgewise::reports

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/page/first_screen/answer_rows.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/page/html.hpp"
+#include "edgewise/reports/pictures/strip.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/text/report_text.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+/// What one row says; `why` where there is no number.
+struct AnswerRow {
+    std::string take, ties;
+    std::string ratio, of_gjk, bytes, bytes_beside, lines, lines_beside, error;
+};
+
+std::string or_not_measured(const std::optional<double>& value, const std::string& unit = {}) {
+    return value ? number_text(*value, unit) : "not measured";
+}
+
+std::string beside(const std::optional<double>& value, const std::string& unit = {}) {
+    return value ? "paper's " + number_text(*value, unit) : "";
+}
+
+std::string take_of_scene(const SceneAnswer& scene, const Candidate& choice) {
+    if (scene.beats_baseline) return choice.name();
+    if (scene.too_noisy) return fmt::format("too noisy to choose by; {}", choice.name());
+    return &choice == scene.baseline() ? "nothing beats the paper's layout"
+                                       : fmt::format("nothing beats the paper's layout; {}", choice.name());
+}
+
+std::string ties_text(const SceneAnswer& scene, const Candidate& choice) {
+    if (scene.ties.size() == 1) return "alone";
+    const std::size_t others = scene.ties.size() - 1;
+    if (scene.too_noisy) return fmt::format("{} tie", scene.ties.size());
+    if (!scene.beats_baseline)
+        return &choice == scene.baseline() ? fmt::format("the smallest of {} that tie", others + 1)
+                                           : fmt::format("smallest of {} that tie", others + 1);
+    std::string names;
+    for (const std::size_t place : scene.ties)
+        if (&scene.candidates[place] != &choice && std::count(names.begin(), names.end(), ',') < 2)
+            append(names, scene.candidates[place].name());
+    return others > 3 ? fmt::format("ties with {} and {} more", names, others - 3) : "ties with " + names;
+}
+
+AnswerRow row_of(const SceneAnswer& scene) {
+    AnswerRow row;
+    const Candidate* choice = scene.choice();
+    if (!choice) {
+        row.take = "nothing is within the error";
+        return row;
+    }
+    const Candidate *gjk = scene.best("gjk"), *baseline = scene.baseline();
+    row.take = take_of_scene(scene, *choice), row.ties = ties_text(scene, *choice);
+    row.ratio = ratio_text(*choice);
+    row.of_gjk = gjk ? fmt::format("{:.2f}", choice->ratio / gjk->ratio) : "not measured";
+    row.bytes = or_not_measured(choice->bytes_per_edge, "B/edge");
+    row.lines = or_not_measured(choice->lines_per_query);
+    row.error = or_not_measured(choice->worst_error, "scale");
+    if (baseline && baseline != choice) {
+        row.bytes_beside = beside(baseline->bytes_per_edge, "B/edge");
+        row.lines_beside = beside(baseline->lines_per_query);
+    }
+    return row;
+}
+
+std::string number_html(const std::string& title, const std::string& text, const std::string& small = {}) {
+    return fmt::format("<td class=\"number\" data-title=\"{}\">{}{}</td>", title, html_text(text),
+                       small.empty() ? "" : "<br><small>" + html_text(small) + "</small>");
+}
+
+std::string row_html(const SceneAnswer& scene, const NoiseBand& noise, const StripAxis& axis,
+                     const std::string& shape) {
+    const AnswerRow row = row_of(scene);
+    std::string html = fmt::format(
+        "<tr class=\"{}\"><th scope=\"row\">{}<br><small>{}{}</small></th><td><b>{}</b><br><small>{}</small></td>",
+        scene.own_tables ? "own" : "shared", html_text(scene.label), html_text(scene.sentence),
+        scene.shape == shape ? "" : html_text("; " + scene.shape), html_text(row.take), html_text(row.ties));
+    html += fmt::format(
+        "<td class=\"strips\">{}<span class=\"ratio\" data-title=\"time / paper's\">{}</span></td>",
+        strip_svg(scene, noise, axis), html_text(row.ratio));
+    html += number_html("time / best GJK", row.of_gjk);
+    html += number_html("bytes per edge", row.bytes, row.bytes_beside);
+    html += number_html("lines per query", row.lines, row.lines_beside);
+    return html + number_html("worst error", row.error) + "</tr>\n";
+}
+
+}  // namespace
+
+std::string answer_rows_html(const Answer& answer) {
+    std::vector<const SceneAnswer*> scenes = answer.scenes();
+    if (scenes.empty()) return {};
+    const std::size_t all = scenes.size();
+    if (scenes.size() > most_answer_rows) scenes.resize(most_answer_rows);
+    const StripAxis axis = strip_axis(scenes);
+    std::string rows;
+    for (const SceneAnswer* scene : scenes) rows += row_html(*scene, answer.noise, axis, answer.shape);
+    std::string key = prose("answer_key.md");
+    if (all > scenes.size()) key += fmt::format(" {} more scenes are among all cells.", all - scenes.size());
+    return fmt::format(fmt::runtime(report_text("page.answer.html")),
+                       fmt::arg("limit", limit_text(answer.question.error_limit)),
+                       fmt::arg("axis", strip_head_svg(axis)), fmt::arg("rows", rows)) +
+           html_paragraph(key, "note");
+}
+
+TextGrid answer_grid(const Answer& answer) {
+    TextGrid grid{"",
+                  columns_of("scene|tables|take|#time / paper's|#time / best GJK|#bytes per edge|"
+                             "#lines per query|#worst error"),
+                  {}};
+    for (const SceneAnswer* scene : answer.scenes()) {
+        if (grid.rows.size() == most_answer_rows) break;
+        const AnswerRow row = row_of(*scene);
+        grid.rows.push_back(grid_row(scene->label, scene->own_tables ? "each" : "shared", row.take, row.ratio,
+                                     row.of_gjk, row.bytes, row.lines, row.error));
+    }
+    return grid;
+}
+
+}  // namespace edgewise::reports

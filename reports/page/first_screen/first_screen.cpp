@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/page/first_screen/first_screen.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "edgewise/reports/answer/answer_json.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/answer/findings.hpp"
+#include "edgewise/reports/page/first_screen/answer_rows.hpp"
+#include "edgewise/reports/page/html.hpp"
+#include "edgewise/reports/pictures/time_bytes.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/tables.hpp"
+#include "edgewise/reports/text/report_text.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+/// Shapes by vertices, with these.
+std::vector<std::pair<std::int64_t, std::string>> shapes_of(const ReportData& data) {
+    std::vector<std::pair<std::int64_t, std::string>> shapes;
+    for (const ReportCell* cell : data.swept()) shapes.emplace_back(cell->vertices, cell->shape);
+    std::sort(shapes.begin(), shapes.end());
+    shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
+    return shapes;
+}
+
+std::string title_of(const Answer& answer) {
+    const std::string bodies =
+        answer.vertices > 0 ? fmt::format("bodies of {} vertices", answer.vertices) : std::string("bodies");
+    return fmt::format("Which layout, and what does it cost? — {}, error at most {} of their size", bodies,
+                       limit_text(answer.question.error_limit));
+}
+
+std::string meta_of(const ReportData& data, const std::string& wanted) {
+    for (const auto& [key, value] : data.meta)
+        if (key == wanted) return value;
+    return {};
+}
+
+std::string runs_text(const std::vector<SweepRun>& runs) {
+    std::string text;
+    for (const SweepRun& run : runs) {
+        append(text,
+               fmt::format("edgewise {} ({}{})", run.command, run.started,
+                           run.finished() ? "" : ", not finished"),
+               "; ");
+    }
+    return text.empty() ? "date and command are not in this store" : text;
+}
+
+std::string provenance(const Answer& answer, const ReportData& data) {
+    return fmt::format("{} · {} {} · revision {} · plan {}, seed {} · {}", machine_text(data),
+                       data.build.compiler, data.build.build_type, data.build.git_revision.substr(0, 12),
+                       meta_of(data, "plan"), meta_of(data, "seed"), runs_text(answer.runs));
+}
+
+std::string select(const std::string& id, const std::string& label, const std::string& options) {
+    return fmt::format("<label>{} <select id=\"{}\">{}</select></label>", label, id, options);
+}
+
+std::string option(const std::string& value, const std::string& text, bool chosen) {
+    return fmt::format("<option value=\"{}\"{}>{}</option>", html_text(value), chosen ? " selected" : "",
+                       html_text(text));
+}
+
+/// Hidden until the scripts run: without them it could not answer.
+std::string question_bar(const Answer& answer, const ReportData& data) {
+    std::string shapes, limits;
+    for (const auto& [vertices, shape] : shapes_of(data))
+        shapes += option(shape, fmt::format("{} ({})", vertices, shape), shape == answer.shape);
+    for (const double limit : offered_limits)
+        limits += option(limit_text(limit), limit_text(limit), limit == answer.question.error_limit);
+    const std::string tables =
+        option("both", "either", true) + option("own", "yes", false) + option("shared", "no", false);
+    return fmt::format(fmt::runtime(report_text("page.question.html")),
+                       fmt::arg("shape", select("ask-shape", "vertices", shapes)),
+                       fmt::arg("tables", select("ask-tables", "a table each", tables)),
+                       fmt::arg("limit", select("ask-limit", "error at most", limits)));
+}
+
+/// Where the choice of each group is shown: its first scene in which something is on the front.
+std::string pictures_of(const Answer& answer) {
+    std::string html;
+    for (const auto* scenes : {&answer.shared, &answer.own}) {
+        for (const SceneAnswer& scene : *scenes) {
+            const std::string svg = time_bytes_svg(scene, answer.noise);
+            if (svg.empty()) continue;
+            html += fmt::format("<figure class=\"{}\">{}<figcaption>{} ({})</figcaption></figure>\n",
+                                scene.own_tables ? "own" : "shared", svg, html_text(scene.label),
+                                scene.own_tables ? "a table for each body" : "one shared table");
+            break;
+        }
+    }
+    return html.empty() ? html : "<div class=\"pictures\">" + html + "</div>\n";
+}
+
+std::string problems_of(const ReportData& data) {
+    const TextGrid problems = problems_grid(data);
+    if (problems.rows.empty()) return {};
+    TextGrid shown = problems;
+    constexpr std::size_t most = 12;
+    if (shown.rows.size() > most) {
+        shown.rows.resize(most);
+        shown.caption = fmt::format("The first {} of {}; results/ has them all", most, problems.rows.size());
+    }
+    return html_heading("problems",
+                        data.any_failed() ? "Failed and unavailable cells" : "Unavailable cells") +
+           grid_html(shown);
+}
+
+std::string counts_html(const Answer& answer, const AnswerText& text, const ReportData& data) {
+    const bool failed = data.any_failed();
+    const bool partly = missing_cells(answer.runs, answer.counts.cells) > 0 || answer.counts.unavailable > 0;
+    return fmt::format(
+        "<p class=\"verdict {}\">{} <a href=\"#missing\">What is missing, and how to get "
+        "it</a>.</p>\n",
+        failed   ? "bad"
+        : partly ? "part"
+                 : "good",
+        html_text(text.counts));
+}
+
+}  // namespace
+
+std::string answer_html(const Answer& answer, const ReportData& data) {
+    const AnswerText text = answer_text(answer, data);
+    std::string html;
+    for (const AdviceText& advice : text.advice)
+        html += fmt::format("<p class=\"lead\"><b>{}</b> {}</p>\n", html_text(advice.lead),
+                            html_text(advice.rest));
+    html += html_paragraph(text.conditions, "note");
+    return html + answer_rows_html(answer) + html_paragraph(text.noise, "note") + pictures_of(answer);
+}
+
+std::string first_screen_html(const Answer& answer, const ReportData& data) {
+    const AnswerText text = answer_text(answer, data);
+    std::string html = fmt::format("<h1>{}</h1>\n", html_text(title_of(answer)));
+    html += html_paragraph(provenance(answer, data), "note") + counts_html(answer, text, data);
+    html += question_bar(answer, data);
+    html += "<section id=\"answer\" aria-live=\"polite\">\n" + answer_html(answer, data) + "</section>\n";
+    html += problems_of(data);
+    html += html_heading("look", "What to look at") + html_list(what_to_look_at(answer), "findings");
+    return html + html_heading("passed", "What passed") + html_list(what_passed(answer), "passed");
+}
+
+std::string answers_data(const ReportData& data) {
+    nlohmann::ordered_json answers = nlohmann::ordered_json::object();
+    for (const auto& [vertices, shape] : shapes_of(data)) {
+        for (const double limit : offered_limits) {
+            const Answer answer = answer_of(data, {.error_limit = limit, .shape = shape});
+            answers[shape + " " + limit_text(limit)] = {
+                {"title", title_of(answer)},
+                {"command", advise_command(answer)},
+                {"html", answer.scenes().empty() ? html_paragraph("No scene of this store has such bodies.")
+                                                 : answer_html(answer, data)}};
+        }
+    }
+    return answers.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace edgewise::reports

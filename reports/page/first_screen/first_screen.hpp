@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// What the page opens with: the question, the answer in a paragraph and in a table with a strip in each row,
+// time against bytes, and what failed or is missing. No script is needed for it.
+#pragma once
+
+#include <string>
+
+#include "edgewise/reports/answer/answer.hpp"
+
+namespace edgewise::reports {
+
+/// Title, provenance, question bar, answer and counts.
+[[nodiscard]] std::string first_screen_html(const Answer& answer, const ReportData& data);
+
+/// The parts that follow the question: title, paragraph, table and pictures.
+[[nodiscard]] std::string answer_html(const Answer& answer, const ReportData& data);
+
+/// The answers to the questions that the bar offers, as JSON: {"SHAPE LIMIT": html}.
+[[nodiscard]] std::string answers_data(const ReportData& data);
+
+/// The limits that the bar offers.
+inline constexpr double offered_limits[] = {1e-4, 1e-6, 1e-8, 1e-12};
+
+}  // namespace edgewise::reports

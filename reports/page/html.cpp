@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/page/html.hpp"
+
+#include <fmt/core.h>
+
+#include "edgewise/reports/tables/formatting.hpp"
+
+namespace edgewise::reports {
+
+std::string html_paragraph(const std::string& text, const std::string& style) {
+    return fmt::format("<p{}>{}</p>\n", style.empty() ? "" : " class=\"" + style + "\"", html_text(text));
+}
+
+std::string html_heading(const std::string& id, const std::string& text) {
+    return fmt::format("<h2 id=\"{}\">{}</h2>\n", id, html_text(text));
+}
+
+std::string html_list(const std::vector<std::string>& items, const std::string& style) {
+    if (items.empty()) return {};
+    std::string out = "<ul class=\"" + style + "\">\n";
+    for (const std::string& item : items) out += "<li>" + html_text(item) + "</li>\n";
+    return out + "</ul>\n";
+}
+
+}  // namespace edgewise::reports

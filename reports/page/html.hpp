@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// The few elements of which the page is made; all text is escaped here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace edgewise::reports {
+
+/// `style` is a class of the style sheet, or empty.
+[[nodiscard]] std::string html_paragraph(const std::string& text, const std::string& style = {});
+/// A heading with the name that links use.
+[[nodiscard]] std::string html_heading(const std::string& id, const std::string& text);
+[[nodiscard]] std::string html_list(const std::vector<std::string>& items, const std::string& style);
+
+}  // namespace edgewise::reports

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+//
+// What the page carries for its scripts, small: gzip (RFC 1952) by zlib, as base64 (RFC 4648), which browsers
+// unpack by themselves (DecompressionStream).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace edgewise::reports {
+
+/// The same bytes for the same text: no time is in the header.
+[[nodiscard]] std::string gzipped(std::string_view text);
+[[nodiscard]] std::string base64(std::string_view bytes);
+
+/// A script element that no browser runs, "packed-ID", with the packed text in it.
+[[nodiscard]] std::string packed_element(std::string_view id, std::string_view text);
+
+/// "sha256-..." as a content security policy names a script, from its digest in hexadecimal.
+[[nodiscard]] std::string script_hash(std::string_view hexadecimal);
+
+}  // namespace edgewise::reports

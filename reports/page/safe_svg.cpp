@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+//
+// No parser of XML: a scanner for the little that drawings are made of, tags with quoted attributes and text
+// between them. Whatever is not that is refused, so what a browser would make of it need not be known.
+#include "edgewise/reports/page/safe_svg.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "edgewise/reports/tables/formatting.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> plain_elements = {"svg",  "g",    "rect",   "text", "title",
+                                                            "desc", "line", "circle", "tspan"};
+constexpr std::array<std::string_view, 24> plain_attributes = {
+    "x",       "y",           "x1",          "y1",        "x2",   "y2",     "cx",
+    "cy",      "r",           "width",       "height",    "fill", "stroke", "stroke-width",
+    "viewBox", "font-size",   "font-family", "transform", "role", "xmlns",  "text-anchor",
+    "opacity", "font-weight", "fill-opacity"};
+
+template <class Names>
+bool is_among(const Names& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == ':'; }
+bool is_name_or_digit(char c) { return is_name(c) || (c >= '0' && c <= '9'); }
+bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+
+/// Whether an attribute that follows is one that only the charts of the live page need.
+bool is_dropped(std::string_view attribute) {
+    constexpr std::array<std::string_view, 7> dropped = {
+        "aria-",    "role=\"",        "xmlns:xlink=\"",   "stroke-miterlimit=\"",
+        "class=\"", "font-family=\"", "pointer-events=\""};
+    return std::any_of(dropped.begin(), dropped.end(),
+                       [&](std::string_view name) { return attribute.starts_with(name); });
+}
+
+class SvgScanner {
+  public:
+    explicit SvgScanner(std::string_view rest) : rest_(rest) {}
+
+    bool is_plain_picture() {
+        skip_space();
+        if (!rest_.starts_with("<svg")) return false;
+        while (!rest_.empty()) {
+            if (rest_.front() != '<') {
+                rest_.remove_prefix(std::min(rest_.find('<'), rest_.size()));
+            } else if (!is_plain_tag()) {
+                return false;
+            }
+            // What follows the picture would stand in the page by itself.
+            if (open_ == 0) return skip_space(), rest_.empty();
+        }
+        return false;
+    }
+
+  private:
+    void skip_space() {
+        while (!rest_.empty() && is_space(rest_.front())) rest_.remove_prefix(1);
+    }
+    std::string_view take_name() {
+        std::size_t end = 0;
+        while (end < rest_.size() && is_name_or_digit(rest_[end])) ++end;
+        const std::string_view name = rest_.substr(0, end);
+        rest_.remove_prefix(end);
+        return name;
+    }
+    bool take(std::string_view text) {
+        if (!rest_.starts_with(text)) return false;
+        rest_.remove_prefix(text.size());
+        return true;
+    }
+
+    bool is_plain_tag() {
+        if (take("</")) {
+            --open_;
+            return is_among(plain_elements, take_name()) && take(">") && open_ >= 0;
+        }
+        rest_.remove_prefix(1);
+        if (!is_among(plain_elements, take_name())) return false;
+        ++open_;
+        for (skip_space(); !rest_.empty() && is_name(rest_.front()); skip_space())
+            if (!is_plain_attribute()) return false;
+        if (take("/>")) return --open_, true;
+        return take(">");
+    }
+
+    bool is_plain_attribute() {
+        if (!is_among(plain_attributes, take_name()) || !take("=\"")) return false;
+        const std::size_t end = rest_.find('"');
+        if (end == rest_.npos) return false;
+        const std::string_view value = rest_.substr(0, end);
+        rest_.remove_prefix(end + 1);
+        // url(...) would load, and an entity could spell it.
+        return value.find_first_of("<>&\\") == value.npos && value.find("url") == value.npos &&
+               value.find("script") == value.npos;
+    }
+
+    std::string_view rest_;
+    int open_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::string> safe_svg(std::string_view svg) {
+    if (!SvgScanner(svg).is_plain_picture()) return std::nullopt;
+    return std::string(svg);
+}
+
+std::string slim_svg(const std::string& svg, const std::string& label) {
+    std::string slim;
+    slim.reserve(svg.size());
+    std::size_t decimals = 0;
+    bool fraction = false;
+    for (std::size_t i = 0; i < svg.size(); ++i) {
+        if (svg[i] == ' ' && is_dropped(std::string_view(svg).substr(i + 1))) {
+            i = svg.find('"', svg.find('"', i) + 1);
+            continue;
+        }
+        const bool is_digit = svg[i] >= '0' && svg[i] <= '9';
+        fraction = svg[i] == '.' || (fraction && is_digit);
+        decimals = fraction && is_digit ? decimals + 1 : 0;
+        if (decimals < 2) slim += svg[i];
+    }
+    const std::size_t start = slim.find("<svg ");
+    if (start != slim.npos) slim.insert(start + 5, "role=\"img\" aria-label=\"" + html_text(label) + "\" ");
+    return slim;
+}
+
+}  // namespace edgewise::reports

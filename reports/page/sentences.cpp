@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/page/sentences.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/tables/cache_tables.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/fronts.hpp"
+#include "edgewise/reports/tables/tables.hpp"
+#include "edgewise/reports/text/report_text.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+constexpr store::FigureName total_bytes("bytes.total_bytes_per_edge"), plane_bytes("bytes.voronoi_planes"),
+    knee_bytes("reuse.line_knee_bytes"), query_lines("reuse.lines_per_query");
+
+std::string full_name(const ReportCell& cell) {
+    return fmt::format("{} on {}", algorithm_title(cell.algorithm), cell.table);
+}
+
+/// The cell with the smallest value of a figure; null where none has it.
+const ReportCell* cell_of_least(const std::vector<const ReportCell*>& cells, const store::FigureName& name) {
+    const ReportCell* best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const ReportCell* cell : cells) {
+        const auto value = cell->figure(name).value;
+        if (value && *value < least) least = *value, best = cell;
+    }
+    return best;
+}
+
+const ReportCell* cell_of(const std::vector<const ReportCell*>& cells, const Baseline& baseline) {
+    const auto found = std::find_if(cells.begin(), cells.end(), [&](const ReportCell* cell) {
+        return cell->algorithm == baseline.algorithm && cell->table == baseline.table;
+    });
+    return found == cells.end() ? nullptr : *found;
+}
+
+std::string lines_and_knee(const ReportCell& cell) {
+    const auto lines = cell.figure(query_lines).value, knee = cell.figure(knee_bytes).value;
+    std::string text = fmt::format("{} touches {} lines", full_name(cell), lines ? number_text(*lines) : "?");
+    return knee ? fmt::format("{} and thrashes below {} of cache", text, size_text(*knee)) : text;
+}
+
+double sum_of(const std::vector<ReportCell>& rows, const store::FigureName& name) {
+    double sum = 0;
+    for (const ReportCell& row : rows) sum += row.figure(name).value.value_or(0);
+    return sum;
+}
+
+}  // namespace
+
+std::string bytes_sentence(const ReportData& data) {
+    const std::string shape = reference_shape(data);
+    std::vector<const ReportCell*> cells = verified_cells(data, shape);
+    std::erase_if(cells, [](const ReportCell* cell) { return cell->algorithm != "vclip"; });
+    const ReportCell *smallest = cell_of_least(cells, total_bytes), *paper = cell_of(cells, {});
+    if (!smallest || !paper) return {};
+    const auto total = paper->figure(total_bytes).value, planes = paper->figure(plane_bytes).value;
+    if (!total || !planes) return {};
+    return fmt::format(
+        "Of the {} bytes per edge that V-Clip's table takes in the paper's layout ({}, {}), {:.0f} % are "
+        "Voronoi planes; the smallest table that it runs on takes {} ({}).",
+        number_text(*total, "B/edge"), paper->table, shape, 100 * *planes / *total,
+        number_text(*smallest->figure(total_bytes).value, "B/edge"), smallest->table);
+}
+
+std::string misses_sentence(const ReportData& data) {
+    std::vector<const ReportCell*> cells = modelled_cells(data);
+    if (cells.empty()) return {};
+    // The scene with the most lines is where caches matter.
+    const auto most = std::max_element(cells.begin(), cells.end(), [](const auto* a, const auto* b) {
+        constexpr store::FigureName lines("reuse.lines_of_scene");
+        return a->figure(lines).value.value_or(0) < b->figure(lines).value.value_or(0);
+    });
+    const std::string scene = (*most)->scene_label, shape = (*most)->shape;
+    std::erase_if(cells, [&](const ReportCell* cell) {
+        return cell->scene_label != scene || cell->shape != shape || cell->algorithm != "vclip";
+    });
+    const ReportCell *paper = cell_of(cells, {}), *least = cell_of_least(cells, knee_bytes);
+    if (!paper || !least) return {};
+    std::string text = fmt::format("In {}, a query of {}", scene, lines_and_knee(*paper));
+    if (least != paper) text += fmt::format("; one of {}", lines_and_knee(*least));
+    return text + ".";
+}
+
+std::string times_sentence(const Answer& answer, const ReportData& data) {
+    for (const SceneAnswer& scene : answer.shared) {
+        const Candidate* baseline = scene.baseline();
+        if (!baseline) continue;
+        std::vector<const ReportCell*> cells = verified_cells(data, "", scene.label);
+        std::erase_if(cells, [&](const ReportCell* cell) {
+            return cell->table != baseline->table || cell->algorithm != baseline->cell->algorithm ||
+                   cell->shape_source != "built-in" || !cell->figure(store::all_time.ns).value;
+        });
+        if (cells.size() < 2) continue;
+        const auto [small, large] = std::minmax_element(
+            cells.begin(), cells.end(),
+            [](const ReportCell* a, const ReportCell* b) { return a->vertices < b->vertices; });
+        return fmt::format("In {}, {} takes {} ns per query with {} vertices and {} with {}.", scene.label,
+                           baseline->name(), number_text(*(*small)->figure(store::all_time.ns).value),
+                           (*small)->vertices, number_text(*(*large)->figure(store::all_time.ns).value),
+                           (*large)->vertices);
+    }
+    return {};
+}
+
+std::string fronts_sentence(const ReportData& data) {
+    std::size_t points = 0, on_front = 0;
+    const std::string shape = reference_shape(data);
+    for (const FrontPanel& panel : fronts_of(data).panels) {
+        if (panel.shape != shape) continue;
+        points += panel.points.size();
+        for (const FrontPoint& point : panel.points) on_front += point.on_any_front();
+    }
+    if (points == 0) return {};
+    return fmt::format(
+        "Of {} with {}, {} are on a front of time and error: no other of their scene is as "
+        "fast and as exact.",
+        plural(points, "cell"), shape, on_front);
+}
+
+std::string stability_sentence(const ReportData& data) {
+    if (data.stability.empty()) return {};
+    const double cases = sum_of(data.stability, "stability.cases"),
+                 wrong = sum_of(data.stability, "stability.wrong_outside_band"),
+                 beyond = sum_of(data.stability, "stability.errors_beyond"),
+                 in_band = sum_of(data.stability, "stability.in_band"),
+                 differing = sum_of(data.stability, "stability.wrong_inside_band");
+    return prose("hard_cases.md", fmt::arg("cases", cases), fmt::arg("wrong", wrong),
+                 fmt::arg("beyond", beyond), fmt::arg("in_band", in_band), fmt::arg("differing", differing));
+}
+
+std::string peers_sentence(const Answer& answer) {
+    for (const SceneAnswer* scene : answer.scenes()) {
+        const Candidate *peer = scene->best_peer(), *winner = scene->winner();
+        if (!peer || !winner) continue;
+        return fmt::format(
+            "In {}, the fastest other library, {}, takes {:.2f} times as long as {} (worst "
+            "errors {} and {}).",
+            scene->label, peer->name(), peer->ratio / winner->ratio, winner->name(),
+            peer->worst_error ? number_text(*peer->worst_error, "scale") : "not measured",
+            number_text(*winner->worst_error, "scale"));
+    }
+    return {};
+}
+
+std::string policy_sentence(const ReportData& data) {
+    const PolicyCounts counts = policy_counts(data);
+    if (counts.pairs == 0) return {};
+    return fmt::format(
+        "Under tree-PLRU or random replacement in place of LRU, {} of {} pairs of tables change "
+        "places by misses.",
+        counts.changed, counts.pairs);
+}
+
+}  // namespace edgewise::reports

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/pictures/time_bytes.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgewise/reports/pictures/log_scale.hpp"
+#include "edgewise/reports/pictures/marks.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/pareto_front.hpp"
+#include "edgewise/reports/text/report_text.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+constexpr double plot_width = 520, plot_height = 300, plot_left = 44, plot_right = 12, plot_top = 10,
+                 plot_bottom = 38;
+
+struct PlotAxes {
+    LogScale x, y;
+};
+
+/// Room for every point.
+PlotAxes plot_axes(const SceneAnswer& scene) {
+    double least_bytes = 1e9, most_bytes = 1, least = 0.8, most = 1.25;
+    for (const Candidate& one : scene.candidates) {
+        if (!one.bytes_per_edge || !(*one.bytes_per_edge > 0)) continue;
+        least_bytes = std::min(least_bytes, *one.bytes_per_edge);
+        most_bytes = std::max(most_bytes, *one.bytes_per_edge);
+        least = std::min(least, one.ratio), most = std::max(most, one.ratio);
+    }
+    return {{std::min(least_bytes, most_bytes) * 0.75, most_bytes * 1.5, plot_left, plot_width - plot_right},
+            {least * 0.9, most * 1.1, plot_height - plot_bottom, plot_top}};
+}
+
+std::string plot_frame(const PlotAxes& axes, const NoiseBand& noise) {
+    std::string svg;
+    if (noise.cells > 0)
+        svg += fmt::format("<rect x=\"{}\" y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\" class=\"noise\"/>",
+                           plot_left, axes.y.place(noise.high), plot_width - plot_left - plot_right,
+                           std::max(1.0, axes.y.place(noise.low) - axes.y.place(noise.high)));
+    for (const double tick : axes.x.ticks())
+        svg += fmt::format(
+            "<path d=\"M{0:.1f} {1}V{2}\" class=\"grid\"/><text x=\"{0:.1f}\" y=\"{3}\" "
+            "text-anchor=\"middle\">{4:g}</text>",
+            axes.x.place(tick), plot_top, plot_height - plot_bottom, plot_height - plot_bottom + 14, tick);
+    for (const double tick : axes.y.ticks())
+        svg += fmt::format(
+            "<path d=\"M{1} {0:.1f}H{2}\" class=\"{5}\"/><text x=\"{3}\" y=\"{0:.1f}\" dy=\"3\" "
+            "text-anchor=\"end\">{4:g}</text>",
+            axes.y.place(tick), plot_left, plot_width - plot_right, plot_left - 5, tick,
+            tick == 1 ? "one" : "grid");
+    return svg + fmt::format(
+                     "<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">bytes per edge</text>"
+                     "<text transform=\"translate(10 {:.1f}) rotate(-90)\" text-anchor=\"middle\">"
+                     "time / time of the baseline</text>",
+                     (plot_left + plot_width - plot_right) / 2, plot_height - 6,
+                     (plot_top + plot_height - plot_bottom) / 2);
+}
+
+std::string front_line(const SceneAnswer& scene, const std::vector<std::size_t>& front,
+                       const PlotAxes& axes) {
+    std::string path;
+    for (const std::size_t place : front) {
+        const Candidate& one = scene.candidates[place];
+        const double x = axes.x.place(*one.bytes_per_edge), y = axes.y.place(one.ratio);
+        path += path.empty() ? fmt::format("M{:.1f} {:.1f}", x, y) : fmt::format("H{:.1f}V{:.1f}", x, y);
+    }
+    return path.empty() ? path : "<path d=\"" + path + "\" class=\"front\"/>";
+}
+
+/// At the points of the front, below it; one that would cover the last is left to its tooltip.
+std::string front_names(const SceneAnswer& scene, const std::vector<std::size_t>& front,
+                        const PlotAxes& axes) {
+    constexpr double letter = 6, line_height = 12;
+    std::string svg;
+    double last_y = -100, last_end = -100;
+    for (const std::size_t place : front) {
+        const Candidate& one = scene.candidates[place];
+        const std::string name = one.name();
+        const double x = axes.x.place(*one.bytes_per_edge), y = axes.y.place(one.ratio) + line_height + 1;
+        const double length = letter * static_cast<double>(name.size());
+        const bool at_right = x + length > plot_width;
+        const double start = at_right ? x - 7 - length : x + 7;
+        if (start < last_end && std::abs(y - last_y) < line_height) continue;
+        last_y = y, last_end = start + length;
+        svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" class=\"name\">{}</text>",
+                           at_right ? x - 7 : x + 7, y, at_right ? "end" : "start", html_text(name));
+    }
+    return svg;
+}
+
+std::string plot_label(const SceneAnswer& scene, const std::vector<std::size_t>& front) {
+    std::string names;
+    for (const std::size_t place : front) append(names, mark_text(scene.candidates[place]), "; ");
+    return fmt::format("Time against bytes, {}. On the front: {}", scene.label, names);
+}
+
+}  // namespace
+
+std::vector<std::size_t> front_of_time_and_bytes(const SceneAnswer& scene) {
+    std::vector<SpeedError> plane;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < scene.candidates.size(); ++i) {
+        const Candidate& one = scene.candidates[i];
+        if (!one.meets_error || !one.bytes_per_edge) continue;
+        plane.push_back({one.ratio, *one.bytes_per_edge});
+        places.push_back(i);
+    }
+    const std::vector<bool> on_front = pareto_front(plane);
+    std::vector<std::size_t> front;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (on_front[i]) front.push_back(places[i]);
+    std::sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
+        return *scene.candidates[a].bytes_per_edge < *scene.candidates[b].bytes_per_edge;
+    });
+    return front;
+}
+
+std::string standalone(const std::string& svg) {
+    const std::size_t end = svg.find('>');
+    return fmt::format(
+        "{} xmlns=\"http://www.w3.org/2000/svg\" font-family=\"sans-serif\" font-size=\"10\">"
+        "<style>{}</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>{}\n",
+        svg.substr(0, end), report_text("page.picture.css"), svg.substr(end + 1));
+}
+
+std::string time_bytes_svg(const SceneAnswer& scene, const NoiseBand& noise) {
+    const std::vector<std::size_t> front = front_of_time_and_bytes(scene);
+    if (front.empty()) return {};
+    const PlotAxes axes = plot_axes(scene);
+    std::string svg = fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
+                                  plot_width, plot_height, html_text(plot_label(scene, front)));
+    svg += plot_frame(axes, noise) + front_line(scene, front, axes);
+    for (auto one = scene.candidates.rbegin(); one != scene.candidates.rend(); ++one)
+        if (one->bytes_per_edge && *one->bytes_per_edge > 0)
+            svg += mark_svg(*one, axes.x.place(*one->bytes_per_edge), axes.y.place(one->ratio), 4.5);
+    return svg + front_names(scene, front, axes) + "</svg>";
+}
+
+}  // namespace edgewise::reports

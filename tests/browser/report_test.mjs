@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+//
+// The report's page as a reader meets it, in a real browser: node report_test.mjs CHROMIUM INDEX.html STORE [AXE]
+// STORE is the SQLite file that the page is of. AXE, the file axe.min.js of npm's axe-core, is optional: without it the
+// accessibility checks below are all, and that is said. Prints a line for each check; exits 1 where one fails.
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync, statSync } from 'node:fs';
+import { Browser } from './browser.mjs';
+
+const [chromium, html, store, axe] = process.argv.slice(2);
+const url = 'file://' + html;
+let failures = 0;
+
+function check(what, right, seen = '') {
+    console.log(`${right ? 'ok  ' : 'FAIL'} ${what}${seen === '' ? '' : ': ' + seen}`);
+    if (!right) ++failures;
+}
+
+const rowsOf = sql => execFileSync('sqlite3', ['-readonly', '-json', store, sql], { maxBuffer: 1 << 30, encoding: 'utf8' });
+const query = sql => JSON.parse(rowsOf(sql) || '[]');
+
+const charts = `[...document.querySelectorAll('[data-chart]')]`;
+
+async function drawAll(page) {
+    const names = await page.value(`${charts}.map(place => place.dataset.chart)`);
+    for (let i = 0; i < names.length; ++i) {
+        await page.value(`${charts}[${i}].scrollIntoView()`);
+        await page.until(`${charts}[${i}].dataset.drawn !== undefined`);
+    }
+    return names;
+}
+
+async function looksRight(browser) {
+    const page = await browser.open();
+    await page.go(url);
+    const bytes = statSync(html).size;
+    check('the page has less than 2 MB', bytes < 2e6, bytes + ' bytes');
+    const dom = await page.value(`document.querySelectorAll('*').length`);
+    check('and fewer than 8000 elements', dom < 8000, dom);
+    const title = await page.value(`document.querySelector('h1').textContent`);
+    check('it opens with the question', title.startsWith('Which layout'), title);
+    check('the answer is in the first screen',
+          await page.value(`document.querySelector('.lead').getBoundingClientRect().bottom < 900`));
+    const names = await drawAll(page);
+    check('every chart is drawn by the scripts', names.length >= 4, names.join(', '));
+    const asked = page.requests.filter(request => !request.startsWith('blob:'));
+    check('one request, of the page itself', asked.length === 1 && asked[0].startsWith('file:'), asked.length);
+    const complaints = page.complaints.filter(complaint => !complaint.startsWith('WARN'));
+    check('no error on the console', complaints.length === 0, complaints.join(' | '));
+    await labelsAreRight(page);
+    await legendAndTooltip(page);
+    await foldsAndCells(page);
+    await question(page);
+    await accessible(page);
+}
+
+/// A chart's marks have their values in their labels; these are the store's.
+async function labelsAreRight(page) {
+    const labels = await page.value(`[...document.querySelectorAll('[data-chart=time] [aria-roledescription=point]')]
+        .map(mark => mark.getAttribute('aria-label'))`);
+    check('the marks of the chart of times have labels', labels.length > 0, labels.length);
+    const wanted = query(`select table_type, algorithm, shape, value from cell join figure using (build, hash)
+        where probe = 'time' and name in ('separated_ns', 'overlapping_ns') and value is not null and axes = ''`);
+    const known = new Set(wanted.map(row => `${row.table_type} ${row.algorithm} ${Number(row.value).toPrecision(3)}`));
+    const part = (label, name) => label.match(new RegExp('(?:^|; )' + name + ': ([^;]*)'))?.[1];
+    const wrong = labels.filter(label => {
+        const ns = Number(part(label, 'ns per query, median')?.replace(/,/g, ''));
+        return ![...known].some(text => text === `${part(label, 'table') ?? ''} ${part(label, 'algorithm')} ${ns.toPrecision(3)}`) &&
+               !wanted.some(row => Math.abs(row.value / ns - 1) < 1e-3);
+    });
+    check('and what they say is in the store', wrong.length === 0, wrong.slice(0, 2).join(' | '));
+}
+
+async function legendAndTooltip(page) {
+    const faint = `document.querySelectorAll('[data-chart=time] [aria-roledescription=point][opacity="0.06"]').length`;
+    check('nothing is dimmed at first', await page.value(faint) === 0);
+    await page.value(`document.querySelector('[data-chart=time]').scrollIntoView()`);
+    const click = async (selector, type) => {
+        const at = await page.value(`(() => { const box = document.querySelector(${JSON.stringify(selector)})
+            .getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; })()`);
+        for (const name of type) await page.send('Input.dispatchMouseEvent', {
+            type: name, x: at[0], y: at[1], button: name === 'mouseMoved' ? 'none' : 'left', clickCount: 1 });
+    };
+    await click('[data-chart=time] .role-legend-symbol path, [data-chart=time] .legend-symbol path',
+                ['mouseMoved', 'mousePressed', 'mouseReleased']).catch(() => {});
+    const dimmed = await page.until(`${faint} > 0`, 4).catch(() => false);
+    check('a click on the legend dims the rest', dimmed === true);
+    await click('[data-chart=time] [aria-roledescription=point]', ['mouseMoved']);
+    const shown = await page.until(`document.querySelector('#vg-tooltip-element.visible')`, 4).catch(() => false);
+    check('a point has a tooltip', shown === true);
+}
+
+/// Every number that the page carries is the store's.
+async function foldsAndCells(page) {
+    await page.value(`document.querySelector('details[data-fold]').open = true`);
+    await page.until(`document.querySelector('details[data-fold] .long tbody tr:not(.gap)')`);
+    const inSight = await page.value(`document.querySelectorAll('details[data-fold] .long tbody tr').length`);
+    check('a long table has what is in sight alone', inSight <= 60, inSight + ' rows');
+    await page.value(`document.getElementById('all-cells').open = true`);
+    await page.until(`document.querySelector('#all-cells .long tbody a')`);
+    const carried = await page.value(`storeCells().then(store => ({ ...store, figures: store.figures.map(
+        figure => ({ ...figure, values: Array.from(figure.values, value => value ?? null) })) }))`);
+    const place = new Map(carried.cells.cell.map((hash, i) => [hash, i]));
+    const columns = new Map(carried.figures.map(figure => [figure.name, figure]));
+    let compared = 0, wrong = 0, missing = 0;
+    const build = query(`select value from meta where key = 'build'`)[0]?.value;
+    for (const row of query(`select hash, probe || '.' || name as name, value from figure join cell using (build, hash)
+                             where build = '${build}' and scene not like 'thrash%'`)) {
+        const shown = columns.get(row.name)?.values[place.get(row.hash)];
+        ++compared;
+        if (row.value === null) missing += typeof shown !== 'string';
+        else if (!(Math.abs(shown - row.value) <= 1e-6 * Math.abs(row.value))) ++wrong;
+    }
+    check('every figure of the page is the store\'s', compared > 1000 && wrong === 0, `${compared} compared, ${wrong} differ`);
+    check('and what was not measured has its reason', missing === 0, missing);
+    const hash = carried.cells.cell[0];
+    await page.value(`location.hash = 'cell=${hash}'`);
+    await page.until(`document.querySelector('#card h3')`);
+    check('a cell has an address and a card', (await page.value(`document.getElementById('card').textContent`)).includes(hash));
+}
+
+async function question(page) {
+    const before = await page.value(`document.getElementById('answer').textContent.trim()`);
+    await page.value(`(() => { const limit = document.getElementById('ask-limit'); limit.value = '1e-4';
+        limit.dispatchEvent(new Event('change', { bubbles: true })); })()`);
+    await page.until(`document.querySelector('h1').textContent.includes('1e-4')`);
+    await page.value(`(() => { const limit = document.getElementById('ask-limit'); limit.value = '1e-6';
+        limit.dispatchEvent(new Event('change', { bubbles: true })); })()`);
+    await page.until(`document.querySelector('h1').textContent.includes('1e-6')`);
+    const after = await page.value(`document.getElementById('answer').textContent.trim()`);
+    check('the question bar answers as the page without it', before === after);
+    check('and names the command', (await page.value(`document.getElementById('ask-command').textContent`))
+        .startsWith('edgewise advise --vertices'));
+}
+
+/// Names for what can be focused, one heading per level step, pictures with labels; axe's rules where it is there.
+async function accessible(page) {
+    const nameless = await page.value(`[...document.querySelectorAll('a, button, select, input, summary, [tabindex="0"], svg[role=img]')]
+        .filter(one => one.getClientRects().length > 0)
+        .filter(one => !(one.textContent.trim() || one.getAttribute('aria-label') || one.labels?.length))
+        .map(one => one.outerHTML.slice(0, 80))`);
+    check('all that takes the focus has a name', nameless.length === 0, nameless.join(' | '));
+    const tabs = await page.value(`[...document.querySelectorAll('a[href], button, select, input, summary, [tabindex="0"]')]
+        .filter(one => one.getClientRects().length > 0 && !one.closest('.long, #card')).length`);
+    check('fewer than 90 stops of the tabulator', tabs < 90, tabs);
+    if (!axe || !existsSync(axe)) return console.log('skip axe-core is not there: its rules were not checked');
+    await page.value(readFileSync(axe, 'utf8') + ';0');
+    const found = await page.value(`axe.run(document, { resultTypes: ['violations'] })
+        .then(result => result.violations.map(one => one.id + ' (' + one.nodes.length + '): ' + one.nodes[0].html.slice(0, 90)))`);
+    check('axe finds nothing', found.length === 0, found.join(' | '));
+}
+
+async function narrowAndDark(browser) {
+    const page = await browser.open({ width: 400, height: 800, dark: true });
+    await page.go(url);
+    await drawAll(page);
+    const wide = await page.value(`[...document.querySelectorAll('main *')].filter(one => !one.parentElement.closest(
+        '.wide, .chart, .long') && one.getBoundingClientRect().right > 401).map(one => one.tagName + '.' + one.className)`);
+    check('400 px wide nothing is wider than the page', wide.length === 0 &&
+        await page.value('document.documentElement.scrollWidth <= 400'), wide.slice(0, 4).join(' '));
+    const colour = await page.value(`getComputedStyle(document.documentElement).backgroundColor`);
+    check('dark where the reader has it dark', colour === 'rgb(21, 24, 28)', colour);
+    const text = await page.value(`getComputedStyle(document.querySelector('[data-chart=bytes] svg text')).fill`);
+    check('charts too', text !== 'rgb(0, 0, 0)', text);
+}
+
+async function withoutScripts(browser) {
+    const page = await browser.open({ scripts: false });
+    await page.go(url);
+    const { root } = await page.send('DOM.getDocument', { depth: 1 });
+    const all = async selector =>
+        (await page.send('DOM.querySelectorAll', { nodeId: root.nodeId, selector })).nodeIds.length;
+    check('without scripts the answer is there', await all('.lead') > 0 && await all('.answer tbody tr') > 0);
+    const [charts, stills] = [await all('[data-chart]'), await all('[data-chart] svg, [data-chart] table')];
+    check('and a picture or a table in place of each chart', charts > 0 && stills >= charts, `${stills} of ${charts}`);
+    const bar = await all('#ask[hidden]');
+    check('and nothing that would need them', bar === 1);
+}
+
+async function printed(browser) {
+    const page = await browser.open({ media: 'print', width: 760 });
+    await page.go(url);
+    const pdf = await page.pdf();
+    const pages = (pdf.toString('latin1').match(/\/Type\s*\/Page\b/g) ?? []).length;
+    check('printed on less than 25 pages', pages > 0 && pages < 25, `${pages} pages, ${pdf.length} bytes`);
+}
+
+const browser = await Browser.start(chromium);
+try {
+    for (const test of [looksRight, narrowAndDark, withoutScripts, printed]) await test(browser);
+} finally {
+    await browser.stop();
+}
+console.log(failures === 0 ? 'all checks passed' : failures + ' checks failed');
+process.exit(failures === 0 ? 0 : 1);

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+//
+// The answer of made stores: who wins, who ties, who is out, and what is said where nothing beats the
+// baseline.
+#include "edgewise/reports/answer/answer.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "answer_cells.hpp"
+#include "edgewise/reports/answer/answer_json.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/store/schema.hpp"
+
+namespace edgewise::reports {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+const MadeCandidate candidate_paper{"vclip", "aos", "f64", {0.98, 1.0, 1.02}},
+    candidate_lean{"vclip", "lean", "f32", {0.70, 0.72, 0.74}, 1e-7, 8.8},
+    candidate_lean_double{"vclip", "lean", "f64", {0.73, 0.75, 0.77}, 1e-16, 12.8},
+    candidate_slow{"vclip", "soa", "f64", {1.2, 1.3, 1.4}, 1e-15, 233.5},
+    candidate_gjk{"gjk", "lean", "f64", {1.4, 1.5, 1.6}, 1e-15, 12.8},
+    candidate_rough{"vclip", "quantised", "f64", {0.5, 0.5, 0.51}, 2e-5, 6.8};
+
+ReportData answer_data(const std::vector<MadeCandidate>& cells,
+                       const std::string& parameters = shared_tables) {
+    ReportData data;
+    for (const MadeCandidate& cell : cells) data.cells.push_back(answer_cell(cell, parameters));
+    return data;
+}
+
+std::vector<std::string> candidate_names(const SceneAnswer& scene, const std::vector<std::size_t>& places) {
+    std::vector<std::string> found;
+    for (const std::size_t place : places) found.push_back(scene.candidates[place].name());
+    return found;
+}
+
+TEST(Answer, TheFastestWithinTheErrorWinsAndTiesReachItsInterval) {
+    const ReportData data = answer_data({candidate_paper, candidate_slow, candidate_lean_double,
+                                         candidate_lean, candidate_rough, candidate_gjk});
+    const Answer answer = answer_of(data);
+    ASSERT_EQ(answer.shared.size(), 1u);
+    EXPECT_TRUE(answer.own.empty());
+    const SceneAnswer& scene = answer.shared.front();
+    ASSERT_TRUE(scene.winner());
+    EXPECT_EQ(scene.winner()->name(), "V-Clip on lean_f32");
+    EXPECT_EQ(scene.winner()->low(), 0.70);
+    EXPECT_EQ(scene.winner()->high(), 0.74);
+    EXPECT_THAT(candidate_names(scene, scene.ties), ElementsAre("V-Clip on lean_f32", "V-Clip on lean_f64"));
+    EXPECT_THAT(candidate_names(scene, scene.out), ElementsAre("V-Clip on quantised_f64"));
+    EXPECT_TRUE(scene.beats_baseline);
+    EXPECT_EQ(scene.best("gjk")->name(), "GJK on lean_f64");
+    EXPECT_EQ(scene.choice(), scene.winner());
+    EXPECT_EQ(answer.vertices, 386);
+}
+
+TEST(Answer, ALargerLimitLetsTheLossyOneWin) {
+    const ReportData data = answer_data({candidate_paper, candidate_lean, candidate_rough});
+    const Answer answer = answer_of(data, {.error_limit = 1e-4});
+    EXPECT_EQ(answer.shared.front().winner()->name(), "V-Clip on quantised_f64");
+}
+
+TEST(Answer, WhereTheBaselineTiesNothingBeatsItAndTheSmallestIsNamed) {
+    const MadeCandidate single{"vclip", "aos", "f32", {0.95, 0.96, 1.03}, 1e-7, 138.8};
+    const ReportData data = answer_data({candidate_paper, single, candidate_slow});
+    const Answer answer = answer_of(data);
+    const SceneAnswer& scene = answer.shared.front();
+    EXPECT_EQ(scene.winner()->name(), "V-Clip on aos_f32");
+    EXPECT_FALSE(scene.beats_baseline);
+    EXPECT_EQ(scene.choice()->name(), "V-Clip on aos_f32");
+    const std::string text = answer_paragraph(answer, data);
+    EXPECT_THAT(text, HasSubstr("nothing beats the paper's layout"));
+    EXPECT_THAT(text, HasSubstr("take V-Clip on aos_f32"));
+    EXPECT_THAT(text, HasSubstr("138.8 bytes per edge instead of 234"));
+}
+
+/// The winner's interval lies below 1, but the baseline against itself differs by as much.
+TEST(Answer, ARatioWithinTheNoiseIsNone) {
+    const MadeCandidate noisy{"vclip", "aos", "f64", {0.90, 0.91, 0.92}},
+        ahead{"vclip", "hot_cold", "f64", {0.93, 0.94, 0.95}, 1e-15, 200};
+    ReportData data = answer_data({noisy, ahead});
+    const ReportCell calm = answer_cell({"vclip", "aos", "f64", {1.1, 1.2, 1.2}}, R"({"bodies":12})");
+    data.cells.push_back(calm);
+    const MadeCandidate first{"vclip", "lean", "f64", {0.93, 0.94, 0.95}, 1e-15, 12.8};
+    data.cells.push_back(answer_cell(first, R"({"bodies":12})"));
+    const Answer answer = answer_of(data);
+    EXPECT_EQ(answer.noise.cells, 2u);
+    EXPECT_DOUBLE_EQ(answer.noise.low, 0.91);
+    EXPECT_DOUBLE_EQ(answer.noise.high, 1.2);
+    ASSERT_EQ(answer.shared.size(), 2u);
+    EXPECT_FALSE(answer.shared[0].beats_baseline);
+    EXPECT_EQ(answer.shared[1].winner()->name(), "V-Clip on lean_f64");
+    EXPECT_FALSE(answer.shared[1].beats_baseline) << "0.94 is within what the baseline differs from itself";
+    EXPECT_THAT(answer_paragraph(answer, data), HasSubstr("-9 % to +20 %"));
+}
+
+/// The winner's interval is so wide that everything ties: nothing small and slow is recommended for that.
+TEST(Answer, WhatIsTooNoisyIsNotChosenBy) {
+    const MadeCandidate noisy{"vclip", "aos", "f32", {0.5, 0.9, 1.9}, 1e-7, 138.8},
+        tiny{"gjk", "points_soa", "f32", {1.7, 1.8, 1.9}, 1e-7, 4.1};
+    const ReportData data = answer_data({candidate_paper, noisy, tiny});
+    const Answer answer = answer_of(data);
+    const SceneAnswer& scene = answer.shared.front();
+    EXPECT_TRUE(scene.too_noisy);
+    EXPECT_EQ(scene.ties.size(), 3u);
+    EXPECT_EQ(scene.choice(), scene.baseline());
+    EXPECT_EQ(scene.smallest_of_ties()->name(), "V-Clip on aos_f32") << "points_soa is twice as slow";
+    EXPECT_THAT(answer_paragraph(answer, data), HasSubstr("Too noisy to choose by"));
+}
+
+TEST(Answer, SharedAndOwnTablesAreAnsweredApart) {
+    ReportData data = answer_data({candidate_paper, candidate_slow});
+    for (const MadeCandidate& made : {candidate_paper, candidate_lean})
+        data.cells.push_back(answer_cell(made, own_tables_scene));
+    const Answer both = answer_of(data);
+    EXPECT_EQ(both.shared.size(), 1u);
+    ASSERT_EQ(both.own.size(), 1u);
+    EXPECT_EQ(both.own.front().winner()->name(), "V-Clip on lean_f32");
+    EXPECT_EQ(both.shared.front().choice()->name(), "V-Clip on aos_f64");
+    const std::string text = answer_paragraph(both, data);
+    EXPECT_THAT(text, HasSubstr("If your bodies share a table, keep V-Clip on the paper's layout (aos_f64)"));
+    EXPECT_THAT(text, HasSubstr("If every body has a table of its own, take V-Clip on lean_f32."));
+    EXPECT_THAT(text, HasSubstr("600 tables take 5 MiB instead of 133.9 MiB."));
+    EXPECT_THAT(text, HasSubstr("GJK was not measured there."));
+    const Answer shared = answer_of(data, {.own_tables = false});
+    EXPECT_TRUE(shared.own.empty());
+    EXPECT_EQ(shared.shared.size(), 1u);
+}
+
+TEST(Answer, OneShapeAtATime) {
+    ReportData data = answer_data({candidate_paper, candidate_lean});
+    data.cells.push_back(answer_cell(candidate_slow, shared_tables, "cube8"));
+    EXPECT_EQ(answer_of(data).shared.front().shape, "sphere386");
+    const Answer cubes = answer_of(data, {.shape = "cube8"});
+    ASSERT_EQ(cubes.shared.size(), 1u);
+    EXPECT_EQ(cubes.vertices, 8);
+    EXPECT_EQ(cubes.shared.front().candidates.size(), 1u);
+    EXPECT_TRUE(answer_of(data, {.shape = "none"}).scenes().empty());
+    EXPECT_THAT(answer_paragraph(answer_of(data, {.shape = "none"}), data),
+                HasSubstr("No cell of this store answers the question."));
+}
+
+TEST(Answer, OthersNeverWin) {
+    MadeCandidate peer{"bullet", "bullet", "f64", {0.1, 0.1, 0.1}},
+        raw{"vclip", "aos", "f64", {0.1, 0.1, 0.1}, 1e-15, 234, "hardening=off", "judged"},
+        axis{"vclip", "lean", "f64", {0.1, 0.1, 0.1}, 1e-15, 12.8, "order=bfs"},
+        failed{"vclip", "lean", "f64", {0.1, 0.1, 0.1}, 1e-15, 12.8, "", "failed"};
+    peer.status = "judged";
+    ReportData data = answer_data({candidate_paper, candidate_lean, raw, axis, failed});
+    data.peers = {answer_cell(peer)};
+    const Answer answer = answer_of(data);
+    const SceneAnswer& scene = answer.shared.front();
+    EXPECT_EQ(scene.candidates.size(), 2u);
+    EXPECT_EQ(scene.winner()->name(), "V-Clip on lean_f32");
+    ASSERT_TRUE(scene.best_peer());
+    EXPECT_EQ(scene.best_peer()->name(), "bullet");
+}
+
+/// A scene of a file counts like a built-in one, and its needs are an axis of all its cells.
+TEST(Answer, ScenesOfFilesCount) {
+    ReportData data;
+    for (MadeCandidate made : {candidate_paper, candidate_lean}) {
+        made.axes = "needs=distance";
+        data.from_files.push_back(answer_cell(made, own_tables_scene));
+        data.from_files.back().scene = "mine", data.from_files.back().scene_kind = "tumble";
+    }
+    const Answer answer = answer_of(data);
+    ASSERT_EQ(answer.own.size(), 1u);
+    EXPECT_EQ(answer.own.front().winner()->table, "lean_f32");
+    EXPECT_EQ(answer.own.front().sentence,
+              "600 bodies drift and turn by 0.1 rad per step, pairs followed from step to step; a table for "
+              "each body");
+}
+
+TEST(Answer, CountsWhatWasNotMeasuredByReason) {
+    const ReportData data = answer_data({candidate_paper, candidate_lean});
+    const Answer answer = answer_of(data);
+    EXPECT_EQ(answer.gaps.missing, 2u);
+    EXPECT_EQ(answer.gaps.figures(), 16u);
+    ASSERT_EQ(answer.gaps.gaps.size(), 1u);
+    EXPECT_EQ(answer.gaps.gaps.front().reason, "no counters here");
+    EXPECT_EQ(answer.gaps.gaps.front().remedy, "bare metal");
+    EXPECT_THAT(answer.gaps.gaps.front().probes, ElementsAre("counters"));
+    EXPECT_THAT(answer_paragraph(answer, data), HasSubstr("2 of 16 figures were not measured."));
+}
+
+TEST(Answer, AStoppedSweepSaysWhatIsMissing) {
+    ReportData data = answer_data({candidate_paper, candidate_lean});
+    data.build.id = "b";
+    const std::string key = std::string(store::run_key) + "sweep --plan quick";
+    data.meta = {{key, R"({"build":"b","cells":1281,"started":"2026-01-01T00:00:00Z","ended":null})"}};
+    const Answer stopped = answer_of(data);
+    EXPECT_EQ(missing_cells(stopped.runs, stopped.counts.cells), 1279u);
+    EXPECT_THAT(answer_paragraph(stopped, data),
+                HasSubstr("A sweep did not finish: 1279 of its cells are missing"));
+    data.meta = {{key, R"({"build":"b","cells":1281,"started":"2026-01-01T00:00:00Z",)"
+                       R"("ended":"2026-01-01T01:00:00Z"})"}};
+    EXPECT_THAT(answer_paragraph(answer_of(data), data), Not(HasSubstr("did not finish")));
+}
+
+TEST(Answer, AsJson) {
+    ReportData data =
+        answer_data({candidate_paper, candidate_lean, candidate_lean_double, candidate_rough, candidate_gjk});
+    const nlohmann::json json = answer_json(answer_of(data));
+    for (const char* key : {"asked", "take", "next", "out", "changes_it", "held", "command"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    EXPECT_EQ(json["take"]["table"], "lean_f32");
+    EXPECT_EQ(json["take"]["algorithm"], "vclip");
+    EXPECT_EQ(json["take"]["time_ratio"], nlohmann::json({0.70, 0.72, 0.74}));
+    EXPECT_EQ(json["take"]["bytes_per_edge"], 8.8);
+    EXPECT_TRUE(json["take"]["lines_per_query"].is_null());
+    EXPECT_EQ(json["next"][0]["table"], "lean_f64");
+    EXPECT_EQ(json["next"][0]["ties"], true);
+    EXPECT_EQ(json["out"][0]["table"], "quantised_f64");
+    EXPECT_TRUE(json["held"].is_null());
+    EXPECT_THAT(json["command"].get<std::string>(), HasSubstr("edgewise advise"));
+    EXPECT_THAT(json["changes_it"].get<std::vector<std::string>>(),
+                testing::Contains(HasSubstr("an error of 2.0e-05 or more allowed: V-Clip on quantised_f64")));
+}
+
+TEST(Answer, LimitsAreWrittenShort) {
+    EXPECT_EQ(limit_text(1e-6), "1e-6");
+    EXPECT_EQ(limit_text(2.5e-12), "2.5e-12");
+    EXPECT_EQ(size_text(5.8 * 1024 * 1024), "5.80 MiB");
+}
+
+}  // namespace
+}  // namespace edgewise::reports
