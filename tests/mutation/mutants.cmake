@@ -251,3 +251,12 @@ edgewise_mutant(faults_cost_nothing studies/thrash/query_time.cpp [[page_faults(
     ThrashTime.* ${unit}/studies/thrash_time_test.cpp)
 edgewise_mutant(gjk_may_be_as_erratic studies/thrash/figure_8_facts.cpp [[found.fall >= least_fall && found.gjk_fall < least_fall]] [[found.fall >= least_fall]]
     Figure8Facts.* ${unit}/studies/thrash_facts_test.cpp)
+
+# Campaign
+set(campaign ${unit}/studies/campaign)
+edgewise_mutant(proofs_round_the_wrong_way truth/filter/posed_pair.cpp [[height - rounding * (1 + 16 * u)]] [[height + rounding * (1 + 16 * u)]]
+    FloatProof.SaysNothingFalse* ${campaign}/float_proof_test.cpp)
+edgewise_mutant(corners_are_where_they_seem truth/filter/enclosure.cpp [[return v > certain;]] [[return v > 0;]]
+    Enclosure.* ${unit}/truth/enclosure_test.cpp)
+edgewise_mutant(any_answer_is_proven studies/campaign/checked_answer.cpp [[return checked.error <= cell.error_allowed;]] [[return true;]]
+    Campaign.FindsALiar* ${campaign}/campaign_test.cpp)

@@ -21,16 +21,20 @@ double reach(std::span<const Vec3d> points) {
 
 }  // namespace
 
+AccuracyBand accuracy_band(const BodySize& a, const BodySize& b, double offset, double ortho_error,
+                           double eps) {
+    const double largest_extent = std::max(a.extent, b.extent);
+    AccuracyBand result;
+    result.scale = std::max({largest_extent, offset, a.reach, b.reach});
+    result.band = verdict_band_steps * eps * result.scale + verdict_band_ortho * ortho_error * largest_extent;
+    return result;
+}
+
 AccuracyBand accuracy_band(std::span<const Vec3d> a, const Pose& pose_a, std::span<const Vec3d> b,
                            const Pose& pose_b, double eps) {
-    const double largest_extent = std::max(extent(a), extent(b));
     const double apart = norm(Vec3d(pose_b.translation - pose_a.translation));
-    const double offset = std::max({apart, reach(a), reach(b)});
     const double ortho = std::max(ortho_error(pose_a.rotation), ortho_error(pose_b.rotation));
-    AccuracyBand result;
-    result.scale = std::max(largest_extent, offset);
-    result.band = verdict_band_steps * eps * result.scale + verdict_band_ortho * ortho * largest_extent;
-    return result;
+    return accuracy_band(BodySize{reach(a), extent(a)}, BodySize{reach(b), extent(b)}, apart, ortho, eps);
 }
 
 Judgement judge(const JudgedAnswer& answer, const ExactDistance& exact, const AccuracyBand& band,

@@ -28,6 +28,15 @@ struct AccuracyBand {
 [[nodiscard]] AccuracyBand accuracy_band(std::span<const Vec3d> a, const Pose& pose_a,
                                          std::span<const Vec3d> b, const Pose& pose_b, double eps);
 
+/// What the band asks of a body: the largest |v|, and the diagonal of its vertices' box.
+struct BodySize {
+    double reach = 0, extent = 0;
+};
+
+/// The same of bodies that were measured before, at many poses. ortho_error: of the worse rotation.
+[[nodiscard]] AccuracyBand accuracy_band(const BodySize& a, const BodySize& b, double offset,
+                                         double ortho_error, double eps);
+
 /// An answer as far as it is judged. In contact the distance is not judged.
 struct JudgedAnswer {
     bool separated = false;

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/campaign/block_run.hpp"
+
+#include <algorithm>
+
+#include "edgewise/measure/process/thread_time.hpp"
+#include "edgewise/studies/campaign/checked_answer.hpp"
+#include "edgewise/studies/campaign/workload_of.hpp"
+
+namespace edgewise::studies::campaign {
+
+namespace {
+
+/// Adds the thread's seconds since the last call to a sum.
+class SecondsBetween {
+  public:
+    void add_to(double& sum) {
+        const double now = measure::thread_seconds();
+        sum += now - last_;
+        last_ = now;
+    }
+
+  private:
+    double last_ = measure::thread_seconds();
+};
+
+void count_verdict(const KnownPair& known, FamilyTally& family) {
+    family.grazing += known.is_grazing;
+    if (known.is_grazing) return;
+    family.separated += known.is_separated();
+    family.touching += known.verdict == truth::ExactVerdict::touching;
+    family.overlapping += known.verdict == truth::ExactVerdict::overlapping;
+}
+
+void count_proof(const KnownPair& known, FamilyTally& family) {
+    family.double_proofs += known.by == KnownBy::double_proof;
+    family.wide_proofs += known.by == KnownBy::wide_proof;
+    family.exact_proofs += known.by == KnownBy::exact;
+}
+
+void count_answer(const CheckedAnswer& checked, std::uint64_t pair, FamilyTally& family, CellTally& cell) {
+    CellTally one;
+    one.answers = 1;
+    one.refused = checked.refused;
+    one.in_band = checked.in_band;
+    one.wrong = !checked.wrong.empty();
+    one.worst_error = checked.error;
+    one.worst_pair = pair;
+    cell.add(one);
+    family.answers += 1;
+    family.refused += one.refused;
+    family.in_band += one.in_band;
+    family.wrong += one.wrong;
+    family.exact_answers += checked.was_exact;
+}
+
+void count_block(const Block& block, std::uint64_t count, FamilyTally& family) {
+    FamilyTally one;
+    one.blocks = 1;
+    one.pairs = block.poses.size();
+    if (!block.refusal.empty()) one.refused_pairs = count;
+    one.least_vertices = std::min(block.a.vertex_count(), block.b.vertex_count());
+    one.most_vertices = std::max(block.a.vertex_count(), block.b.vertex_count());
+    family.add(one);
+}
+
+}  // namespace
+
+BlockRun::BlockRun(std::span<const Cell> cells) : cells_(cells), storage_(cells.size()) {
+    for (const Cell& cell : cells) askers_.push_back(cell.make_asker());
+}
+
+std::size_t BlockRun::storage_of(std::span<const Polyhedron> stored) {
+    for (std::size_t i = 0; i < storages_.size(); ++i) {
+        const auto known = storages_[i].bodies;
+        if (known[0].vertices == stored[0].vertices && known[1].vertices == stored[1].vertices) return i;
+    }
+    storages_.push_back({stored, StoredPair(stored[0].vertices, stored[1].vertices), {}, storages_.empty()});
+    return storages_.size() - 1;
+}
+
+void BlockRun::load(const scene::Workload& workload) {
+    storages_.clear();
+    refusals_.clear();
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        refusals_.push_back(askers_[i]->load(workload));
+        if (!refusals_.back().empty()) continue;
+        storage_[i] = storage_of(askers_[i]->stored_bodies());
+        storages_[storage_[i]].known.resize(workload.queries.size());
+    }
+}
+
+void BlockRun::note(std::size_t number, const Block& block, const std::string& what) {
+    failures_.push_back({PairPlace{block_, number}.pair(), {}, block.family, what});
+}
+
+void BlockRun::ask(std::size_t cell, const Block& block, FamilyTally& family, CellTally& tally) {
+    SecondsBetween seconds;
+    const std::vector<Distance> answers = askers_[cell]->answer();
+    seconds.add_to(family.asking_s);
+    BlockStorage& storage = storages_[storage_[cell]];
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        KnownPair& known = storage.known[i];
+        const auto& poses = block.poses[i];
+        if (known.by == KnownBy::nothing) {
+            known = storage.pair.know(poses, multiply(poses.first.rotation, answers[i].normal));
+            count_proof(known, family);
+            if (storage.counts) count_verdict(known, family);
+        }
+        const CheckedAnswer checked = check_answer(answers[i], cells_[cell], storage.pair, poses, known);
+        count_answer(checked, PairPlace{block_, i}.pair(), family, tally);
+        if (!checked.wrong.empty()) {
+            note(i, block, checked.wrong);
+            failures_.back().cell = cells_[cell].name;
+        }
+    }
+    seconds.add_to(family.proving_s);
+}
+
+void BlockRun::run(const PairSource& source, std::uint64_t number, std::uint64_t count, Tally& tally,
+                   const std::function<void(const Failure&)>& on_failure) {
+    SecondsBetween seconds;
+    block_ = number;
+    const Block block = source.block(number, count);
+    FamilyTally& family = tally.families[block.family];
+    count_block(block, count, family);
+    if (!block.refusal.empty()) return;
+    const scene::Workload workload = workload_of(block);
+    load(workload);
+    seconds.add_to(family.making_s);
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        CellTally& cell = tally.cells[cells_[i].name];
+        if (refusals_[i].empty()) {
+            ask(i, block, family, cell);
+        } else {
+            cell.refused += workload.queries.size();
+            family.refused += workload.queries.size();
+        }
+    }
+    for (const Failure& failure : failures_) on_failure(failure);
+    failures_.clear();
+}
+
+}  // namespace edgewise::studies::campaign

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// One block of pairs through every cell: asked, proven, tallied.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/studies/campaign/cells.hpp"
+#include "edgewise/studies/campaign/pair_source.hpp"
+#include "edgewise/studies/campaign/tally.hpp"
+
+namespace edgewise::studies::campaign {
+
+/// A wrong answer and where to find it again.
+struct Failure {
+    std::uint64_t pair = 0;
+    std::string cell, family, what;
+};
+
+/// The bodies that some cells hold alike, and what is known of their pairs.
+struct BlockStorage {
+    std::span<const Polyhedron> bodies;
+    StoredPair pair;
+    std::vector<KnownPair> known;
+    bool counts = false;  ///< the first: its pairs are counted by verdict
+};
+
+class BlockRun {
+  public:
+    /// Keeps the cells.
+    explicit BlockRun(std::span<const Cell> cells);
+
+    /// Adds the first `count` pairs of a block to the tally; tells of every wrong answer.
+    void run(const PairSource& source, std::uint64_t block, std::uint64_t count, Tally& tally,
+             const std::function<void(const Failure&)>& on_failure);
+
+  private:
+    void load(const scene::Workload& workload);
+    [[nodiscard]] std::size_t storage_of(std::span<const Polyhedron> stored);
+    void ask(std::size_t cell, const Block& block, FamilyTally& family, CellTally& tally);
+    void note(std::size_t number, const Block& block, const std::string& what);
+
+    std::span<const Cell> cells_;
+    std::vector<std::unique_ptr<Asker>> askers_;
+    std::vector<std::string> refusals_;  ///< by cell: why it cannot hold the block's bodies
+    std::vector<BlockStorage> storages_;
+    std::vector<std::size_t> storage_;  ///< by cell
+    std::vector<Failure> failures_;
+    std::uint64_t block_ = 0;
+};
+
+}  // namespace edgewise::studies::campaign

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/campaign/cells.hpp"
+
+#include <map>
+
+#include "edgewise/bench/cell.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/studies/campaign/pair_source.hpp"
+#include "edgewise/studies/campaign/workload_of.hpp"
+
+namespace edgewise::studies::campaign {
+
+namespace {
+
+class RunnerAsker final : public Asker {
+  public:
+    RunnerAsker(const bench::TableType& type, const std::string& algorithm)
+        : runner_(type.make_runner(algorithm)) {}
+
+    [[nodiscard]] std::string load(const scene::Workload& workload) override {
+        return runner_->load(workload);
+    }
+    [[nodiscard]] std::vector<Distance> answer() override { return runner_->answer(); }
+    [[nodiscard]] std::span<const Polyhedron> stored_bodies() const override {
+        return runner_->stored_bodies();
+    }
+
+  private:
+    std::unique_ptr<bench::Runner> runner_;
+};
+
+/// Where planes are stored in single and computed with in double, V-Clip is as good as the planes.
+double error_allowed(const bench::TableType& type, const std::string& algorithm) {
+    const bool single = type.eps > Tolerance<double>::eps || (type.rounded_planes && algorithm == "vclip");
+    return single ? verified_error_single : verified_error_double;
+}
+
+void add(bench::Fingerprint& print, const Vec3d& v) { print.add(v.x()).add(v.y()).add(v.z()); }
+
+constexpr std::uint64_t class_seed = 20010168;  ///< of the pairs that tell classes from each other
+constexpr std::uint64_t class_pairs = 200;      ///< of each family
+
+std::vector<Block> class_blocks() {
+    const PairSource source(class_seed, {}, {"tetra4", "cube8", "sphere38", "sphere386"});
+    std::vector<Block> blocks;
+    for (std::uint64_t i = 0; i < 2 * source.families().size(); ++i) {
+        Block block = source.block(i, class_pairs);
+        if (block.refusal.empty()) blocks.push_back(std::move(block));
+    }
+    return blocks;
+}
+
+std::string answers_of(const Cell& cell, const std::vector<scene::Workload>& workloads) {
+    bench::Fingerprint print;
+    for (const scene::Workload& workload : workloads) {
+        const auto asker = cell.make_asker();
+        const std::string error = asker->load(workload);
+        print.add(error);
+        if (!error.empty()) continue;
+        for (const Distance& answer : asker->answer()) {
+            print.add(static_cast<std::uint64_t>(answer.status)).add(answer.distance);
+            add(print, answer.point_a);
+            add(print, answer.point_b);
+            add(print, answer.normal);
+        }
+    }
+    return print.hex();
+}
+
+}  // namespace
+
+std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
+                           std::span<const std::string> algorithms) {
+    std::vector<Cell> cells;
+    for (const std::string& algorithm : algorithms) {
+        for (const bench::TableType* type : types) {
+            if (!type->serves(algorithm)) continue;
+            cells.push_back({algorithm + " " + type->name, type->eps, error_allowed(*type, algorithm),
+                             [type, algorithm] { return std::make_unique<RunnerAsker>(*type, algorithm); }});
+        }
+    }
+    return cells;
+}
+
+std::vector<Cell> one_of_each_class(std::vector<Cell> cells) {
+    std::vector<scene::Workload> workloads;
+    for (const Block& block : class_blocks()) workloads.push_back(workload_of(block));
+    std::map<std::string, std::size_t> first;  // answers -> place in the result
+    std::vector<Cell> result;
+    for (Cell& cell : cells) {
+        const auto [place, is_new] = first.try_emplace(answers_of(cell, workloads), result.size());
+        if (is_new)
+            result.push_back(std::move(cell));
+        else
+            result[place->second].as_well.push_back(cell.name);
+    }
+    return result;
+}
+
+}  // namespace edgewise::studies::campaign

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// Who is asked in a campaign: an algorithm on a table type, one of each class that answers alike to the bit.
+// Most table types answer as another does (shared arithmetic, other memory); which do is asked of the program
+// itself, over pairs of every family.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/algorithms/distance.hpp"
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/scene/workload.hpp"
+
+namespace edgewise::studies::campaign {
+
+/// What a cell answers with. The tests ask one that lies.
+class Asker {
+  public:
+    Asker() = default;
+    Asker(const Asker&) = delete;
+    Asker& operator=(const Asker&) = delete;
+    virtual ~Asker() = default;
+
+    /// An error line where the bodies cannot be stored. The workload must stay.
+    [[nodiscard]] virtual std::string load(const scene::Workload& workload) = 0;
+    /// To every query, from cold.
+    [[nodiscard]] virtual std::vector<Distance> answer() = 0;
+    [[nodiscard]] virtual std::span<const Polyhedron> stored_bodies() const = 0;
+};
+
+struct Cell {
+    std::string name;          ///< "gjk aos_f64"
+    double eps = 0;            ///< rounding step of what computes
+    double error_allowed = 0;  ///< over scale, beyond the band
+    std::function<std::unique_ptr<Asker>()> make_asker;
+    std::vector<std::string> as_well{};  ///< cells that answer alike
+};
+
+/// Every algorithm on every table type that serves it.
+[[nodiscard]] std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
+                                         std::span<const std::string> algorithms);
+
+/// The first of each class of equal answers (status, distance, witness points, normal).
+[[nodiscard]] std::vector<Cell> one_of_each_class(std::vector<Cell> cells);
+
+}  // namespace edgewise::studies::campaign

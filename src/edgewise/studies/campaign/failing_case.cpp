@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/campaign/failing_case.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "edgewise/studies/campaign/checked_answer.hpp"
+#include "edgewise/studies/campaign/minimise.hpp"
+#include "edgewise/studies/campaign/workload_of.hpp"
+#include "edgewise/truth/exact_body.hpp"
+
+namespace edgewise::studies::campaign {
+
+namespace {
+
+nlohmann::ordered_json json_of(const Vec3d& v) { return {v.x(), v.y(), v.z()}; }
+
+nlohmann::ordered_json json_of(const scene::CaseBody& body) {
+    nlohmann::ordered_json result;
+    for (const Vec3d& v : body.vertices) result["vertices"].push_back(json_of(v));
+    if (body.faces) result["faces"] = *body.faces;
+    return result;
+}
+
+nlohmann::ordered_json json_of(const Pose& pose) {
+    nlohmann::ordered_json rotation = nlohmann::ordered_json::array();
+    for (const double x : pose.rotation.reshaped<Eigen::RowMajor>()) rotation.push_back(x);
+    return {{"R", rotation}, {"t", json_of(pose.translation)}};
+}
+
+/// "wrong_distance_of_vclip_aos_f32_in_grazing"
+std::string id_of(const Failure& failure) {
+    std::string id =
+        failure.what.substr(0, failure.what.find(':')) + " of " + failure.cell + " in " + failure.family;
+    for (char& c : id) {
+        if (c == ' ') c = '_';
+    }
+    return id;
+}
+
+}  // namespace
+
+scene::Case case_of(const PairSource& source, std::uint64_t pair) {
+    const PairPlace place = PairPlace::of(pair);
+    const Block block = source.block(place.block, place.number + 1);
+    scene::Case result{fmt::format("pair {}", pair), block.case_a, block.case_b, {}, {}};
+    if (block.refusal.empty()) std::tie(result.pose_a, result.pose_b) = block.poses[place.number];
+    return result;
+}
+
+std::string what_is_wrong(const scene::Case& of, const Cell& cell) {
+    Block block;
+    auto a = scene::body_from_case(of.a), b = scene::body_from_case(of.b);
+    if (!a || !b) return {};
+    block.a = std::move(*a);
+    block.b = std::move(*b);
+    block.poses = {{of.pose_a, of.pose_b}};
+    if (!truth::pair_error(block.a.vertices, of.pose_a, block.b.vertices, of.pose_b).empty()) return {};
+    const scene::Workload workload = workload_of(block);
+    const auto asker = cell.make_asker();
+    if (!asker->load(workload).empty()) return {};
+    const auto stored = asker->stored_bodies();
+    StoredPair pair(stored[0].vertices, stored[1].vertices);
+    KnownPair known = pair.know(block.poses[0], Vec3d::Zero());
+    return check_answer(asker->answer().front(), cell, pair, block.poses[0], known).wrong;
+}
+
+std::string case_line(const scene::Case& of, const std::string& source) {
+    const nlohmann::ordered_json line = {{"id", of.id},
+                                         {"source", source},
+                                         {"a", json_of(of.a)},
+                                         {"b", json_of(of.b)},
+                                         {"pose_a", json_of(of.pose_a)},
+                                         {"pose_b", json_of(of.pose_b)}};
+    return line.dump();
+}
+
+std::string failing_line(const PairSource& source, const Failure& failure, const Cell& cell) {
+    const scene::Case given = case_of(source, failure.pair);
+    scene::Case small =
+        minimised(given, [&](const scene::Case& tried) { return !what_is_wrong(tried, cell).empty(); });
+    small.id = id_of(failure);
+    const std::string still = what_is_wrong(small, cell);
+    return case_line(small, fmt::format("campaign, pair {}, {}: {}", failure.pair, failure.cell,
+                                        still.empty() ? failure.what + " (not seen again alone)" : still));
+}
+
+}  // namespace edgewise::studies::campaign

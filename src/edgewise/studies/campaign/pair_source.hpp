@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// Where the pairs of a campaign come from: any of 10^9 again from the seed and its number alone.
+//
+// Pairs come in blocks of one pair of bodies, since a body is a hull and a table per layout, and a pose is a
+// few dozen multiplications. Families take turns, a block each. Two kinds:
+//   random   a named shape against itself, or stretched: free poses, poses at a wanted gap or depth, nearly
+//   and
+//            exactly parallel ones, lattices
+//   hard     a pair of a hard family (scene/hard) as it is made, then other poses near it: moved along the
+//            shortest connection to another gap, sideways, tilted, turned by quarter turns, carried off
+// Which pose is drawn from a generator seeded by seed, family, block and number; + - * / sqrt alone.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edgewise/geometry/result.hpp"
+#include "edgewise/scene/hard/families.hpp"
+
+namespace edgewise::studies::campaign {
+
+inline constexpr std::uint64_t pairs_per_block = 4096;
+
+/// Where a pair stands in the campaign.
+struct PairPlace {
+    std::uint64_t block = 0, number = 0;  ///< the number in its block
+
+    [[nodiscard]] static PairPlace of(std::uint64_t pair) {
+        return {pair / pairs_per_block, pair % pairs_per_block};
+    }
+    [[nodiscard]] std::uint64_t pair() const { return block * pairs_per_block + number; }
+};
+
+/// Two bodies and their poses, pair by pair; or why there are none.
+struct Block {
+    std::string family;
+    scene::CaseBody case_a, case_b;
+    Polyhedron a, b;
+    std::vector<std::pair<Pose, Pose>> poses;
+    std::string refusal;  ///< of bodies that no table can hold, as some hard family makes them
+};
+
+class PairSource {
+  public:
+    /// Families by name: "random", one for each shape, and those of scene::hard_families(). `shapes`: as
+    /// scene::make_shape takes them. Throws std::invalid_argument that lists the known names.
+    PairSource(std::uint64_t seed, const std::vector<std::string>& families,
+               const std::vector<std::string>& shapes);
+
+    /// Names in the order in which they take turns: "random cube8", "grazing".
+    [[nodiscard]] const std::vector<std::string>& families() const { return names_; }
+
+    /// The first `count` pairs of a block.
+    [[nodiscard]] Block block(std::uint64_t number, std::uint64_t count = pairs_per_block) const;
+
+  private:
+    void add(const std::string& family, const std::vector<std::string>& shapes);
+
+    std::uint64_t seed_;
+    std::vector<std::string> names_;
+    std::map<std::string, Polyhedron> shapes_;              ///< of random families, by the family's name
+    std::map<std::string, const scene::HardFamily*> hard_;  ///< by the family's name
+};
+
+/// "random" and the hard families that need no meshes.
+[[nodiscard]] std::vector<std::string> campaign_families();
+
+}  // namespace edgewise::studies::campaign

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/campaign/progress_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "edgewise/studies/campaign/pair_source.hpp"
+
+namespace edgewise::studies::campaign {
+
+namespace {
+
+constexpr int file_version = 1;
+
+CampaignProgress progress_of(const nlohmann::json& object) {
+    if (object.at("version").get<int>() != file_version) throw std::invalid_argument("of another version");
+    CampaignProgress progress;
+    Question& question = progress.question;
+    question.seed = object.at("seed").get<std::uint64_t>();
+    question.pairs = object.at("pairs_wanted").get<std::uint64_t>();
+    question.families = object.at("families_in_turn").get<std::vector<std::string>>();
+    question.cells = object.at("cells_asked").get<std::vector<std::string>>();
+    question.shard = Shard::parse(object.at("shard").get<std::string>()).or_throw();
+    progress.next_block = object.at("next_block").get<std::uint64_t>();
+    progress.seconds = object.at("seconds").get<double>();
+    progress.tally = tally_of(object);
+    return progress;
+}
+
+}  // namespace
+
+std::uint64_t Question::blocks() const { return (pairs + pairs_per_block - 1) / pairs_per_block; }
+
+std::uint64_t Question::pairs_of(std::uint64_t block) const {
+    return std::min(pairs_per_block, pairs - block * pairs_per_block);
+}
+
+bool Question::is_part_of_same(const Question& other) const {
+    Question mine = *this;
+    mine.shard = other.shard;
+    return mine == other;
+}
+
+std::uint64_t CampaignProgress::pairs() const {
+    const FamilyTally all = tally.all_families();
+    return all.pairs + all.refused_pairs;
+}
+
+nlohmann::json to_json(const CampaignProgress& progress) {
+    const Question& question = progress.question;
+    nlohmann::json object = to_json(progress.tally);
+    object["version"] = file_version;
+    object["seed"] = question.seed;
+    object["pairs_wanted"] = question.pairs;
+    object["families_in_turn"] = question.families;
+    object["cells_asked"] = question.cells;
+    object["shard"] = fmt::format("{}/{}", question.shard.index, question.shard.count);
+    object["next_block"] = progress.next_block;
+    object["seconds"] = progress.seconds;
+    return object;
+}
+
+void write_progress(const CampaignProgress& progress, const std::string& path) {
+    namespace fs = std::filesystem;
+    const std::string unfinished = path + ".part";
+    {
+        std::ofstream stream(unfinished);
+        stream << to_json(progress).dump(1) << '\n';
+        stream.flush();
+        if (!stream)
+            throw std::runtime_error(fmt::format("{}: cannot be written; is the disk full?", unfinished));
+    }
+    fs::rename(unfinished, path);
+}
+
+std::optional<CampaignProgress> read_progress(const std::string& path) {
+    std::ifstream stream(path);
+    if (!stream) return std::nullopt;
+    try {
+        return progress_of(nlohmann::json::parse(stream));
+    } catch (const std::exception&) {
+        throw std::invalid_argument(
+            fmt::format("{}: no progress of a campaign; name another file with --state, or remove it", path));
+    }
+}
+
+}  // namespace edgewise::studies::campaign

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/campaign/random_poses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgewise/scene/motion.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/studies/campaign/block_seed.hpp"
+#include "edgewise/studies/campaign/separation.hpp"
+
+namespace edgewise::studies::campaign {
+
+namespace {
+
+/// Poses that share what costs most to find: where the bodies are nearest.
+constexpr std::uint64_t group = 64;
+
+enum class Relation { generic, nearly_parallel, parallel, lattice };
+
+/// Rotations without rounding.
+Mat3d quarter_turns(scene::Rng& rng) {
+    Mat3d turn = Mat3d::Zero();
+    const auto first = static_cast<int>(rng.below(3));
+    for (int row = 0; row < 3; ++row) turn(row, (row + first) % 3) = 1;
+    if (rng.below(2) == 0) turn.topRows(2) *= -1;
+    return turn;
+}
+
+/// 2^-low to 2^-high, each octave alike.
+double power(scene::Rng& rng, int low, int high) {
+    const auto exponent = low + static_cast<int>(rng.below(static_cast<std::uint64_t>(high - low)));
+    return std::ldexp(rng.uniform(0.5, 1), -exponent);
+}
+
+class RandomPoses {
+  public:
+    RandomPoses(const Polyhedron& a, const Polyhedron& b, std::uint64_t seed)
+        : a_(a.vertices), b_(b.vertices), seed_(seed), size_(std::max(a_.extent(), b_.extent())) {}
+
+    std::pair<Pose, Pose> pose(std::uint64_t number) {
+        scene::Rng rng(child_seed(seed_, number));
+        if (number % group == 0) start_group(rng, number / group);
+        if (relation_ == Relation::lattice) return on_lattice(rng);
+        return rng.below(4) == 0 ? free(rng) : at_gap(rng);
+    }
+
+  private:
+    void start_group(scene::Rng& rng, std::uint64_t group_number) {
+        const std::uint64_t turn = group_number % 10;
+        relation_ = turn < 6   ? Relation::generic
+                    : turn < 8 ? Relation::nearly_parallel
+                    : turn < 9 ? Relation::parallel
+                               : Relation::lattice;
+        of_a_ = rng.orientation();
+        of_b_ = relation_ == Relation::generic ? rng.orientation() : of_a_;
+        base_.first = {scene::rotation_matrix(of_a_), rng.in_cube(4)};
+        base_.second = {scene::rotation_matrix(of_b_), base_.first.translation};
+        towards_b_ = rng.on_sphere();
+        // Far off, nearest points are nearly always vertices; just clear of each other, edges and faces too.
+        const bool starts_far = group_number % 3 == 0;
+        const double offset = starts_far ? 4 * size_ : reach_along(towards_b_) + size_ / 50;
+        base_.second.translation += towards_b_ * offset;
+        const auto found = separation_of(a_, b_, base_);
+        distance_ = found ? found->distance : 0;
+        if (found) towards_b_ = found->towards_b;
+    }
+
+    /// How far both bodies together reach along a direction.
+    double reach_along(const Vec3d& direction) {
+        const Vec3d in_a = multiply_transposed(base_.first.rotation, direction);
+        const Vec3d in_b = multiply_transposed(base_.second.rotation, direction);
+        return a_.highest(in_a).height + b_.highest(-in_b).height;
+    }
+
+    std::pair<Pose, Pose> free(scene::Rng& rng) {
+        std::pair<Pose, Pose> poses = base_;
+        poses.second.rotation = rng.rotation();
+        poses.second.translation = poses.first.translation + rng.in_ball() * (1.5 * size_);
+        return poses;
+    }
+
+    std::pair<Pose, Pose> on_lattice(scene::Rng& rng) {
+        std::pair<Pose, Pose> poses;
+        poses.first.rotation = quarter_turns(rng);
+        poses.second.rotation = quarter_turns(rng);
+        const Vec3d steps = rng.in_cube(9.5).array().round();
+        poses.second.translation = steps * (std::max(a_.reach(), b_.reach()) / 4);
+        return poses;
+    }
+
+    std::pair<Pose, Pose> at_gap(scene::Rng& rng) {
+        std::pair<Pose, Pose> poses = base_;
+        const bool tilts = relation_ == Relation::nearly_parallel || rng.below(2) == 0;
+        if (tilts && relation_ != Relation::parallel) {
+            const scene::Quaternion tilt = scene::rotation_about(rng.on_sphere(), power(rng, 2, 54));
+            poses.second.rotation = scene::rotation_matrix(normalised(tilt * of_b_));
+        }
+        poses.second.translation += towards_b_ * (wanted_gap(rng) - distance_);
+        return poses;
+    }
+
+    double wanted_gap(scene::Rng& rng) const {
+        switch (rng.below(8)) {
+            case 0:
+                return size_ * rng.uniform(0.1, 3);
+            case 1:
+            case 2:
+                return size_ * power(rng, 3, 10);
+            case 3:
+            case 4:
+                return size_ * power(rng, 10, 36);
+            case 5:
+                return -size_ * rng.uniform(0, 0.2);
+            case 6:
+                return -size_ * power(rng, 3, 10);
+            default:
+                return -size_ * power(rng, 10, 36);
+        }
+    }
+
+    truth::ScannedBody a_, b_;
+    std::uint64_t seed_;
+    double size_, distance_ = 0;
+    Relation relation_ = Relation::generic;
+    scene::Quaternion of_a_, of_b_;
+    std::pair<Pose, Pose> base_;
+    Vec3d towards_b_;
+};
+
+}  // namespace
+
+std::vector<std::pair<Pose, Pose>> random_poses(const Polyhedron& a, const Polyhedron& b, std::uint64_t seed,
+                                                std::uint64_t count) {
+    RandomPoses maker(a, b, seed);
+    std::vector<std::pair<Pose, Pose>> poses;
+    poses.reserve(count);
+    for (std::uint64_t i = 0; i < count; ++i) poses.push_back(maker.pose(i));
+    return poses;
+}
+
+}  // namespace edgewise::studies::campaign

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// The shortest connection of two posed bodies about as double finds it: what poses are moved along.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/truth/filter/float_proof.hpp"
+
+namespace edgewise::studies::campaign {
+
+struct Separation {
+    double distance = 0;
+    Vec3d towards_b;  ///< unit, in the world
+};
+
+/// Nothing of bodies in contact, or of numbers that double cannot take.
+[[nodiscard]] inline std::optional<Separation> separation_of(truth::ScannedBody& a, truth::ScannedBody& b,
+                                                             const std::pair<Pose, Pose>& poses) {
+    const double as_good_as_it_gets = Tolerance<double>::eps * (a.extent() + b.extent());
+    const truth::FloatProof proof =
+        truth::prove_distance(a, poses.first, b, poses.second, Vec3d::Zero(), as_good_as_it_gets);
+    const double distance = norm(proof.separation);
+    if (!(proof.lower > 0 && distance > 0)) return std::nullopt;
+    return Separation{distance, Vec3d(proof.separation / -distance)};
+}
+
+}  // namespace edgewise::studies::campaign

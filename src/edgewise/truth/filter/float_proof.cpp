@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/truth/filter/float_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgewise/truth/filter/contact_proof.hpp"
+#include "edgewise/truth/filter/enclosure.hpp"
+#include "edgewise/truth/filter/rounding.hpp"
+#include "edgewise/truth/filter/wide_bounds.hpp"
+
+namespace edgewise::truth {
+
+namespace {
+
+/// How nearly as low as the lowest vertices count as level, over the span of the pair, and up to how many
+/// pairs of them are tried before the next scan: that of two quadrilaterals. Neither decides anything.
+constexpr double level_slack = 0x1p-24;
+constexpr std::size_t most_level_pairs = 16;
+constexpr int most_proof_steps = 64;  // a cap on wasted time only: exact arithmetic takes over from there
+
+/// The weights of the simplex's nearest point, up to a factor; the simplex was found with these signs
+/// positive.
+std::array<double, 3> proof_weights(const MinimumSimplex<Vec3d>& s) {
+    const auto& p = s.point;
+    if (s.size == 1) return {1, 0, 0};
+    if (s.size == 2) {
+        const Vec3d along = p[1] - p[0];
+        return {std::max(0.0, dot(p[1], along)), std::max(0.0, -dot(p[0], along)), 0};
+    }
+    const Vec3d first = p[1] - p[0], second = p[2] - p[0], normal = cross(first, second);
+    return {std::max(0.0, dot(normal, cross(p[1], p[2]))), std::max(0.0, dot(normal, cross(p[2], p[0]))),
+            std::max(0.0, dot(normal, cross(p[0], p[1])))};
+}
+
+double squared_gap(const MinimumSimplex<Vec3d>& simplex) {
+    return simplex.height * simplex.height / squared_norm(simplex.direction);
+}
+
+class ProofSearch {
+  public:
+    ProofSearch(PosedPair& pair, double width, bool tries_contact = true)
+        : pair_(pair), width_(width), tries_contact_(tries_contact) {}
+
+    FloatProof run(const Vec3d& guess) {
+        direction_ = unit_or_any(-guess);
+        for (int step = 0; step < most_proof_steps; ++step) {
+            lowest_ = pair_.lowest(direction_);
+            raise(lowest_.least_height);
+            const bool is_guess = step == 0 && lowest_.least_height > 0;
+            if (is_done() || !(is_guess ? take_level() : take_lowest())) break;
+            if (overlaps_) return overlap();
+            lower_upper_bound();
+            if (is_done() || !(simplex_.height > 0)) break;
+            direction_ = unit_or_any(simplex_.direction);
+        }
+        if (!is_done()) widen_arithmetic();
+        if (!is_done() && result_.lower == 0 && tries_contact_ && finds_overlap()) return overlap();
+        if (is_done()) result_.verdict = result_.lower > 0 ? FloatVerdict::separated : FloatVerdict::grazing;
+        return result_;
+    }
+
+  private:
+    [[nodiscard]] bool is_done() const {
+        if (result_.lower > 0) return result_.width() <= width_;
+        return result_.upper <= width_ && result_.most_depth <= width_;
+    }
+
+    [[nodiscard]] Vec3d unit_or_any(const Vec3d& v) const {
+        const double length = norm(v);
+        if (std::isfinite(length) && length > 0) return v / length;
+        const double apart = norm(pair_.offset());
+        return apart > 0 ? Vec3d(-pair_.offset() / apart) : Vec3d(1, 0, 0);
+    }
+
+    /// By a height that no point of A - B is below, along the direction.
+    void raise(double least_height) {
+        constexpr double u = proof_rounding;
+        const double length = norm(direction_);
+        if (least_height > 0) {
+            result_.lower = std::max(result_.lower, least_height / length * (1 - 5 * u));
+            result_.most_depth = 0;
+        } else {
+            result_.most_depth = std::min(result_.most_depth, -least_height / length * (1 + 5 * u));
+        }
+    }
+
+    /// False if the simplex cannot be improved by the lowest point, as far as double can tell.
+    bool take_lowest() {
+        const auto end = simplex_.pair.begin() + simplex_.size;
+        if (std::find(simplex_.pair.begin(), end, lowest_.pair) != end) return false;
+        if (simplex_.size > 0 && !(dot(simplex_.direction, lowest_.point) < simplex_.height)) return false;
+        MinimumSimplex<Vec3d> next = simplex_;
+        if (!add_point(next, lowest_.point, lowest_.pair)) return false;
+        if (next.size == 4) {
+            overlaps_ = surely_encloses_origin(next.point, pair_.point_error());
+            return overlaps_;
+        }
+        const bool nearer = simplex_.size == 0 || squared_gap(next) < squared_gap(simplex_);
+        if (nearer) simplex_ = next;
+        return nearer;
+    }
+
+    /// All vertices about as low as the lowest: along a good guess the corners of the nearest features, and
+    /// the answer's simplex is among them.
+    bool take_level() {
+        const double slack = level_slack * pair_.span();
+        const auto on_a = pair_.a().as_high_as(lowest_.height_a - slack);
+        const auto on_b = pair_.b().as_high_as(lowest_.height_b - slack);
+        const bool taken = take_lowest();
+        if (on_a.size() * on_b.size() > most_level_pairs) return taken;
+        for (bool nearer = true; nearer && simplex_.height > 0;) {
+            nearer = false;
+            for (const std::uint32_t a : on_a) {
+                for (const std::uint32_t b : on_b) {
+                    lowest_.pair = {a, b};
+                    lowest_.point = pair_.difference(lowest_.pair);
+                    nearer |= take_lowest();
+                }
+            }
+        }
+        return taken;
+    }
+
+    /// Of points each off by point_error: their mean is off by no more, and by 3u of the longest for its
+    /// sums.
+    void lower_upper_bound() {
+        constexpr double u = proof_rounding;
+        const std::array<double, 3> weights = proof_weights(simplex_);
+        Vec3d sum = Vec3d::Zero();
+        double total = 0, longest = 0;
+        for (int i = 0; i < simplex_.size; ++i) {
+            sum += weights[i] * simplex_.point[i];
+            total += weights[i];
+            longest = std::max(longest, norm(simplex_.point[i]));
+        }
+        if (!(total > 0)) return;
+        result_.separation = simplex_.size == 1 ? simplex_.point[0] : Vec3d(sum / total);
+        const double summing = simplex_.size == 1 ? 0 : 3 * u * longest + 4 * u * norm(result_.separation);
+        const double most =
+            norm(result_.separation) * (1 + 3 * u) + (pair_.point_error() + summing) * (1 + 16 * u);
+        result_.upper = std::min(result_.upper, most);
+    }
+
+    void widen_arithmetic() {
+        result_.is_wide = true;
+        lowest_ = pair_.lowest(direction_);
+        raise(wide_least_height(pair_, direction_, lowest_));
+        const std::array<double, 3> weights = proof_weights(simplex_);
+        if (!(weights[0] + weights[1] + weights[2] > 0)) return;
+        result_.upper = std::min(result_.upper, wide_length(pair_, simplex_, weights));
+    }
+
+    /// Of bodies in contact, or nearly, where no tetrahedron was found around the origin.
+    [[nodiscard]] bool finds_overlap() {
+        if (encloses_with_more(pair_, simplex_)) return true;
+        direction_ = unit_or_any(nudged_separation(pair_));
+        lowest_ = pair_.lowest(direction_);
+        raise(wide_least_height(pair_, direction_, lowest_));
+        return !is_done() && share_a_point(pair_);
+    }
+
+    [[nodiscard]] FloatProof overlap() const {
+        FloatProof proof;
+        proof.verdict = FloatVerdict::overlapping;
+        proof.upper = 0;
+        proof.is_wide = result_.is_wide;
+        return proof;
+    }
+
+    PosedPair& pair_;
+    double width_;
+    bool tries_contact_;
+    MinimumSimplex<Vec3d> simplex_;
+    Vec3d direction_;
+    ScannedLowest lowest_;
+    FloatProof result_;
+    bool overlaps_ = false;
+};
+
+}  // namespace
+
+FloatProof prove_distance(PosedPair& pair, const Vec3d& guess, double width) {
+    if (!pair.is_usable()) return {};
+    return ProofSearch(pair, width).run(guess);
+}
+
+FloatProof search_distance(PosedPair& pair, double width) {
+    if (!pair.is_usable()) return {};
+    return ProofSearch(pair, width, false).run(Vec3d::Zero());
+}
+
+FloatProof prove_distance(ScannedBody& a, const Pose& pose_a, ScannedBody& b, const Pose& pose_b,
+                          const Vec3d& guess, double width) {
+    PosedPair pair(a, pose_a, b, pose_b);
+    return prove_distance(pair, guess, width);
+}
+
+}  // namespace edgewise::truth

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// An interval that provably holds the distance of two bodies, and their verdict, from double arithmetic
+// alone: what exact integers say in tens of microseconds, in less than one, for nearly every pair. Where it
+// proves nothing it says so, and exact_distance has to.
+//
+// A GJK in double from a guessed direction finds the simplex; nothing is believed of it. Lower bound: full
+// scans of both bodies along its directions, rounded downward. Upper bound: the mean of its points with
+// non-negative weights, rounded upward. Where the two are farther from each other than wanted, both are
+// computed again in double-double for the vertices that decide. Overlap: four points of A - B around the
+// origin, whose four volumes have signs that no rounding can turn. Touching is never proved, since it has no
+// margin; but that a pair is nearer to it than the width that is wanted, on whichever side.
+#pragma once
+
+#include <limits>
+
+#include "edgewise/truth/filter/posed_pair.hpp"
+
+namespace edgewise::truth {
+
+enum class FloatVerdict {
+    unknown,
+    separated,
+    overlapping,
+    grazing,  ///< neither the distance nor the depth exceeds the width asked for
+};
+
+struct FloatProof {
+    FloatVerdict verdict = FloatVerdict::unknown;
+    double lower = 0;  ///< the distance is in [lower, upper]; [0, 0] of an overlap
+    double upper = std::numeric_limits<double>::infinity();
+    double most_depth =
+        std::numeric_limits<double>::infinity();  ///< an upper bound of the depth; 0 if separated
+    Vec3d separation = Vec3d::Zero();             ///< about a - b between closest points, as far as GJK came
+    bool is_wide = false;                         ///< double-double had to help
+
+    [[nodiscard]] double width() const { return upper - lower; }
+};
+
+/// `guess`: a direction from A to B in the world, of any length; zero or NaN is none. Ends as soon as the
+/// interval is no wider than `width`. Rotations and translations must be finite.
+[[nodiscard]] FloatProof prove_distance(ScannedBody& a, const Pose& pose_a, ScannedBody& b,
+                                        const Pose& pose_b, const Vec3d& guess, double width);
+[[nodiscard]] FloatProof prove_distance(PosedPair& pair, const Vec3d& guess, double width);
+
+/// The same without the searches that bodies in contact need; for these.
+[[nodiscard]] FloatProof search_distance(PosedPair& pair, double width);
+
+}  // namespace edgewise::truth

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+//
+// A campaign finds a cell that lies and makes its failing pair small, goes on where it was left, and adds up.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/studies/campaign/failing_case.hpp"
+#include "edgewise/studies/campaign/run.hpp"
+
+namespace edgewise::studies::campaign {
+namespace {
+
+const std::vector<std::string> few_families = {"random", "grazing", "exact_touch"};
+
+std::vector<Cell> honest_cells() {
+    const std::vector<std::string> names = {"aos_f64", "points_soa_f32"}, algorithms = {"gjk", "vclip"};
+    return cells_of(bench::select_table_types(names), algorithms);
+}
+
+/// Right, but for pairs about a quarter from each other: those it calls a thousandth farther.
+class Liar final : public Asker {
+  public:
+    explicit Liar(std::unique_ptr<Asker> honest) : honest_(std::move(honest)) {}
+
+    [[nodiscard]] std::string load(const scene::Workload& workload) override {
+        return honest_->load(workload);
+    }
+    [[nodiscard]] std::span<const Polyhedron> stored_bodies() const override {
+        return honest_->stored_bodies();
+    }
+    [[nodiscard]] std::vector<Distance> answer() override {
+        std::vector<Distance> answers = honest_->answer();
+        for (Distance& answer : answers) {
+            if (std::abs(answer.distance - 0.25) < 0.02) answer.distance *= 1.001;
+        }
+        return answers;
+    }
+
+  private:
+    std::unique_ptr<Asker> honest_;
+};
+
+Cell liar() {
+    Cell cell = honest_cells().front();
+    const auto make_honest = cell.make_asker;
+    cell.make_asker = [make_honest] { return std::make_unique<Liar>(make_honest()); };
+    cell.name = "liar";
+    return cell;
+}
+
+Question question(std::uint64_t pairs, const PairSource& source, const std::vector<Cell>& cells) {
+    Question asked;
+    asked.seed = 3;
+    asked.pairs = pairs;
+    asked.families = source.families();
+    for (const Cell& cell : cells) asked.cells.push_back(cell.name);
+    return asked;
+}
+
+struct CampaignRun {
+    CampaignProgress progress;
+    std::vector<Failure> failures;
+};
+
+CampaignRun run(const PairSource& source, const std::vector<Cell>& cells, const Question& asked,
+                std::uint64_t blocks = ~std::uint64_t{0}, CampaignProgress from = {}) {
+    CampaignRun result;
+    result.progress = std::move(from);
+    result.progress.question = asked;
+    std::atomic<bool> stop = false;
+    CampaignHooks hooks;
+    hooks.on_failure = [&](const Failure& failure) { result.failures.push_back(failure); };
+    hooks.on_block = [&](const CampaignProgress&) { stop = --blocks == 0; };
+    run_campaign(source, cells, result.progress, hooks, stop);
+    return result;
+}
+
+/// What must not depend on how a campaign was divided.
+std::string figures_of(CampaignProgress progress) {
+    for (auto& [name, family] : progress.tally.families)
+        family.making_s = family.asking_s = family.proving_s = 0;
+    progress.seconds = 0;
+    progress.question.shard = {};
+    return to_json(progress).dump();
+}
+
+TEST(Campaign, FindsALiarAndMakesItsPairSmall) {
+    const PairSource source(3, few_families, {"cube8", "sphere38"});
+    std::vector<Cell> cells = honest_cells();
+    cells.push_back(liar());
+    const CampaignRun found = run(source, cells, question(40'000, source, cells));
+    ASSERT_FALSE(found.failures.empty());
+    EXPECT_EQ(found.progress.tally.cells.at("liar").wrong, found.failures.size());
+    for (const Failure& failure : found.failures) ASSERT_EQ(failure.cell, "liar");
+    std::printf("%zu lies in %llu answers\n", found.failures.size(),
+                static_cast<unsigned long long>(found.progress.tally.cells.at("liar").answers));
+
+    const std::string line = failing_line(source, found.failures.front(), cells.back());
+    std::printf("%s\n", line.c_str());
+    std::string id;
+    const auto small = scene::parse_case(line, "line", id);
+    ASSERT_TRUE(small) << small.error;
+    EXPECT_NE(what_is_wrong(*small, cells.back()), "");
+    EXPECT_EQ(what_is_wrong(*small, cells.front()), "");
+    // The lie is about a distance: two points have one.
+    EXPECT_LE(small->a.vertices.size() + small->b.vertices.size(), 4U);
+    EXPECT_LT(line.size(), 600U) << "rounder numbers";
+    EXPECT_THAT(id, testing::StartsWith("wrong_distance_of_liar_in_"));
+}
+
+TEST(Campaign, MeetsEveryRegimeAndIsRight) {
+    const PairSource source(3, {}, {"tetra4", "cube8", "sphere38"});
+    const std::vector<Cell> cells = honest_cells();
+    const CampaignRun done = run(source, cells, question(31 * pairs_per_block, source, cells));
+    for (const Failure& failure : done.failures)
+        ADD_FAILURE() << failure.pair << " " << failure.cell << failure.what;
+    const FamilyTally all = done.progress.tally.all_families();
+    std::printf(
+        "%llu pairs: %llu separated, %llu touching, %llu grazing, %llu overlapping; by double %llu, wide %llu, exact %llu\n",
+        static_cast<unsigned long long>(all.pairs), static_cast<unsigned long long>(all.separated),
+        static_cast<unsigned long long>(all.touching), static_cast<unsigned long long>(all.grazing),
+        static_cast<unsigned long long>(all.overlapping), static_cast<unsigned long long>(all.double_proofs),
+        static_cast<unsigned long long>(all.wide_proofs), static_cast<unsigned long long>(all.exact_proofs));
+    for (const std::uint64_t regime : {all.separated, all.grazing, all.overlapping, all.double_proofs,
+                                       all.wide_proofs, all.exact_proofs, all.in_band})
+        EXPECT_GT(regime, 100U);
+    EXPECT_EQ(all.separated + all.touching + all.overlapping + all.grazing, all.pairs);
+    EXPECT_GT(all.double_proofs + all.wide_proofs, 5 * all.exact_proofs);
+}
+
+TEST(Campaign, GoesOnFromItsFileWithTheSameSums) {
+    const PairSource source(3, few_families, {"cube8"});
+    const std::vector<Cell> cells = honest_cells();
+    const Question asked = question(5 * pairs_per_block + 100, source, cells);
+    const CampaignRun whole = run(source, cells, asked);
+    EXPECT_TRUE(whole.progress.is_done());
+    EXPECT_EQ(whole.progress.pairs(), asked.pairs);
+    const std::string path = testing::TempDir() + "campaign_state.json";
+    CampaignRun part = run(source, cells, asked, 2);
+    EXPECT_FALSE(part.progress.is_done());
+    write_progress(part.progress, path);
+    const auto read = read_progress(path);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->question, asked);
+    const CampaignRun rest = run(source, cells, asked, ~std::uint64_t{0}, *read);
+    EXPECT_EQ(figures_of(rest.progress), figures_of(whole.progress));
+    std::filesystem::remove(path);
+}
+
+TEST(Campaign, ShardsAddUpToTheWhole) {
+    const PairSource source(3, few_families, {"cube8"});
+    const std::vector<Cell> cells = honest_cells();
+    Question asked = question(7 * pairs_per_block, source, cells);
+    const CampaignRun whole = run(source, cells, asked);
+    std::vector<CampaignProgress> parts;
+    for (std::uint64_t i = 1; i <= 3; ++i) {
+        asked.shard = {i, 3};
+        parts.push_back(run(source, cells, asked).progress);
+    }
+    EXPECT_EQ(figures_of(added_up(parts)), figures_of(whole.progress));
+    EXPECT_TRUE(added_up(parts).is_done());
+    EXPECT_FALSE(added_up(std::span(parts).first(2)).is_done());
+    EXPECT_THROW(static_cast<void>(added_up(std::vector{parts[0], parts[0]})), std::invalid_argument);
+    parts[1].question.seed = 4;
+    EXPECT_THROW(static_cast<void>(added_up(parts)), std::invalid_argument);
+}
+
+TEST(Campaign, EveryPairComesAgainByItsNumber) {
+    const PairSource source(3, {}, {"cube8", "sphere38"});
+    for (const std::uint64_t block : {0U, 1U, 5U, 17U, 29U, 40U}) {
+        const Block whole = source.block(block);
+        if (!whole.refusal.empty()) continue;
+        for (const std::uint64_t number : {0U, 1U, 63U, 64U, 1000U, 4095U}) {
+            const scene::Case again = case_of(source, PairPlace{block, number}.pair());
+            EXPECT_EQ(again.pose_b.rotation, whole.poses[number].second.rotation) << whole.family << number;
+            EXPECT_EQ(again.pose_b.translation, whole.poses[number].second.translation)
+                << whole.family << number;
+            EXPECT_EQ(again.a.vertices, whole.case_a.vertices);
+        }
+    }
+}
+
+TEST(Campaign, DamagedFilesAreOneLine) {
+    const std::string path = testing::TempDir() + "campaign_damaged.json";
+    EXPECT_FALSE(read_progress(path));
+    for (const char* text : {"", "{", "{}", "[1]", R"({"version":1,"seed":"x"})", R"({"version":2})"}) {
+        std::ofstream(path) << text;
+        EXPECT_THROW(static_cast<void>(read_progress(path)), std::invalid_argument) << text;
+    }
+    std::filesystem::remove(path);
+}
+
+TEST(CampaignShard, PartsAreTheWhole) {
+    for (const std::uint64_t blocks : {0ULL, 1ULL, 7ULL, 244'141ULL, ~0ULL}) {
+        for (const std::uint64_t count : {1ULL, 3ULL, 8ULL, 1000ULL}) {
+            std::uint64_t next = 0;
+            for (std::uint64_t i = 1; i <= count; ++i) {
+                const Shard shard{i, count};
+                EXPECT_EQ(shard.first(blocks), next);
+                next = shard.last(blocks);
+            }
+            EXPECT_EQ(next, blocks);
+        }
+    }
+    EXPECT_EQ(Shard::parse("3/8").or_throw(), (Shard{3, 8}));
+    for (const char* text : {"", "3", "0/8", "9/8", "3/", "/8", "3/8x", "-1/8", "3/0", " 3/8"})
+        EXPECT_THAT(Shard::parse(text).error, testing::HasSubstr("give i/n")) << text;
+}
+
+}  // namespace
+}  // namespace edgewise::studies::campaign
