@@ -77,6 +77,7 @@ std::vector<Chart> all_charts(const ReportData& data) {
     std::vector<Chart> charts = {bytes_chart(data), time_chart(data), speed_error_chart(data),
                                  ratio_chart(data)};
     if (!modelled_cells(data).empty()) charts.push_back(misses_chart(data));
+    if (!seeded_cells(data).empty()) charts.push_back(seeds_chart(data));
     if (!data.stability.empty()) charts.insert(charts.end(), {tolerance_chart(data), gap_chart(data)});
     for (const Addition& addition : additions())
         for (Chart& chart : addition.charts(data)) charts.push_back(std::move(chart));

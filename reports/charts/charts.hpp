@@ -41,6 +41,7 @@ struct Chart {
 [[nodiscard]] Chart speed_error_chart(const ReportData& data);
 [[nodiscard]] Chart misses_chart(const ReportData& data);
 [[nodiscard]] Chart ratio_chart(const ReportData& data);
+[[nodiscard]] Chart seeds_chart(const ReportData& data);
 [[nodiscard]] Chart tolerance_chart(const ReportData& data);
 [[nodiscard]] Chart gap_chart(const ReportData& data);
 [[nodiscard]] std::vector<Chart> all_charts(const ReportData& data);

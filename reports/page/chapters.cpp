@@ -47,6 +47,9 @@ Chapter layouts_chapter(const ReportData& data) {
                        .paragraph = prose("support.md") + support_verdict(data)};
     if (TextGrid supports = support_grid(data); !supports.rows.empty()) claim.grids = {std::move(supports)};
     chapter.blocks.push_back(std::move(claim));
+    if (TextGrid seeds = seeds_grid(data); !seeds.rows.empty())
+        chapter.blocks.push_back(
+            {.title = "Where to begin", .paragraph = prose("seeds.md"), .grids = {std::move(seeds)}});
     if (!pictures.empty())
         chapter.blocks.push_back({.elements = pictures,
                                   .fold = "The layouts draw themselves: the table of a cube",
