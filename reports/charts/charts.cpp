@@ -83,6 +83,7 @@ const std::vector<std::string> first_precisions = {"f64", "f32", "mixed"};
 std::vector<Chart> all_charts(const ReportData& data) {
     std::vector<Chart> charts = {speed_error_chart(data), bytes_chart(data), time_chart(data)};
     if (!modelled_cells(data).empty()) charts.push_back(misses_chart(data));
+    if (!seeded_cells(data).empty()) charts.push_back(seeds_chart(data));
     if (!data.stability.empty()) charts.push_back(tolerance_chart(data));
     for (const Addition& addition : additions())
         for (Chart& chart : addition.charts(data)) charts.push_back(std::move(chart));

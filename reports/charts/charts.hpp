@@ -40,6 +40,7 @@ struct Chart {
 [[nodiscard]] Chart time_chart(const ReportData& data);
 [[nodiscard]] Chart speed_error_chart(const ReportData& data);
 [[nodiscard]] Chart misses_chart(const ReportData& data);
+[[nodiscard]] Chart seeds_chart(const ReportData& data);
 [[nodiscard]] Chart tolerance_chart(const ReportData& data);
 [[nodiscard]] std::vector<Chart> all_charts(const ReportData& data);
 

@@ -80,6 +80,11 @@ Chapter layouts_chapter(const Answer&, const ReportData& data) {
                        .paragraph = prose("support.md") + support_verdict(data)};
     if (TextGrid supports = support_grid(data); !supports.rows.empty()) claim.grids = {std::move(supports)};
     chapter.blocks.push_back(std::move(claim));
+    if (TextGrid seeds = seeds_grid(data); !seeds.rows.empty())
+        chapter.blocks.push_back({.title = "Where to begin",
+                                  .paragraph = prose("seeds.md"),
+                                  .section = "seeds",
+                                  .grids = {std::move(seeds)}});
     if (ChapterBlock pictures = drawings_block(data); !pictures.fold.empty())
         chapter.blocks.push_back(std::move(pictures));
     return chapter;

@@ -50,6 +50,17 @@ enum class PairKind { Separated, Overlapping };
 [[nodiscard]] TextGrid support_grid(const ReportData& data);
 [[nodiscard]] std::string support_verdict(const ReportData& data);
 
+/// A cell of a table without seeds, or with some, and how many bytes they are.
+struct SeededCell {
+    const ReportCell* cell;
+    std::string starts;  ///< how its queries do: "cold", "random orientation"
+    double seed_bytes;
+};
+/// Of scenes and shapes that have both: by scene, vertices, algorithm and bytes.
+[[nodiscard]] std::vector<SeededCell> seeded_cells(const ReportData& data);
+/// Time, steps and lines of these.
+[[nodiscard]] TextGrid seeds_grid(const ReportData& data);
+
 /// A picture that the sweep stored: whose, and the SVG.
 struct Drawing {
     std::string table, svg;
