@@ -19,7 +19,7 @@ endfunction()
 
 add_subdirectory(src/edgewise/measure/cache/machines)
 
-edgewise_sources(sources src/edgewise/measure/cache src/edgewise/measure/lock src/edgewise/measure/touch
+edgewise_sources(sources src/edgewise/input src/edgewise/measure/cache src/edgewise/measure/lock src/edgewise/measure/touch
     src/edgewise/measure/traces)
 foreach(file cpu machine read_text)  # what `host` is modelled from
     list(APPEND sources ${PROJECT_SOURCE_DIR}/src/edgewise/measure/machine/${file}.cpp)

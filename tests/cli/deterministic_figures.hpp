@@ -4,6 +4,7 @@
 // traces, modelled misses, reuse, heat, errors.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,16 @@
 namespace edgewise::cli_test {
 
 using Figures = std::vector<std::string>;
+
+/// All such figures of a store.
+[[nodiscard]] inline Figures deterministic_figures_in(const std::filesystem::path& store) {
+    return rows_of(store,
+                   "select scene, scene_parameters, shape, algorithm, table_type, probe, name, axes, "
+                   "printf('%!.17g', value), unit, figure.reason from figure join cell using (build, hash) "
+                   "where probe in ('bytes', 'lines', 'caches', 'reuse', 'heat', 'error', 'work') or name = "
+                   "'requested_bytes' or (probe = 'stability' and name not like 'ns_at%') "
+                   "order by 1, 2, 3, 4, 5, 6, 7, 8");
+}
 
 /// Of table types that every preset has: one of each precision, and of each way to find a neighbour.
 /// `environment`: further variables, NAME=VALUE.
@@ -32,11 +43,7 @@ using Figures = std::vector<std::string>;
                                        "--axes",      "sharing=per_instance,order=bfs"});
     const Outcome outcome = Process("/usr/bin/env", arguments, folder).wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return rows_of(folder / "s.db",
-                   "select scene, scene_parameters, shape, algorithm, table_type, probe, name, axes, "
-                   "printf('%!.17g', value), unit, figure.reason from figure join cell using (build, hash) "
-                   "where probe in ('bytes', 'lines', 'caches', 'reuse', 'heat', 'error') or name = "
-                   "'requested_bytes' order by 1, 2, 3, 4, 5, 6, 7, 8");
+    return deterministic_figures_in(folder / "s.db");
 }
 
 }  // namespace edgewise::cli_test

@@ -46,6 +46,7 @@ class Process {
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
+    [[nodiscard]] pid_t id() const { return id_; }
     void send(int signal) const;
     [[nodiscard]] bool has_ended();
     [[nodiscard]] Outcome wait();

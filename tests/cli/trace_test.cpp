@@ -77,7 +77,7 @@ TEST(Traces, ThatAreNoneAreOneLineOfComplaint) {
     EXPECT_THAT(complaint({"--trace", "text"}),
                 testing::AllOf(HasSubstr("text:1: wants"), HasSubstr("lackey")));
     EXPECT_THAT(complaint({"--trace", "empty"}), HasSubstr("no accesses"));
-    EXPECT_THAT(complaint({"--trace", "missing"}), HasSubstr("missing: cannot be read"));
+    EXPECT_THAT(complaint({"--trace", "missing"}), HasSubstr("missing: no such file"));
     EXPECT_THAT(complaint({"--trace", "bad.din", "--shape", "cube8"}), HasSubstr("--shape"));
     EXPECT_THAT(complaint({"--fetches"}), HasSubstr("--trace"));
     EXPECT_THAT(complaint({"--trace", "bad.din", "--machines", "zen17"}), HasSubstr("zen17"));

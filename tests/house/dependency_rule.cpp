@@ -11,21 +11,22 @@ namespace edgewise::house {
 
 namespace {
 
-const std::set<std::string> src_rooms = {"geometry", "table",   "layout_parts", "algorithms", "peers",
-                                         "truth",    "scene",   "measure",      "store",      "bench",
-                                         "sweep",    "studies", "cli"};
+const std::set<std::string> src_rooms = {"geometry", "input", "table",   "layout_parts", "algorithms",
+                                         "peers",    "truth", "scene",   "measure",      "store",
+                                         "bench",    "sweep", "studies", "cli"};
 const std::set<std::string> root_rooms = {"layouts", "probes", "reports"};
 
 /// Direct edges as designed.
 const std::map<std::string, std::set<std::string>> direct_edges = {
     {"geometry", {}},
+    {"input", {"geometry"}},
     {"table", {"geometry"}},
     {"layout_parts", {"table"}},
     {"layouts", {"layout_parts"}},
     {"algorithms", {"table"}},
     {"truth", {"geometry"}},
-    {"scene", {"algorithms", "truth"}},
-    {"measure", {"geometry"}},
+    {"scene", {"algorithms", "input", "truth"}},
+    {"measure", {"input"}},
     {"store", {"measure"}},
     {"peers", {"geometry"}},
     {"bench", {"scene", "store", "layout_parts", "peers"}},

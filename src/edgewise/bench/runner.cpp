@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <exception>
+#include <new>
 
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/table/table_memory.hpp"
@@ -71,6 +72,8 @@ std::string Runner::load_tables(std::span<const Polyhedron> bodies,
         memory_ = make_allocator(options_.tables.allocator);
         const TablesIn placed(*memory_);
         build_tables(of_tables);
+    } catch (const std::bad_alloc&) {
+        return "tables: out of memory: ask for fewer or smaller bodies";
     } catch (const std::exception& problem) {  // an allocator that is not there, or has no more
         return std::string("tables: ") + problem.what();
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/cli/bench_gate.hpp"
+#include "edgewise/cli/count_option.hpp"
 
 #include <fmt/format.h>
 
@@ -157,9 +158,9 @@ void add_gate_options(CLI::App& command, GateArguments& gate) {
                               "--needs", "--margin", "--repetitions"})
         file->excludes(command.get_option(other));
     command.add_flag("--write", gate.write, "write the baseline into the gate's FILE")->needs(file);
-    command.add_option("--rounds", gate.rounds, "of the gate; each is a ratio")
-        ->capture_default_str()
-        ->check(CLI::Range(measure::least_sample(0.95), 10'000))
+    add_count(command, "--rounds", gate.rounds,
+              {static_cast<std::uint64_t>(measure::least_sample(0.95)), 10'000, "rounds"},
+              "of the gate; each is a ratio")
         ->needs(file);
     command
         .add_option("--slack", gate.slack,

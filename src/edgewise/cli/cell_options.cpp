@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,15 +11,17 @@ namespace edgewise::cli {
 
 void take_parameter(const std::string& text, scene::SceneParameters& parameters) {
     const std::size_t equals = text.find('=');
-    std::size_t used = 0;
-    try {
-        if (equals != std::string::npos)
-            parameters[text.substr(0, equals)] = std::stod(text.substr(equals + 1), &used);
-    } catch (const std::exception&) {
-        used = 0;
-    }
-    if (used == 0 || equals + 1 + used != text.size())
-        throw CLI::ValidationError(fmt::format("--parameter {}: write NAME=NUMBER", text));
+    const auto number = equals == std::string::npos ? Result<double>::failure("no =")
+                                                    : input::parse_number(text.substr(equals + 1));
+    if (!number)
+        throw CLI::ValidationError(fmt::format("--parameter {}: {}; write NAME=NUMBER", text, number.error));
+    parameters[text.substr(0, equals)] = *number;
+}
+
+std::uint64_t count_of(const std::string& option, const std::string& text, const input::CountRange& range) {
+    const auto count = input::parse_count(text, range);
+    if (!count) throw CLI::ValidationError(fmt::format("{} {}", option, count.error));
+    return *count;
 }
 
 namespace {
@@ -71,10 +74,8 @@ void add_cell_options(CLI::App& command, studies::CellChoice& choice) {
 void add_scene_options(CLI::App& command, studies::CellChoice& choice) {
     command.add_option("--scene", choice.scene, "scene")->capture_default_str();
     command.add_option("--shape", choice.shape, "built-in shape")->capture_default_str();
-    command.add_option("--queries", choice.queries, "queries per pass")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1'000'000'000));
-    command.add_option("--seed", choice.seed, "seed of the scene")->capture_default_str();
+    add_count(command, "--queries", choice.queries, input::queries_range, "queries per pass");
+    add_count(command, "--seed", choice.seed, input::seed_range, "seed of the scene");
     add_parameter_option(command, choice.parameters);
     command.add_option_function<std::string>(
         "--needs", [&choice](const std::string& name) { choice.needs = needs_named(name); },

@@ -115,6 +115,7 @@ void add_heat(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 void add_lock(CLI::App& app, Context& context);
 void add_machine(CLI::App& app, Context& context);
+void add_merge(CLI::App& app, Context& context);
 void add_paging(CLI::App& app, Context& context);
 void add_pass(CLI::App& app, Context& context);
 void add_query(CLI::App& app, Context& context);

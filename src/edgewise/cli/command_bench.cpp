@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "edgewise/cli/bench_gate.hpp"
+#include "edgewise/cli/count_option.hpp"
 #include "edgewise/studies/model_speed.hpp"
 
 namespace edgewise::cli {
@@ -43,10 +44,8 @@ void add_bench(CLI::App& app, Context& context) {
         "How fast the cache model and the reuse distances are; --gate: whether queries became slower",
         run_bench);
     add_cell_options(*command, options.cell);
-    command
-        ->add_option("--repetitions", options.repetitions,
-                     "repetitions of each measurement; the median is printed")
-        ->check(CLI::Range(1, 1000));
+    add_count(*command, "--repetitions", options.repetitions, {1, 1000, "repetitions"},
+              "repetitions of each measurement; the median is printed");
     add_gate_options(*command, options.gate);
 }
 

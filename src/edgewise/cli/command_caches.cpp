@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/input/file_text.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/traces/trace_caches.hpp"
 
@@ -47,10 +48,11 @@ class FileAccesses final : public measure::TraceListener {
     measure::TraceCounts counts_;
 };
 
+/// It is read twice, so no pipe will do.
 std::ifstream opened(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::runtime_error(file + ": cannot be read");
-    return stream;
+    if (const std::string wrong = input::what_is_wrong_with(file); !wrong.empty())
+        throw std::runtime_error(file + ": " + wrong);
+    return std::ifstream(file);
 }
 
 Traced trace_file(const CachesArguments& options, measure::TraceCaches& caches) {

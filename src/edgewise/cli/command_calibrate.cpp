@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/counters/calibration.hpp"
 #include "edgewise/measure/machine/machine.hpp"
@@ -68,7 +69,7 @@ void add_calibrate(CLI::App& app, Context& context) {
     command->add_option("--times", options.times, "memory sizes, as multiples of each level's size")
         ->delimiter(',')
         ->check(CLI::Range(0.01, 1000.0));
-    command->add_option("--loads", options.loads, "loads per pass")->check(CLI::Range(1000, 1'000'000'000));
+    add_count(*command, "--loads", options.loads, {1000, 1'000'000'000, "loads"}, "loads per pass");
 }
 
 }  // namespace edgewise::cli

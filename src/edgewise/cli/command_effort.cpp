@@ -10,6 +10,7 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
 #include "edgewise/cli/terminal/phase_tables.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/store/vocabulary.hpp"
@@ -171,7 +172,8 @@ void add_effort(CLI::App& app, Context& context) {
     add_names(*command, "--layouts", options.layouts, "table types");
     add_names(*command, "--algorithms", options.algorithms, "algorithms");
     add_names(*command, "--peers", options.peers, "these libraries beside them, or all that are built");
-    command->add_option("--checked", options.cell.checked, "queries checked exactly per row");
+    add_count(*command, "--checked", options.cell.checked, input::queries_range,
+              "queries checked exactly per row");
     command->add_option("--machine", options.machine, "whose first two levels: a name, or your NAME.json")
         ->capture_default_str();
     CLI::Option* peers = command->get_option("--peers");

@@ -10,6 +10,7 @@
 
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/lock/lock_program.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
@@ -149,10 +150,8 @@ void add_lock(CLI::App& app, Context& context) {
         command->add_option("--shape", options.cell.shape, "built-in shape, or a mesh file")
             ->capture_default_str(),
         command->add_option("--scene", options.cell.scene, "scene")->capture_default_str(),
-        command->add_option("--queries", options.cell.queries, "queries per pass")
-            ->capture_default_str()
-            ->check(CLI::Range(1, 1'000'000)),
-        command->add_option("--seed", options.cell.seed, "seed of the scene")->capture_default_str(),
+        add_count(*command, "--queries", options.cell.queries, {1, 1'000'000, "queries"}, "queries per pass"),
+        add_count(*command, "--seed", options.cell.seed, input::seed_range, "seed of the scene"),
         add_parameter_option(*command, options.cell.parameters),
         command->add_option("--machines", options.machines, "whose caches: names, or your own NAME.json")
             ->delimiter(',')

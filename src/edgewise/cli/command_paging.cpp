@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/paging.hpp"
@@ -92,11 +93,16 @@ int run_paging(const PagingArguments& options, bool json) {
     for (const double mebibytes : options.limits)
         limits.push_back(static_cast<std::uint64_t>(mebibytes * (1 << 20)));
     nlohmann::json results = nlohmann::json::array();
+    const std::atomic<bool>& stop = stop_on_signals();  // a control group is to be removed
     for (const bench::TableType* type : bench::select_table_types(options.layouts)) {
         if (!type->serves(options.algorithm))
             throw std::invalid_argument(fmt::format("{} does not serve {}", type->name, options.algorithm));
-        const studies::PagingResult result = studies::measure_paging(*type, options.algorithm, workload,
-                                                                     [&](std::uint64_t) { return limits; });
+        const studies::PagingResult result = studies::measure_paging(
+            *type, options.algorithm, workload, [&](std::uint64_t) { return limits; }, stop);
+        if (stop) {
+            warn("stopped; nothing is kept of this table");
+            return exit_check_failed;
+        }
         if (json) {
             results.push_back(json_of(result));
         } else {
@@ -118,16 +124,15 @@ void add_paging(CLI::App& app, Context& context) {
     command->add_option("--layouts", options.layouts, "table types; every body has a table")->delimiter(',');
     command->add_option("--algorithm", options.algorithm, "vclip or gjk")->capture_default_str();
     command->add_option("--shape", options.shape, "built-in shape of all bodies")->capture_default_str();
-    command->add_option("--bodies", options.bodies, "number of bodies")->check(CLI::Range(2, 100000));
-    command->add_option("--steps", options.steps, "steps of the scene in each pass")
-        ->check(CLI::Range(1, 1000));
+    add_count(*command, "--bodies", options.bodies, {2, 100'000, "bodies"}, "number of bodies");
+    add_count(*command, "--steps", options.steps, {1, 1000, "steps"}, "steps of the scene in each pass");
     command->add_option("--rotation-step", options.rotation_step, "turn of every body per step, rad");
     command->add_flag("--same-order", options.same_order,
                       "ask the pairs in the same order every step, instead of in a new one");
     command->add_option("--limits", options.limits, "memory limits, MiB; 0: no limit")
         ->delimiter(',')
         ->check(CLI::Range(0.0, 1e6));
-    command->add_option("--seed", options.seed, "seed of the scene");
+    add_count(*command, "--seed", options.seed, input::seed_range, "seed of the scene");
 }
 
 }  // namespace edgewise::cli

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
 #include "edgewise/measure/process/callgrind_region.hpp"
 
 namespace edgewise::cli {
@@ -40,7 +41,7 @@ void add_pass(CLI::App& app, Context& context) {
     add_cell_options(*command, options->cell);
     command->add_option("--peer", options->cell.peer,
                         "another library, in place of a table type and an algorithm");
-    command->add_option("--passes", options->passes, "after the first")->check(CLI::Range(1, 1'000'000));
+    add_count(*command, "--passes", options->passes, {1, 1'000'000, "passes"}, "after the first");
     command->callback([options, &context] { context.action = [=] { return run_pass(*options); }; });
 }
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/input/file_text.hpp"
 #include "edgewise/scene/case_file.hpp"
 
 namespace edgewise::cli {
@@ -21,6 +21,9 @@ namespace edgewise::cli {
 namespace {
 
 using Json = nlohmann::json;
+
+/// A file of bad lines says the same a hundred thousand times.
+constexpr std::size_t most_warnings = 10;
 
 struct QueryArguments {
     std::string cases;
@@ -153,10 +156,10 @@ int run_query(const QueryArguments& options, bool /*Json*/) {
     const auto runner = chosen_runner(options);
     std::ifstream file;
     if (options.cases != "-") {
-        if (!std::filesystem::is_directory(options.cases)) file.open(options.cases);
-        if (!file.is_open())
+        if (const std::string wrong = input::what_is_wrong_with(options.cases); !wrong.empty())
             throw std::invalid_argument(
-                fmt::format("cannot read {}: no such file, or a directory", options.cases));
+                fmt::format("cannot read {}: {}; - reads standard input", options.cases, wrong));
+        file.open(options.cases);
     }
     scene::CaseReader reader(options.cases == "-" ? std::cin : file, options.cases);
     std::size_t unreadable = 0, failed = 0;
@@ -169,9 +172,14 @@ int run_query(const QueryArguments& options, bool /*Json*/) {
             answer = failed_answer(reader.id(), line->error);
             ++unreadable;
         }
-        if (!answer["error"].is_null()) warn(answer["error"].get<std::string>());
+        if (!answer["error"].is_null() && unreadable + failed <= most_warnings)
+            warn(answer["error"].get<std::string>());
         fmt::print("{}\n", answer.dump());
     }
+    if (unreadable + failed > most_warnings)
+        warn(fmt::format(
+            "and {} more: {} lines could not be read, {} had no answer; each answer's line says why",
+            unreadable + failed - most_warnings, unreadable, failed));
     return unreadable > 0 ? exit_bad_input : failed > 0 ? exit_check_failed : exit_done;
 }
 

@@ -4,12 +4,18 @@
 // store.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/parts/shard_options.hpp"
 #include "edgewise/reports/page/report.hpp"
+#include "edgewise/store/schema.hpp"
 #include "edgewise/store/vocabulary.hpp"
+#include "edgewise/studies/parts/sharded_work.hpp"
 #include "edgewise/sweep/work.hpp"
 
 namespace edgewise::cli {
@@ -17,18 +23,23 @@ namespace edgewise::cli {
 namespace {
 
 struct StabilityArguments {
-    std::string store = default_store;
+    std::string store = default_store, shard, costs;
     std::vector<std::string> families, layouts = {"all"}, algorithms = {"all"}, meshes;
     std::size_t count = 200, proofs = 200;
     std::uint64_t seed = 1;
 };
 
-/// Hulls of these mesh files, or of the usual ones, of which those that cannot be read are passed over.
-std::vector<Polyhedron> real_bodies(const std::vector<std::string>& meshes) {
+/// Hulls of these mesh files, or of the usual ones, of which those that cannot be read are passed over; none
+/// where no family asks for them.
+std::vector<Polyhedron> real_bodies(const StabilityArguments& options) {
+    const auto& families = options.families;
+    if (options.meshes.empty() && !families.empty() &&
+        std::ranges::find(families, studies::real_family) == families.end())
+        return {};
     sweep::Plan plan = sweep::make_plan("quick");
     plan.shapes.clear();
-    if (!meshes.empty()) {
-        plan.meshes = meshes;
+    if (!options.meshes.empty()) {
+        plan.meshes = options.meshes;
         plan.meshes_required = true;
     }
     std::vector<Polyhedron> bodies;
@@ -46,7 +57,7 @@ studies::StabilityPlan chosen_plan(const StabilityArguments& options) {
     plan.seed = options.seed;
     plan.types = bench::select_table_types(options.layouts);
     plan.algorithms = bench::select_algorithms(options.algorithms);
-    plan.real = real_bodies(options.meshes);
+    plan.real = real_bodies(options);
     return plan;
 }
 
@@ -83,12 +94,19 @@ void print_row(const studies::StabilityRow& row) {
 }
 
 int run_stability(const StabilityArguments& options, bool json) {
-    const studies::StabilityPlan plan = chosen_plan(options);
+    studies::StabilityPlan plan = chosen_plan(options);
     static_cast<void>(studies::stability_rows(plan));  // refuses unknown families before a store is made
+    const sweep::Shard shard = chosen_shard(options.shard);
+    const auto seconds =
+        options.costs.empty() ? std::map<std::string, double>() : studies::seconds_in(options.costs);
+    const bool any = studies::keep_shard(plan, shard, seconds);
     std::filesystem::create_directories(folder_of(options.store));
     store::Store store(options.store);
+    if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
     if (!json) print_heading();
-    const studies::StabilitySummary summary = store_stability(plan, store, json ? nullptr : print_row);
+    studies::StabilitySummary summary;
+    if (any) summary = store_stability(plan, store, json ? nullptr : print_row);
+    if (!shard.is_whole() && !summary.stopped) store.set_meta(store::complete_key, shard.text());
     if (json) {
         const nlohmann::json line = {{"rows", summary.rows},
                                      {"verified", summary.rows - summary.failed - summary.unavailable},
@@ -108,7 +126,6 @@ int run_stability(const StabilityArguments& options, bool json) {
 }  // namespace
 
 void add_stability(CLI::App& app, Context& context) {
-    const CLI::Range at_least_one(1, 1'000'000'000);
     auto [command, options] =
         add_command(app, context, "stability",
                     "Hard cases through every algorithm and table type, judged exactly", run_stability);
@@ -116,13 +133,11 @@ void add_stability(CLI::App& app, Context& context) {
     add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
     add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
     command->add_option("--mesh", options.meshes, "mesh files for the family of real hulls");
-    command->add_option("--count", options.count, "poses per family")
-        ->check(at_least_one)
-        ->capture_default_str();
-    command
-        ->add_option("--proofs", options.proofs, "poses per family with depth, certificate and time, at most")
-        ->capture_default_str();
-    command->add_option("--seed", options.seed, "seed of the generators")->capture_default_str();
+    add_count(*command, "--count", options.count, input::cases_range, "poses per family");
+    add_count(*command, "--proofs", options.proofs, input::cases_or_none,
+              "poses per family with depth, certificate and time, at most");
+    add_count(*command, "--seed", options.seed, input::seed_range, "seed of the generators");
+    add_shard_options(*command, options.shard, options.costs);
     command->add_option("--store", options.store, "SQLite file to write into")->capture_default_str();
 }
 

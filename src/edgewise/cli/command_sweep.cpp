@@ -4,22 +4,20 @@
 // next run goes on from there.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <memory>
+#include <map>
 #include <optional>
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/parts/figures_of_merit.hpp"
+#include "edgewise/cli/parts/shard_options.hpp"
+#include "edgewise/cli/parts/sweep_runs.hpp"
 #include "edgewise/measure/machine/utc_time.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"
-#include "edgewise/studies/effort_rows.hpp"
-#include "edgewise/studies/paging_rows.hpp"
-#include "edgewise/studies/thrash/thrash_rows.hpp"
-#include "edgewise/sweep/run.hpp"
 
 namespace edgewise::cli {
 
@@ -27,8 +25,9 @@ namespace {
 
 struct SweepArguments {
     std::string plan = "quick";
-    std::string store = default_store;
-    std::string out;
+    std::string store;  ///< empty: the usual one
+    std::string out, shard, costs;
+    bool fom = false;
     std::vector<std::string> layouts, algorithms, peers, axes, scenes, shapes, meshes, caches, machines;
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
@@ -43,7 +42,9 @@ std::string command_line(const CLI::App& command) {
     std::string line = command.get_name();
     for (const CLI::Option* option : command.get_options()) {
         const std::string name = option->get_name();
-        if (option->count() == 0 || name == "--store" || name == "--out" || name == "--json") continue;
+        if (option->count() == 0 || name == "--store" || name == "--out" || name == "--json" ||
+            name == "--fom")
+            continue;
         line += " " + name;
         if (option->get_items_expected_max() == 0) continue;  // a flag
         for (const std::string& value : option->results()) line += " " + value;
@@ -117,86 +118,21 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     return plan;
 }
 
-sweep::SweepSummary run_with_progress(const sweep::SweepWork& work, store::Store& store) {
-    std::unique_ptr<Progress> progress;
-    sweep::SweepListener listener;
-    listener.on_start = [&](std::size_t cells) { progress = std::make_unique<Progress>("sweep", cells); };
-    listener.on_done = [&](std::size_t cells, const std::string& what) { progress->advance(cells, what); };
-    listener.on_warning = [&](const std::string& line) {
-        if (progress) progress->clear();
-        warn(line);
-    };
-    return sweep::run_sweep(work, store, listener, stop_on_signals());
-}
-
-/// The hard families, if the plan has them, over the sweep's table types and algorithms.
-studies::StabilitySummary run_stability_of(const sweep::SweepWork& work, store::Store& store) {
-    if (work.plan.stability == 0) return {};
-    studies::StabilityPlan plan;
-    plan.count = plan.proofs = work.plan.stability;
-    plan.seed = work.plan.seed;
-    plan.raw = work.plan.control;
-    plan.types = work.types;
-    plan.algorithms = work.algorithms;
-    for (const scene::NamedShape& shape : work.shapes) {
-        if (shape.error.empty() && shape.source != "built-in") plan.real.push_back(shape.body);
-    }
-    return store_stability(plan, store, {});
-}
-
-/// Under memory limits, if the plan has it.
-void run_paging_of(const sweep::Plan& of, store::Store& store, bool& stopped) {
-    if (of.paging == 0) return;
-    studies::PagingPlan plan;
-    plan.bodies = of.paging;
-    plan.seed = of.seed;
-    Progress progress("paging", studies::paging_rows());
-    stopped = !studies::run_paging(
-        plan, bench::this_build().id, store,
-        [&](const store::CellRow& row) { progress.advance(1, row.shape + " " + row.table); },
-        stop_on_signals());
-}
-
-/// What could have made figure 8, if the plan asks and this program has the table types.
-void run_thrash_of(const sweep::Plan& of, store::Store& store, bool& stopped) {
-    studies::thrash::Levels levels;
-    levels.seed = of.seed;
-    if (!of.thrash || !studies::thrash::has_tables(levels)) return;
-    Progress progress("thrash", studies::thrash::thrash_units(levels));
-    stopped = !studies::thrash::run_thrash(
-        levels, bench::this_build().id, store, [&] { progress.advance(1, "figure 8"); }, stop_on_signals());
-}
-
-/// What the queries take, of the sweep's table types, algorithms and peers, if the plan has it.
-void run_effort_of(const sweep::SweepWork& work, store::Store& store, bool& stopped) {
-    if (work.plan.effort == 0) return;
-    const std::string machines[] = {studies::effort_machine};
-    studies::EffortPlan plan{studies::effort_cell, work.types, work.peers, work.algorithms,
-                             measure::choose_machines(machines).front()};
-    plan.cell.queries = work.plan.effort;
-    plan.cell.checked = std::min(work.plan.checked, work.plan.effort);
-    plan.cell.seed = work.plan.seed;
-    Progress progress("effort", studies::effort_rows(plan));
-    stopped = !studies::store_effort(
-        plan, bench::this_build().id, store,
-        [&](std::size_t, const studies::EffortRow& row) {
-            progress.advance(1, row.cell.algorithm + " " + row.cell.table);
-        },
-        stop_on_signals());
-}
-
 /// What the sweep is to do and when it began, into the store; again with its end once all of it is done.
 void note_run(store::Store& store, const std::string& command, const nlohmann::json& run) {
     store.set_meta(store::run_key + command, run.dump());
 }
 
-void print_summary(const sweep::SweepSummary& summary, const studies::StabilitySummary& stability,
-                   const std::string& store, const reports::ReportSummary& report, bool json) {
+/// `report`: of what was written of the store; its page is empty where nothing was.
+void print_summary(const SweepOutcome& outcome, const std::string& store,
+                   const reports::ReportSummary& report, bool json) {
+    const sweep::SweepSummary& summary = outcome.sweep;
+    const studies::StabilitySummary& stability = outcome.stability;
     const std::string& page = report.page;
     if (json) {
         nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
                                {"failed", summary.failed}, {"unavailable", summary.unavailable},
-                               {"store", store},           {"report", page}};
+                               {"store", store},           {"report", or_null(page)}};
         if (summary.judged > 0) line["judged"] = summary.judged;
         if (stability.rows > 0) {
             line["stability_rows"] = stability.rows;
@@ -213,53 +149,78 @@ void print_summary(const sweep::SweepSummary& summary, const studies::StabilityS
         fmt::print("{} stability rows: {} failed, {} unavailable\n", stability.rows, stability.failed,
                    stability.unavailable);
     }
-    fmt::print("store: {}\nreport: {}\n\n{}\n\nopen {} in a browser\n", store, page, report.answer, page);
+    fmt::print("store: {}\n", store);
+    if (page.empty())
+        fmt::print("a part of a campaign; all of them as one: edgewise merge STORES... --out ALL\n");
+    else
+        fmt::print("report: {}\n\n{}\n\nopen {} in a browser\n", page, report.answer, page);
+}
+
+/// Beside each other: a part has a file of its own, wherever it runs.
+std::string store_of(const SweepArguments& options, const sweep::Shard& shard) {
+    if (!options.store.empty()) return options.store;
+    return shard.is_whole() ? default_store
+                            : fmt::format("{}/shards/{:05}-of-{:05}.db", folder_of(default_store),
+                                          shard.index, shard.count);
+}
+
+/// A part has no report: that is the merged store's.
+int finish_sweep(const SweepArguments& options, const SweepOutcome& outcome, const sweep::Shard& shard,
+                 const std::string& store, bool json) {
+    reports::ReportSummary report;
+    if (shard.is_whole()) {
+        const std::string out = options.out.empty() ? folder_of(store) : options.out;
+        report = reports::write_report(store, out, bench::charts_folder());
+        if (!report.note.empty()) warn(report.note);
+    }
+    print_summary(outcome, store, report, json);
+    if (options.fom) print_figures_of_merit(store);
+    return outcome.sweep.failed + outcome.stability.failed > 0 ? exit_check_failed : exit_done;
 }
 
 int run_sweep(const SweepArguments& options, bool json) {
-    const sweep::SweepWork work = sweep::prepare_sweep(chosen_plan(options), warn);
-    std::filesystem::create_directories(folder_of(options.store));
-    sweep::SweepSummary summary;
-    studies::StabilitySummary stability;
+    const sweep::Shard shard = chosen_shard(options.shard);
+    const auto seconds =
+        options.costs.empty() ? std::map<std::string, double>() : studies::seconds_in(options.costs);
+    sweep::SweepWork work = sweep::prepare_sweep(chosen_plan(options), warn);
+    studies::keep_shard(work, shard, seconds);
+    const std::string path = store_of(options, shard);
+    std::filesystem::create_directories(folder_of(path));
+    SweepOutcome outcome;
     {
-        store::Store store(options.store);
+        store::Store store(path);
         const std::string command = command_line(*options.command);
         store.set_meta(store::command_key + command, bench::this_build().id);
+        if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
         nlohmann::json run = {{"build", bench::this_build().id},
                               {"cells", work.cells()},
                               {"started", measure::utc_time()},
                               {"ended", nullptr}};
         note_run(store, command, run);
-        summary = run_with_progress(work, store);
-        if (!summary.stopped) stability = run_stability_of(work, store);
-        summary.stopped = summary.stopped || stability.stopped;
-        if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
-        if (!summary.stopped) run_thrash_of(work.plan, store, summary.stopped);
-        if (!summary.stopped) run_effort_of(work, store, summary.stopped);
-        if (!summary.stopped) run["ended"] = measure::utc_time(), note_run(store, command, run);
+        outcome = run_all(work, store);
+        if (!outcome.stopped) {
+            run["ended"] = measure::utc_time();
+            note_run(store, command, run);
+            if (!shard.is_whole()) store.set_meta(store::complete_key, shard.text());
+        }
     }
-    if (summary.stopped) {
-        warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there",
-                         options.store));
+    if (outcome.stopped) {
+        warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there", path));
         return exit_check_failed;
     }
-    const std::string out = options.out.empty() ? folder_of(options.store) : options.out;
-    const reports::ReportSummary report = reports::write_report(options.store, out, bench::charts_folder());
-    if (!report.note.empty()) warn(report.note);
-    print_summary(summary, stability, options.store, report, json);
-    return summary.failed + stability.failed > 0 ? exit_check_failed : exit_done;
+    return finish_sweep(options, outcome, shard, path, json);
 }
 
 }  // namespace
 
 void add_sweep(CLI::App& app, Context& context) {
-    const CLI::Range at_least_one(1, 1'000'000'000);
     auto [command, options] = add_command(
         app, context, "sweep", "Verifies and measures every cell of a plan, then reports", run_sweep);
     options.command = command;
     command->add_option("--plan", options.plan, "quick, paper, full, peers, or a JSON file")
         ->capture_default_str();
-    command->add_option("--store", options.store, "SQLite file to fill or to resume")->capture_default_str();
+    command->add_option("--store", options.store, "SQLite file to fill or to resume")
+        ->default_str(default_store);
     command->add_option("--out", options.out, "folder for the report; beside the store if not given");
     add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
     add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
@@ -274,13 +235,17 @@ void add_sweep(CLI::App& app, Context& context) {
     command->add_option("--mesh", options.meshes, "these mesh files instead of the plan's bodies");
     command->add_flag("--each-mesh", options.each_mesh,
                       "one body for each mesh of a file, not one for the file");
-    command->add_option("--queries", options.queries, "queries per cell and round")->check(at_least_one);
-    command->add_option("--checked", options.checked, "queries checked exactly per cell")
-        ->check(at_least_one);
-    command->add_option("--rounds", options.rounds, "timed rounds per cell")->check(at_least_one);
-    command->add_option("--stability", options.stability, "hard cases per family; 0: no stability run");
-    command->add_option("--effort", options.effort, "queries counted by Callgrind per cell; 0: none");
-    command->add_option("--seed", options.seed, "seed of scenes and orders");
+    add_count(*command, "--queries", options.queries, input::queries_range, "queries per cell and round");
+    add_count(*command, "--checked", options.checked, input::queries_range,
+              "queries checked exactly per cell");
+    add_count(*command, "--rounds", options.rounds, input::rounds_range, "timed rounds per cell");
+    add_count(*command, "--stability", options.stability, input::cases_or_none,
+              "hard cases per family; 0: no stability run");
+    add_count(*command, "--effort", options.effort, input::queries_or_none,
+              "queries counted by Callgrind per cell; 0: none");
+    add_shard_options(*command, options.shard, options.costs);
+    command->add_flag("--fom", options.fom, "print figures of merit too: FOM name = value unit");
+    add_count(*command, "--seed", options.seed, input::seed_range, "seed of scenes and orders");
 }
 
 }  // namespace edgewise::cli

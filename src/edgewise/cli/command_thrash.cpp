@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
 
@@ -210,22 +211,18 @@ void add_thrash(CLI::App& app, Context& context) {
         run_thrash);
     thrash::Levels& levels = options.levels;
     command->add_option("--layouts", levels.tables, "table types")->delimiter(',');
-    command->add_option("--bodies", levels.bodies, "numbers of bodies")
-        ->delimiter(',')
-        ->check(CLI::Range(2, 10000));
-    command->add_option("--memory", levels.memories_mib, "memories, MiB")
-        ->delimiter(',')
-        ->check(CLI::Range(1, 100000));
+    add_counts(*command, "--bodies", levels.bodies, {2, 10'000, "bodies"}, "numbers of bodies");
+    add_counts(*command, "--memory", levels.memories_mib, {1, 100'000, "MiB"}, "memories, MiB");
     command->add_option("--fault-ns", levels.fault_costs_ns, "costs of a fault, ns")
         ->delimiter(',')
         ->check(CLI::Range(1.0, 1e9));
-    command->add_option("--steps", levels.steps, "steps traced; the first sixth of them counts nothing")
-        ->check(CLI::Range(12, 10000));
-    command->add_option("--realised", options.realised, "how many cells are made real; 0: none")
-        ->check(CLI::Range(0, 100));
+    add_count(*command, "--steps", levels.steps, {12, 10'000, "steps"},
+              "steps traced; the first sixth of them counts nothing");
+    add_count(*command, "--realised", options.realised, {0, 100, "cells"},
+              "how many cells are made real; 0: none");
     command->add_option("--wait", options.wait_s, "of each realised point, s")
         ->check(CLI::Range(0.01, 100.0));
-    command->add_option("--seed", levels.seed, "seed of the scenes");
+    add_count(*command, "--seed", levels.seed, input::seed_range, "seed of the scenes");
 }
 
 }  // namespace edgewise::cli

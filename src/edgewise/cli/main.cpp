@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "edgewise/cli/command.hpp"
 
@@ -23,18 +24,12 @@ std::string one_line(const CLI::App* app, const CLI::Error& problem) {
     return "edgewise: " + what + "; --help says more\n";
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+void add_commands(CLI::App& app, edgewise::cli::Context& context) {
     using namespace edgewise::cli;
-    CLI::App app{"Edgewise: memory- and cache-focused profiling of convex collision detection"};
-    app.require_subcommand(1);
-    app.set_help_all_flag("--help-all", "Help of all commands");
-    app.failure_message(one_line);
-    Context context;
     add_sweep(app, context);
     add_thrash(app, context);
     add_stability(app, context);
+    add_merge(app, context);
     add_report(app, context);
     add_export(app, context);
     add_additions(app, context);
@@ -53,6 +48,18 @@ int main(int argc, char** argv) {
     add_bench(app, context);
     add_pass(app, context);
     add_list(app, context);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace edgewise::cli;
+    CLI::App app{"Edgewise: memory- and cache-focused profiling of convex collision detection"};
+    app.require_subcommand(1);
+    app.set_help_all_flag("--help-all", "Help of all commands");
+    app.failure_message(one_line);
+    Context context;
+    add_commands(app, context);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
@@ -60,6 +67,10 @@ int main(int argc, char** argv) {
     }
     try {
         return context.action();
+    } catch (const std::bad_alloc&) {
+        std::fputs("edgewise: out of memory: ask for fewer queries or smaller bodies; what is stored stays\n",
+                   stderr);
+        return exit_bad_input;
     } catch (const std::exception& problem) {
         std::fprintf(stderr, "edgewise: %s\n", problem.what());
         return exit_bad_input;

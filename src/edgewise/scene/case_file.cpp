@@ -11,6 +11,7 @@
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
+#include "edgewise/input/json_text.hpp"
 
 namespace edgewise::scene {
 namespace {
@@ -125,14 +126,9 @@ std::string id_of(const Json& line) {
 }
 
 Json parse_line(std::string_view line) {
-    try {
-        return Json::parse(line);
-    } catch (const Json::parse_error& error) {
-        throw Fault{fmt::format(
-            "not JSON at column {} (one object per line; NaN and Infinity are not numbers)", error.byte)};
-    } catch (const Json::out_of_range&) {
-        throw Fault{"a number is too large for double precision"};
-    }
+    auto parsed = input::parse_json(line);
+    if (!parsed) throw Fault{parsed.error};
+    return *std::move(parsed.value);
 }
 
 }  // namespace
@@ -152,12 +148,34 @@ Result<Case> parse_case(std::string_view line, const std::string& where, std::st
 
 std::optional<Result<Case>> CaseReader::next() {
     std::string text;
-    while (std::getline(stream_, text)) {
+    while (read_line(text)) {
         ++line_;
+        const std::string where = fmt::format("{}:{}", name_, line_);
+        if (text.size() > most_line_bytes) {
+            id_.clear();
+            stream_.setstate(std::ios::eofbit | std::ios::failbit);  // it may never end
+            return Result<Case>::failure(fmt::format("{}: longer than {} bytes; nothing is read from here on",
+                                                     where, most_line_bytes));
+        }
         if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-        return parse_case(text, fmt::format("{}:{}", name_, line_), id_);
+        return parse_case(text, where, id_);
     }
     return std::nullopt;
+}
+
+bool CaseReader::read_line(std::string& line) {
+    using Traits = std::istream::traits_type;
+    line.clear();
+    if (!stream_) return false;
+    for (auto c = stream_.rdbuf()->sbumpc(); c != Traits::to_int_type('\n'); c = stream_.rdbuf()->sbumpc()) {
+        if (c == Traits::eof()) {
+            stream_.setstate(std::ios::eofbit);
+            return !line.empty();
+        }
+        line += Traits::to_char_type(c);
+        if (line.size() > most_line_bytes) return true;
+    }
+    return true;
 }
 
 Result<Polyhedron> body_from_case(const CaseBody& body) {

@@ -36,6 +36,9 @@ struct Case {
 /// also when the rest of the line is bad, so that an answer can name the line it belongs to.
 [[nodiscard]] Result<Case> parse_case(std::string_view line, const std::string& where, std::string& id);
 
+/// A body of a million vertices has no more; what is longer is no line but a stream without end.
+inline constexpr std::size_t most_line_bytes = std::size_t{256} << 20;
+
 /// Reads the stream case by case; blank lines are passed over.
 class CaseReader {
   public:
@@ -48,6 +51,9 @@ class CaseReader {
     [[nodiscard]] const std::string& id() const { return id_; }  ///< of the last case; empty if unreadable
 
   private:
+    /// False at the end. A line that is too long is cut there.
+    bool read_line(std::string& line);
+
     std::istream& stream_;
     std::string name_, id_;
     std::size_t line_ = 0;

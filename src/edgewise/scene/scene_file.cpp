@@ -9,12 +9,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "edgewise/input/count.hpp"
+#include "edgewise/input/file_text.hpp"
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 
@@ -33,7 +34,6 @@ constexpr std::array members = {"scene",   "shapes",     "time_step", "needs",  
 constexpr double usual_time_step = 1.0 / 60;  ///< s: a step per frame of a screen
 constexpr double longest_time_step = 1000;    ///< s
 constexpr double largest_margin = 1e6;        ///< extents of the larger body
-constexpr double most_queries = 1e8;          ///< of one point: poses take 224 bytes each
 
 // Velocities in the units of scenes, which know steps alone: rad per step, and body sizes per step.
 constexpr std::string_view random_turn = "random";  ///< in place of a number
@@ -76,21 +76,39 @@ void check_members(const Json& json) {
     }
 }
 
-/// One parameter of a point, into those of its kind.
-void set_parameter(const std::string& name, const Json& value, const MotionUnits& units,
-                   SceneParameters& to) {
-    if (value.is_string() && value.get<std::string>() == random_turn && is_turn(name)) {
-        to["random_orientation"] = 1;
-        to["rotation_step"] = 0;
-        return;
+/// The parameters of a point as its kind knows them, each given once: two members of a file that come to the
+/// same parameter contradict each other, whichever would win.
+class GivenParameters {
+  public:
+    explicit GivenParameters(const MotionUnits& units) : units_(units) {}
+
+    /// `where` it was written, such as "vary.rotation_step".
+    void set(const std::string& where, const std::string& name, const Json& value) {
+        if (value.is_string() && value.get<std::string>() == random_turn && is_turn(name)) {
+            take(where, "random_orientation", 1);
+            take(where, "rotation_step", 0);
+            return;
+        }
+        if (!value.is_number())
+            throw Fault{fmt::format("{} = {} wants a number{}", name, value.dump(),
+                                    is_turn(name) ? " or \"random\"" : "")};
+        const auto [parameter, number] = in_steps(name, value.get<double>(), units_);
+        take(where, parameter, number);
     }
-    if (!value.is_number()) {
-        throw Fault{fmt::format("{} = {} wants a number{}", name, value.dump(),
-                                is_turn(name) ? " or \"random\"" : "")};
+    void take(const std::string& where, const std::string& parameter, double number) {
+        const auto [first, is_new] = places_.try_emplace(parameter, where);
+        if (!is_new)
+            throw Fault{fmt::format("{} and {} both say what {} is: leave one of them out", first->second,
+                                    where, parameter)};
+        values_[parameter] = number;
     }
-    const auto [parameter, number] = in_steps(name, value.get<double>(), units);
-    to[parameter] = number;
-}
+    [[nodiscard]] const SceneParameters& values() const { return values_; }
+
+  private:
+    MotionUnits units_;
+    SceneParameters values_;
+    std::map<std::string, std::string> places_;  ///< where each was written
+};
 
 const Json& object_at(const Json& json, const char* key) {
     static const Json empty = Json::object();
@@ -114,14 +132,13 @@ std::vector<std::pair<std::string, Json>> varied(const Json& json) {
 
 ScenePoint make_point(const Json& json, const SceneFile& file, const std::string& shape,
                       const Polyhedron& body, const std::pair<std::string, Json>* varied_value) {
-    const MotionUnits units{file.time_step, extent(body.vertices)};
-    SceneParameters given;
+    GivenParameters given({file.time_step, extent(body.vertices)});
     if (member<std::string>(json, "sharing", "shared", "shared or per_instance") == "per_instance")
-        given["own_tables"] = 1;
+        given.take("sharing", "own_tables", 1);
     for (const auto& [name, value] : object_at(json, "parameters").items())
-        set_parameter(name, value, units, given);
-    if (varied_value) set_parameter(varied_value->first, varied_value->second, units, given);
-    const auto complete = complete_parameters(file.kind, given);
+        given.set("parameters." + name, name, value);
+    if (varied_value) given.set("vary." + varied_value->first, varied_value->first, varied_value->second);
+    const auto complete = complete_parameters(file.kind, given.values());
     if (!complete) throw Fault{complete.error};
     return {shape, *complete};
 }
@@ -162,10 +179,10 @@ void check_sharing(const Json& json) {
 }
 
 std::size_t queries_of(const Json& json) {
-    const auto queries = member<double>(json, "queries", 0, "a whole number");
-    if (!(queries >= 0 && queries <= most_queries) || queries != std::floor(queries))
-        throw Fault{fmt::format("queries = {} wants a whole number up to {:.0f}", queries, most_queries)};
-    return static_cast<std::size_t>(queries);
+    if (!json.contains("queries")) return 0;
+    const auto queries = input::count_from(json.at("queries"), input::queries_or_none);
+    if (!queries) throw Fault{"queries = " + queries.error};
+    return *queries;
 }
 
 SceneFile read(const std::string& name, const Json& json) {
@@ -193,24 +210,19 @@ SceneFile read(const std::string& name, const Json& json) {
 
 Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text) {
     using Failure = Result<SceneFile>;
+    const auto json = input::parse_json(text);
+    if (!json) return Failure::failure(fmt::format("scene file {}: {}", name, json.error));
     try {
-        return Failure::success(read(name, Json::parse(text)));
+        return Failure::success(read(name, *json));
     } catch (const Fault& fault) {
         return Failure::failure(fmt::format("scene file {}: {}", name, fault.what));
-    } catch (const Json::exception& problem) {
-        return Failure::failure(fmt::format("scene file {}: no JSON: {}", name, problem.what()));
     }
 }
 
 Result<SceneFile> read_scene_file(const std::string& path) {
-    std::ifstream stream(path);
-    if (!stream) {
-        return Result<SceneFile>::failure(
-            fmt::format("scene file {}: cannot be read; name a JSON file", path));
-    }
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return parse_scene_file(std::filesystem::path(path).stem().string(), text.str());
+    const auto text = input::read_file_text(path);
+    if (!text) return Result<SceneFile>::failure("scene file " + text.error);
+    return parse_scene_file(std::filesystem::path(path).stem().string(), *text);
 }
 
 std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path) {

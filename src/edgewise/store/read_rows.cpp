@@ -3,6 +3,12 @@
 // Every select names its columns: the functions that read a row know them by number.
 #include "edgewise/store/read_rows.hpp"
 
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "edgewise/store/schema.hpp"
+
 namespace edgewise::store {
 
 namespace {
@@ -52,6 +58,24 @@ std::optional<Row> row_of(sqlite::Statement& bound, Row (*read)(const sqlite::St
 }
 
 }  // namespace
+
+void check_schema(const sqlite::Database& database) {
+    if (database.number("pragma application_id") != store_application_id)
+        throw std::runtime_error(
+            fmt::format("{} is not a results store: name one that a sweep wrote", database.path()));
+    const std::int64_t version = database.number("pragma user_version");
+    if (version != store_schema_version)
+        throw std::runtime_error(
+            fmt::format("{} has schema version {}, this program reads {}: write a new store with a sweep",
+                        database.path(), version, store_schema_version));
+}
+
+std::vector<std::pair<std::string, std::string>> meta_of(const sqlite::Database& database) {
+    std::vector<std::pair<std::string, std::string>> meta;
+    sqlite::Statement select(database, "select key, value from meta order by key");
+    while (select.step()) meta.emplace_back(select.text(0), select.text(1));
+    return meta;
+}
 
 std::optional<BuildRow> find_build(const sqlite::Database& database, const std::string& id) {
     sqlite::Statement select(

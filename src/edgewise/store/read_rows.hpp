@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "edgewise/measure/round.hpp"
@@ -12,6 +13,12 @@
 #include "edgewise/store/sqlite.hpp"
 
 namespace edgewise::store {
+
+/// Throws std::runtime_error: what, where, what to do, unless it is a store of this program's version.
+void check_schema(const sqlite::Database& database);
+
+/// By key.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> meta_of(const sqlite::Database& database);
 
 [[nodiscard]] std::optional<BuildRow> find_build(const sqlite::Database& database, const std::string& id);
 [[nodiscard]] std::optional<CellRow> find_cell(const sqlite::Database& database, const std::string& build,

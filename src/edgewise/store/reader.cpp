@@ -9,23 +9,11 @@
 #include <stdexcept>
 
 #include "edgewise/store/read_rows.hpp"
-#include "edgewise/store/schema.hpp"
 #include "edgewise/store/sqlite.hpp"
 
 namespace edgewise::store {
 
 namespace {
-
-void check_schema(const sqlite::Database& database) {
-    if (database.number("pragma application_id") != store_application_id)
-        throw std::runtime_error(
-            fmt::format("{} is not a results store: name one that a sweep wrote", database.path()));
-    const std::int64_t version = database.number("pragma user_version");
-    if (version != store_schema_version)
-        throw std::runtime_error(
-            fmt::format("{} has schema version {}, this program reads {}: write a new store with a sweep",
-                        database.path(), version, store_schema_version));
-}
 
 std::string latest_build(const sqlite::Database& database) {
     sqlite::Statement named(
@@ -64,8 +52,7 @@ StoredBuild read_build(const std::string& store, const std::string& id) {
     database.execute("begin");
     check_schema(database);
     StoredBuild read;
-    sqlite::Statement meta(database, "select key, value from meta order by key");
-    while (meta.step()) read.meta.emplace_back(meta.text(0), meta.text(1));
+    read.meta = meta_of(database);
     const std::string wanted = id.empty() ? latest_build(database) : id;
     const auto build = find_build(database, wanted);
     if (!build) throw std::runtime_error(fmt::format("the results store {} has no build {}", store, wanted));

@@ -25,6 +25,14 @@ inline constexpr const char* run_key = "run ";
 /// Keys of `meta` that name another library: "peer " and the cells' table type.
 inline constexpr const char* peer_key = "peer ";
 
+/// Which part of a campaign a store is, "3/8": the fourth of eight. The other key has the same value once
+/// that part ran to its end.
+inline constexpr const char *shard_key = "shard", *complete_key = "complete";
+
+/// This and the name of a comparison, or of another run: the seconds that it took, by which parts are
+/// weighed.
+inline constexpr const char* took_key = "took ";
+
 /// schema.sql: creates what is not there.
 extern const char* const store_schema;
 

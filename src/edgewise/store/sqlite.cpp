@@ -118,6 +118,13 @@ void Statement::check_bound(int code) const {
     if (code != SQLITE_OK) database_.fail("binding");
 }
 
+Statement& Statement::bind_row(const Statement& row) {
+    reset();
+    for (int i = 0; i < sqlite3_column_count(row.handle_); ++i)
+        check_bound(sqlite3_bind_value(handle_, i + 1, sqlite3_column_value(row.handle_, i)));
+    return *this;
+}
+
 std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_, column); }
 
 double Statement::real(int column) const { return sqlite3_column_double(handle_, column); }

@@ -67,6 +67,9 @@ class Statement {
         }
     }
 
+    /// As bind, with the columns of another statement's row.
+    Statement& bind_row(const Statement& row);
+
     [[nodiscard]] std::int64_t integer(int column) const;
     /// Unsigned numbers are stored as the signed number of the same bits (SQLite knows no unsigned ones).
     [[nodiscard]] std::uint64_t natural(int column) const {

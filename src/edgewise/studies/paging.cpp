@@ -120,7 +120,8 @@ void trace_pages(const bench::Runner& runner, measure::PageReuse& reuse) {
 std::uint64_t page_bytes() { return static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)); }
 
 PagingResult measure_paging(const bench::TableType& type, const std::string& algorithm,
-                            const scene::Workload& workload, const PagingLimits& limits) {
+                            const scene::Workload& workload, const PagingLimits& limits,
+                            const std::atomic<bool>& stop) {
     PagingResult result;
     result.table = type.name;
     result.algorithm = algorithm;
@@ -138,6 +139,7 @@ PagingResult measure_paging(const bench::TableType& type, const std::string& alg
     const auto group = measure::MemoryLimit::make();
     const std::function<bench::PassSum()> pass = runner->prepared_pass();
     for (const std::uint64_t limit : limits(reuse.pages() * page_bytes())) {
+        if (stop) return result;
         PagingRow& row = result.rows.emplace_back();
         row.limit_bytes = limit;
         row.predicted_at_limit = reuse.fetches_per_query(limit > 0 ? limit / page_bytes() : reuse.pages());

@@ -6,6 +6,7 @@
 // a process of its own in a memory control group.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -46,8 +47,10 @@ struct PagingResult {
 using PagingLimits = std::function<std::vector<std::uint64_t>(std::uint64_t touched_bytes)>;
 
 /// The workload's tables, one for each instance, of one type. Each limit runs one pass over the workload to
-/// fill memory, then three that are counted; figures are their means.
+/// fill memory, then three that are counted; figures are their means. `stop` is looked at between limits; the
+/// rest of the rows is missing then.
 [[nodiscard]] PagingResult measure_paging(const bench::TableType& type, const std::string& algorithm,
-                                          const scene::Workload& workload, const PagingLimits& limits);
+                                          const scene::Workload& workload, const PagingLimits& limits,
+                                          const std::atomic<bool>& stop);
 
 }  // namespace edgewise::studies

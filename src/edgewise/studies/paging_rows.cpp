@@ -113,11 +113,13 @@ std::vector<store::FigureRow> figures_of(const PagingResult& result) {
 }
 
 void run_cell(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& body, const std::string& build,
-              store::Store& store, store::CellRow& row) {
+              store::Store& store, store::CellRow& row, const std::atomic<bool>& stop) {
     const scene::Workload workload = scene::make_scene("pressure", body, parameters_of(plan), plan.seed,
                                                        plan.steps * (plan.bodies - 1), {})
                                          .or_throw();
-    const PagingResult result = measure_paging(*find_type(cell.table), cell.algorithm, workload, limits_for);
+    const PagingResult result =
+        measure_paging(*find_type(cell.table), cell.algorithm, workload, limits_for, stop);
+    if (stop) return;
     row.status = result.reason.empty() ? "verified" : "unavailable";
     row.reason = result.reason;
     store.put_cell(build, row, result.reason.empty() ? figures_of(result) : std::vector<store::FigureRow>{});
@@ -133,7 +135,8 @@ bool run_paging(const PagingPlan& plan, const std::string& build, store::Store& 
         if (stop) return false;
         const Polyhedron body = scene::make_shape(cell.shape).or_throw();
         store::CellRow row = row_of(cell, plan, body);
-        if (!store.find_cell(build, row.hash)) run_cell(cell, plan, body, build, store, row);
+        if (!store.find_cell(build, row.hash)) run_cell(cell, plan, body, build, store, row, stop);
+        if (stop) return false;
         on_row(row);
     }
     return true;

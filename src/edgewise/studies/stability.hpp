@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,8 +21,16 @@ namespace edgewise::studies {
 /// The scene name of these rows.
 inline constexpr const char* stability_scene = "stability";
 
+/// The family of real hulls, the one that asks for mesh files.
+inline constexpr const char* real_family = "real_hulls_at_gaps";
+
 /// Whose V-Clip is judged raw.
 inline constexpr const char* raw_type = "aos_f64";
+
+struct StabilityRow {
+    store::CellRow cell;
+    std::vector<store::FigureRow> figures;
+};
 
 struct StabilityPlan {
     std::vector<std::string> families;  ///< empty: all
@@ -32,11 +41,8 @@ struct StabilityPlan {
     std::vector<std::string> algorithms;
     bool raw = false;              ///< V-Clip without its fallback too, on table type raw_type
     std::vector<Polyhedron> real;  ///< for the family of real hulls; without any its rows are unavailable
-};
-
-struct StabilityRow {
-    store::CellRow cell;
-    std::vector<store::FigureRow> figures;
+    /// The row of that hash that an earlier run left, which need not be measured again; may be empty.
+    std::function<std::optional<StabilityRow>(const std::string& hash)> stored = {};
 };
 
 struct StabilitySummary {

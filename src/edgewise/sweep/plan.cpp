@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "edgewise/bench/registry.hpp"
+#include "edgewise/input/count.hpp"
+#include "edgewise/input/file_text.hpp"
+#include "edgewise/input/json_text.hpp"
 
 namespace edgewise::sweep {
 
@@ -29,6 +31,16 @@ class Members {
     Members& take(const char* name, Value& to) {
         known_.push_back(name);
         if (json_.contains(name)) to = json_.at(name).get<Value>();
+        return *this;
+    }
+
+    template <class Whole>
+    Members& count(const char* name, Whole& to, const input::CountRange& range) {
+        known_.push_back(name);
+        if (!json_.contains(name)) return *this;
+        const auto value = input::count_from(json_.at(name), range);
+        if (!value) throw std::invalid_argument(fmt::format("{} = {}", name, value.error));
+        to = static_cast<Whole>(*value);
         return *this;
     }
 
@@ -54,7 +66,7 @@ SceneChoice read_scene(const nlohmann::json& json) {
         .take("shapes", scene.shapes)
         .take("layouts", scene.layouts)
         .take("algorithms", scene.algorithms)
-        .take("queries", scene.queries)
+        .count("queries", scene.queries, input::queries_or_none)
         .take("plain", scene.plain)
         .take("axes", scene.axes)
         .take("caches", scene.caches)
@@ -74,18 +86,18 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
         .take("algorithms", plan.algorithms)
         .take("peers", plan.peers)
         .take("axes", plan.axes)
-        .take("seed", plan.seed)
-        .take("queries", plan.queries)
-        .take("checked", plan.checked)
-        .take("rounds", plan.rounds)
-        .take("stability", plan.stability)
-        .take("traced", plan.traced)
-        .take("traced_steps", plan.traced_steps)
+        .count("seed", plan.seed, input::seed_range)
+        .count("queries", plan.queries, input::queries_range)
+        .count("checked", plan.checked, input::queries_range)
+        .count("rounds", plan.rounds, input::rounds_range)
+        .count("stability", plan.stability, input::cases_or_none)
+        .count("traced", plan.traced, input::queries_or_none)
+        .count("traced_steps", plan.traced_steps, input::steps_or_none)
         .take("machines", plan.machines)
         .take("control", plan.control)
-        .take("paging", plan.paging)
+        .count("paging", plan.paging, input::bodies_or_none)
         .take("thrash", plan.thrash)
-        .take("effort", plan.effort)
+        .count("effort", plan.effort, input::queries_or_none)
         .refuse_others();
     if (json.contains("meshes")) plan.meshes_required = true;
     if (json.contains("scenes")) {
@@ -125,18 +137,11 @@ Plan read_named(const PlanText& text) {
 }
 
 Plan read_file(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) {
-        throw std::invalid_argument(fmt::format("unknown plan '{}'; known: {}, or a readable JSON file", file,
-                                                fmt::join(plan_names(), ", ")));
-    }
-    try {
-        Plan plan = read_plan(nlohmann::json::parse(stream), make_plan("quick"));
-        plan.name = std::filesystem::path(file).stem().string();
-        return plan;
-    } catch (const std::exception& problem) {
-        throw std::invalid_argument(fmt::format("plan {}: {}", file, problem.what()));
-    }
+    const auto text = input::read_file_text(file);
+    if (!text)
+        throw std::invalid_argument(fmt::format("unknown plan '{}'; known: {}, or a readable JSON file ({})",
+                                                file, fmt::join(plan_names(), ", "), text.error));
+    return parse_plan(file, *text);
 }
 
 bool is_built(const std::string& layout) {
@@ -165,6 +170,16 @@ std::vector<std::string> plan_names() {
     std::vector<std::string> names;
     for (const PlanText& text : plan_texts()) names.emplace_back(text.name);
     return names;
+}
+
+Plan parse_plan(const std::string& file, const std::string& text) {
+    try {
+        Plan plan = read_plan(input::parse_json(text).or_throw(), make_plan("quick"));
+        plan.name = std::filesystem::path(file).stem().string();
+        return plan;
+    } catch (const std::exception& problem) {
+        throw std::invalid_argument(fmt::format("plan {}: {}", file, problem.what()));
+    }
 }
 
 Plan make_plan(const std::string& name) {

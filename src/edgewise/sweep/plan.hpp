@@ -64,5 +64,7 @@ struct PlanText {
 /// A named plan, of the layouts that the program was built with, or a JSON file with the members of Plan
 /// (missing ones as in `quick`). Throws std::invalid_argument: what, where, what to do.
 [[nodiscard]] Plan make_plan(const std::string& name_or_file);
+/// Likewise from a file's text.
+[[nodiscard]] Plan parse_plan(const std::string& file, const std::string& text);
 
 }  // namespace edgewise::sweep

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -16,8 +15,8 @@
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"
-#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/sweep/cell_run.hpp"
+#include "edgewise/sweep/stored_cells.hpp"
 
 namespace edgewise::sweep {
 
@@ -72,57 +71,6 @@ void store_sweep(const SweepWork& work, const store::BuildRow& build, store::Sto
     store_drawings(work, store);
 }
 
-/// What a store already has of a sweep, of one build: a sweep that was stopped goes on from there.
-class StoredCells {
-  public:
-    /// rounds: how many the plan asks for.
-    StoredCells(store::Store& store, std::string build, int rounds)
-        : store_(store), build_(std::move(build)), rounds_(rounds) {}
-
-    /// The status of a cell of which everything is there: figures, rounds, and caches as ordered now.
-    [[nodiscard]] std::optional<std::string> status_of(const CellRun& cell) const {
-        const auto row = store_.find_cell(build_, cell.row().hash);
-        if (!row) return std::nullopt;
-        if (row->is_timed() && (!rounds_missing(cell).empty() || (row->verified() && lacks_caches(cell))))
-            return std::nullopt;
-        return row->status;
-    }
-
-    /// Numbers of the rounds that the cell has not been timed in.
-    [[nodiscard]] std::set<int> rounds_missing(const CellRun& cell) const {
-        const auto done = store_.rounds_done(build_, cell.row().hash);
-        std::set<int> missing;
-        for (int round = 0; round < rounds_; ++round)
-            if (!done.contains(round)) missing.insert(round);
-        return missing;
-    }
-
-    [[nodiscard]] std::vector<measure::Round> rounds_of(const CellRun& cell) const {
-        return store_.rounds(build_, cell.row().hash);
-    }
-
-    void put(const CellRun& cell) { store_.put_cell(build_, cell.row(), cell.figures()); }
-    void put(std::span<const std::pair<std::string, measure::Round>> round) {
-        store_.put_round(build_, round);
-    }
-
-  private:
-    /// An earlier run may not have modelled these machines, or fewer queries.
-    [[nodiscard]] bool lacks_caches(const CellRun& cell) const {
-        if (cell.caches().machines.empty()) return false;
-        constexpr store::FigureName identity("caches.identity");
-        const double wanted = cell.caches().identity();
-        const std::vector<store::FigureRow> stored = store_.figures(build_, cell.row().hash);
-        return std::none_of(stored.begin(), stored.end(), [&](const store::FigureRow& row) {
-            return row.probe == identity.probe() && row.name == identity.name() && row.value == wanted;
-        });
-    }
-
-    store::Store& store_;
-    std::string build_;
-    int rounds_;
-};
-
 using StoredRound = std::vector<std::pair<std::string, measure::Round>>;
 
 StoredRound time_round(const Plan& plan, int number, std::vector<const CellRun*> in_order,
@@ -165,7 +113,7 @@ class Sweep {
   public:
     Sweep(const SweepWork& work, store::Store& store, const std::string& build, const SweepListener& listener,
           const std::atomic<bool>& stop)
-        : work_(work), stored_(store, build, work.plan.rounds), listener_(listener), stop_(stop) {}
+        : work_(work), stored_(store, build, work.plan), listener_(listener), stop_(stop) {}
 
     SweepSummary run() {
         listener_.on_start(work_.cells());
@@ -173,7 +121,7 @@ class Sweep {
             for (const scene::NamedShape* shape : scene.shapes) {
                 if (stop_) break;
                 std::vector<CellRun> cells = cells_of(scene, *shape);
-                if (!all_stored(cells)) run_cells(scene, *shape, cells);
+                if (!all_stored(cells)) run_timed(scene, *shape, cells);
                 if (!stop_) listener_.on_done(cells.size(), scene.choice.name + " " + shape->name);
             }
         }
@@ -222,6 +170,13 @@ class Sweep {
         return true;
     }
 
+    /// How long it took is kept, for shards of this plan to be weighed by.
+    void run_timed(const SceneWork& scene, const scene::NamedShape& shape, std::vector<CellRun>& cells) {
+        const measure::Stopwatch watch;
+        run_cells(scene, shape, cells);
+        if (!stop_) stored_.put_seconds(comparison_name(scene, shape), watch.elapsed_ns() * 1e-9);
+    }
+
     void run_cells(const SceneWork& scene, const scene::NamedShape& shape, std::vector<CellRun>& cells) {
         if (!shape.error.empty()) {  // nothing to measure
             for (const CellRun& cell : cells) keep(cell);
@@ -241,7 +196,9 @@ class Sweep {
         CellRun baseline(type, baseline_algorithm_on(type), {}, row_for(scene, shape), shape.body);
         baseline.verify(shared);
         if (!baseline.verified())
-            listener_.on_warning("the baseline failed its check: nothing to compare times with");
+            listener_.on_warning(fmt::format(
+                "the baseline {} on {} {} is {}: {}; nothing to compare times with", baseline.row().table,
+                scene.choice.name, shape.name, baseline.row().status, baseline.row().reason));
         time_rounds(plan, cells, baseline, stored_, stop_);
         if (stop_) return;
         for (CellRun& cell : cells) {

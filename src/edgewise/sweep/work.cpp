@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/sweep/scene_names.hpp"
 
 namespace edgewise::sweep {
 
@@ -145,6 +147,10 @@ bool SceneWork::models_caches(const scene::NamedShape& shape) const {
                        [&](const std::string& name) { return name == "all" || name == shape.name; });
 }
 
+std::string comparison_name(const SceneWork& scene, const scene::NamedShape& shape) {
+    return scene.choice.name + " " + bench::parameters_json(scene.choice.parameters) + " " + shape.name;
+}
+
 std::size_t SweepWork::cells() const {
     std::size_t count = 0;
     for (const SceneWork& scene : scenes) {
@@ -178,6 +184,23 @@ std::vector<scene::NamedShape> shapes_of(const Plan& plan,
     return result;
 }
 
+namespace {
+
+/// Mesh files are read, and warned about, where some scene or the stability run is of them. One body for each
+/// mesh of a file has a name that only the file knows.
+Plan without_unused_meshes(Plan plan) {
+    if (plan.each_mesh || plan.meshes_required || plan.stability > 0) return plan;
+    std::erase_if(plan.meshes, [&](const std::string& file) {
+        const std::string name = std::filesystem::path(file).stem().string();
+        return std::none_of(plan.scenes.begin(), plan.scenes.end(), [&](const SceneChoice& scene) {
+            return allows(scene.shapes, name) && !scene::find_scene_file(scene.name);
+        });
+    });
+    return plan;
+}
+
+}  // namespace
+
 SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::string& line)>& warn) {
     SweepWork work;
     work.plan = plan;
@@ -185,6 +208,7 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     work.peers = bench::select_peer_types(plan.peers);
     work.algorithms = bench::select_algorithms(plan.algorithms);
     work.machines = measure::choose_machines(plan.machines);
+    check_scene_names(plan);
     for (const SceneChoice& scene : plan.scenes) {
         if (auto file = scene::find_scene_file(scene.name)) {
             static_cast<void>(std::move(*file).or_throw());
@@ -192,7 +216,7 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
             static_cast<void>(scene::complete_parameters(scene.name, scene.parameters).or_throw());
         }
     }
-    work.shapes = shapes_of(plan, warn);
+    work.shapes = shapes_of(without_unused_meshes(plan), warn);
     for (const SceneChoice& scene : plan.scenes) {
         if (!add_if_file(scene, work)) work.scenes.push_back(scene_work(scene, work));
     }

@@ -39,6 +39,7 @@ struct SweepWork {
     std::vector<scene::NamedShape> shapes;
     std::deque<scene::NamedShape> file_shapes;  ///< of scene files
     std::vector<SceneWork> scenes;
+    std::vector<std::string> families;  ///< of the stability run; empty: all
 
     SweepWork() = default;
     SweepWork(SweepWork&&) = default;  ///< and no copy: scenes point at shapes, which stay where they are
@@ -49,6 +50,9 @@ struct SweepWork {
                                             const Axes&)>& use) const;
     [[nodiscard]] std::size_t cells() const;
 };
+
+/// A scene on a shape, whose cells are compared with each other: the same in every plan and process.
+[[nodiscard]] std::string comparison_name(const SceneWork& scene, const scene::NamedShape& shape);
 
 /// The bodies of a plan: built-in shapes and hulls of mesh files. A mesh file that cannot be read becomes a
 /// shape with an error, so that its cells appear in the report as unavailable, with the reason. Throws

@@ -5,6 +5,7 @@
 #include "edgewise/measure/process/memory_limit.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -42,6 +43,28 @@ TEST(MemoryLimit, TakesTheFirstGroupThatHandsMemoryDown) {
     EXPECT_FALSE(limit.value);
     EXPECT_NE(limit.reason.find("not handed down"), std::string::npos) << limit.reason;
     EXPECT_TRUE(fs::is_empty(root / "sys/fs/cgroup/own")) << "what was tried is removed";
+    fs::remove_all(root);
+}
+
+/// A process that was killed leaves its group; the next one that makes a group takes it away.
+TEST(MemoryLimit, RemovesGroupsOfProcessesThatAreNoMore) {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::temp_directory_path() / ("edgewise-orphans-" + std::to_string(getpid()));
+    const fs::path own = root / "sys/fs/cgroup/own";
+    const pid_t gone = fork();
+    if (gone == 0) _exit(0);
+    waitpid(gone, nullptr, 0);
+    const std::string dead = "edgewise-" + std::to_string(gone),
+                      alive = "edgewise-" + std::to_string(getppid());
+    for (const std::string& name : {dead, alive, std::string("edgewise-x1"), std::string("other-1")})
+        fs::create_directories(own / name);
+    fs::create_directories(root / "proc/self");
+    std::ofstream(root / "sys/fs/cgroup/cgroup.controllers") << "memory";
+    std::ofstream(root / "proc/self/cgroup") << "0::/own\n";
+    EXPECT_FALSE(MemoryLimit::make(root).value);
+    EXPECT_FALSE(fs::exists(own / dead));
+    for (const std::string& name : {alive, std::string("edgewise-x1"), std::string("other-1")})
+        EXPECT_TRUE(fs::exists(own / name)) << name;
     fs::remove_all(root);
 }
 

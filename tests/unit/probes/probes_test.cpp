@@ -8,8 +8,8 @@
 
 #include <set>
 
+#include "edgewise/store/find_figure.hpp"
 #include "edgewise/studies/single_cell.hpp"
-#include "find_figure.hpp"
 #include "found.hpp"
 
 namespace edgewise {

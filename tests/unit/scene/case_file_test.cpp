@@ -122,6 +122,9 @@ TEST(CaseFile, WhatIsNotJsonNamesItsColumn) {
     }
     for (const char* text : {"{", "", "}", "{\"id\":\"\xff\"}", "{} {}"}) EXPECT_FALSE(parse(text)) << text;
     EXPECT_FALSE(parse(std::string(100000, '[')));
+    const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+    EXPECT_EQ(parse(line_with(R"({"vertices":)" + deep + "}")).error,
+              "cases.jsonl:12: nested deeper than 64 levels");
 }
 
 TEST(CaseFile, ABadLineDoesNotLoseTheRest) {
@@ -135,8 +138,7 @@ TEST(CaseFile, ABadLineDoesNotLoseTheRest) {
         seen.push_back(std::to_string(reader.line()) + " '" + reader.id() + "' " + (*c ? "read" : c->error));
     }
     const std::vector<std::string> want = {
-        "1 'x' read",
-        "4 '' dir/cases.jsonl:4: not JSON at column 1 (one object per line; NaN and Infinity are not numbers)",
+        "1 'x' read", "4 '' dir/cases.jsonl:4: not JSON at column 1 (NaN and Infinity are not numbers)",
         "5 '17' dir/cases.jsonl:5: a.vertices is missing", "6 'x' read"};
     EXPECT_EQ(seen, want);
 }

@@ -4,13 +4,16 @@
 // files that are no mesh at all.
 #include "edgewise/scene/mesh/mesh_file.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 
+#include "edgewise/scene/mesh/mesh_bytes.hpp"
 #include "geometry_bodies.hpp"
 #include "mesh_texts.hpp"
 
@@ -183,6 +186,64 @@ TEST_F(MeshFile, RefusesFilesThatHoldNoBody) {
         broken[3].y() = value;
         expect_refused(write("broken.off", off_text(broken, box_faces())), ": y = " + std::to_string(value));
     }
+}
+
+/// None of these may reach the parser: it looks for the header's end without end, or reserves what is
+/// announced.
+TEST_F(MeshFile, RefusesHeadersThatAnnounceMoreThanThereIs) {
+    expect_refused(write("blank.ply", "\nply\nformat ascii 1.0\nend_header\n"),
+                   "its first line is not 'ply'");
+    const std::string more = ", more than its ", cut = "bytes can hold: it is cut short or damaged";
+    for (const char* count : {"400000000", "4294967295", "18446744073709551616", "99"}) {
+        for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+            const std::string ply =
+                std::string("ply\nformat ") + format + " 1.0\nelement vertex " + count +
+                "\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n";
+            expect_refused(write("much.ply", ply), more);
+        }
+        const std::string off = std::string("OFF\n") + count + " 1 0\n0 0 0\n";
+        expect_refused(write("much.off", off), cut);
+        expect_refused(
+            write("faces.off", std::string("OFF # no counts here\n# 1 1 1\n1 ") + count + " 0\n0 0 0\n"),
+            cut);
+    }
+    expect_refused(write("words.ply", "ply\nformat ascii 1.0\nelement vertex many\nend_header\n"),
+                   "has no count");
+    expect_refused(write("named.txt", "ply\nelement vertex 99999\nproperty list uchar int i\nend_header\n"),
+                   more);
+    expect_refused(write("none.off", "OFF\n# nothing\n"), "its OFF header has no counts");
+}
+
+TEST_F(MeshFile, RefusesWhatIsNoRegularFile) {
+    const std::string pipe = folder() + "/pipe.stl";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    expect_refused(pipe, "is no regular file");
+    expect_refused("/dev/zero", "is no regular file");
+}
+
+TEST_F(MeshFile, IsReadUnderLimits) {
+    const std::string cube = write("cube.obj", obj_object("cube", box_points(Vec3d(1, 1, 1)), box_faces()));
+    using namespace std::chrono_literals;
+    const auto late = read_mesh_parts(cube, input::GuardLimits{std::uint64_t{1} << 30, 0ms});
+    EXPECT_EQ(late.error, "cannot be read as a mesh: its reader took longer than the 0 s it was given");
+    const auto lean = read_mesh_parts(cube, input::GuardLimits{0, 60s});
+    EXPECT_FALSE(lean);
+    EXPECT_NE(lean.error.find("cannot be read as a mesh"), std::string::npos) << lean.error;
+    EXPECT_TRUE(read_mesh_parts(cube)) << "which its size allows";
+}
+
+TEST_F(MeshFile, ComesBackFromTheReadersProcessWhole) {
+    const MeshPart part{"a\nname", {Vec3d(1, -0.0, 1e-300), Vec3d(2, 3, 4)}, {{0, 1, 0}, {1, 1, 1}}};
+    const auto parts = Result<std::vector<MeshPart>>::success({part, {"", {}, {}}});
+    const std::string bytes = bytes_of(parts);
+    const auto back = parts_from(bytes);
+    ASSERT_TRUE(back && back->size() == 2) << back.error;
+    EXPECT_EQ((*back)[0].name, part.name);
+    EXPECT_EQ((*back)[0].points, part.points);
+    EXPECT_EQ((*back)[0].triangles, part.triangles);
+    EXPECT_EQ(parts_from(bytes_of(Result<std::vector<MeshPart>>::failure("why"))).error, "why");
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+        EXPECT_FALSE(parts_from(std::string_view(bytes).substr(0, size))) << size;
 }
 
 TEST_F(MeshFile, NamesTheMeshThatIsFlat) {

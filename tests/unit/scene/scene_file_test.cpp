@@ -124,7 +124,7 @@ TEST_P(BadSceneFile, SaysWhereAndWhatIsAllowed) {
 INSTANTIATE_TEST_SUITE_P(
     Mistakes, BadSceneFile,
     testing::Values(
-        BadFile{"{", "no JSON", "column"}, BadFile{"[1]", "wants one object", "shapes"},
+        BadFile{"{", "not JSON", "column"}, BadFile{"[1]", "wants one object", "shapes"},
         BadFile{R"({"shapes": ["cube8"]})", "scene is missing", ""},
         BadFile{R"({"scene": "tumble"})", "shapes is missing", ""},
         BadFile{R"({"scene": "tumble", "shapes": []})", "shapes", "at least one"},
@@ -141,6 +141,29 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"scene": "static", "shapes": ["cube8"], "sharing": "per_instance"})", "own_tables",
                 "occupancy"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "queries": 1.5})", "queries", "whole"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "queries": -1})", "queries = '-1'",
+                "0 to 100000000"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "queries": 1e308})", "queries", "0 to 100000000"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "queries": 9223372036854775808})", "queries",
+                "0 to 100000000"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"],
+                    "parameters": {"angular_velocity": 1, "rotation_step": 0.1}})",
+                "parameters.angular_velocity and parameters.rotation_step", "leave one of them out"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"],
+                    "parameters": {"linear_velocity": 1, "translation_step": 0.1}})",
+                "parameters.linear_velocity and parameters.translation_step", "leave one of them out"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"],
+                    "parameters": {"bodies": 10}, "vary": {"bodies": [10, 20]}})",
+                "parameters.bodies and vary.bodies", "leave one of them out"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"],
+                    "parameters": {"rotation_step": 1}, "vary": {"angular_velocity": [2, "random"]}})",
+                "parameters.rotation_step and vary.angular_velocity", "leave one of them out"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"],
+                    "parameters": {"random_orientation": 0, "angular_velocity": "random"}})",
+                "parameters.angular_velocity", "random_orientation"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "sharing": "per_instance",
+                    "parameters": {"own_tables": 0}})",
+                "sharing and parameters.own_tables", "leave one of them out"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "parameters": {"bodies": 1}})", "bodies = 1",
                 "2 to 10000"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "parameters": {"speed": 1}})", "'speed'",
@@ -151,6 +174,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "a list"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "vary": {"bodies": [2], "margin": [1]}})", "vary",
                 "one parameter"}));
+
+TEST(SceneFile, ThatIsNestedDeeplyIsRefused) {
+    const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+    for (const char* member : {"note", "parameters", "vary", "shapes", "scene"}) {
+        const auto file = parse_scene_file("mine", R"({"scene": "tumble", "shapes": ["cube8"], ")" +
+                                                       std::string(member) + "\": " + deep + "}");
+        ASSERT_FALSE(file) << member;
+        EXPECT_EQ(file.error, "scene file mine: nested deeper than 64 levels");
+    }
+}
 
 TEST(SceneFile, ThatCannotBeReadIsNamed) {
     const auto file = find_scene_file("no/such.json");

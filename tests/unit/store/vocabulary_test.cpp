@@ -7,7 +7,7 @@
 
 #include <set>
 
-#include "find_figure.hpp"
+#include "edgewise/store/find_figure.hpp"
 
 namespace edgewise::store {
 namespace {

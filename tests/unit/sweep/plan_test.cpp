@@ -183,6 +183,30 @@ TEST(Plan, PaperIsWhatItsStoresHold) {
               (Names{"pentium2_deschutes", "pentium3_coppermine", "athlon_thunderbird", "zen5", "host"}));
 }
 
+/// A sign, a fraction, or more than a run can take: one line with the member and its range.
+TEST_F(PlanFile, RefusesCountsThatAreNone) {
+    for (const char* member :
+         {"queries", "checked", "rounds", "stability", "traced", "traced_steps", "paging", "effort"}) {
+        for (const char* value : {"-1", "1.5", "1e308", "9223372036854775808", "\"5\"", "[5]"}) {
+            const std::string error =
+                error_of(write("{\"" + std::string(member) + "\": " + std::string(value) + "}"));
+            EXPECT_THAT(error, HasSubstr(std::string("mine.json: ") + member + " = ")) << value;
+            EXPECT_THAT(error, HasSubstr(" to ")) << value;
+        }
+    }
+    EXPECT_THAT(error_of(write(R"({"seed": -1})")), HasSubstr("seed = '-1'"));
+    EXPECT_THAT(error_of(write(R"({"scenes": [{"name": "cold", "queries": -1}]})")),
+                HasSubstr("queries = '-1'"));
+    EXPECT_EQ(make_plan(write(R"({"seed": 18446744073709551615})")).seed, UINT64_MAX);
+}
+
+TEST_F(PlanFile, IsRefusedWhereItIsNestedDeeplyOrNoFile) {
+    EXPECT_THAT(
+        error_of(write(R"({"scenes": )" + std::string(100'000, '[') + std::string(100'000, ']') + "}")),
+        HasSubstr("nested deeper than 64 levels"));
+    EXPECT_THAT(error_of("/dev/zero"), HasSubstr("no regular file"));
+}
+
 TEST_F(PlanFile, OverridesWhatItNamesAndKeepsTheRestOfQuick) {
     const Plan quick = make_plan("quick");
     const Plan plan = make_plan(write(R"({"scenes": [{"name": "cold", "parameters": {"distance": 2}}],

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "edgewise/input/json_text.hpp"
+
 namespace edgewise::measure {
 
 namespace {
@@ -140,12 +142,10 @@ bool LevelOrigin::proves(std::string_view field) const {
 }
 
 CacheMachine parse_cache_machine(const std::string& json, const std::string& name) {
-    Json parsed;
-    try {
-        parsed = Json::parse(json);
-    } catch (const Json::exception& problem) {
-        throw std::runtime_error(fmt::format("{}: not JSON: {}", name, problem.what()));
-    }
+    const auto read = input::parse_json<Json>(json);
+    if (!read)
+        throw std::runtime_error(fmt::format("{}: {}; wants the description of a machine", name, read.error));
+    const Json& parsed = *read;
     const Place file{parsed, name, ""};
     if (!parsed.is_object()) file.refuse("the file", "an object");
     CacheMachine machine;

@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
+#include "edgewise/input/file_text.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 
 namespace edgewise::measure {
@@ -34,11 +33,9 @@ std::string add_level(const Cache& cache, CacheMachine& machine) {
 }
 
 Expected<CacheMachine> from_file(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::runtime_error(file + ": cannot be read");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    CacheMachine machine = parse_cache_machine(text.str(), file);
+    const auto text = input::read_file_text(file);
+    if (!text) throw std::runtime_error(text.error);
+    CacheMachine machine = parse_cache_machine(*text, file);
     machine.name = std::filesystem::path(file).stem().string();
     if (machine.name.find_first_of("./ ") != std::string::npos)
         throw std::runtime_error(file + ": its name becomes part of figures' names: no dots, no blanks");

@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
+
+#include "edgewise/input/file_text.hpp"
+#include "edgewise/input/json_text.hpp"
 
 namespace edgewise::measure {
 
@@ -118,12 +119,11 @@ std::string to_json(const LayoutLock& lock) {
 }
 
 LayoutLock parse_lock(const std::string& json, const std::string& file) {
-    Json parsed;
-    try {
-        parsed = Json::parse(json);
-    } catch (const Json::exception&) {
-        throw std::runtime_error(fmt::format("{}: not JSON; wants a lock, as this program prints it", file));
-    }
+    const auto read = input::parse_json<Json>(json);
+    if (!read)
+        throw std::runtime_error(
+            fmt::format("{}: {}; wants a lock, as this program prints it", file, read.error));
+    const Json& parsed = *read;
     if (!parsed.is_object()) refuse(file, "the file", "an object");
     if (!parsed.contains("edgewise_lock") || parsed["edgewise_lock"] != form)
         refuse(file, "edgewise_lock", "1, the form that this program knows");
@@ -132,11 +132,9 @@ LayoutLock parse_lock(const std::string& json, const std::string& file) {
 }
 
 LayoutLock read_lock(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::runtime_error(file + ": cannot be read");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return parse_lock(text.str(), file);
+    const auto text = input::read_file_text(file);
+    if (!text) throw std::runtime_error(text.error);
+    return parse_lock(*text, file);
 }
 
 std::vector<LockDifference> differences(const LayoutLock& was, const LayoutLock& is) {

@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -26,6 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* group_start = "edgewise-";  ///< then the number of the process
+
 /// Empty, or what went wrong; the kernel answers at the flush.
 std::string write_to(const fs::path& file, const std::string& text) {
     errno = 0;
@@ -34,10 +38,27 @@ std::string write_to(const fs::path& file, const std::string& text) {
     return fmt::format("{}: cannot write {}: {}", file.string(), text, std::strerror(errno));
 }
 
+/// Removes what processes left that were killed before they could: groups named after one that is no more.
+/// The kernel keeps a group that still has a process.
+void remove_orphans(const fs::path& parent) {
+    const std::string start = group_start;
+    std::error_code error;
+    for (fs::directory_iterator at(parent, error), end; !error && at != end; at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        if (!name.starts_with(start)) continue;
+        int process = 0;
+        const char* const last = name.data() + name.size();
+        const auto [stop, bad] = std::from_chars(name.data() + start.size(), last, process);
+        const bool is_number = bad == std::errc{} && stop == last && process > 0;
+        if (is_number && kill(process, 0) != 0 && errno == ESRCH) rmdir(at->path().c_str());
+    }
+}
+
 /// A new folder in the first of the parents that takes one.
 fs::path new_folder(const std::vector<fs::path>& parents, const std::string& wanted_file, std::string& why) {
     for (const fs::path& parent : parents) {
-        const fs::path folder = parent / fmt::format("edgewise-{}", getpid());
+        remove_orphans(parent);
+        const fs::path folder = parent / fmt::format("{}{}", group_start, getpid());
         std::error_code error;
         if (!fs::create_directory(folder, error)) {
             why = fmt::format("{}: {}", folder.string(), error ? error.message() : "is there already");

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Assimp's scene tree, flattened. No post-processing is asked for: polygons become fans here, which gives the
-// same signed volume, and equal points are welded where it matters.
+// same signed volume, and equal points are welded where it matters. It runs in a child process under limits:
+// some of its readers never end on damaged files, or take all memory.
 #include "edgewise/scene/mesh/mesh_parts.hpp"
 
 #include <assimp/scene.h>
@@ -9,10 +10,12 @@
 #include <assimp/Importer.hpp>
 #include <exception>
 #include <filesystem>
-#include <fstream>
+#include <new>
 
-#include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/pose.hpp"
+#include "edgewise/input/file_text.hpp"
+#include "edgewise/scene/mesh/mesh_bytes.hpp"
+#include "edgewise/scene/mesh/mesh_header.hpp"
 
 namespace edgewise::scene {
 namespace {
@@ -79,30 +82,12 @@ bool add_node(const aiScene& scene, const aiNode& node, const Pose& above, std::
     return true;
 }
 
-/// Whether a PLY file lacks the line that ends its header: Assimp's reader looks for it without end.
-bool endless_ply_header(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string line;
-    std::getline(file, line);
-    const auto letter = [&](std::size_t k) { return k < line.size() ? line[k] | 0x20 : 0; };
-    if (letter(0) != 'p' || letter(1) != 'l' || letter(2) != 'y') return false;
-    while (std::getline(file, line)) {
-        if (line == "end_header" || line == "end_header\r") return file.eof();
-    }
-    return true;
-}
-
 /// What can be said before a parser looks inside; empty when nothing is wrong.
 std::string file_error(const std::string& path) {
+    if (std::string wrong = input::what_is_wrong_with(path); !wrong.empty()) return wrong;
     std::error_code code;
-    if (!std::filesystem::exists(path, code)) return "no such file";
-    if (std::filesystem::is_directory(path, code)) return "is a directory, expected a mesh file";
-    if (!std::ifstream(path)) return "cannot be opened for reading; check its permissions";
-    if (std::filesystem::is_regular_file(path, code) && std::filesystem::file_size(path, code) == 0) {
-        return "is empty (0 bytes)";
-    }
-    if (endless_ply_header(path)) return "cannot be read as a mesh: its PLY header does not end";
-    return {};
+    if (std::filesystem::file_size(path, code) == 0) return "is empty (0 bytes)";
+    return mesh_header_error(path);
 }
 
 /// Assimp's reason on one line.
@@ -125,18 +110,34 @@ Parts parts_of(const std::string& path) {
     return Parts::success(std::move(parts));
 }
 
+/// In the child.
+std::string parts_as_bytes(const std::string& path) {
+    try {
+        return bytes_of(parts_of(path));
+    } catch (const std::bad_alloc&) {
+        throw;  // the limit's to tell
+    } catch (const std::exception& thrown) {
+        return bytes_of(Parts::failure("cannot be read as a mesh: " + one_line(thrown.what())));
+    } catch (...) {
+        return bytes_of(Parts::failure("cannot be read as a mesh: the reader failed"));
+    }
+}
+
+/// Assimp keeps what it reads several times over, in nodes of its own; text of a megabyte takes it 0.1 s.
+input::GuardLimits usual_limits(const std::string& path) {
+    std::error_code code;
+    const std::uint64_t bytes = std::filesystem::file_size(path, code);
+    return {(std::uint64_t{1} << 30) + 200 * bytes, std::chrono::seconds(10 + bytes / 200'000)};
+}
+
 }  // namespace
 
-Parts read_mesh_parts(const std::string& path) {
-    std::string error = file_error(path);
-    if (!error.empty()) return Parts::failure(std::move(error));
-    try {
-        return parts_of(path);
-    } catch (const std::exception& thrown) {
-        return Parts::failure("cannot be read as a mesh: " + one_line(thrown.what()));
-    } catch (...) {
-        return Parts::failure("cannot be read as a mesh: the reader failed");
-    }
+Parts read_mesh_parts(const std::string& path, const std::optional<input::GuardLimits>& limits) {
+    if (std::string error = file_error(path); !error.empty()) return Parts::failure(std::move(error));
+    const auto bytes =
+        input::run_guarded([&] { return parts_as_bytes(path); }, limits.value_or(usual_limits(path)));
+    if (!bytes) return Parts::failure("cannot be read as a mesh: its reader " + bytes.error);
+    return parts_from(*bytes);
 }
 
 }  // namespace edgewise::scene

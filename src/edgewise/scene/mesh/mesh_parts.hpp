@@ -5,11 +5,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/result.hpp"
+#include "edgewise/input/guarded.hpp"
 
 namespace edgewise::scene {
 
@@ -21,7 +23,9 @@ struct MeshPart {
 
 /// One part for each use of a mesh by a node, with the transforms of all nodes above it applied in double
 /// (Assimp itself may have read the numbers in single precision). Fails on a file that cannot be read or has
-/// no mesh; the message does not name the file.
-[[nodiscard]] Result<std::vector<MeshPart>> read_mesh_parts(const std::string& path);
+/// no mesh, or whose reader takes more than the limits: those that its size tells, or these. The message does
+/// not name the file.
+[[nodiscard]] Result<std::vector<MeshPart>> read_mesh_parts(
+    const std::string& path, const std::optional<input::GuardLimits>& limits = {});
 
 }  // namespace edgewise::scene

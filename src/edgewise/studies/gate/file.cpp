@@ -8,9 +8,11 @@
 
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <stdexcept>
+
+#include "edgewise/input/file_text.hpp"
+#include "edgewise/input/json_text.hpp"
 
 namespace edgewise::studies {
 
@@ -129,22 +131,19 @@ json gate_json(const GateRecord& record) {
 }
 
 Result<GateRecord> parse_gate(const std::string& name, const std::string& text) {
+    const auto parsed = input::parse_json(text);
+    if (!parsed) return Result<GateRecord>::failure(fmt::format("{}: {}; {}", name, parsed.error, remedy));
     try {
-        return Result<GateRecord>::success(record_of(json::parse(text)));
-    } catch (const json::parse_error& problem) {
-        return Result<GateRecord>::failure(
-            fmt::format("{}: no JSON from byte {} on; {}", name, problem.byte, remedy));
+        return Result<GateRecord>::success(record_of(*parsed));
     } catch (const GateFault& fault) {
         return Result<GateRecord>::failure(fmt::format("{}: {}; {}", name, fault.what, remedy));
     }
 }
 
 Result<GateRecord> read_gate(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream.is_open() || stream.bad())
-        return Result<GateRecord>::failure(fmt::format("{}: cannot be read; {}", path, remedy));
-    return parse_gate(path, text);
+    const auto text = input::read_file_text(path);
+    if (!text) return Result<GateRecord>::failure(fmt::format("{}; {}", text.error, remedy));
+    return parse_gate(path, *text);
 }
 
 void write_gate(const std::string& path, const GateRecord& record) {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Counts and numbers as users write them: on the command line, in plans, in scene files. One way to read them
+// all: digits of one form, a range, one line that says both when it is neither. Signs, blanks, hexadecimal
+// and an empty text are no counts, so that no slip becomes a large number.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+
+#include "edgewise/geometry/result.hpp"
+
+namespace edgewise::input {
+
+/// From `least` to `most`, both allowed.
+struct CountRange {
+    std::uint64_t least = 0, most = UINT64_MAX;
+    std::string_view unit = "";  ///< of what it counts, such as "queries"
+};
+
+// What one run may be asked for; more is a slip, or is divided into runs.
+inline constexpr CountRange queries_range{1, 100'000'000, "queries"};  ///< poses take 224 bytes each
+inline constexpr CountRange queries_or_none{0, 100'000'000, "queries"};
+inline constexpr CountRange rounds_range{1, 1'000'000, "rounds"};
+inline constexpr CountRange cases_range{1, 10'000'000, "cases"};  ///< per hard family, kept in memory
+inline constexpr CountRange cases_or_none{0, 10'000'000, "cases"};
+inline constexpr CountRange bodies_or_none{0, 100'000, "bodies"};
+inline constexpr CountRange steps_or_none{0, 1'000'000, "steps"};
+inline constexpr CountRange seed_range{};
+
+/// Digits alone: "30000". The error has no place in it: "'-1' wants a whole number of queries, 1 to 100".
+[[nodiscard]] Result<std::uint64_t> parse_count(std::string_view text, const CountRange& range);
+
+/// A JSON number without a fraction: 30000, or 3e4.
+[[nodiscard]] Result<std::uint64_t> count_from(const nlohmann::json& value, const CountRange& range);
+
+/// A finite number in decimal: "0.5", "-1e-3".
+[[nodiscard]] Result<double> parse_number(std::string_view text);
+
+}  // namespace edgewise::input

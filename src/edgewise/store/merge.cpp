@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/store/merge.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include "edgewise/store/find_figure.hpp"
+#include "edgewise/store/merge_source.hpp"
+#include "edgewise/store/read_rows.hpp"
+#include "edgewise/store/schema.hpp"
+#include "edgewise/store/sqlite.hpp"
+#include "edgewise/store/store.hpp"
+
+namespace edgewise::store {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* merged_key = "merged";
+
+/// Removed unless it took its place.
+class FileBeside {
+  public:
+    explicit FileBeside(const std::string& out) : out_(out) {
+        std::array<char, 256> host{};
+        gethostname(host.data(), host.size() - 1);
+        path_ = fmt::format("{}.merging-{}-{}", out, host.data(), getpid());
+        remove();
+    }
+    ~FileBeside() { remove(); }
+    FileBeside(const FileBeside&) = delete;
+    FileBeside& operator=(const FileBeside&) = delete;
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+    /// On the disk before it takes the name, and the name before this returns.
+    void take_place() const {
+        const auto folder = fs::path(out_).parent_path();
+        sync(path_, O_RDONLY);
+        fs::rename(path_, out_);
+        sync(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
+    }
+
+  private:
+    static void sync(const std::string& path, int flags) {
+        const int file = open(path.c_str(), flags | O_CLOEXEC);
+        const bool synced = file >= 0 && fsync(file) == 0;
+        if (file >= 0) close(file);
+        if (!synced) throw std::runtime_error(fmt::format("store {}: cannot be brought to the disk", path));
+    }
+    void remove() const {
+        std::error_code ignored;
+        for (const char* const end : {"", "-wal", "-shm", "-journal"}) fs::remove(path_ + end, ignored);
+    }
+
+    std::string out_, path_;
+};
+
+std::vector<FigureRow> exact_figures_of(const sqlite::Database& of, const std::string& build,
+                                        const std::string& hash) {
+    std::vector<FigureRow> figures = figures_of(of, build, hash);
+    std::erase_if(figures, [](const FigureRow& figure) {
+        const FigureInfo* const info = find_figure(figure.probe, figure.name);
+        return !info || info->repeats != Repeats::exactly;
+    });
+    return figures;
+}
+
+/// Copies stores into one, row by row as they stand: what a store holds was checked when it was written.
+class Merge {
+  public:
+    explicit Merge(const std::string& path) : to_(path) {}
+
+    void add(const std::string& path) {
+        const auto from = sqlite::Database::for_reading(path);
+        from.execute("begin");
+        sqlite::Transaction transaction(to_);
+        copy(from, "select * from build", "insert or ignore into build values(?,?,?,?,?,?)");
+        sqlite::Statement cells(from, "select build, hash from cell order by build, hash");
+        while (cells.step()) add_cell(from, path, cells.text(0), cells.text(1));
+        transaction.commit();
+    }
+
+    void put_meta(const std::string& key, const std::string& value, const char* or_what) const {
+        sqlite::Statement(to_, fmt::format("insert or {} into meta values(?,?)", or_what))
+            .bind(key, value)
+            .run();
+    }
+
+    [[nodiscard]] std::vector<MergedBuild> builds() const {
+        std::vector<MergedBuild> builds;
+        sqlite::Statement select(
+            to_,
+            "select id, git_revision, count(*) as cells from build join cell on cell.build = "
+            "build.id group by id order by cells desc, id");
+        while (select.step())
+            builds.push_back({select.text(0), select.text(1), static_cast<std::size_t>(select.integer(2))});
+        return builds;
+    }
+    [[nodiscard]] std::size_t twice() const { return twice_; }
+
+    /// One file, without a log beside it.
+    void finish() const { to_.execute("pragma journal_mode = delete"); }
+
+  private:
+    void copy(const sqlite::Database& from, const std::string& select, const std::string& insert) const {
+        sqlite::Statement rows(from, select), to(to_, insert);
+        while (rows.step()) to.bind_row(rows).run();
+    }
+    void copy_of_cell(const sqlite::Database& from, const char* table, int columns, const std::string& build,
+                      const std::string& hash) const {
+        std::string places = "?";
+        for (int i = 1; i < columns; ++i) places += ",?";
+        sqlite::Statement rows(from, fmt::format("select * from {} where build = ? and hash = ?", table));
+        sqlite::Statement to(to_, fmt::format("insert or replace into {} values({})", table, places));
+        rows.bind(build, hash);
+        while (rows.step()) to.bind_row(rows).run();
+    }
+
+    void add_cell(const sqlite::Database& from, const std::string& path, const std::string& build,
+                  const std::string& hash) {
+        const auto [first, is_new] = paths_.try_emplace({build, hash}, path);
+        if (!is_new) {
+            ++twice_;
+            check_same(from, path, first->second, build, hash);
+            if (rounds_of(from, build, hash).size() <= rounds_of(to_, build, hash).size()) return;
+            for (const char* const table : {"figure", "round"})
+                sqlite::Statement(to_, fmt::format("delete from {} where build = ? and hash = ?", table))
+                    .bind(build, hash)
+                    .run();
+        }
+        copy_of_cell(from, "cell", 18, build, hash);
+        copy_of_cell(from, "figure", 8, build, hash);
+        copy_of_cell(from, "round", 15, build, hash);
+    }
+
+    /// Of one build, so of one program on one machine.
+    void check_same(const sqlite::Database& from, const std::string& path, const std::string& other_path,
+                    const std::string& build, const std::string& hash) const {
+        const auto here = find_cell(from, build, hash), there = find_cell(to_, build, hash);
+        const auto figures = exact_figures_of(from, build, hash), others = exact_figures_of(to_, build, hash);
+        std::string what;
+        if (here->status != there->status)
+            what = fmt::format("status '{}' and '{}'", there->status, here->status);
+        for (const FigureRow& figure : figures) {
+            const auto same = std::ranges::find_if(others, [&](const FigureRow& other) {
+                return other.probe == figure.probe && other.name == figure.name;
+            });
+            if (same != others.end() && same->value != figure.value)
+                what = fmt::format("figure {}.{}", figure.probe, figure.name);
+        }
+        if (!what.empty())
+            throw std::runtime_error(
+                fmt::format("{} and {} disagree on {} {} {} {}: {}; one of them is damaged", other_path, path,
+                            here->scene, here->shape, here->algorithm, here->table, what));
+    }
+
+    sqlite::Database to_;
+    std::map<std::pair<std::string, std::string>, std::string>
+        paths_;  ///< of the store a cell came from first
+    std::size_t twice_ = 0;
+};
+
+/// In an order that does not depend on how they were named: parts by number, then by path. Each file once.
+std::vector<MergeSource> sources_of(const std::vector<std::string>& stores) {
+    std::vector<MergeSource> sources;
+    for (const std::string& path : stores) {
+        const bool again = std::ranges::any_of(sources, [&](const MergeSource& source) {
+            std::error_code ignored;
+            return fs::equivalent(source.path, path, ignored);
+        });
+        if (!again) sources.emplace_back(path);
+    }
+    std::ranges::sort(sources, {}, [](const MergeSource& source) {
+        const auto part = source.part();
+        return std::pair(part ? part->index : 0, source.path);
+    });
+    return sources;
+}
+
+/// Nothing of anybody's is written over.
+void check_out(const std::string& out) {
+    std::error_code ignored;
+    if (!fs::exists(out, ignored)) return;
+    if (!fs::is_regular_file(out, ignored) || !MergeSource(out).meta.contains(merged_key))
+        throw std::runtime_error(fmt::format("{} is there and is no merged store: name another --out", out));
+}
+
+void merge_meta(const std::vector<MergeSource>& sources, const Merge& merge) {
+    for (const MergeSource& source : sources) {
+        for (const auto& [key, value] : source.meta) {
+            if (key != shard_key && key != complete_key && key != merged_key)
+                merge.put_meta(key, value, "ignore");
+        }
+    }
+    const std::vector<MergedBuild> builds = merge.builds();
+    if (!builds.empty()) merge.put_meta("build", builds.front().id, "replace");
+    merge.put_meta(merged_key, "of several stores", "replace");
+}
+
+}  // namespace
+
+MergeSummary merge_stores(const std::vector<std::string>& stores, const std::string& out, bool mixed) {
+    check_out(out);
+    const std::vector<MergeSource> sources = sources_of(stores);
+    if (!mixed) check_same_campaign(sources);
+    MergeSummary summary;
+    summary.missing = missing_parts(sources);
+    const FileBeside beside(out);
+    { const Store created(beside.path()); }
+    {
+        Merge merge(beside.path());
+        for (const MergeSource& source : sources) merge.add(source.path);
+        merge_meta(sources, merge);
+        merge.finish();
+        summary.builds = merge.builds();
+        summary.twice = merge.twice();
+    }
+    for (const MergedBuild& build : summary.builds) summary.cells += build.cells;
+    summary.stores = sources.size();
+    beside.take_place();
+    return summary;
+}
+
+}  // namespace edgewise::store

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/sweep/stored_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "edgewise/store/schema.hpp"
+#include "edgewise/store/vocabulary.hpp"
+
+namespace edgewise::sweep {
+
+namespace {
+
+using StoredFigures = std::span<const store::FigureRow>;
+
+std::optional<double> value_of(StoredFigures stored, const store::FigureName& name) {
+    const auto found = std::find_if(stored.begin(), stored.end(), [&](const store::FigureRow& row) {
+        return row.probe == name.probe() && row.name == name.name();
+    });
+    return found == stored.end() ? std::nullopt : found->value;
+}
+
+/// An earlier run may not have modelled these machines, or fewer queries.
+bool lacks_caches(const CellRun& cell, StoredFigures stored) {
+    return !cell.caches().machines.empty() && value_of(stored, "caches.identity") != cell.caches().identity();
+}
+
+}  // namespace
+
+std::optional<std::string> StoredCells::status_of(const CellRun& cell) const {
+    const auto row = store_.find_cell(build_, cell.row().hash);
+    if (!row) return std::nullopt;
+    if (!row->is_timed()) return row->status;
+    if (!rounds_missing(cell).empty()) return std::nullopt;
+    const std::vector<store::FigureRow> stored = store_.figures(build_, cell.row().hash);
+    if (lacks_checks(*row, stored) || (row->verified() && lacks_caches(cell, stored))) return std::nullopt;
+    return row->status;
+}
+
+std::set<int> StoredCells::rounds_missing(const CellRun& cell) const {
+    const auto done = store_.rounds_done(build_, cell.row().hash);
+    std::set<int> missing;
+    for (int round = 0; round < rounds_; ++round)
+        if (!done.contains(round)) missing.insert(round);
+    return missing;
+}
+
+void StoredCells::put_seconds(const std::string& of, double seconds) {
+    store_.set_meta(store::took_key + of, fmt::format("{:.3f}", seconds));
+}
+
+bool StoredCells::lacks_checks(const store::CellRow& row, StoredFigures stored) const {
+    const auto wanted =
+        static_cast<double>(std::min<std::uint64_t>(checked_, static_cast<std::uint64_t>(row.queries)));
+    const auto checked = value_of(stored, "error.checked");
+    return checked ? *checked < wanted : row.verified();
+}
+
+}  // namespace edgewise::sweep

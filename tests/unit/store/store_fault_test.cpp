@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+//
+// A disk that is full, a file that is damaged, a store of an older program, readers while it is written: what
+// was stored stays, and one line says what happened.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+
+#include "edgewise/store/reader.hpp"
+#include "edgewise/store/schema.hpp"
+#include "store_fixture.hpp"
+
+namespace edgewise::store {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+CellRow cell_called(const std::string& hash) {
+    CellRow cell;
+    cell.hash = hash;
+    cell.scene = "tumble";
+    cell.status = "verified";
+    return cell;
+}
+
+void put_cell(Store& store, int number) {
+    const FigureRow figures[] = {{{"total_bytes_per_edge", 168.0, "B/edge"}, "bytes"}};
+    store.put_cell("build-1", cell_called("cell-" + std::to_string(1000 + number)), figures);
+}
+
+/// In a child, on a disk of 300 kB of its own: 0 when every finished cell is there after the disk was full,
+/// and the line said what to do; 77 where no such disk can be had.
+int fill_a_disk(const std::string& folder) {
+    if (unshare(CLONE_NEWNS | (geteuid() == 0 ? 0 : CLONE_NEWUSER)) != 0) return 77;
+    if (mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return 77;
+    if (mount("tmpfs", folder.c_str(), "tmpfs", 0, "size=300k") != 0) return 77;
+    const std::string path = folder + "/s.db";
+    int stored = 0;
+    std::string said;
+    try {
+        Store store(path);
+        store.put_build({"build-1", "abc", "g++", "-O3", "Release", "{}"});
+        for (; stored < 100'000; ++stored) put_cell(store, stored);
+    } catch (const std::runtime_error& problem) {
+        said = problem.what();
+    }
+    std::printf("%d cells until: %s\n", stored, said.c_str());
+    std::fflush(stdout);
+    if (stored < 10 || said.find("free some space") == std::string::npos) return 1;
+    if (read_build(path).cells.size() != static_cast<std::size_t>(stored)) return 2;
+    // With room again, the same store goes on.
+    if (mount("tmpfs", folder.c_str(), "tmpfs", MS_REMOUNT, "size=2m") != 0) return 3;
+    Store store(path);
+    put_cell(store, stored);
+    return read_build(path).cells.size() == static_cast<std::size_t>(stored) + 1 ? 0 : 4;
+}
+
+TEST_F(StoreTest, AFullDiskLosesNothingThatWasFinished) {
+    const pid_t child = fork();
+    if (child == 0) _exit(fill_a_disk(directory_.string()));
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "no disk of its own can be mounted here";
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+/// Bytes overwritten at many places: whoever opens it reads what is there or gets one line; nobody crashes,
+/// and a file whose header is gone is left as it is.
+TEST_F(StoreTest, ADamagedFileIsOneLine) {
+    {
+        Store store(path_);
+        store.put_build({"build-1", "abc", "g++", "-O3", "Release", "{}"});
+        for (int i = 0; i < 200; ++i) put_cell(store, i);
+    }
+    std::ifstream stream(path_, std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+    int refused = 0, read = 0;
+    for (std::size_t trial = 0; trial < 120; ++trial) {
+        std::string damaged = whole;
+        const std::size_t at = trial * 2654435761U % damaged.size();
+        if (trial % 3 == 0)
+            damaged.resize(at);
+        else
+            damaged.replace(at, std::min<std::size_t>(64, damaged.size() - at), std::string(64, '\xa5'));
+        std::ofstream(path_, std::ios::binary) << damaged;
+        try {
+            static_cast<void>(read_build(path_));
+            ++read;
+        } catch (const std::runtime_error& problem) {
+            ++refused;
+            EXPECT_THAT(problem.what(), HasSubstr(path_));
+            EXPECT_EQ(std::string(problem.what()).find('\n'), std::string::npos);
+        }
+        try {
+            Store store(path_);
+            put_cell(store, 1);
+        } catch (const std::runtime_error& problem) {
+            EXPECT_THAT(problem.what(), HasSubstr(path_));
+        }
+    }
+    std::printf("damaged stores: %d refused, %d read\n", refused, read);
+    EXPECT_GT(refused, 20);
+}
+
+TEST_F(StoreTest, AnOlderSchemaIsRefusedWithWhatHelps) {
+    { const Store created(path_); }
+    sqlite::Database(path_).execute("pragma user_version = 4");
+    try {
+        const Store store(path_);
+        ADD_FAILURE() << "opened";
+    } catch (const std::runtime_error& problem) {
+        EXPECT_THAT(problem.what(), AllOf(HasSubstr("schema version 4"), HasSubstr("name another store")));
+    }
+    try {
+        static_cast<void>(read_build(path_));
+        ADD_FAILURE() << "read";
+    } catch (const std::runtime_error& problem) {
+        EXPECT_THAT(problem.what(),
+                    AllOf(HasSubstr("schema version 4"), HasSubstr("write a new store with a sweep")));
+    }
+}
+
+/// Two writers and a reader at once: each cell once, whole, and the reader never sees half of one.
+TEST_F(StoreTest, TwoWritersAndAReaderDoNotDisturbEachOther) {
+    constexpr int cells = 60;
+    {
+        Store store(path_);
+        store.put_build({"build-1", "abc", "g++", "-O3", "Release", "{}"});
+        put_cell(store, 0);
+    }
+    const auto write = [&](int first) {
+        Store store(path_);
+        for (int i = first; i < first + cells; ++i) put_cell(store, i);
+    };
+    std::thread one(write, 1), two(write, 1 + cells / 2);  // of half of them both
+    std::size_t seen = 0;
+    for (int look = 0; look < 40; ++look) {
+        const StoredBuild build = read_build(path_);
+        EXPECT_GE(build.cells.size(), seen) << "none vanishes";
+        seen = build.cells.size();
+        for (const StoredCell& cell : build.cells) EXPECT_EQ(cell.figures.size(), 1U) << cell.hash;
+    }
+    one.join();
+    two.join();
+    EXPECT_EQ(read_build(path_).cells.size(), 1U + cells + cells / 2);
+}
+
+}  // namespace
+}  // namespace edgewise::store
