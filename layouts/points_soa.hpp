@@ -97,27 +97,26 @@ class points_soa : public BlockTable<P, Loader> {
     /// A pack of vertices at a time, the last ones perhaps again: each place keeps its highest, and at the
     /// end the first vertex that is as high as the highest of all. No branch but the loop's.
     [[nodiscard]] [[gnu::always_inline]] Vertex scan_packs(const Vec3<Compute>& direction) const {
-        using Of = Pack<Compute>;
-        const std::size_t count = this->vertex_count(), last = count - Of::size;
-        typename Of::Numbers highest = heights_from(0, direction);
-        typename Of::Words where = Of::places();
-        for (std::size_t next = Of::size; next < count; next += Of::size) {
-            const std::size_t first = std::min(next, last);
-            const typename Of::Numbers heights = heights_from(first, direction);
-            const typename Of::Words higher = heights > highest;
-            highest = higher ? heights : highest;
-            where = higher ? Of::places() + static_cast<typename Of::Word>(first) : where;
+        constexpr std::size_t size = Pack<Compute>::size;
+        const std::size_t count = this->vertex_count();
+        typename Pack<Compute>::Numbers heights;
+        heights_from(0, direction, heights);
+        HighestOfPacks<Compute> highest(heights);
+        for (std::size_t next = size; next < count; next += size) {
+            const std::size_t first = std::min(next, count - size);
+            heights_from(first, direction, heights);
+            highest.take(heights, first);
         }
-        const auto vertex = static_cast<std::size_t>(Of::lowest(where, highest == Of::highest(highest)));
-        return static_cast<Vertex>(std::min(vertex, last + Of::size - 1));  // of heights that are no numbers
+        return static_cast<Vertex>(highest.first_highest(count - 1));
     }
 
-    [[nodiscard]] [[gnu::always_inline]] typename Pack<Compute>::Numbers heights_from(
-        std::size_t first, const Vec3<Compute>& direction) const {
-        const auto along = [&](int k) __attribute__((always_inline)) {
-            return Pack<Compute>::load(axis(k) + first) * direction[k];
-        };
-        return along(0) + along(1) + along(2);
+    [[gnu::always_inline]] void heights_from(std::size_t first, const Vec3<Compute>& direction,
+                                             typename Pack<Compute>::Numbers& heights) const {
+        typename Pack<Compute>::Numbers x, y, z;
+        Pack<Compute>::load(axis(0) + first, x);
+        Pack<Compute>::load(axis(1) + first, y);
+        Pack<Compute>::load(axis(2) + first, z);
+        heights = x * direction.x() + y * direction.y() + z * direction.z();
     }
 
     [[nodiscard]] Vertex scan_one_by_one(const Vec3<Compute>& direction) const {

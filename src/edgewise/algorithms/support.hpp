@@ -67,30 +67,27 @@ concept CountedTable = ClimbingTable<Table> && requires {
 /// processor can predict: nothing branches but the loop.
 template <CountedTable Table>
 [[nodiscard]] SupportPoint<Table> scan_packs(const Table& table, const Vec3<ComputeOf<Table>>& direction) {
-    using Scalar = ComputeOf<Table>;
     using Vertex = typename Table::Vertex;
-    using Of = Pack<Scalar>;
+    using Of = Pack<ComputeOf<Table>>;
     const std::size_t count = table.vertex_count();
-    const auto heights_from = [&](std::size_t first) __attribute__((always_inline)) {
-        const auto height = [&](std::size_t i) __attribute__((always_inline)) {
-            return dot(table.vertex(static_cast<Vertex>(std::min(first + i, count - 1))), direction);
-        };
-        if constexpr (Of::size == 4)
-            return typename Of::Numbers{height(0), height(1), height(2), height(3)};
-        else
-            return typename Of::Numbers{height(0), height(1), height(2), height(3),
-                                        height(4), height(5), height(6), height(7)};
+    const auto height = [&](std::size_t v) __attribute__((always_inline)) {
+        return dot(table.vertex(static_cast<Vertex>(std::min(v, count - 1))), direction);
     };
-    typename Of::Numbers highest = heights_from(0);
-    typename Of::Words where = Of::places();
+    const auto heights_from = [&](std::size_t v, typename Of::Numbers & to) __attribute__((always_inline)) {
+        if constexpr (Of::size == 4)
+            to = typename Of::Numbers{height(v), height(v + 1), height(v + 2), height(v + 3)};
+        else
+            to = typename Of::Numbers{height(v),     height(v + 1), height(v + 2), height(v + 3),
+                                      height(v + 4), height(v + 5), height(v + 6), height(v + 7)};
+    };
+    typename Of::Numbers heights;
+    heights_from(0, heights);
+    HighestOfPacks<ComputeOf<Table>> highest(heights);
     for (std::size_t first = Of::size; first < count; first += Of::size) {
-        const typename Of::Numbers heights = heights_from(first);
-        const typename Of::Words higher = heights > highest;
-        highest = higher ? heights : highest;
-        where = higher ? Of::places() + static_cast<typename Of::Word>(first) : where;
+        heights_from(first, heights);
+        highest.take(heights, first);
     }
-    const auto best = static_cast<std::size_t>(Of::lowest(where, highest == Of::highest(highest)));
-    const auto vertex = static_cast<Vertex>(std::min(best, count - 1));  // where heights are no numbers
+    const auto vertex = static_cast<Vertex>(highest.first_highest(count - 1));
     const auto point = table.vertex(vertex);
     return {vertex, point, dot(point, direction)};
 }

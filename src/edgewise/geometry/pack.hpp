@@ -5,6 +5,8 @@
 // alone: no type that a user links is made of it, so that none depends on machine flags.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -22,53 +24,78 @@ struct Pack {
     /// What comparing two of them gives: all bits set where true.
     typedef Word Words __attribute__((vector_size(32)));
 
-    /// From as many numbers in a row.
+    // What is found goes where the caller says: a register that is returned is another thing on each machine.
+
+    /// As many numbers as fit, in a row.
     template <class Stored>
-    [[nodiscard]] [[gnu::always_inline]] static Numbers load(const Stored* first) {
+    [[gnu::always_inline]] static void load(const Stored* first, Numbers& to) {
         typedef Stored Row __attribute__((vector_size(size * sizeof(Stored))));
         Row row;
         std::memcpy(&row, first, sizeof(row));
         if constexpr (std::is_same_v<Stored, Scalar>)
-            return row;
+            to = row;
         else
-            return __builtin_convertvector(row, Numbers);
+            to = __builtin_convertvector(row, Numbers);
     }
 
-    /// 0, 1, 2 ...
-    [[nodiscard]] [[gnu::always_inline]] static Words places() {
+    /// first, first + 1 ...
+    [[gnu::always_inline]] static void count_from(Word first, Words& to) {
         if constexpr (size == 4)
-            return Words{0, 1, 2, 3};
+            to = Words{0, 1, 2, 3} + first;
         else
-            return Words{0, 1, 2, 3, 4, 5, 6, 7};
+            to = Words{0, 1, 2, 3, 4, 5, 6, 7} + first;
     }
 
-    /// The highest, in every place.
-    [[nodiscard]] [[gnu::always_inline]] static Numbers highest(const Numbers& of) {
-        return fold(
-            of,
-            [](const Numbers& a, const Numbers& b) __attribute__((always_inline)) { return b > a ? b : a; });
-    }
-
-    /// The lowest of those that the mask tells; where it tells none, the largest number that there is.
-    [[nodiscard]] [[gnu::always_inline]] static Word lowest(const Words& of, const Words& mask) {
-        const Words told = mask ? of : Words{} + std::numeric_limits<Word>::max();
-        return fold(
-            told,
-            [](const Words& a, const Words& b) __attribute__((always_inline)) { return b < a ? b : a; })[0];
+    /// The highest of the numbers; of those that are as high, the lowest of `where`. The largest word that
+    /// there is if one is no number.
+    [[nodiscard]] [[gnu::always_inline]] static Word first_of_highest(const Numbers& numbers,
+                                                                      const Words& where) {
+        Numbers highest = numbers;
+        fold(
+            highest, [](auto& a, const auto& b) __attribute__((always_inline)) { a = b > a ? b : a; });
+        Words first = numbers == highest ? where : Words{} + std::numeric_limits<Word>::max();
+        fold(
+            first, [](auto& a, const auto& b) __attribute__((always_inline)) { a = b < a ? b : a; });
+        return first[0];
     }
 
   private:
-    /// All of them as one, in every place: halves, then pairs.
+    /// All of them joined, in every place: halves, then pairs.
     template <class Vector, class Join>
-    [[nodiscard]] [[gnu::always_inline]] static Vector fold(Vector of, const Join& join) {
+    [[gnu::always_inline]] static void fold(Vector& of, const Join& join) {
         if constexpr (size == 4) {
-            of = join(of, __builtin_shufflevector(of, of, 2, 3, 0, 1));
-            return join(of, __builtin_shufflevector(of, of, 1, 0, 3, 2));
+            join(of, __builtin_shufflevector(of, of, 2, 3, 0, 1));
+            join(of, __builtin_shufflevector(of, of, 1, 0, 3, 2));
         } else {
-            of = join(of, __builtin_shufflevector(of, of, 4, 5, 6, 7, 0, 1, 2, 3));
-            of = join(of, __builtin_shufflevector(of, of, 2, 3, 0, 1, 6, 7, 4, 5));
-            return join(of, __builtin_shufflevector(of, of, 1, 0, 3, 2, 5, 4, 7, 6));
+            join(of, __builtin_shufflevector(of, of, 4, 5, 6, 7, 0, 1, 2, 3));
+            join(of, __builtin_shufflevector(of, of, 2, 3, 0, 1, 6, 7, 4, 5));
+            join(of, __builtin_shufflevector(of, of, 1, 0, 3, 2, 5, 4, 7, 6));
         }
+    }
+};
+
+/// Of the highest so far, pack by pack: each place keeps its own.
+template <class Scalar>
+struct HighestOfPacks {
+    using Of = Pack<Scalar>;
+
+    typename Of::Numbers heights;
+    typename Of::Words where;
+
+    /// Of the first pack, whose vertices count from 0.
+    [[gnu::always_inline]] explicit HighestOfPacks(const typename Of::Numbers& first) : heights(first) {
+        Of::count_from(0, where);
+    }
+    [[gnu::always_inline]] void take(const typename Of::Numbers& next, std::size_t first) {
+        typename Of::Words places;
+        Of::count_from(static_cast<typename Of::Word>(first), places);
+        const typename Of::Words higher = next > heights;
+        heights = higher ? next : heights;
+        where = higher ? places : where;
+    }
+    /// The first of the highest; at most `last`, which it is where heights are no numbers.
+    [[nodiscard]] [[gnu::always_inline]] std::size_t first_highest(std::size_t last) const {
+        return std::min(static_cast<std::size_t>(Of::first_of_highest(heights, where)), last);
     }
 };
 
