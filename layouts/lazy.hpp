@@ -7,7 +7,8 @@
 //
 // The price: a bit per edge, read before every plane; the canonical body must live as long as the table,
 // since planes are made from it (it is the application's, and not counted in the table's bytes); and queries
-// write, so one table serves one thread at a time (table/contract.hpp).
+// write, so one table serves one thread at a time (table/contract.hpp), and query_batch_parallel does not
+// take it.
 #pragma once
 
 #include <algorithm>

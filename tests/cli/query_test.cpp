@@ -62,6 +62,17 @@ TEST_P(Query, AnswersSeparatedAndOverlappingPairs) {
     EXPECT_TRUE(answers[1]["point_a"].is_null());
 }
 
+TEST_P(Query, SaysTenBadLinesAndCountsTheRest) {
+    std::string cases;
+    for (int i = 0; i < 300; ++i) cases += "rubbish\n";
+    const Outcome outcome = ask(cases);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(answers_of(outcome).size(), 300U) << "no line is lost";
+    const auto said = lines_of(outcome.err);
+    ASSERT_EQ(said.size(), 11U);
+    EXPECT_THAT(said.back(), HasSubstr("and 290 more: 300 lines could not be read"));
+}
+
 TEST_P(Query, HasEveryKeyInEveryAnswer) {
     const Outcome outcome = ask(pair_line("good", tetrahedron, 3) + pair_line("huge", huge, 3) + "rubbish\n");
     const auto answers = answers_of(outcome);

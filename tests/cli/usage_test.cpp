@@ -30,6 +30,7 @@ TEST_P(Usage, IsOneLineAndExitCodeTwo) {
     folder.write("not_a_store.db", "something else\n");
     folder.write("plan.json", R"({"rounds": "many"})");
     folder.write("misspelt.json", R"({"shaps": ["cube8"]})");
+    folder.write("tumble.json", R"({"scene": "tumble", "shapes": ["cube8"]})");
     folder.write("mesh.json", R"({"meshes": ["missing.stl"]})");
     const Outcome outcome = run(GetParam().arguments, folder);
     EXPECT_EQ(outcome.exit_code, 2);
@@ -74,6 +75,21 @@ const std::vector<Slip> bad_values = {
      {"query", "x", "--needs", "nearer", "--contact-tolerance", "1"},
      {"--margin", "--contact-tolerance"}},
     {"no_rounds", {"sweep", "--rounds", "0"}, {"--rounds"}},
+    {"negative_queries", {"sweep", "--queries", "-1"}, {"--queries '-1'", "queries, 1 to 100000000"}},
+    {"hexadecimal_queries", {"sweep", "--queries", "0x10"}, {"--queries '0x10'"}},
+    {"blank_before_queries", {"bench", "--queries", " 5"}, {"--queries ' 5'"}},
+    {"sign_before_a_seed", {"sweep", "--seed", "+5"}, {"--seed '+5'"}},
+    {"negative_stability", {"sweep", "--stability", "-1"}, {"--stability '-1'", "cases"}},
+    {"stability_of_2_to_63", {"sweep", "--stability", "9223372036854775808"}, {"--stability", "10000000"}},
+    {"stability_of_1e308", {"sweep", "--stability", "1e308"}, {"--stability '1e308'"}},
+    {"no_proofs_given", {"stability", "--proofs", ""}, {"--proofs ''"}},
+    {"negative_proofs", {"stability", "--proofs", "-1"}, {"--proofs '-1'"}},
+    {"proofs_of_2_to_64", {"stability", "--proofs", "18446744073709551616"}, {"--proofs"}},
+    {"parameter_in_hexadecimal", {"bench", "--parameter", "bodies=0x10"}, {"bodies=0x10", "NAME=NUMBER"}},
+    {"shard_beyond_the_last", {"sweep", "--shard", "8/8"}, {"--shard 8/8", "0 to 7"}},
+    {"scaling_of_a_table_that_queries_write",
+     {"scaling", "--table", "lazy_f64", "--algorithm", "vclip", "--shape", "cube8", "--queries", "50"},
+     {"lazy_f64", "one thread at a time"}},
     {"words_for_numbers", {"sweep", "--queries", "many"}, {"--queries", "many"}},
     {"shape_and_mesh", {"bytes", "--shape", "cube8", "--mesh", "flat.obj"}, {"--mesh", "--shape"}},
     {"bad_plan_file", {"sweep", "--plan", "plan.json"}, {"plan.json"}},
@@ -91,6 +107,10 @@ const std::vector<Slip> bad_files = {
     {"folder_for_mesh", {"bytes", "--mesh", "."}, {"directory"}},
     {"missing_cases", {"query", "missing.jsonl"}, {"missing.jsonl"}},
     {"folder_for_cases", {"query", "."}, {"directory"}},
+    {"device_for_cases", {"query", "/dev/zero"}, {"/dev/zero", "no regular file", "standard input"}},
+    {"device_for_mesh", {"bytes", "--mesh", "/dev/zero"}, {"/dev/zero", "no regular file"}},
+    {"device_for_plan", {"sweep", "--plan", "/dev/zero"}, {"/dev/zero", "no regular file"}},
+    {"scene_file_called_as_a_kind", {"sweep", "--scenes", "tumble.json"}, {"tumble.json", "kind of scene"}},
     {"no_store", {"report", "missing.db"}, {"missing.db", "sweep"}},
     {"report_of_no_store", {"report", "not_a_store.db"}, {"not_a_store.db"}},
     {"export_of_missing_store", {"export", "missing.db"}, {"missing.db", "sweep"}},

@@ -20,6 +20,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "edgewise/algorithms/answerable.hpp"
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/gjk_answer.hpp"
 #include "edgewise/algorithms/observer.hpp"
@@ -152,12 +153,12 @@ class GjkRun {
 };
 
 /// One run with everything inlined: calls cost a tenth of it. A symbol of its own, which a library of table
-/// types may hold and others use (`extern template`).
+/// types may hold and others use (`extern template`). Where a sanitizer looks on, nothing is flattened, since
+/// what it looks at is not inlined into what it does not: g++ took minutes for one query otherwise.
 template <SupportTable TableA, SupportTable TableB>
-[[nodiscard]] [[gnu::flatten, gnu::noinline]] Distance run_gjk(const TableA& a, const TableB& b,
-                                                               const Transform<ComputeOf<TableA>>& a_from_b,
-                                                               SimplexPair<TableA, TableB>& pair,
-                                                               const QueryOptions& options) {
+[[nodiscard]] __attribute__((flatten, noinline, no_sanitize("address", "undefined", "thread"))) Distance
+run_gjk(const TableA& a, const TableB& b, const Transform<ComputeOf<TableA>>& a_from_b,
+        SimplexPair<TableA, TableB>& pair, const QueryOptions& options) {
     return GjkRun<TableA, TableB>(a, b, a_from_b, options).run(pair);
 }
 
@@ -170,11 +171,13 @@ struct Gjk {
     using Pair = SimplexPair<TableA, TableB>;
 
     /// Distance of two bodies; `a_from_b` takes B's points into A's frame. `pair` is the start of this query
-    /// and receives the start of the next.
+    /// and receives the start of the next. Fails for a pose that is none (answerable.hpp).
     template <SupportTable TableA, SupportTable TableB, class Observer = NoObserver>
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                         SimplexPair<TableA, TableB>& pair, const QueryOptions& options = {},
                                         Observer&& observer = {}) {
+        if (!is_answerable<ComputeOf<TableA>>(a_from_b)) [[unlikely]]
+            return {};
         const auto transform = cast<ComputeOf<TableA>>(a_from_b);
         constexpr bool observed = !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>;
         if constexpr (observed || is_traced<TableA>) {

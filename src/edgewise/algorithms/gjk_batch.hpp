@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <span>
 
+#include "edgewise/algorithms/answerable.hpp"
 #include "edgewise/algorithms/gjk_answer.hpp"
 #include "edgewise/algorithms/lanes/lane_source.hpp"
 #include "edgewise/algorithms/lanes/lane_width.hpp"
@@ -117,6 +118,8 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
 
     /// As GjkRun starts; false: not for lanes.
     [[nodiscard]] bool start(const Query& given, LaneQuery<Scalar>& query) const {
+        if (!is_answerable<Scalar>(given.a_from_b)) [[unlikely]]
+            return false;  // the single query says so
         const auto& pair = *given.pair;
         const bool is_cold = !pair.starts_warm(*given.a, *given.b);
         if (!fits_lane(*given.a, is_cold) || !fits_lane(*given.b, is_cold)) return false;

@@ -46,7 +46,7 @@ class NearPair {
         : a_(a), b_(b), cache_{{}, {a, b}}, radii_{radius_of(a), radius_of(b)} {}
 
     /// Whether the bodies are nearer to each other than `distance`. To rounding: bodies at just this distance
-    /// may be called either.
+    /// may be called either. A pose that is none (answerable.hpp) counts as nearer: who asks looks closer.
     [[nodiscard]] bool nearer_than(double distance, const Transform<double>& a_from_b) {
         if (const auto known = cache_.bounds.nearer_than(distance, a_from_b)) return *known;
         return ask(a_from_b).distance < distance;

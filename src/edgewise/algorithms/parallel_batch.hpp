@@ -18,6 +18,7 @@
 #include <span>
 
 #include "edgewise/algorithms/query_batch.hpp"
+#include "edgewise/table/contract.hpp"
 
 namespace edgewise {
 
@@ -29,8 +30,12 @@ namespace edgewise {
     return std::clamp(queries / (parts_each * threads), least, most);
 }
 
+/// Tables that several threads may ask at once: all but those that queries write to, such as `lazy`.
+template <class Table>
+concept ShareableTable = SupportTable<Table> && !queries_write<Table>;
+
 /// query_batch in as many threads as the arena has. For those who ask batch after batch: they keep the arena.
-template <SupportTable TableA, SupportTable TableB, class Algorithm = Gjk>
+template <ShareableTable TableA, ShareableTable TableB, class Algorithm = Gjk>
 void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
                           const QueryOptions& options, tbb::task_arena& arena,
                           LaneWidth width = best_lanes()) {
@@ -48,7 +53,7 @@ void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::s
 
 /// Answers queries[i] in answers[i] in at most so many threads, the caller's among them; 1 or more. TBB runs
 /// no more of them than the machine has cores (tbb::global_control says otherwise). Returns when all is done.
-template <SupportTable TableA, SupportTable TableB, class Algorithm = Gjk>
+template <ShareableTable TableA, ShareableTable TableB, class Algorithm = Gjk>
 void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
                           const QueryOptions& options, int threads, LaneWidth width = best_lanes()) {
     assert(threads >= 1);

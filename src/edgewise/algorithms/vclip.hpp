@@ -20,6 +20,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "edgewise/algorithms/answerable.hpp"
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
@@ -125,7 +126,8 @@ template <class TableA, class TableB, class Observer>
 
 /// One run with everything inlined, a symbol of its own: see run_gjk.
 template <class TableA, class TableB>
-[[nodiscard]] [[gnu::flatten, gnu::noinline]] Distance run(Body<TableA>& a, Body<TableB>& b) {
+[[nodiscard]] __attribute__((flatten, noinline, no_sanitize("address", "undefined", "thread"))) Distance run(
+    Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
     return walk(a, b, nobody, true);
 }
@@ -147,11 +149,14 @@ struct VClip {
     using Pair = FeaturePair<TableA, TableB>;
 
     /// Distance of two bodies; `a_from_b` takes B's points into A's frame. `pair` is the start of this query
-    /// and receives the closest features, the start of the next.
+    /// and receives the closest features, the start of the next. Fails for a pose that is none
+    /// (answerable.hpp).
     template <FeatureTable TableA, FeatureTable TableB, class Observer = NoObserver>
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                         FeaturePair<TableA, TableB>& pair, const QueryOptions& options = {},
                                         Observer&& observer = {}) {
+        if (!is_answerable<ComputeOf<TableA>>(a_from_b)) [[unlikely]]
+            return {};
         const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
         const Features<TableA, TableB> start = pair.start(a, b);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "edgewise/algorithms/parallel_batch.hpp"
 #include "edgewise/bench/threaded_pass.hpp"
 #include "edgewise/scene/workload.hpp"
+#include "edgewise/table/contract.hpp"
 
 namespace edgewise::bench {
 
@@ -98,5 +100,15 @@ class FrameBatches final : public ThreadedPass {
     std::vector<Pair> cold_, pairs_;
     std::vector<Distance> answers_;
 };
+
+/// Null for tables that queries write to, which serve one thread at a time.
+template <class Algorithm, class Table, class Tables>
+[[nodiscard]] std::unique_ptr<ThreadedPass> frame_batches(const scene::Workload& workload,
+                                                          const QueryOptions& options, const Tables& tables) {
+    if constexpr (queries_write<Table>)
+        return nullptr;
+    else
+        return std::make_unique<FrameBatches<Algorithm, Table>>(workload, options, tables);
+}
 
 }  // namespace edgewise::bench

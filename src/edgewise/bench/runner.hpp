@@ -111,7 +111,8 @@ class Runner {
     [[nodiscard]] virtual RangePass prepared_range() const = 0;
 
     /// The loaded queries as batches over threads; not to outlive the runner. Of what passes ask of every
-    /// answer it knows verdicts, distances and witnesses. Null: the runner cannot, as a library's.
+    /// answer it knows verdicts, distances and witnesses. Null: the runner cannot, as a library's, or its
+    /// tables serve one thread at a time.
     [[nodiscard]] virtual std::unique_ptr<ThreadedPass> prepared_frames() const { return nullptr; }
 
     /// Bytes of the first table's block, and of the object that holds it.

@@ -88,7 +88,6 @@ template <class Algorithm, class Table, class TracedTable>
 class RunnerFor final : public Runner {
   public:
     using Pair = typename Algorithm::template Pair<Table, Table>;
-    using Frames = FrameBatches<Algorithm, Table>;
 
     RunnerFor() : Runner(std::is_same_v<ComputeOf<Table>, float>) {}
 
@@ -114,7 +113,7 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] std::unique_ptr<ThreadedPass> prepared_frames() const override {
-        return std::make_unique<Frames>(prepared().workload(), options().query, tables_of_queries());
+        return frame_batches<Algorithm, Table>(prepared().workload(), options().query, tables_of_queries());
     }
 
     PassSum trace(const TraceExtent& extent, measure::TraceListener& listener,

@@ -76,6 +76,10 @@ struct Tolerance {
     /// part in 256, and slopes along it, which decide, no better.
     static constexpr Scalar hardly_apart = 256 * contact_noise;
 
+    /// A query's, in the bodies' own unit: origins farther from each other than this are refused, since the
+    /// square of the distance must not overflow: 2^510 in double (3e153), 2^62 in single (5e18).
+    static constexpr Scalar largest_offset = eps < Scalar(1e-10) ? Scalar(0x1p510) : Scalar(0x1p62);
+
     /// Relative to max|w|: a closest point nearer to the origin than this is computed again in the next
     /// wider arithmetic, and V-Clip's answer on slippery features by GJK. Its direction is off by the
     /// rounding of the points over their distance from the origin, and the distance by that times the size:
@@ -125,6 +129,11 @@ inline constexpr double single_planarity = 8 * 0x1p-23;
 
 /// Pure number: how far from orthogonal rounding may leave a rotation that was computed in double.
 inline constexpr double rotation_rounding = 64 * std::numeric_limits<double>::epsilon();
+
+/// Pure number, the root of the sum of squares of R^T R - I: a query's rotation farther from orthogonal than
+/// this is refused, as none. A matrix typed with two digits is within it; one that scales by a hundredth is
+/// not.
+inline constexpr double sloppiest_rotation = 0x1p-5;
 
 /// Relative to the largest coordinate: the rounding of a plane's offset far from the origin.
 inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsilon();

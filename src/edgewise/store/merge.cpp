@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -32,10 +35,12 @@ class FileBeside {
     explicit FileBeside(const std::string& out) : out_(out) {
         std::array<char, 256> host{};
         gethostname(host.data(), host.size() - 1);
-        path_ = fmt::format("{}.merging-{}-{}", out, host.data(), getpid());
-        remove();
+        const std::string start = fmt::format("{}.merging-{}-", out, host.data());
+        path_ = fmt::format("{}{}", start, getpid());
+        remove(path_);
+        remove_orphans(start);
     }
-    ~FileBeside() { remove(); }
+    ~FileBeside() { remove(path_); }
     FileBeside(const FileBeside&) = delete;
     FileBeside& operator=(const FileBeside&) = delete;
 
@@ -56,9 +61,25 @@ class FileBeside {
         if (file >= 0) close(file);
         if (!synced) throw std::runtime_error(fmt::format("store {}: cannot be brought to the disk", path));
     }
-    void remove() const {
+    static void remove(const std::string& path) {
         std::error_code ignored;
-        for (const char* const end : {"", "-wal", "-shm", "-journal"}) fs::remove(path_ + end, ignored);
+        for (const char* const end : {"", "-wal", "-shm", "-journal"}) fs::remove(path + end, ignored);
+    }
+    /// What merges of this host left that were killed.
+    static void remove_orphans(const std::string& start) {
+        const auto folder = fs::path(start).parent_path();
+        std::vector<std::string> left;
+        std::error_code error;
+        for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end;
+             at.increment(error)) {
+            const std::string path = folder.empty() ? at->path().filename().string() : at->path().string();
+            if (path.starts_with(start)) left.push_back(path);
+        }
+        for (const std::string& path : left) {
+            const int process = std::atoi(path.c_str() + start.size());
+            if (process > 0 && kill(process, 0) != 0 && errno == ESRCH)
+                remove(start + std::to_string(process));
+        }
     }
 
     std::string out_, path_;

@@ -17,6 +17,7 @@
 
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/layouts/aos.hpp"
+#include "edgewise/layouts/lazy.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/layouts/linked.hpp"
 #include "edgewise/layouts/points_soa.hpp"
@@ -24,6 +25,9 @@
 
 namespace edgewise {
 namespace {
+
+// A table that queries write to is for one thread at a time: no batch over threads takes it.
+static_assert(ShareableTable<aos<f64>> && ShareableTable<points_soa<f32>> && !ShareableTable<lazy<f64>>);
 
 template <class TableType, class AlgorithmType>
 struct Asked {

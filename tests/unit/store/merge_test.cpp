@@ -25,11 +25,11 @@ using testing::HasSubstr;
 
 /// What one store is made of.
 struct Made {
-    std::string shard, seed = "1", plan = "quick", revision = "abc", build = "build-1";
+    std::string shard = {}, seed = "1", plan = "quick", revision = "abc", build = "build-1";
     bool complete = true;
     int rounds = 3;
     double bytes = 168;
-    std::vector<std::string> cells;
+    std::vector<std::string> cells = {};
 };
 
 class Merging : public StoreTest {
@@ -187,6 +187,8 @@ TEST_F(Merging, SurvivesKills) {
     std::printf("merges: %d killed, %d done before\n", killed, done);
     EXPECT_GT(killed, 0);
     EXPECT_EQ(merge_stores({a, b}, out(), false).cells, 61U);
+    for (const auto& entry : std::filesystem::directory_iterator(directory_))
+        EXPECT_EQ(entry.path().string().find("merging"), std::string::npos) << "what kills left is removed";
 }
 
 }  // namespace

@@ -48,8 +48,12 @@ class ScalingRun {
   public:
     explicit ScalingRun(const ScalingPlan& plan)
         : plan_(plan), options_(runner_options(plan.cell)), cell_(plan.cell), times_(plan.threads.size()) {
-        for (int i = 0; i < plan.threads.back(); ++i) copies_.emplace_back(cell_, options_);
         shared_ = cell_.runner().prepared_frames();
+        if (!shared_)
+            throw std::invalid_argument(fmt::format(
+                "{}: queries write to this table, so it serves one thread at a time: name another table",
+                cell_.type().name));
+        for (int i = 0; i < plan.threads.back(); ++i) copies_.emplace_back(cell_, options_);
         const std::size_t queries = cell_.workload().queries.size();
         single_sum_ = cell_.runner().prepared_range()(0, queries, nullptr);
         found_.table = cell_.type().name;

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+//
+// Poses that are none: every query of such a one fails, in either precision, and says nothing of contact; the
+// pair stays as it was. Poses at the bounds are answered.
+#include "edgewise/algorithms/answerable.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/near_pair.hpp"
+#include "edgewise/algorithms/query_batch.hpp"
+#include "edgewise/algorithms/vclip.hpp"
+#include "edgewise/layouts/aos.hpp"
+#include "edgewise/layouts/points_soa.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+
+namespace edgewise {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
+
+/// Each entry of a pose no number, infinite, or far too large; and matrices that are no rotation.
+std::vector<Transform<double>> bad_poses(double too_far) {
+    std::vector<Transform<double>> poses;
+    const Transform<double> good{Mat3d::Identity(), Vec3d(3, 0, 0)};
+    for (const double value : {nan, infinity, -infinity, 1e200, 1e308}) {
+        for (int i = 0; i < 12; ++i) {
+            poses.push_back(good);
+            (i < 9 ? poses.back().rotation(i / 3, i % 3) : poses.back().translation[i - 9]) = value;
+        }
+    }
+    poses.push_back({Mat3d::Identity(), Vec3d(too_far, 0, 0)});
+    poses.push_back({Mat3d::Identity(), Vec3d(0, -too_far, 0)});
+    poses.push_back({Mat3d::Zero(), Vec3d(3, 0, 0)});
+    poses.push_back({1.05 * Mat3d::Identity(), Vec3d(3, 0, 0)});
+    Mat3d sheared = Mat3d::Identity();
+    sheared(0, 1) = 0.1;
+    poses.push_back({sheared, Vec3d(3, 0, 0)});
+    return poses;
+}
+
+template <class Algorithm, class Table>
+void expect_failures(double too_far) {
+    const Table table(*scene::make_shape("sphere18"), Parts::features);
+    using TablePair = typename Algorithm::template Pair<Table, Table>;
+    TablePair pair(table, table);
+    const Transform<double> good{Mat3d::Identity(), Vec3d(3, 0.5, 0)};
+    const Distance answer = Algorithm::query(table, table, good, pair);
+    ASSERT_EQ(answer.status, Status::separated);
+    for (const Transform<double>& pose : bad_poses(too_far)) {
+        const TablePair before = pair;
+        const Distance failed = Algorithm::query(table, table, pose, pair);
+        EXPECT_EQ(failed.status, Status::failed) << pose.rotation << "\n" << pose.translation;
+        EXPECT_EQ(failed.distance, 0);
+        EXPECT_TRUE(pair == before);
+        TablePair cold(table, table);
+        EXPECT_EQ(Algorithm::query(table, table, pose, cold).status, Status::failed);
+        const PairQuery<Table, Table, Algorithm> asked[] = {{&table, &table, pose, &cold},
+                                                            {&table, &table, good, &pair}};
+        Distance answers[2];
+        query_batch<Table, Table, Algorithm>(asked, answers);
+        EXPECT_EQ(answers[0].status, Status::failed);
+        EXPECT_EQ(answers[1].status, Status::separated);
+        EXPECT_EQ(answers[1].distance, answer.distance)
+            << "the next query is answered as if nothing had been";
+    }
+}
+
+TEST(Answerable, PosesThatAreNoneFail) {
+    expect_failures<VClip, aos<f64>>(1e155);
+    expect_failures<VClip, aos<f32>>(1e19);
+    expect_failures<VClip, aos<mixed>>(1e155);
+    expect_failures<Gjk, aos<f64>>(1e155);
+    expect_failures<Gjk, points_soa<f64>>(1e155);
+    expect_failures<Gjk, points_soa<f32>>(1e19);
+}
+
+/// As far as the bound lets bodies be, their distance is right to a rounding step.
+template <class Algorithm, class Table>
+void expect_right_at(double distance) {
+    const Table table(*scene::make_shape("cube8"), Parts::features);
+    typename Algorithm::template Pair<Table, Table> pair(table, table);
+    scene::Rng rng(1);
+    for (int i = 0; i < 50; ++i) {
+        const Vec3d along = rng.on_sphere();
+        const Distance answer = Algorithm::query(table, table, {rng.rotation(), distance * along}, pair);
+        EXPECT_EQ(answer.status, Status::separated);
+        EXPECT_NEAR(answer.distance / distance, 1, 1e-6);
+    }
+}
+
+TEST(Answerable, TheFarthestPosesAreAnswered) {
+    constexpr double farthest = 0.5 * Tolerance<double>::largest_offset;
+    constexpr double farthest_single = 0.5 * double{Tolerance<float>::largest_offset};
+    expect_right_at<VClip, aos<f64>>(farthest);
+    expect_right_at<VClip, aos<f32>>(farthest_single);
+    expect_right_at<Gjk, aos<f64>>(farthest);
+    expect_right_at<Gjk, points_soa<f64>>(farthest);
+    expect_right_at<Gjk, points_soa<f32>>(farthest_single);
+}
+
+/// Rotations that were typed in with three digits, or turned in single precision for long, are rotations.
+TEST(Answerable, SloppyRotationsAreTaken) {
+    scene::Rng rng(2);
+    for (int i = 0; i < 1000; ++i) {
+        Mat3d rotation = rng.rotation();
+        EXPECT_TRUE(is_answerable<double>({rotation, Vec3d::Zero()}));
+        for (double& entry : rotation.reshaped()) entry = std::round(entry * 1000) / 1000;
+        EXPECT_TRUE(is_answerable<float>({rotation, Vec3d::Zero()}));
+    }
+}
+
+TEST(Answerable, NearnessIsAskedOnAfterAPoseThatIsNone) {
+    using Table = aos<f64>;
+    const Table table(*scene::make_shape("cube8"), Parts::features);
+    NearPair<Gjk, Table, Table> pair(table, table);
+    const Transform<double> far{Mat3d::Identity(), Vec3d(9, 0, 0)}, none{Mat3d::Identity(), Vec3d(nan, 0, 0)};
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_FALSE(pair.nearer_than(1, far));
+        EXPECT_TRUE(pair.nearer_than(1, none)) << "to be looked at";
+        EXPECT_EQ(pair.bounds(none).least, 0);
+    }
+}
+
+}  // namespace
+}  // namespace edgewise
