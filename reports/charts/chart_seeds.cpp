@@ -2,6 +2,9 @@
 //
 // The seed curve: time, steps and lines of a query against the bytes of the table's seeds, a column of panels
 // for each number, a row for each scene and shape.
+#include <string>
+#include <utility>
+
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
@@ -14,8 +17,8 @@ struct Number {
     store::FigureName figure;
 };
 const Number numbers[] = {{"ns per query", "time.all_ns"},
-                          {"steps", store::mean_steps.all},
-                          {"lines of 64 bytes", store::lines_read.all}};
+                          {"steps per query", store::mean_steps.all},
+                          {"lines of 64 bytes per query", store::lines_read.all}};
 
 ChartRows seed_rows(const ReportData& data) {
     ChartRows rows;
@@ -38,7 +41,11 @@ ChartRows seed_rows(const ReportData& data) {
 }  // namespace
 
 Chart seeds_chart(const ReportData& data) {
-    return drawn_chart(chart_of_file("seeds"), data, seed_rows(data), ChartJson::object(), "number");
+    ChartRows rows = seed_rows(data);
+    ChartJson panels = ChartJson::array();  // by start, then by size
+    for (const ChartJson& row : rows.values)
+        if (panels.empty() || panels.back() != row["of"]) panels.push_back(row["of"]);
+    return drawn_chart(chart_of_file("seeds"), data, std::move(rows), {{"panels", panels}}, "number");
 }
 
 }  // namespace edgewise::reports

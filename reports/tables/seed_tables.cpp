@@ -68,8 +68,8 @@ std::vector<SeededCell> seeded_cells(const ReportData& data) {
 }
 
 TextGrid seeds_grid(const ReportData& data) {
-    TextGrid grid = figure_grid("Seeds, by their bytes", "start|shape|algorithm|table type|#bytes of seeds",
-                                seed_columns);
+    TextGrid grid = figure_grid("Seeds, by their bytes",
+                                "start|shape|algorithm|table type|#more bytes per table", seed_columns);
     for (const SeededCell& of : seeded_cells(data))
         add_row(grid,
                 grid_row(of.starts, of.cell->shape, of.cell->algorithm, of.cell->table,

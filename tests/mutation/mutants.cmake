@@ -50,7 +50,7 @@ edgewise_mutant(seeds_of_the_other_side layout_parts/seed_directions.hpp [[stati
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
 edgewise_mutant(grid_cells_of_the_other_side layout_parts/seed_directions.hpp [[(along < 0 ? 1 : 0)]] [[(along < 0 ? 0 : 1)]]
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
-edgewise_mutant(far_neighbours_are_near layout_parts/relative_rings.hpp [[return far_at(loader, at);]] [[return v;]]
+edgewise_mutant(far_neighbours_are_near layout_parts/relative_rings.hpp [[return in.far_neighbours(base).read(loader, low, Field::neighbour);]] [[return low;]]
     RelativeRings.Are* ${unit}/layout_parts/relative_rings_test.cpp)
 edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[(shift + turn * radius_)]] [[(shift + 0 * turn)]]
     NearPair* ${unit}/algorithms/near_pair_test.cpp)

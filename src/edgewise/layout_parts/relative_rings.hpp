@@ -27,74 +27,89 @@ inline constexpr std::int64_t most_difference = 127;
     return std::abs(difference) <= most_difference;
 }
 
-/// As they are read. Positions are those of narrow_rings.hpp.
+/// Where a table keeps its rings, in bytes from its block's start. Positions are those of narrow_rings.hpp.
+struct RelativeRingBlock {
+    bool is_relative = false;  ///< else entries are plain indices
+    std::uint8_t offset_width = 1, entry_width = 1, far_width = 1;
+    std::uint32_t offset_at = 0, entry_at = 0;
+    std::uint32_t position_at = 0,
+                  far_at = 0;  ///< of neighbours whose differences do not fit: where, and who
+    std::uint32_t far_count = 0;
+
+    [[nodiscard]] NarrowArray offsets(std::byte* base) const { return {base + offset_at, offset_width}; }
+    [[nodiscard]] NarrowArray plain(std::byte* base) const { return {base + entry_at, entry_width}; }
+    [[nodiscard]] std::int8_t* entries(std::byte* base) const {
+        return reinterpret_cast<std::int8_t*>(base + entry_at);
+    }
+    [[nodiscard]] NarrowArray far_positions(std::byte* base) const {
+        return {base + position_at, offset_width};
+    }
+    [[nodiscard]] NarrowArray far_neighbours(std::byte* base) const { return {base + far_at, far_width}; }
+
+    /// Of a difference that does not fit. Not inlined, and by value of two pointers: the way of nearly all
+    /// neighbours stays short.
+    template <class Loader>
+    [[nodiscard]] [[gnu::noinline]] static Index far_neighbour_at(const RelativeRingBlock& in,
+                                                                  const Loader& loader, std::byte* base,
+                                                                  Index at) {
+        Index low = 0, high = in.far_count;  // the wanted one stands from low on, before high
+        while (high - low > 1) {
+            const Index middle = low + (high - low) / 2;
+            (in.far_positions(base).read(loader, middle, Field::neighbour) <= at ? low : high) = middle;
+        }
+        return in.far_neighbours(base).read(loader, low, Field::neighbour);
+    }
+};
+
+/// As they are read.
 class RelativeRings : public RingSteps<RelativeRings> {
   public:
-    /// Entries of rings that are in bytes; else as `plain` has them.
-    struct Far {
-        NarrowArray position, neighbour;
-        Index count;
-    };
+    RelativeRings(const RelativeRingBlock& in, std::byte* base) : in_(&in), base_(base) {}
 
-    RelativeRings(NarrowArray offset, std::int8_t* entry, const Far& far)
-        : offset_(offset), plain_(nullptr, 1), entry_(entry), far_(far) {}
-    RelativeRings(NarrowArray offset, NarrowArray plain)
-        : offset_(offset), plain_(plain), far_{{nullptr, 1}, {nullptr, 1}, 0} {}
-
-    void fill(const Polyhedron& body) {
-        offset_.fill(body.vertex_offset.size(), [&](Index i) { return body.vertex_offset[i]; });
-        if (entry_)
+    void fill(const Polyhedron& body) const {
+        in_->offsets(base_).fill(body.vertex_offset.size(), [&](Index i) { return body.vertex_offset[i]; });
+        if (in_->is_relative)
             fill_entries(body);
         else
-            plain_.fill(body.vertex_ring.size(), [&](Index i) { return body.head(body.vertex_ring[i]); });
+            in_->plain(base_).fill(body.vertex_ring.size(),
+                                   [&](Index i) { return body.head(body.vertex_ring[i]); });
     }
 
     template <class Loader>
     [[nodiscard]] Index first(const Loader& loader, Index v) const {
-        return offset_.read(loader, v, Field::vertex_ring);
+        return in_->offsets(base_).read(loader, v, Field::vertex_ring);
     }
     template <class Loader>
     [[nodiscard]] Index last(const Loader& loader, Index v) const {
-        return offset_.read(loader, v + 1, Field::vertex_ring);
+        return in_->offsets(base_).read(loader, v + 1, Field::vertex_ring);
     }
     template <class Loader>
     [[nodiscard]] Index neighbour(const Loader& loader, Index v, Index at) const {
-        if (!entry_) return plain_.read(loader, at, Field::neighbour);
-        const std::int8_t step = loader.load(entry_[at], Field::neighbour);
+        if (!in_->is_relative) return in_->plain(base_).read(loader, at, Field::neighbour);
+        const std::int8_t step = loader.load(in_->entries(base_)[at], Field::neighbour);
         if (step == far_neighbour) [[unlikely]]
-            return far_at(loader, at);
+            return RelativeRingBlock::far_neighbour_at(*in_, loader, base_, at);
         return v + static_cast<Index>(std::int32_t{step});
     }
 
   private:
-    void fill_entries(const Polyhedron& body) {
+    void fill_entries(const Polyhedron& body) const {
         Index next = 0;
         for (Index at = 0; at < body.vertex_ring.size(); ++at) {
             const Index to = body.head(body.vertex_ring[at]);
             const std::int64_t step = difference(body.tail(body.vertex_ring[at]), to);
             const bool fits = fits_a_byte(step);
-            entry_[at] = fits ? static_cast<std::int8_t>(step) : far_neighbour;
+            in_->entries(base_)[at] = fits ? static_cast<std::int8_t>(step) : far_neighbour;
             if (fits) continue;
-            assert(next < far_.count);
-            far_.position.write(next, at);
-            far_.neighbour.write(next++, to);
+            assert(next < in_->far_count);
+            in_->far_positions(base_).write(next, at);
+            in_->far_neighbours(base_).write(next++, to);
         }
-        assert(next == far_.count);
+        assert(next == in_->far_count);
     }
 
-    template <class Loader>
-    [[nodiscard]] [[gnu::noinline]] Index far_at(const Loader& loader, Index at) const {
-        Index low = 0, high = far_.count;  // the wanted one stands from low on, before high
-        while (high - low > 1) {
-            const Index middle = low + (high - low) / 2;
-            (far_.position.read(loader, middle, Field::neighbour) <= at ? low : high) = middle;
-        }
-        return far_.neighbour.read(loader, low, Field::neighbour);
-    }
-
-    NarrowArray offset_, plain_;
-    std::int8_t* entry_ = nullptr;  ///< none: plain
-    Far far_;
+    const RelativeRingBlock* in_;
+    std::byte* base_;
 };
 
 /// What a table keeps of its rings.
@@ -106,36 +121,27 @@ class RelativeRingPlaces {
         for (const HalfEdge h : body.vertex_ring)
             far += fits_a_byte(difference(body.tail(h), body.head(h))) ? 0 : 1;
         const std::size_t entries = body.vertex_ring.size(), plain = narrow_width(body.vertex_count() - 1);
-        is_relative_ = entries + far * (narrow_width(entries) + plain) < entries * plain;
-        far_count_ = is_relative_ ? static_cast<std::uint32_t>(far) : 0;
+        block_.is_relative = entries + far * (narrow_width(entries) + plain) < entries * plain;
+        block_.far_count = block_.is_relative ? static_cast<std::uint32_t>(far) : 0;
     }
 
     void place(BlockPlan& plan, const BodyFacts& n) {
-        const NarrowPlace entry(plan, n.neighbour_count, is_relative_ ? 0 : n.vertex_count - 1);
-        entry_width_ = entry.width;
-        entry_at_ = entry.at;
+        const NarrowPlace entry(plan, n.neighbour_count, block_.is_relative ? 0 : n.vertex_count - 1);
+        block_.entry_width = entry.width;
+        block_.entry_at = entry.at;
         const NarrowPlace offset(plan, n.vertex_count + 1, n.neighbour_count);
-        offset_width_ = offset.width;
-        offset_at_ = offset.at;
-        const NarrowPlace position(plan, far_count_, n.neighbour_count),
-            far(plan, far_count_, n.vertex_count - 1);
-        position_at_ = position.at;
-        far_at_ = far.at;
-        far_width_ = far.width;
+        block_.offset_width = offset.width;
+        block_.offset_at = offset.at;
+        const NarrowPlace position(plan, block_.far_count, n.neighbour_count);
+        const NarrowPlace far(plan, block_.far_count, n.vertex_count - 1);
+        block_.position_at = position.at;
+        block_.far_at = far.at;
+        block_.far_width = far.width;
     }
-    [[nodiscard]] RelativeRings in(std::byte* base) const {
-        const NarrowArray offset(base + offset_at_, offset_width_);
-        if (!is_relative_) return {offset, {base + entry_at_, entry_width_}};
-        return {offset,
-                reinterpret_cast<std::int8_t*>(base + entry_at_),
-                {{base + position_at_, offset_width_}, {base + far_at_, far_width_}, far_count_}};
-    }
+    [[nodiscard]] RelativeRings in(std::byte* base) const { return {block_, base}; }
 
   private:
-    bool is_relative_ = false;
-    std::uint8_t offset_width_ = 1, entry_width_ = 1, far_width_ = 1;
-    std::uint32_t far_count_ = 0;
-    std::uint32_t offset_at_ = 0, entry_at_ = 0, position_at_ = 0, far_at_ = 0;
+    RelativeRingBlock block_;
 };
 
 }  // namespace edgewise
