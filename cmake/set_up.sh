@@ -9,8 +9,8 @@ set -eu
 
 needed='g++ zlib1g-dev cmake ninja-build git ca-certificates libeigen3-dev libqhull-dev libassimp-dev libgmp-dev libsqlite3-dev
 nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libjemalloc-dev libpfm4-dev libgtest-dev libgmock-dev'
-# Formatting, linting, fuzzing; second opinions on exact distances and on modelled caches; a parser of CITATION.cff.
-wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev libyaml-cpp-dev valgrind'
+# Formatting, linting, fuzzing; second opinions on exact distances and on modelled caches; a parser of CITATION.cff; packages.
+wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev libyaml-cpp-dev valgrind dpkg-dev lintian pkgconf'
 # Other libraries to be measured beside ours, with EDGEWISE_PEERS=ON in the environment; and what counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
