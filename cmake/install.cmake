@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
-# find_package(edgewise) and the target edgewise::edgewise; with COMPONENTS measure, edgewise::measure.
+# find_package(edgewise) and the target edgewise::edgewise; with COMPONENTS measure, edgewise::measure. And edgewise.pc for
+# those without CMake. The program itself is not installed unless --component tool says so: it is for this machine.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME dev)
 
 foreach(room geometry table layout_parts algorithms)
     install(DIRECTORY src/edgewise/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp")
@@ -31,3 +33,8 @@ configure_package_config_file(cmake/edgewise-config.cmake.in edgewise-config.cma
 write_basic_package_version_file(edgewise-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/edgewise-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/edgewise-config-version.cmake
         DESTINATION ${package_folder})
+
+# From lib/<where>/pkgconfig up to the prefix.
+file(RELATIVE_PATH EDGEWISE_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(packaging/edgewise.pc.in edgewise.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/edgewise.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -107,6 +107,8 @@ void add_bench(CLI::App& app, Context& context);
 void add_bytes(CLI::App& app, Context& context);
 void add_caches(CLI::App& app, Context& context);
 void add_calibrate(CLI::App& app, Context& context);
+void add_campaign(CLI::App& app, Context& context);
+void add_compare(CLI::App& app, Context& context);
 void add_crosscheck(CLI::App& app, Context& context);
 void add_draw(CLI::App& app, Context& context);
 void add_effort(CLI::App& app, Context& context);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // `edgewise export`: figures of a store in long form, breakdowns too, as CSV or JSON. No Parquet: Debian 12
-// packages no library that writes it.
+// packages no library that writes it. Or what the store says of its machine, as a record for others.
 #include <fmt/format.h>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/reports/page/files.hpp"
+#include "edgewise/reports/records/machine_record.hpp"
 #include "edgewise/reports/results/export.hpp"
 
 namespace edgewise::cli {
@@ -17,12 +19,37 @@ struct ExportArguments {
     std::string format = "csv";
     std::string out;
     reports::ExportChoice choice;
+    bool machine_record = false;
+    std::string modelled;
 };
+
+/// A model's caches as a record has them.
+nlohmann::json caches_of(const measure::CacheMachine& machine) {
+    nlohmann::json caches = nlohmann::json::array();
+    for (std::size_t i = 0; i < machine.caches.levels.size(); ++i) {
+        const measure::LevelGeometry& level = machine.caches.levels[i];
+        caches.push_back(
+            {{"level", level.name}, {"bytes", machine.caches.bytes_of(i)}, {"ways", level.ways}});
+    }
+    return caches;
+}
+
+std::string record_text(const ExportArguments& options) {
+    const reports::ReportData data = reports::read_report(options.store);
+    if (options.modelled.empty()) return reports::to_json(reports::measured_record(data)).dump(1) + "\n";
+    reports::MachineRecord record = reports::modelled_record(data, options.modelled);
+    const measure::CacheMachine machine = measure::described_machines({options.modelled}).front();
+    record.cpu = {{"name", machine.what}};
+    record.caches = caches_of(machine);
+    return reports::to_json(record).dump(1) + "\n";
+}
 
 int run_export(const ExportArguments& options, bool json) {
     reports::ExportChoice choice = options.choice;
     if (json || options.format == "json") choice.format = reports::ExportFormat::json;
-    const std::string text = reports::export_text(reports::read_report(options.store), choice);
+    const std::string text = options.machine_record
+                                 ? record_text(options)
+                                 : reports::export_text(reports::read_report(options.store), choice);
     if (options.out.empty())
         fmt::print("{}", text);
     else
@@ -43,6 +70,11 @@ void add_export(CLI::App& app, Context& context) {
     command->add_option("--format", options.format, "csv or json")
         ->check(CLI::IsMember({"csv", "json"}))
         ->capture_default_str();
+    CLI::Option* record =
+        command->add_flag("--machine-record", options.machine_record,
+                          "what the store says of its machine, without names and paths, as JSON");
+    command->add_option("--modelled", options.modelled, "of this machine, whose caches the sweep modelled")
+        ->needs(record);
     command->add_option("--out", options.out, "file to write; stdout if not given");
 }
 

@@ -24,42 +24,24 @@ std::string one_line(const CLI::App* app, const CLI::Error& problem) {
     return "edgewise: " + what + "; --help says more\n";
 }
 
-void add_commands(CLI::App& app, edgewise::cli::Context& context) {
-    using namespace edgewise::cli;
-    add_sweep(app, context);
-    add_thrash(app, context);
-    add_stability(app, context);
-    add_merge(app, context);
-    add_report(app, context);
-    add_export(app, context);
-    add_additions(app, context);
-    add_bytes(app, context);
-    add_draw(app, context);
-    add_query(app, context);
-    add_machine(app, context);
-    add_heat(app, context);
-    add_caches(app, context);
-    add_lock(app, context);
-    add_paging(app, context);
-    add_crosscheck(app, context);
-    add_effort(app, context);
-    add_scaling(app, context);
-    add_calibrate(app, context);
-    add_bench(app, context);
-    add_pass(app, context);
-    add_list(app, context);
-}
+using namespace edgewise::cli;
+
+/// In the order of the help text.
+constexpr void (*commands[])(CLI::App&, Context&) = {
+    add_sweep,   add_thrash,  add_stability, add_merge, add_campaign, add_report,
+    add_export,  add_compare, add_additions, add_bytes, add_draw,     add_query,
+    add_machine, add_heat,    add_caches,    add_lock,  add_paging,   add_crosscheck,
+    add_effort,  add_scaling, add_calibrate, add_bench, add_pass,     add_list};
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    using namespace edgewise::cli;
     CLI::App app{"Edgewise: memory- and cache-focused profiling of convex collision detection"};
     app.require_subcommand(1);
     app.set_help_all_flag("--help-all", "Help of all commands");
     app.failure_message(one_line);
     Context context;
-    add_commands(app, context);
+    for (const auto add : commands) add(app, context);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+# What cpack makes: edgewise, the program, and libedgewise-dev, the library with its headers, as Debian packages. The
+# program is compiled for EDGEWISE_TUNE; a package for others wants that empty (packaging/make_packages sees to it).
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME edgewise)
+set(CPACK_PACKAGE_CONTACT "The Edgewise developers <edgewise@localhost.localdomain>")
+set(CPACK_PACKAGE_FILE_NAME edgewise-${PROJECT_VERSION})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL dev tool)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libedgewise-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libqhull-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS "libtbb-dev, libfmt-dev")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "V-Clip and Enhanced GJK as C++20 headers over data layouts that can be
+ exchanged, and the static library of what they share. Queries in several
+ threads want libtbb-dev, edgewise::measure wants libfmt-dev.")
+
+set(CPACK_DEBIAN_TOOL_PACKAGE_NAME edgewise)
+set(CPACK_DEBIAN_TOOL_PACKAGE_SECTION devel)
+set(CPACK_DEBIAN_TOOL_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "nodejs")
+set(CPACK_COMPONENT_TOOL_DESCRIPTION "Measures what V-Clip and Enhanced GJK cost in memory, cache and time over
+ interchangeable data layouts, with every answer checked against exact
+ arithmetic, and writes a report.")
+
+# Beside the files themselves, what Debian wants of every package.
+set(debian ${PROJECT_SOURCE_DIR}/packaging/debian)
+set(made ${PROJECT_BINARY_DIR}/packaging)
+file(MAKE_DIRECTORY ${made})
+file(WRITE ${made}/changelog "edgewise (${PROJECT_VERSION}) unstable; urgency=medium
+
+  * What has changed stands in CHANGELOG.md of the source.
+
+ -- The Edgewise developers <edgewise@localhost.localdomain>  Tue, 24 Nov 2026 12:00:00 +0000
+")
+foreach(file ${made}/changelog ${debian}/edgewise.1)
+    get_filename_component(name ${file} NAME)
+    execute_process(COMMAND gzip -9nc ${file} OUTPUT_FILE ${made}/${name}.gz)
+endforeach()
+foreach(package_of dev:libedgewise-dev tool:edgewise)
+    string(REPLACE ":" ";" pair ${package_of})
+    list(GET pair 0 component)
+    list(GET pair 1 package)
+    install(FILES ${debian}/copyright DESTINATION share/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
+    install(FILES ${made}/changelog.gz DESTINATION share/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
+endforeach()
+if(TARGET edgewise_program)
+    install(TARGETS edgewise_program RUNTIME DESTINATION bin COMPONENT tool EXCLUDE_FROM_ALL)
+    install(FILES ${made}/edgewise.1.gz DESTINATION share/man/man1 COMPONENT tool EXCLUDE_FROM_ALL)
+endif()
+include(CPack)

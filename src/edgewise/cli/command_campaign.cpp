@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise campaign`: as many pairs as wanted through every class of answers, each proven right or wrong.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/terminal/campaign_tables.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/studies/campaign/failing_case.hpp"
+#include "edgewise/studies/campaign/run.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+using namespace studies::campaign;
+
+/// Between two writes of the progress file, and of failures that are minimised per cell: the first tell most.
+constexpr double seconds_between_writes = 10;
+constexpr int most_minimised = 3;
+
+struct CampaignArguments {
+    double pairs = 1e6;
+    std::uint64_t seed = 1;
+    std::string shard = "1/1";
+    std::vector<std::string> families, shapes = {"tetra4", "cube8", "sphere38", "sphere386"};
+    std::vector<std::string> layouts = {"all"}, algorithms = {"all"};
+    bool every_type = false;
+    std::string state = "reports/out/campaign.json", failures = "reports/out/campaign_failures.jsonl";
+    std::vector<std::string> add;
+    std::optional<std::uint64_t> pair;
+};
+
+std::vector<Cell> chosen_cells(const CampaignArguments& options) {
+    const auto types = bench::select_table_types(options.layouts);
+    const auto algorithms = bench::select_algorithms(options.algorithms);
+    std::vector<Cell> cells = cells_of(types, algorithms);
+    if (cells.empty()) throw std::invalid_argument("none of these layouts serves any of these algorithms");
+    return options.every_type ? cells : one_of_each_class(std::move(cells));
+}
+
+Question question_of(const CampaignArguments& options, const Shard& shard, const PairSource& source,
+                     const std::vector<Cell>& cells) {
+    Question question;
+    question.seed = options.seed;
+    question.pairs = static_cast<std::uint64_t>(options.pairs);
+    question.families = source.families();
+    for (const Cell& cell : cells) question.cells.push_back(cell.name);
+    question.shard = shard;
+    return question;
+}
+
+/// From the file, if it is about the same question; more pairs than before may be wanted of it.
+CampaignProgress start_of(const Question& question, const std::string& path) {
+    auto known = read_progress(path);
+    CampaignProgress progress;
+    progress.question = question;
+    if (!known) return progress;
+    const bool whole = question.shard.count == 1;
+    const std::uint64_t wanted_before = known->question.pairs;
+    if (whole && question.pairs >= wanted_before && wanted_before % pairs_per_block == 0)
+        known->question.pairs = question.pairs;
+    if (known->question != question)
+        throw std::invalid_argument(fmt::format(
+            "{}: progress of a campaign with another seed, shard, number of pairs, families or cells; name another "
+            "file with --state, or remove it",
+            path));
+    return *known;
+}
+
+/// Prints, minimises and writes down what is wrong.
+class FailureLog {
+  public:
+    FailureLog(const PairSource& source, std::span<const Cell> cells, std::string path, Progress& progress)
+        : source_(source), cells_(cells), path_(std::move(path)), progress_(progress) {}
+
+    void add(const Failure& failure) {
+        progress_.clear();
+        warn(fmt::format("pair {} ({}), {}: {}", failure.pair, failure.family, failure.cell, failure.what));
+        if (++seen_[failure.cell] > most_minimised) return;
+        const auto cell = std::ranges::find(cells_, failure.cell, &Cell::name);
+        const std::string line = failing_line(source_, failure, *cell);
+        fmt::print(stderr, "{}\n", line);
+        std::filesystem::create_directories(folder_of(path_));
+        std::ofstream(path_, std::ios::app) << line << '\n';
+    }
+
+  private:
+    const PairSource& source_;
+    std::span<const Cell> cells_;
+    std::string path_;
+    Progress& progress_;
+    std::map<std::string, int> seen_;
+};
+
+int finish(const CampaignProgress& progress, const std::vector<Cell>& cells, const std::string& state,
+           bool json) {
+    if (json)
+        fmt::print("{}\n", campaign_json(progress, cells).dump());
+    else
+        print_campaign(progress, cells, state);
+    return progress.tally.all_families().wrong > 0 || !progress.is_done() ? exit_check_failed : exit_done;
+}
+
+int add_up(const CampaignArguments& options, bool json) {
+    std::vector<CampaignProgress> parts;
+    for (const std::string& path : options.add) {
+        auto part = read_progress(path);
+        if (!part) throw std::invalid_argument(path + ": no such file; name the files that --state wrote");
+        parts.push_back(std::move(*part));
+    }
+    const CampaignProgress whole = added_up(parts);
+    write_progress(whole, options.state);
+    return finish(whole, {}, options.state, json);
+}
+
+int run_campaign(const CampaignArguments& options, bool json) {
+    if (!options.add.empty()) return add_up(options, json);
+    const Shard shard = Shard::parse(options.shard).or_throw();
+    const PairSource source(options.seed, options.families, options.shapes);
+    if (options.pair) {
+        fmt::print("{}\n",
+                   case_line(case_of(source, *options.pair), fmt::format("campaign, seed {}", options.seed)));
+        return exit_done;
+    }
+    const std::vector<Cell> cells = chosen_cells(options);
+    std::filesystem::create_directories(folder_of(options.state));
+    CampaignProgress progress = start_of(question_of(options, shard, source, cells), options.state);
+    const std::uint64_t blocks = progress.question.blocks(), first = shard.first(blocks);
+    const std::uint64_t resumed = std::max(progress.next_block, first) - first;
+    Progress bar("campaign", shard.last(blocks) - first, resumed);
+    FailureLog log(source, cells, options.failures, bar);
+    measure::Stopwatch since_write;
+    CampaignHooks hooks;
+    hooks.on_failure = [&](const Failure& failure) { log.add(failure); };
+    hooks.on_block = [&](const CampaignProgress& now) {
+        bar.advance(1,
+                    fmt::format("{:.4g} pairs per second", static_cast<double>(now.pairs()) / now.seconds));
+        if (since_write.elapsed_ns() < seconds_between_writes * 1e9) return;
+        write_progress(now, options.state);
+        since_write.restart();
+    };
+    studies::campaign::run_campaign(source, cells, progress, hooks, stop_on_signals());
+    write_progress(progress, options.state);
+    bar.clear();
+    return finish(progress, cells, options.state, json);
+}
+
+}  // namespace
+
+void add_campaign(CLI::App& app, Context& context) {
+    auto [command, options] =
+        add_command(app, context, "campaign", "Up to 10^9 pairs through every class of answers, each proven",
+                    run_campaign);
+    command->add_option("--pairs", options.pairs, "pairs in all, as 1e9")
+        ->check(CLI::Range(1.0, 1e15))
+        ->capture_default_str();
+    command->add_option("--seed", options.seed, "seed of the generators")->capture_default_str();
+    command->add_option("--shard", options.shard, "i/n: this part of the pairs alone")->capture_default_str();
+    add_names(*command, "--families", options.families,
+              "only these: random, or hard ones (edgewise list families)");
+    add_names(*command, "--shapes", options.shapes, "of the family random");
+    add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
+    add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
+    command->add_flag("--every-type", options.every_type,
+                      "every table type, not one of each class of equal answers");
+    command->add_option("--state", options.state, "file that it goes on from, and leaves its sums in")
+        ->capture_default_str();
+    command
+        ->add_option("--failures", options.failures,
+                     "file that failing pairs are added to, minimised, as cases")
+        ->capture_default_str();
+    command->add_option("--add", options.add, "no run: the state files of all shards added up into --state");
+    command->add_option("--pair", options.pair, "no run: this pair as a case for edgewise query");
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise compare`: machine records of many machines beside each other: which layout wins where.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/reports/records/compare_records.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct CompareArguments {
+    std::vector<std::string> records;
+};
+
+reports::MachineRecord record_in(const std::string& path) {
+    std::ifstream stream(path);
+    if (!stream) throw std::runtime_error(path + ": cannot be read; name machine records");
+    return reports::parse_record(std::string(std::istreambuf_iterator<char>(stream), {}), path);
+}
+
+int run_compare(const CompareArguments& options, bool json) {
+    std::vector<reports::MachineRecord> records;
+    for (const std::string& path : options.records) records.push_back(record_in(path));
+    if (json)
+        fmt::print("{}\n", reports::comparison_json(records).dump());
+    else
+        fmt::print("{}", reports::comparison_text(records));
+    return exit_done;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Context& context) {
+    auto [command, options] = add_command(
+        app, context, "compare", "Machine records beside each other: which layout wins where", run_compare);
+    command->add_option("records", options.records, "files of edgewise export --machine-record")->required();
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise campaign`: figures, going on after a stop, shards, one pair again, and what is said when
+// something is wrong. And machine records from a sweep's store.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "cli_paths.hpp"
+#include "program.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+Arguments small(const Arguments& more, const std::string& state = "s.json") {
+    Arguments arguments = {"campaign",  "--families", "random,grazing", "--shapes",     "cube8",
+                           "--layouts", "aos_f64",    "--algorithms",   "gjk",          "--state",
+                           state,       "--failures", "f.jsonl",        "--every-type", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+/// Without what is timed.
+json figures_of(json progress) {
+    for (auto& family : progress["families"])
+        for (const char* seconds : {"making_s", "asking_s", "proving_s"}) family.erase(seconds);
+    for (const char* timed : {"seconds", "pairs_per_second", "answers_per_second", "classes", "shard"})
+        progress.erase(timed);
+    return progress;
+}
+
+TEST(CampaignCommand, ProvesAllPairsThatItWasAskedFor) {
+    const Folder folder;
+    const Outcome outcome = run(small({"--pairs", "1e4"}), folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json line = json::parse(outcome.out);
+    EXPECT_EQ(line["pairs"], 10'000);
+    EXPECT_EQ(line["answers"], 10'000);
+    EXPECT_EQ(line["wrong"], 0);
+    EXPECT_EQ(line["done"], true);
+    EXPECT_GT(line["share_by_filter"], 0.9);
+    EXPECT_GT(line["families"]["random cube8"]["pairs"], 0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "f.jsonl"));
+    const Outcome table = run({"campaign", "--families", "random", "--shapes", "cube8", "--layouts",
+                               "aos_f64", "--algorithms", "gjk", "--pairs", "100", "--state", "t.json"},
+                              folder);
+    EXPECT_THAT(table.out, HasSubstr("random cube8"));
+    EXPECT_THAT(table.out, HasSubstr("0 wrong"));
+}
+
+TEST(CampaignCommand, GoesOnAfterASignalWithTheSameFigures) {
+    const Folder folder, other;
+    const Arguments asked = small({"--pairs", "2e5"});
+    Process stopped(program_path, asked, folder);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    stopped.send(SIGTERM);
+    static_cast<void>(stopped.wait());
+    const Outcome rest = run(asked, folder), whole = run(asked, other);
+    ASSERT_EQ(rest.exit_code, 0) << rest.err;
+    EXPECT_EQ(figures_of(json::parse(rest.out)), figures_of(json::parse(whole.out)));
+}
+
+TEST(CampaignCommand, ShardsAddUp) {
+    const Folder folder, other;
+    for (const std::string i : {"1", "2"})
+        ASSERT_EQ(run(small({"--pairs", "3e4", "--shard", i + "/2"}, "s" + i + ".json"), folder).exit_code,
+                  0);
+    const Outcome sum =
+        run({"campaign", "--add", "s1.json", "s2.json", "--state", "all.json", "--json"}, folder);
+    const Outcome whole = run(small({"--pairs", "3e4"}), other);
+    EXPECT_EQ(sum.exit_code, 0) << sum.err;
+    EXPECT_EQ(figures_of(json::parse(sum.out)), figures_of(json::parse(whole.out)));
+    const Outcome half = run({"campaign", "--add", "s1.json", "--state", "half.json", "--json"}, folder);
+    EXPECT_EQ(half.exit_code, 1);
+    EXPECT_EQ(json::parse(half.out)["done"], false);
+}
+
+TEST(CampaignCommand, GivesAPairAgainAsACase) {
+    const Folder folder;
+    const Outcome line = run({"campaign", "--families", "grazing", "--pair", "5000"}, folder);
+    ASSERT_EQ(line.exit_code, 0) << line.err;
+    folder.write("case.jsonl", line.out);
+    const Outcome answer = run({"query", "case.jsonl", "--algorithm", "gjk", "--layout", "aos_f64"}, folder);
+    EXPECT_EQ(answer.exit_code, 0) << answer.err;
+    EXPECT_EQ(json::parse(answer.out)["id"], "pair 5000");
+}
+
+TEST(CampaignCommand, WhatIsWrongIsOneLine) {
+    const Folder folder;
+    folder.write("other.json", "{}");
+    const std::pair<Arguments, const char*> wrong[] = {
+        {{"campaign", "--families", "easy"}, "unknown family 'easy'"},
+        {{"campaign", "--shapes", "sphere39"}, "sphere"},
+        {{"campaign", "--shard", "9/8"}, "give i/n"},
+        {{"campaign", "--add", "nothing.json"}, "nothing.json: no such file"},
+        {small({}, "other.json"), "other.json: no progress of a campaign"}};
+    for (const auto& [arguments, says] : wrong) {
+        const Outcome outcome = run(arguments, folder);
+        EXPECT_EQ(outcome.exit_code, 2) << says;
+        EXPECT_THAT(outcome.err, HasSubstr(says));
+        EXPECT_THAT(lines_of(outcome.err), testing::SizeIs(1)) << outcome.err;
+    }
+    ASSERT_EQ(run(small({"--pairs", "100"}), folder).exit_code, 0);
+    EXPECT_THAT(run(small({"--pairs", "100", "--seed", "2"}), folder).err, HasSubstr("another seed"));
+}
+
+TEST(MachineRecords, ComeFromASweepAndAreCompared) {
+    const Folder folder;
+    ASSERT_EQ(run({"sweep",
+                   "--layouts",
+                   "aos_f64,lean_f32",
+                   "--algorithms",
+                   "vclip",
+                   "--scenes",
+                   "cold",
+                   "--shapes",
+                   "sphere386",
+                   "--queries",
+                   "300",
+                   "--rounds",
+                   "4",
+                   "--caches",
+                   "all",
+                   "--machines",
+                   "zen5",
+                   "--store",
+                   "s.db",
+                   "--out",
+                   "pages"},
+                  folder)
+                  .exit_code,
+              0);
+    const Outcome measured = run({"export", "s.db", "--machine-record", "--out", "mine.json"}, folder);
+    ASSERT_EQ(measured.exit_code, 0) << measured.err;
+    const Outcome modelled =
+        run({"export", "s.db", "--machine-record", "--modelled", "zen5", "--out", "zen5.json"}, folder);
+    ASSERT_EQ(modelled.exit_code, 0) << modelled.err;
+    const Outcome compared = run({"compare", "mine.json", "zen5.json", "--json"}, folder);
+    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    const json result = json::parse(compared.out);
+    EXPECT_EQ(result["machines"][1]["modelled"], true);
+    ASSERT_EQ(result["questions"].size(), 1U);
+    EXPECT_FALSE(result["questions"][0]["first"][1]["tables"].empty());
+    EXPECT_EQ(run({"compare", "nothing.json"}, folder).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test
