@@ -14,6 +14,7 @@
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/scene/case_file.hpp"
 
 namespace edgewise::cli {
@@ -35,7 +36,7 @@ Needs chosen_needs(const QueryArguments& options) {
     const auto needs = needs_from(options.needs);
     if (!needs)
         throw std::invalid_argument(
-            fmt::format("unknown need '{}'; known: {}", options.needs, fmt::join(needs_names, ", ")));
+            unknown_name("need", options.needs, {needs_names.begin(), needs_names.end()}));
     if (options.margin && *needs != Needs::nearer)
         throw std::invalid_argument("--margin is of --needs nearer: give both");
     if (*needs == Needs::nearer && options.query.contact_tolerance != 0)
@@ -159,8 +160,9 @@ int run_query(const QueryArguments& options, bool /*Json*/) {
                 fmt::format("cannot read {}: no such file, or a directory", options.cases));
     }
     scene::CaseReader reader(options.cases == "-" ? std::cin : file, options.cases);
-    std::size_t unreadable = 0, failed = 0;
+    std::size_t asked = 0, unreadable = 0, failed = 0;
     while (const auto line = reader.next()) {
+        ++asked;
         Json answer;
         if (*line) {
             answer = answer_case(**line, *runner, options);
@@ -172,6 +174,9 @@ int run_query(const QueryArguments& options, bool /*Json*/) {
         if (!answer["error"].is_null()) warn(answer["error"].get<std::string>());
         fmt::print("{}\n", answer.dump());
     }
+    if (asked == 0)
+        throw std::invalid_argument(fmt::format(
+            "{}: no case in it; a case is one line of JSON, and --help shows one", options.cases));
     return unreadable > 0 ? exit_bad_input : failed > 0 ? exit_check_failed : exit_done;
 }
 

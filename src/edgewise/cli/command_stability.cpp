@@ -8,6 +8,8 @@
 #include <memory>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/store/vocabulary.hpp"
 #include "edgewise/sweep/work.hpp"
@@ -83,12 +85,22 @@ void print_row(const studies::StabilityRow& row) {
 }
 
 int run_stability(const StabilityArguments& options, bool json) {
+    check_folder_of_store(options.store);
     const studies::StabilityPlan plan = chosen_plan(options);
     static_cast<void>(studies::stability_rows(plan));  // refuses unknown families before a store is made
-    std::filesystem::create_directories(folder_of(options.store));
+    make_folder_of_store(options.store);
     store::Store store(options.store);
     if (!json) print_heading();
-    const studies::StabilitySummary summary = store_stability(plan, store, json ? nullptr : print_row);
+    Progress progress("stability", studies::stability_rows(plan), 0, "rows");
+    const studies::StabilitySummary summary =
+        store_stability(plan, store, [&](const studies::StabilityRow& row) {
+            if (!json) {
+                progress.clear();
+                print_row(row);
+            }
+            progress.advance(1, row.cell.shape + " " + row.cell.table);
+        });
+    progress.clear();
     if (json) {
         const nlohmann::json line = {{"rows", summary.rows},
                                      {"verified", summary.rows - summary.failed - summary.unavailable},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise sweep`: runs a plan into a store and writes the report. Ctrl-C stops after the round in hand; the
-// next run goes on from there.
+// `edgewise sweep`: runs a plan into a store and writes the report. Ctrl-C stops after the round in hand: the
+// report is of what is there, and the next run goes on.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,14 +12,11 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/utc_time.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/cli/sweep_parts.hpp"
+#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"
-#include "edgewise/studies/effort_rows.hpp"
-#include "edgewise/studies/paging_rows.hpp"
-#include "edgewise/studies/thrash/thrash_rows.hpp"
-#include "edgewise/sweep/run.hpp"
 
 namespace edgewise::cli {
 
@@ -29,11 +26,12 @@ struct SweepArguments {
     std::string plan = "quick";
     std::string store = default_store;
     std::string out;
-    std::vector<std::string> layouts, algorithms, peers, axes, scenes, shapes, meshes, caches, machines;
+    std::vector<std::string> layouts, algorithms, peers, axes, scenes, shapes, meshes, caches, machines,
+        probes;
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
     std::optional<std::size_t> stability, effort;
-    bool each_mesh = false;
+    bool each_mesh = false, no_report = false;
     std::optional<std::uint64_t> seed;
     const CLI::App* command = nullptr;  ///< what was typed
 };
@@ -54,6 +52,16 @@ std::string command_line(const CLI::App& command) {
 /// A sweep of chosen scenes or bodies is about those: no stability run unless asked for.
 bool narrowed(const SweepArguments& options) {
     return !options.scenes.empty() || !options.shapes.empty() || !options.meshes.empty();
+}
+
+/// What would be left unused in silence.
+void refuse_unused(const SweepArguments& options) {
+    if (options.each_mesh && options.meshes.empty())
+        throw std::invalid_argument("--each-mesh is of --mesh: name mesh files, or leave it out");
+    const bool some_caches = options.plan != "quick" || !options.caches.empty() || !narrowed(options);
+    if (!options.machines.empty() && !some_caches)
+        throw std::invalid_argument(
+            "--machines models caches of the shapes that --caches names: add --caches all");
 }
 
 /// Of a scene that was asked for by name, what else was named on the command line counts, not what the plan
@@ -85,7 +93,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     };
     replace(plan.layouts, options.layouts);
     for (sweep::SceneChoice& scene : plan.scenes) {
-        if (scene::find_scene_file(scene.name)) replace(scene.layouts, options.layouts);
+        if (scene::is_scene_file(scene.name)) replace(scene.layouts, options.layouts);
     }
     replace(plan.algorithms, options.algorithms);
     replace(plan.peers, options.peers);
@@ -93,7 +101,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     if (!options.shapes.empty() || !options.meshes.empty()) {
         plan.shapes = options.shapes;
         plan.meshes = options.meshes;
-        plan.meshes_required = true;
+        plan.meshes_required = plan.bodies_for_files = true;
         plan.each_mesh = options.each_mesh;
     }
     if (!options.scenes.empty()) {
@@ -108,6 +116,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
         plan.scenes = kept;
     }
     replace(plan.machines, options.machines);
+    replace(plan.probes, options.probes);
     for (sweep::SceneChoice& scene : plan.scenes) replace(scene.caches, options.caches);
     plan.queries = options.queries.value_or(plan.queries);
     plan.checked = options.checked.value_or(plan.checked);
@@ -115,74 +124,6 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     narrow_runs(options, plan);
     plan.seed = options.seed.value_or(plan.seed);
     return plan;
-}
-
-sweep::SweepSummary run_with_progress(const sweep::SweepWork& work, store::Store& store) {
-    std::unique_ptr<Progress> progress;
-    sweep::SweepListener listener;
-    listener.on_start = [&](std::size_t cells) { progress = std::make_unique<Progress>("sweep", cells); };
-    listener.on_done = [&](std::size_t cells, const std::string& what) { progress->advance(cells, what); };
-    listener.on_warning = [&](const std::string& line) {
-        if (progress) progress->clear();
-        warn(line);
-    };
-    return sweep::run_sweep(work, store, listener, stop_on_signals());
-}
-
-/// The hard families, if the plan has them, over the sweep's table types and algorithms.
-studies::StabilitySummary run_stability_of(const sweep::SweepWork& work, store::Store& store) {
-    if (work.plan.stability == 0) return {};
-    studies::StabilityPlan plan;
-    plan.count = plan.proofs = work.plan.stability;
-    plan.seed = work.plan.seed;
-    plan.raw = work.plan.control;
-    plan.types = work.types;
-    plan.algorithms = work.algorithms;
-    for (const scene::NamedShape& shape : work.shapes) {
-        if (shape.error.empty() && shape.source != "built-in") plan.real.push_back(shape.body);
-    }
-    return store_stability(plan, store, {});
-}
-
-/// Under memory limits, if the plan has it.
-void run_paging_of(const sweep::Plan& of, store::Store& store, bool& stopped) {
-    if (of.paging == 0) return;
-    studies::PagingPlan plan;
-    plan.bodies = of.paging;
-    plan.seed = of.seed;
-    Progress progress("paging", studies::paging_rows());
-    stopped = !studies::run_paging(
-        plan, bench::this_build().id, store,
-        [&](const store::CellRow& row) { progress.advance(1, row.shape + " " + row.table); },
-        stop_on_signals());
-}
-
-/// What could have made figure 8, if the plan asks and this program has the table types.
-void run_thrash_of(const sweep::Plan& of, store::Store& store, bool& stopped) {
-    studies::thrash::Levels levels;
-    levels.seed = of.seed;
-    if (!of.thrash || !studies::thrash::has_tables(levels)) return;
-    Progress progress("thrash", studies::thrash::thrash_units(levels));
-    stopped = !studies::thrash::run_thrash(
-        levels, bench::this_build().id, store, [&] { progress.advance(1, "figure 8"); }, stop_on_signals());
-}
-
-/// What the queries take, of the sweep's table types, algorithms and peers, if the plan has it.
-void run_effort_of(const sweep::SweepWork& work, store::Store& store, bool& stopped) {
-    if (work.plan.effort == 0) return;
-    const std::string machines[] = {studies::effort_machine};
-    studies::EffortPlan plan{studies::effort_cell, work.types, work.peers, work.algorithms,
-                             measure::choose_machines(machines).front()};
-    plan.cell.queries = work.plan.effort;
-    plan.cell.checked = std::min(work.plan.checked, work.plan.effort);
-    plan.cell.seed = work.plan.seed;
-    Progress progress("effort", studies::effort_rows(plan));
-    stopped = !studies::store_effort(
-        plan, bench::this_build().id, store,
-        [&](std::size_t, const studies::EffortRow& row) {
-            progress.advance(1, row.cell.algorithm + " " + row.cell.table);
-        },
-        stop_on_signals());
 }
 
 /// What the sweep is to do and when it began, into the store; again with its end once all of it is done.
@@ -217,10 +158,13 @@ void print_summary(const sweep::SweepSummary& summary, const studies::StabilityS
 }
 
 int run_sweep(const SweepArguments& options, bool json) {
+    refuse_unused(options);
+    check_folder_of_store(options.store);
+    if (!options.out.empty()) check_folder(options.out, "--out");
     const sweep::SweepWork work = sweep::prepare_sweep(chosen_plan(options), warn);
-    std::filesystem::create_directories(folder_of(options.store));
-    sweep::SweepSummary summary;
-    studies::StabilitySummary stability;
+    make_folder_of_store(options.store);
+    if (!options.out.empty()) make_folder(options.out, "--out");
+    PartsSummary parts;
     {
         store::Store store(options.store);
         const std::string command = command_line(*options.command);
@@ -230,24 +174,24 @@ int run_sweep(const SweepArguments& options, bool json) {
                               {"started", bench::utc_time()},
                               {"ended", nullptr}};
         note_run(store, command, run);
-        summary = run_with_progress(work, store);
-        if (!summary.stopped) stability = run_stability_of(work, store);
-        summary.stopped = summary.stopped || stability.stopped;
-        if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
-        if (!summary.stopped) run_thrash_of(work.plan, store, summary.stopped);
-        if (!summary.stopped) run_effort_of(work, store, summary.stopped);
-        if (!summary.stopped) run["ended"] = bench::utc_time(), note_run(store, command, run);
+        parts = run_parts(work, store);
+        if (!parts.stopped) run["ended"] = bench::utc_time(), note_run(store, command, run);
     }
-    if (summary.stopped) {
-        warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there",
-                         options.store));
+    const bool right = !parts.stopped && parts.sweep.failed + parts.stability.failed == 0;
+    if (parts.stopped && parts.sweep.cells == 0) {
+        warn(
+            "stopped before the first cells were done; the same command goes on from the rounds that are stored");
         return exit_check_failed;
     }
+    if (options.no_report) return right ? exit_done : exit_check_failed;
     const std::string out = options.out.empty() ? folder_of(options.store) : options.out;
     const reports::ReportSummary report = reports::write_report(options.store, out, bench::charts_folder());
     if (!report.note.empty()) warn(report.note);
-    print_summary(summary, stability, options.store, report, json);
-    return summary.failed + stability.failed > 0 ? exit_check_failed : exit_done;
+    print_summary(parts.sweep, parts.stability, options.store, report, json);
+    if (parts.stopped)
+        warn(fmt::format("stopped: {} of {} cells are there; the same command goes on from them",
+                         parts.sweep.cells, work.cells()));
+    return right ? exit_done : exit_check_failed;
 }
 
 }  // namespace
@@ -263,6 +207,8 @@ void add_sweep(CLI::App& app, Context& context) {
     command->add_option("--out", options.out, "folder for the report; beside the store if not given");
     add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
     add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
+    command->add_flag("--no-report", options.no_report, "fill the store and write no report")
+        ->excludes(command->get_option("--out"));
     add_names(*command, "--peers", options.peers, "these libraries beside them, or all that are built");
     add_names(*command, "--axes", options.axes,
               "these axes beside the plain cells, such as gap_tolerance=1e-06");
@@ -271,6 +217,8 @@ void add_sweep(CLI::App& app, Context& context) {
     add_names(*command, "--shapes", options.shapes, "these built-in shapes instead of the plan's bodies");
     add_names(*command, "--caches", options.caches, "model caches for cells of these shapes, or all");
     add_names(*command, "--machines", options.machines, "whose caches: names, host, or your own NAME.json");
+    add_names(*command, "--probes", options.probes,
+              "measure cells by these probes alone (edgewise list probes)");
     command->add_option("--mesh", options.meshes, "these mesh files instead of the plan's bodies");
     command->add_flag("--each-mesh", options.each_mesh,
                       "one body for each mesh of a file, not one for the file");

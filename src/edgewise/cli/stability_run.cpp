@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/terminal/progress.hpp"
 
 namespace edgewise::cli {
 
@@ -10,16 +9,11 @@ studies::StabilitySummary store_stability(const studies::StabilityPlan& plan, st
     const store::BuildRow build = bench::this_build();
     store.put_build(build);
     store.set_meta("build", build.id);
-    Progress progress("stability", studies::stability_rows(plan));
     return studies::run_stability(
         plan,
         [&](const studies::StabilityRow& row) {
             store.put_cell(build.id, row.cell, row.figures);
-            if (on_row) {
-                progress.clear();
-                on_row(row);
-            }
-            progress.advance(1, row.cell.shape + " " + row.cell.table);
+            on_row(row);
         },
         stop_on_signals());
 }

@@ -22,6 +22,9 @@ inline constexpr const char* command_key = "command ";
 /// "ended"}; times are UTC (ISO 8601), `ended` is null until it has done it all.
 inline constexpr const char* run_key = "run ";
 
+/// Likewise this and a group of a sweep: the seconds that it took when it last ran.
+inline constexpr const char* took_key = "took ";
+
 /// Keys of `meta` that name another library: "peer " and the cells' table type.
 inline constexpr const char* peer_key = "peer ";
 

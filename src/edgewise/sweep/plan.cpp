@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "edgewise/bench/registry.hpp"
+#include "edgewise/geometry/known_names.hpp"
 
 namespace edgewise::sweep {
 
@@ -36,8 +37,7 @@ class Members {
     void refuse_others() const {
         for (const auto& [key, value] : json_.items()) {
             if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-            throw std::invalid_argument(
-                fmt::format("unknown member '{}'; known: {}", key, fmt::join(known_, ", ")));
+            throw std::invalid_argument(unknown_name("member", key, known_));
         }
     }
 
@@ -127,8 +127,7 @@ Plan read_named(const PlanText& text) {
 Plan read_file(const std::string& file) {
     std::ifstream stream(file);
     if (!stream) {
-        throw std::invalid_argument(fmt::format("unknown plan '{}'; known: {}, or a readable JSON file", file,
-                                                fmt::join(plan_names(), ", ")));
+        throw std::invalid_argument(unknown_name("plan", file, plan_names()) + ", or a readable JSON file");
     }
     try {
         Plan plan = read_plan(nlohmann::json::parse(stream), make_plan("quick"));
