@@ -226,7 +226,8 @@ TEST_P(Query, SolvesWithEitherSolver) {
     EXPECT_EQ(answers_of(ask(line, {"--sub-distance", "johnson"})), by_default);
     const auto unknown = ask(line, {"--sub-distance", "volumes"});
     EXPECT_EQ(unknown.exit_code, 2);
-    EXPECT_THAT(unknown.err, HasSubstr("--sub-distance volumes: unknown; known: cofactors, johnson"));
+    EXPECT_THAT(unknown.err,
+                HasSubstr("--sub-distance: unknown solver 'volumes'; known: cofactors, johnson"));
 }
 
 TEST_P(Query, TakesFacesAsGiven) {

@@ -84,9 +84,9 @@ TEST_F(Resume, AfterCtrlC) {
     const Outcome outcome = interrupted_by(SIGINT);
     EXPECT_EQ(outcome.signal, 0);
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_EQ(outcome.out, "");
     EXPECT_THAT(outcome.err, HasSubstr("stopped"));
-    EXPECT_THAT(outcome.err, HasSubstr("s.db"));
+    const bool any_cells = outcome.err.find("before the first cells") == outcome.err.npos;
+    EXPECT_EQ(std::filesystem::exists(folder_ / "index.html"), any_cells) << "a report of what is there";
     expect_rest_is_completed(rounds_in(folder_ / "s.db"));
 }
 

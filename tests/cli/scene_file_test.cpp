@@ -3,6 +3,7 @@
 // Scenes from files through the command line: a user's own file, its cells, its place in the report; mistakes
 // answered with one line before anything is measured.
 #include <gmock/gmock.h>
+#include <filesystem>
 
 #include <nlohmann/json.hpp>
 
@@ -49,6 +50,47 @@ TEST(SceneFiles, AreMeasuredPointByPoint) {
     EXPECT_THAT(text_of(folder / "reports/out/results/mine.csv"), HasSubstr(",mine,"));
     const Outcome again = sweep(folder, "aos_f64,lean_f64");
     EXPECT_EQ(again.out, outcome.out) << "nothing is measured twice";
+}
+
+constexpr const char* corner = "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+std::vector<std::string> shapes_in(const Folder& folder) {
+    return rows_of(folder / "reports/out/edgewise.db",
+                   "select distinct shape || ' ' || vertices || ' ' || shape_source from cell order by 1");
+}
+
+/// A mesh is found from where the scene file lies, and is called after its file.
+TEST(SceneFiles, TakeMeshesForShapes) {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "scenes");
+    folder.write("scenes/my_link.obj", corner);
+    folder.write("scenes/mine.json",
+                 R"({"scene": "tumble", "shapes": ["my_link.obj", "cube8"], "queries": 200})");
+    const Outcome outcome = run(
+        {"sweep", "--scenes", "scenes/mine.json", "--layouts", "aos_f64", "--checked", "20", "--rounds", "3"},
+        folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(shapes_in(folder),
+              (std::vector<std::string>{"cube8 8 built-in", "my_link 4 my_link.obj, scaled by 4/3"}));
+}
+
+/// Bodies that are named on the command line replace a file's, which once were measured in their place in
+/// silence.
+TEST(SceneFiles, TakeTheBodiesOfTheCommandLine) {
+    const Folder folder;
+    folder.write("corner.obj", corner);
+    folder.write("mine.json", mine);
+    const Arguments common = {"sweep",     "--scenes", "mine.json", "--layouts", "aos_f64",
+                              "--checked", "20",       "--rounds",  "3"};
+    Arguments with_mesh = common;
+    with_mesh.insert(with_mesh.end(), {"--mesh", "corner.obj"});
+    const Outcome outcome = run(with_mesh, folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(shapes_in(folder), std::vector<std::string>{"corner 4 corner.obj, scaled by 4/3"});
+    folder.write("lost.json", R"({"scene": "tumble", "shapes": ["lost.obj"]})");
+    const Outcome lost = run({"sweep", "--scenes", "lost.json"}, folder);
+    EXPECT_EQ(lost.exit_code, 2);
+    EXPECT_THAT(lost.err, HasSubstr("lost.obj"));
 }
 
 /// Steps and answers of the same seed are the same figures, whatever the clock says.

@@ -3,6 +3,7 @@
 // What goes wrong before any work begins: exit code 2, one line on stderr that says what, where and what to
 // do, and nothing on stdout. An unknown name's line lists the known ones.
 #include <gmock/gmock.h>
+#include <sstream>
 
 #include "program.hpp"
 
@@ -60,6 +61,27 @@ const std::vector<Slip> unknown_names = {
     {"plan", {"sweep", "--plan", "nope"}, {"nope", "quick", "paper", "full"}},
 };
 
+/// A slip's line names what was probably meant.
+const std::vector<Slip> near_names = {
+    {"sweeep", {"sweeep"}, {"did you mean 'sweep'?"}},
+    {"no_command_so_short", {"no"}, {"unknown command 'no'; known: ", "sweep"}},
+    {"option_of_sweep",
+     {"sweep", "--layout", "aos"},
+     {"unknown option '--layout'", "did you mean '--layouts'?"}},
+    {"option_elsewhere", {"report", "--axes", "order=bfs"}, {"unknown option '--axes'", "option of sweep"}},
+    {"positional_as_option", {"report", "--store", "x.db"}, {"write it without '--store'"}},
+    {"further_word", {"report", "a.db", "b.db"}, {"takes no further argument 'b.db'"}},
+    {"layout_in_capitals", {"bytes", "--layouts", "AoS"}, {"did you mean 'aos'?"}},
+    {"shape_slip", {"bytes", "--shape", "sphere385"}, {"sphere385", "sphere386"}},
+    {"scene_slip", {"sweep", "--scenes", "tumbel"}, {"did you mean 'tumble'?"}},
+    {"plan_slip", {"sweep", "--plan", "qiuck"}, {"did you mean 'quick'?"}},
+    {"list_slip", {"list", "layout"}, {"did you mean 'layouts'?"}},
+    {"list_of_nothing", {"list"}, {"known: algorithms", "layouts"}},
+    {"machine_slip", {"caches", "--machines", "zen55"}, {"did you mean 'zen5'?", "l2=256K"}},
+    {"needs_slip", {"query", "x", "--needs", "distence"}, {"did you mean 'distance'?"}},
+    {"draw_of_nothing", {"draw", "lean_f32"}, {"known: layout"}},
+};
+
 const std::vector<Slip> bad_values = {
     {"several_tables", {"query", "x", "--layout", "aos"}, {"aos_f64"}},
     {"margin_of_nothing", {"query", "x", "--margin", "1"}, {"--margin", "--needs nearer"}},
@@ -95,6 +117,18 @@ const std::vector<Slip> bad_values = {
     {"bad_plan_file", {"sweep", "--plan", "plan.json"}, {"plan.json"}},
     {"misspelt_plan_member", {"sweep", "--plan", "misspelt.json"}, {"misspelt.json", "shaps", "shapes"}},
     {"missing_mesh_of_plan", {"sweep", "--plan", "mesh.json"}, {"missing.stl"}},
+    {"each_of_no_mesh", {"sweep", "--each-mesh"}, {"--each-mesh", "--mesh"}},
+    {"machines_of_no_caches",
+     {"sweep", "--shapes", "cube8", "--scenes", "cold", "--machines", "zen5"},
+     {"--machines", "--caches all"}},
+    {"level_without_size", {"caches", "--machines", "l2=large"}, {"l2=large", "l2=256K,l3=8M"}},
+    {"svg_as_json", {"heat", "--svg", "--json"}, {"--svg", "--json"}},
+    {"folder_of_a_slip", {"sweep", "--store", "no/such/x.db"}, {"no/such", "there is no folder no"}},
+    {"folder_of_a_slip_in_stability",
+     {"stability", "--store", "no/such/x.db", "--layouts", "aos_f64"},
+     {"there is no folder no"}},
+    {"out_folder_of_a_slip", {"sweep", "--shapes", "cube8", "--out", "no/such"}, {"--out", "no/such"}},
+    {"no_case_at_all", {"query", "-"}, {"-: no case in it", "--help"}},
 };
 
 const std::vector<Slip> bad_files = {
@@ -125,6 +159,7 @@ const std::vector<Slip> bad_files = {
 std::string name_of(const testing::TestParamInfo<Slip>& slip) { return slip.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(UnknownName, Usage, testing::ValuesIn(unknown_names), name_of);
+INSTANTIATE_TEST_SUITE_P(NearName, Usage, testing::ValuesIn(near_names), name_of);
 INSTANTIATE_TEST_SUITE_P(BadValue, Usage, testing::ValuesIn(bad_values), name_of);
 INSTANTIATE_TEST_SUITE_P(BadFile, Usage, testing::ValuesIn(bad_files), name_of);
 
@@ -138,11 +173,60 @@ TEST(Help, GoesToStdout) {
     }
 }
 
+/// Names of the commands that --help lists: each stands at the begin of a line, two blanks in.
+std::vector<std::string> listed_commands(const Folder& folder) {
+    std::vector<std::string> names;
+    bool below = false;
+    for (const std::string& line : lines_of(run({"--help"}, folder).out)) {
+        if (below && line.starts_with("  ") && line.size() > 2 && line[2] != ' ')
+            names.push_back(line.substr(2, line.find(' ', 2) - 2));
+        below = below || line.starts_with("Subcommands");
+    }
+    return names;
+}
+
+/// Every --help ends with two lines that can be typed; of `query` with a case, too. They are read by the
+/// program as a shell would hand them over.
+TEST(Help, EndsWithTwoExamplesThatCanBeTyped) {
+    const Folder folder;
+    const std::vector<std::string> commands = listed_commands(folder);
+    EXPECT_GE(commands.size(), 19U);
+    for (const std::string& command : commands) {
+        const std::string help = run({command, "--help"}, folder).out;
+        const std::size_t at = help.find("Examples:\n");
+        ASSERT_NE(at, std::string::npos) << command;
+        int examples = 0;
+        for (const std::string& line : lines_of(help.substr(at))) {
+            if (!line.starts_with("  edgewise ")) continue;
+            ++examples;
+            EXPECT_TRUE(line.starts_with("  edgewise " + command)) << line;
+            Arguments words = {"--parse-only"};
+            std::istringstream text(line.substr(11));
+            for (std::string word; text >> word && word != ">" && word != "<";) {
+                std::erase(word, '\'');
+                words.push_back(word);
+            }
+            const Outcome outcome = run(words, folder);
+            EXPECT_EQ(outcome.exit_code, 0) << line << ": " << outcome.err;
+        }
+        EXPECT_EQ(examples, 2) << command;
+    }
+}
+
+TEST(Help, HidesWhatOnlyOtherCommandsCall) {
+    const Folder folder;
+    const Outcome outcome = run({}, folder);
+    EXPECT_THAT(outcome.err, testing::Not(HasSubstr(" pass")));
+    EXPECT_THAT(outcome.err, HasSubstr("heat"));
+}
+
 /// A slip must not leave a store behind that the next command would take for a sweep's.
 TEST(Usage, LeavesNothingBehind) {
     for (const Arguments& slip :
          {Arguments{"sweep", "--scenes", "nope"}, Arguments{"sweep", "--shapes", "nope"},
-          Arguments{"sweep", "--layouts", "nope"}, Arguments{"sweep", "--plan", "nope"}}) {
+          Arguments{"sweep", "--layouts", "nope"}, Arguments{"sweep", "--plan", "nope"},
+          Arguments{"sweep", "--store", "reports/such/x.db"},
+          Arguments{"sweep", "--shapes", "cube8", "--out", "reports/such"}}) {
         const Folder folder;
         EXPECT_EQ(run(slip, folder).exit_code, 2);
         EXPECT_FALSE(std::filesystem::exists(folder / "reports")) << slip.back() << " after " << slip[1];

@@ -39,6 +39,8 @@ std::string claims_json(const ReportData& data, const std::vector<Claim>& claims
     return out.dump(-1, ' ', false, ClaimJson::error_handler_t::replace) + "\n";
 }
 
+constexpr const char* not_measured = "not measured";
+
 /// What weighs most first.
 constexpr const char* kinds_of_claims[] = {"primary", "mechanism", "background"};
 
@@ -49,7 +51,23 @@ std::ptrdiff_t place_of_kind(const Claim& claim) {
 
 /// A verdict with its number of a footnote where nothing was measured, as in every other table.
 GridCell verdict_cell(const Claim& claim) {
-    return claim.verdict == "not measured" ? missing_cell(claim.reason) : GridCell{claim.verdict};
+    return claim.verdict == not_measured ? missing_cell(claim.reason) : GridCell{claim.verdict};
+}
+
+/// How many claims there is nothing of, which, and what to do. Empty where all were measured.
+std::string what_is_missing(const std::vector<Claim>& claims) {
+    std::string names;
+    std::size_t count = 0;
+    for (const Claim& claim : claims) {
+        if (claim.verdict != not_measured) continue;
+        append(names, claim.id);
+        ++count;
+    }
+    if (count == 0) return {};
+    return fmt::format(
+        "{} of {} claims were not measured: run layouts/sweep --paper, which asks for what they "
+        "want (why each is not: --json). They are: {}\n",
+        count, claims.size(), names);
 }
 
 }  // namespace
@@ -84,7 +102,8 @@ std::string claims_summary(const std::vector<Claim>& claims) {
     return "Primary findings " + out;
 }
 
-/// A line of short columns, then one for each longer text.
+/// The summary first, then what is missing; of each claim that was measured a line of short columns, then one
+/// for each longer text.
 std::string claims_text(const ReportData& data, bool json) {
     const std::vector<Claim> claims = judge_claims(data);
     if (json) return claims_json(data, claims);
@@ -93,17 +112,18 @@ std::string claims_text(const ReportData& data, bool json) {
         id = std::max(id, claim.id.size());
         section = std::max(section, claim.section.size());
     }
-    std::string out =
-        fmt::format("{:<{}}  {:<10}  {:<{}}  {}\n", "claim", id, "kind", "section", section, "verdict");
+    std::string out = claims_summary(claims) + "\n" + what_is_missing(claims) + "\n";
+    out += fmt::format("{:<{}}  {:<10}  {:<{}}  {}\n", "claim", id, "kind", "section", section, "verdict");
     for (const Claim& claim : claims) {
+        if (claim.verdict == not_measured) continue;
         out += fmt::format("{:<{}}  {:<10}  {:<{}}  {}\n", claim.id, id, claim.kind, claim.section, section,
                            claim.verdict);
         out += fmt::format("    {}\n    paper: {}\n", claim.claim, claim.paper);
         if (!claim.ours.empty()) out += fmt::format("    here: {}\n", claim.ours);
         if (!claim.reason.empty()) out += fmt::format("    why: {}\n", claim.reason);
-        if (claim.verdict != "not measured") out += fmt::format("    holds: {}\n", claim.conditions);
+        out += fmt::format("    holds: {}\n", claim.conditions);
     }
-    return out + claims_summary(claims) + "\n";
+    return out;
 }
 
 TextGrid claims_grid(const ReportData& data) {
@@ -113,7 +133,7 @@ TextGrid claims_grid(const ReportData& data) {
                   {}};
     grid.shown_rows = claims.size();
     for (const Claim& claim : claims) {
-        const bool measured = claim.verdict != "not measured";
+        const bool measured = claim.verdict != not_measured;
         grid.rows.push_back(grid_row(claim.kind, claim.section, claim.claim, claim.paper, claim.ours,
                                      verdict_cell(claim), measured ? claim.reason : "", claim.rule,
                                      claim.conditions));

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "edgewise/bench/peers/peer_modules.hpp"
+#include "edgewise/geometry/known_names.hpp"
 
 namespace edgewise::bench {
 
@@ -31,10 +32,9 @@ std::vector<const Item*> select(std::span<const Item> items, std::span<const std
         if (std::any_of(names.begin(), names.end(), asked)) selected.push_back(&item);
         std::erase_if(unknown, asked);
     }
-    if (!unknown.empty())
-        throw std::invalid_argument(
-            fmt::format("unknown {} '{}'; known: all, {}", what, unknown.front(), fmt::join(known, ", ")));
-    return selected;
+    if (unknown.empty()) return selected;
+    known.insert(known.begin(), "all");
+    throw std::invalid_argument(unknown_name(what, unknown.front(), known));
 }
 
 }  // namespace

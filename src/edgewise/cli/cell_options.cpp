@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/count_option.hpp"
+#include "edgewise/geometry/known_names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,8 +29,8 @@ namespace {
 
 Needs needs_named(const std::string& name) {
     if (const auto needs = needs_from(name)) return *needs;
-    throw CLI::ValidationError(
-        fmt::format("--needs {}: unknown; known: {}", name, fmt::join(needs_names, ", ")));
+    throw CLI::ValidationError("--needs: " +
+                               unknown_name("need", name, {needs_names.begin(), needs_names.end()}));
 }
 
 }  // namespace
@@ -50,7 +51,10 @@ void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver) {
         [&solver, known](const std::string& name) {
             const auto named = sub_distance_solver_from(name);
             if (!named)
-                throw CLI::ValidationError(fmt::format("--sub-distance {}: unknown; known: {}", name, known));
+                throw CLI::ValidationError(
+                    "--sub-distance: " +
+                    unknown_name("solver", name,
+                                 {sub_distance_solver_names.begin(), sub_distance_solver_names.end()}));
             solver = *named;
         },
         fmt::format("how GJK solves its simplices: {} [{}]", known, to_string(solver)));

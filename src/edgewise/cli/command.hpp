@@ -97,13 +97,15 @@ void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver);
 /// --margin: what --needs nearer asks about.
 void add_margin_option(CLI::App& command, std::optional<double>& margin);
 
-/// A stability run into a store, with progress on stderr: for the command of that name and for the sweep.
-/// Ctrl-C stops after the row in hand. `on_row` may be empty.
+/// A stability run into a store: for the command of that name and for the sweep. Ctrl-C stops after the row
+/// in hand.
 studies::StabilitySummary store_stability(const studies::StabilityPlan& plan, store::Store& store,
                                           const std::function<void(const studies::StabilityRow&)>& on_row);
 
+void add_advise(CLI::App& app, Context& context);
 void add_additions(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);
+void add_budget(CLI::App& app, Context& context);
 void add_bytes(CLI::App& app, Context& context);
 void add_caches(CLI::App& app, Context& context);
 void add_calibrate(CLI::App& app, Context& context);
@@ -114,6 +116,7 @@ void add_draw(CLI::App& app, Context& context);
 void add_effort(CLI::App& app, Context& context);
 void add_export(CLI::App& app, Context& context);
 void add_heat(CLI::App& app, Context& context);
+void add_judge(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 void add_lock(CLI::App& app, Context& context);
 void add_machine(CLI::App& app, Context& context);

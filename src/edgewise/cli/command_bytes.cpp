@@ -3,6 +3,7 @@
 // `edgewise bytes`: the bytes-per-edge ledger of tables that are really built. Tables hold all their parts
 // here.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/terminal/text_table.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
@@ -24,7 +26,7 @@ struct BytesArguments {
     std::string shape = "sphere386";
     std::string mesh;
     std::vector<std::string> layouts = {"all"};
-    bool slopes = false;
+    bool slopes = false, footnotes = false;
 };
 
 scene::MeshBody chosen_body(const BytesArguments& options) {
@@ -124,16 +126,6 @@ void print_number(const nlohmann::json& value, int width, int digits) {
     }
 }
 
-/// Those that some table has bytes of.
-std::vector<std::string> components_in(const nlohmann::json& rows) {
-    std::vector<std::string> names(component_names.begin(), component_names.end());
-    std::erase_if(names, [&](const std::string& name) {
-        return std::all_of(rows.begin(), rows.end(),
-                           [&](const nlohmann::json& row) { return row["components"][name] == 0; });
-    });
-    return names;
-}
-
 void print_input_orders(const nlohmann::json& rows) {
     for (const auto& row : rows) {
         if (row["input_order_bytes_per_edge"].is_null()) continue;
@@ -143,43 +135,64 @@ void print_input_orders(const nlohmann::json& rows) {
     }
 }
 
+/// Of a component's name, what fits a column of eight; those of paper's three by their first word.
+std::string short_name(const std::string& component) {
+    const std::string word = component.substr(0, component.find('_'));
+    return word.size() > 7 ? word.substr(0, 6) + "." : word;
+}
+
+/// Components that some table has, under short names: a line of all is wider than a page.
 void print_table(const nlohmann::json& rows) {
-    const std::vector<std::string> components = components_in(rows);
-    fmt::print("{:<24}{:>8}{:>8}{:>8}", "table", "paper", "total", "slope");
-    for (const std::string& name : components) fmt::print("{:>20}", name);
-    fmt::print("   (bytes per edge)\n");
+    fmt::print("bytes per edge\n{:<24}{:>8}{:>8}{:>8}", "table", "paper", "total", "slope");
+    std::vector<std::string> shown;
+    for (const std::string_view component : component_names) {
+        const std::string name(component);
+        const auto has = [&](const auto& row) { return row["components"].value(name, 0.0) > 0; };
+        if (std::none_of(rows.begin(), rows.end(), has)) continue;
+        shown.push_back(name);
+        fmt::print("{:>8}", short_name(name));
+    }
+    fmt::print("\n");
     for (const auto& row : rows) {
         fmt::print("{:<24}", row["table"].get<std::string>());
         for (const char* key : {"paper_bytes_per_edge", "total_bytes_per_edge", "slope_bytes_per_edge"}) {
             print_number(row[key], 8, 2);
         }
-        for (const std::string& name : components) print_number(row["components"][name], 20, 2);
+        for (const std::string& name : shown) print_number(row["components"][name], 8, 2);
         fmt::print("\n");
     }
     print_input_orders(rows);
+    fmt::print("{}\n", folded(fmt::format("columns after slope: {}; what no table here has is left out",
+                                          fmt::join(shown, ", ")),
+                              widest_line));
 }
 
 void print_costs(const nlohmann::json& rows) {
-    fmt::print("\n{:<24}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>14}{:>14}\n", "table", "bytes", "object",
-               "constant", "arena", "jemalloc", "libc", "resident", "lines, vclip", "lines, gjk");
+    fmt::print("\n{:<24}{:>8}{:>8}{:>9}{:>8}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "table", "bytes", "object",
+               "constant", "arena", "jemalloc", "libc", "resident", "vclip", "gjk");
     for (const auto& row : rows) {
         fmt::print("{:<24}", row["table"].get<std::string>());
-        for (const char* key : {"table_bytes", "object_bytes", "constant_bytes"})
-            print_number(row[key], 10, 0);
-        for (const auto& allocator : row["allocators"]) print_number(allocator["taken_bytes"], 10, 0);
-        print_number(row["allocators"][0]["resident_bytes"], 10, 0);
+        print_number(row["table_bytes"], 8, 0);
+        print_number(row["object_bytes"], 8, 0);
+        print_number(row["constant_bytes"], 9, 0);
+        constexpr int widths[] = {8, 9, 8};
+        for (std::size_t i = 0; i < std::size(widths); ++i)
+            print_number(row["allocators"][i]["taken_bytes"], widths[i], 0);
+        print_number(row["allocators"][0]["resident_bytes"], 9, 0);
         for (const char* algorithm : {"vclip", "gjk"}) {
             nlohmann::json lines;
             for (const auto& entry : row["queries"])
                 if (entry["algorithm"] == algorithm) lines = entry["lines_per_query"];
-            print_number(lines, 14, 1);
+            print_number(lines, 8, 1);
         }
         fmt::print("\n");
     }
-    fmt::print(
-        "bytes: the table's own; its object beside it; what a body of these index widths costs before its "
-        "first edge,\nobject included; what the table takes in each allocator; pages in memory in the arena; "
-        "distinct cache lines\na query touches in both tables, tumble at 0.1 rad per step\n");
+    fmt::print("{}\n",
+               folded("bytes: the table's own; its object beside it; what a body of these index widths "
+                      "costs before its first edge, object included; what the table takes in each "
+                      "allocator; pages in memory in the arena; distinct cache lines that a query of "
+                      "V-Clip and of GJK touches in both tables, tumble at 0.1 rad per step",
+                      widest_line));
 }
 
 void print_slopes(const nlohmann::json& rows) {
@@ -211,6 +224,10 @@ nlohmann::json rows_of(const BytesArguments& options, const scene::MeshBody& sha
     return rows;
 }
 
+void print_footnotes() {
+    for (const reports::Addition& addition : reports::additions()) fmt::print("\n{}", addition.bytes_text());
+}
+
 int run_bytes(const BytesArguments& options, bool json) {
     const scene::MeshBody shape = chosen_body(options);
     const nlohmann::json rows = rows_of(options, shape);
@@ -226,8 +243,7 @@ int run_bytes(const BytesArguments& options, bool json) {
         print_table(rows);
         print_costs(rows);
         if (options.slopes) print_slopes(rows);
-        for (const reports::Addition& addition : reports::additions())
-            fmt::print("\n{}", addition.bytes_text());
+        if (options.footnotes) print_footnotes();
     }
     return exit_done;
 }
@@ -243,6 +259,8 @@ void add_bytes(CLI::App& app, Context& context) {
     command->add_flag(
         "--slopes", options.slopes,
         "also the slope at every index width, over bodies of 8 to 100 000 vertices; takes a while");
+    command->add_flag("--footnotes", options.footnotes,
+                      "also the ways to reach the paper's 168 bytes per edge, which it gives as a sum");
 }
 
 }  // namespace edgewise::cli

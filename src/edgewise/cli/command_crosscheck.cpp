@@ -103,12 +103,14 @@ int run_crosscheck(const CrosscheckArguments& options, bool json) {
     const auto queries = static_cast<double>(cell.workload().queries.size());
     const measure::Expected<std::string> program = studies::program_for_valgrind();
     nlohmann::json rows = nlohmann::json::array();
+    std::size_t compared_rows = 0;
     if (!json)
         fmt::print("{:<20} {:>8} {:>9} {:>9} {:>10} {:>9} {:>9} {:>8} {:>9} {:>9}\n", "per query", "accesses",
                    "callgrind", "D1 model", "with poses", "at most", "callgrind", "residual", "LL model",
                    "callgrind");
     for (const measure::MachineChoice& machine : machines) {
         const measure::Expected<Compared> compared = compare(machine, options, cell, program);
+        compared_rows += compared.value.has_value();
         if (json) {
             rows.push_back(json_of(machine.name, compared, queries));
         } else {
@@ -127,7 +129,8 @@ int run_crosscheck(const CrosscheckArguments& options, bool json) {
     } else {
         fmt::print("{}\n", residual_cause);
     }
-    return exit_done;
+    if (compared_rows == 0) warn("nothing was compared; each row says why");
+    return compared_rows == 0 ? exit_check_failed : exit_done;
 }
 
 }  // namespace

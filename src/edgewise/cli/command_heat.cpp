@@ -46,16 +46,24 @@ std::string mean_text(std::uint64_t sum, std::uint64_t queries) {
 void print(const measure::HeatMap& heat, const measure::TouchedTables& tables) {
     fmt::print("{} queries; {} lines accessed, {} take half of all accesses, {} take 90 %\n",
                heat.queries().all, heat.lines(), heat.lines_taking(0.5), heat.lines_taking(0.9));
-    fmt::print("tables: {} of {} bytes touched\n", tables.bytes, tables.of_bytes);
+    fmt::print("tables: {} of {} bytes touched, {:.1f} %\n", tables.bytes, tables.of_bytes,
+               tables.of_bytes == 0
+                   ? 0
+                   : 100.0 * static_cast<double>(tables.bytes) / static_cast<double>(tables.of_bytes));
+    fmt::print("\n{:<22} {:>12}   of the component's bytes, those that any query read\n", "component",
+               "touched, %");
     for (const auto& [component, part] : tables.by_component)
-        fmt::print("  {:<20} {:.4f}\n", component, part);
+        fmt::print("  {:<20} {:>12.2f}\n", component, 100 * part);
+    fmt::print("\n{:<22} {:>12}   of the features, those of which any byte was read\n", "feature",
+               "touched, %");
     const auto feature = [](const char* name, const std::optional<double>& part) {
-        fmt::print("  {:<20} {}\n", name, part ? fmt::format("{:.4f}", *part) : "none stored separately");
+        fmt::print("  {:<20} {:>12}\n", name, part ? fmt::format("{:.2f}", 100 * *part) : "not apart");
     };
     feature("vertices", tables.vertices);
     feature("edges", tables.edges);
     feature("faces", tables.faces);
-    fmt::print("{:<22} {:>10} {:>10} {:>10}\n", "per query that starts", "any way", "cold", "warm");
+    fmt::print("\n{:<22} {:>10} {:>10} {:>10}   mean reads of a field, and lines of 64 bytes\n",
+               "per query that starts", "any way", "cold", "warm");
     const auto row = [&](std::string_view what, const measure::ByStart<std::uint64_t>& sums) {
         fmt::print("  {:<20} {:>10} {:>10} {:>10}\n", what, mean_text(sums.all, heat.queries().all),
                    mean_text(sums.cold, heat.queries().cold), mean_text(sums.warm, heat.queries().warm));
@@ -106,6 +114,8 @@ int run_heat(const HeatArguments& options, bool json) {
     } else if (json) {
         fmt::print("{}\n", json_of(heat, tables, cell).dump());
     } else {
+        fmt::print("{} {}, scene {}, shape {}\n", options.cell.table, options.cell.algorithm,
+                   options.cell.scene, options.cell.shape);
         print(heat, tables);
     }
     return exit_done;
@@ -117,7 +127,8 @@ void add_heat(CLI::App& app, Context& context) {
     auto [command, options] = add_command(
         app, context, "heat", "What one cell's queries touch of its tables, and how often", run_heat);
     add_cell_options(*command, options.cell);
-    command->add_flag("--svg", options.svg, "a picture of the tables' lines, on stdout");
+    command->add_flag("--svg", options.svg, "a picture of the tables' lines, on stdout")
+        ->excludes(command->get_option("--json"));
 }
 
 }  // namespace edgewise::cli

@@ -8,6 +8,8 @@
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/terminal/list_tables.hpp"
+#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/scene/hard/families.hpp"
 #include "edgewise/scene/scene_file.hpp"
@@ -92,23 +94,10 @@ Json list_families() {
     });
 }
 
-/// Each level as size, ways and latency, with what its source does not prove.
-Json level_json(const measure::LevelGeometry& level, const measure::LevelOrigin& origin, std::uint32_t line) {
-    return {{"name", level.name},      {"bytes", std::uint64_t{level.sets} * level.ways * line},
-            {"ways", level.ways},      {"latency_cycles", origin.latency_cycles},
-            {"source", origin.source}, {"unverified", origin.unverified}};
-}
-
+/// Each as the file that it could be.
 Json list_machines() {
     return rows_of(measure::cache_machines(), [](const measure::CacheMachine& machine) {
-        Json levels = Json::array();
-        for (std::size_t i = 0; i < machine.origins.size(); ++i)
-            levels.push_back(
-                level_json(machine.caches.levels[i], machine.origins[i], machine.caches.line_bytes));
-        return Json{{"name", machine.name},
-                    {"what", machine.what},
-                    {"line_bytes", machine.caches.line_bytes},
-                    {"levels", levels}};
+        return Json::parse(measure::cache_machine_json(machine));
     });
 }
 
@@ -159,18 +148,17 @@ const std::map<std::string, Json (*)()>& lists() {
 }
 
 int run_list(const std::string& what, bool as_json) {
+    if (!lists().contains(what)) {
+        std::vector<std::string> names;
+        for (const auto& [name, list] : lists()) names.push_back(name);
+        throw std::invalid_argument(unknown_name("list", what, names));
+    }
     const Json entries = lists().at(what)();
     if (as_json) {
         fmt::print("{}\n", Json{{what, entries}}.dump());
         return exit_done;
     }
-    for (const Json& entry : entries) {
-        fmt::print("{}\n", entry["name"].get<std::string>());
-        for (const auto& [key, value] : entry.items()) {
-            if (key != "name")
-                fmt::print("    {}: {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
-        }
-    }
+    fmt::print("{}", list_text(what, entries));
     return exit_done;
 }
 
@@ -178,9 +166,9 @@ int run_list(const std::string& what, bool as_json) {
 
 void add_list(CLI::App& app, Context& context) {
     auto [command, what] = add_command(app, context, "list", "The names that other commands take", run_list);
-    std::vector<std::string> names;
-    for (const auto& [name, list] : lists()) names.push_back(name);
-    command->add_option("what", what, "what to list")->required()->check(CLI::IsMember(names));
+    std::string names;
+    for (const auto& [name, list] : lists()) names += (names.empty() ? "" : ", ") + name;
+    command->add_option("what", what, "what to list: " + names);
 }
 
 }  // namespace edgewise::cli

@@ -13,6 +13,7 @@
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/scene/case_file.hpp"
 
@@ -38,7 +39,7 @@ Needs chosen_needs(const QueryArguments& options) {
     const auto needs = needs_from(options.needs);
     if (!needs)
         throw std::invalid_argument(
-            fmt::format("unknown need '{}'; known: {}", options.needs, fmt::join(needs_names, ", ")));
+            unknown_name("need", options.needs, {needs_names.begin(), needs_names.end()}));
     if (options.margin && *needs != Needs::nearer)
         throw std::invalid_argument("--margin is of --needs nearer: give both");
     if (*needs == Needs::nearer && options.query.contact_tolerance != 0)
@@ -162,8 +163,9 @@ int run_query(const QueryArguments& options, bool /*Json*/) {
         file.open(options.cases);
     }
     scene::CaseReader reader(options.cases == "-" ? std::cin : file, options.cases);
-    std::size_t unreadable = 0, failed = 0;
+    std::size_t asked = 0, unreadable = 0, failed = 0;
     while (const auto line = reader.next()) {
+        ++asked;
         Json answer;
         if (*line) {
             answer = answer_case(**line, *runner, options);
@@ -180,6 +182,9 @@ int run_query(const QueryArguments& options, bool /*Json*/) {
         warn(fmt::format(
             "and {} more: {} lines could not be read, {} had no answer; each answer's line says why",
             unreadable + failed - most_warnings, unreadable, failed));
+    if (asked == 0)
+        throw std::invalid_argument(fmt::format(
+            "{}: no case in it; a case is one line of JSON, and --help shows one", options.cases));
     return unreadable > 0 ? exit_bad_input : failed > 0 ? exit_check_failed : exit_done;
 }
 

@@ -12,6 +12,8 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/count_option.hpp"
 #include "edgewise/cli/parts/shard_options.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/vocabulary.hpp"
@@ -93,19 +95,31 @@ void print_row(const studies::StabilityRow& row) {
         row.cell.reason.empty() ? "" : "  " + row.cell.status + ": " + row.cell.reason);
 }
 
+studies::StabilitySummary run_with_progress(const studies::StabilityPlan& plan, store::Store& store, bool json) {
+    Progress progress("stability", studies::stability_rows(plan), 0, "rows");
+    return store_stability(plan, store, [&](const studies::StabilityRow& row) {
+        if (!json) {
+            progress.clear();
+            print_row(row);
+        }
+        progress.advance(1, row.cell.shape + " " + row.cell.table);
+    });
+}
+
 int run_stability(const StabilityArguments& options, bool json) {
+    check_folder_of_store(options.store);
     studies::StabilityPlan plan = chosen_plan(options);
     static_cast<void>(studies::stability_rows(plan));  // refuses unknown families before a store is made
     const sweep::Shard shard = chosen_shard(options.shard);
     const auto seconds =
         options.costs.empty() ? std::map<std::string, double>() : studies::seconds_in(options.costs);
     const bool any = studies::keep_shard(plan, shard, seconds);
-    std::filesystem::create_directories(folder_of(options.store));
+    make_folder_of_store(options.store);
     store::Store store(options.store);
     if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
     if (!json) print_heading();
     studies::StabilitySummary summary;
-    if (any) summary = store_stability(plan, store, json ? nullptr : print_row);
+    if (any) summary = run_with_progress(plan, store, json);
     if (!shard.is_whole() && !summary.stopped) store.set_meta(store::complete_key, shard.text());
     if (json) {
         const nlohmann::json line = {{"rows", summary.rows},

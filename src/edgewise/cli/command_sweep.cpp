@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise sweep`: runs a plan into a store and writes the report. Ctrl-C stops after the round in hand; the
-// next run goes on from there.
+// `edgewise sweep`: runs a plan into a store and writes the report. Ctrl-C stops after the round in hand: the
+// report is of what is there, and the next run goes on.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -13,7 +13,8 @@
 #include "edgewise/cli/count_option.hpp"
 #include "edgewise/cli/parts/figures_of_merit.hpp"
 #include "edgewise/cli/parts/shard_options.hpp"
-#include "edgewise/cli/parts/sweep_runs.hpp"
+#include "edgewise/cli/sweep_parts.hpp"
+#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/measure/machine/utc_time.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
@@ -28,11 +29,12 @@ struct SweepArguments {
     std::string store;  ///< empty: the usual one
     std::string out, shard, costs;
     bool fom = false;
-    std::vector<std::string> layouts, algorithms, peers, axes, scenes, shapes, meshes, caches, machines;
+    std::vector<std::string> layouts, algorithms, peers, axes, scenes, shapes, meshes, caches, machines,
+        probes;
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
     std::optional<std::size_t> stability, effort;
-    bool each_mesh = false;
+    bool each_mesh = false, no_report = false;
     std::optional<std::uint64_t> seed;
     const CLI::App* command = nullptr;  ///< what was typed
 };
@@ -55,6 +57,16 @@ std::string command_line(const CLI::App& command) {
 /// A sweep of chosen scenes or bodies is about those: no stability run unless asked for.
 bool narrowed(const SweepArguments& options) {
     return !options.scenes.empty() || !options.shapes.empty() || !options.meshes.empty();
+}
+
+/// What would be left unused in silence.
+void refuse_unused(const SweepArguments& options) {
+    if (options.each_mesh && options.meshes.empty())
+        throw std::invalid_argument("--each-mesh is of --mesh: name mesh files, or leave it out");
+    const bool some_caches = options.plan != "quick" || !options.caches.empty() || !narrowed(options);
+    if (!options.machines.empty() && !some_caches)
+        throw std::invalid_argument(
+            "--machines models caches of the shapes that --caches names: add --caches all");
 }
 
 /// Of a scene that was asked for by name, what else was named on the command line counts, not what the plan
@@ -86,7 +98,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     };
     replace(plan.layouts, options.layouts);
     for (sweep::SceneChoice& scene : plan.scenes) {
-        if (scene::find_scene_file(scene.name)) replace(scene.layouts, options.layouts);
+        if (scene::is_scene_file(scene.name)) replace(scene.layouts, options.layouts);
     }
     replace(plan.algorithms, options.algorithms);
     replace(plan.peers, options.peers);
@@ -94,7 +106,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     if (!options.shapes.empty() || !options.meshes.empty()) {
         plan.shapes = options.shapes;
         plan.meshes = options.meshes;
-        plan.meshes_required = true;
+        plan.meshes_required = plan.bodies_for_files = true;
         plan.each_mesh = options.each_mesh;
     }
     if (!options.scenes.empty()) {
@@ -109,6 +121,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
         plan.scenes = kept;
     }
     replace(plan.machines, options.machines);
+    replace(plan.probes, options.probes);
     for (sweep::SceneChoice& scene : plan.scenes) replace(scene.caches, options.caches);
     plan.queries = options.queries.value_or(plan.queries);
     plan.checked = options.checked.value_or(plan.checked);
@@ -124,7 +137,7 @@ void note_run(store::Store& store, const std::string& command, const nlohmann::j
 }
 
 /// `report`: of what was written of the store; its page is empty where nothing was.
-void print_summary(const SweepOutcome& outcome, const std::string& store,
+void print_summary(const PartsSummary& outcome, const std::string& store,
                    const reports::ReportSummary& report, bool json) {
     const sweep::SweepSummary& summary = outcome.sweep;
     const studies::StabilitySummary& stability = outcome.stability;
@@ -165,10 +178,10 @@ std::string store_of(const SweepArguments& options, const sweep::Shard& shard) {
 }
 
 /// A part has no report: that is the merged store's.
-int finish_sweep(const SweepArguments& options, const SweepOutcome& outcome, const sweep::Shard& shard,
+int finish_sweep(const SweepArguments& options, const PartsSummary& outcome, const sweep::Shard& shard,
                  const std::string& store, bool json) {
     reports::ReportSummary report;
-    if (shard.is_whole()) {
+    if (shard.is_whole() && !options.no_report) {
         const std::string out = options.out.empty() ? folder_of(store) : options.out;
         report = reports::write_report(store, out, bench::charts_folder());
         if (!report.note.empty()) warn(report.note);
@@ -178,15 +191,35 @@ int finish_sweep(const SweepArguments& options, const SweepOutcome& outcome, con
     return outcome.sweep.failed + outcome.stability.failed > 0 ? exit_check_failed : exit_done;
 }
 
+/// A part's own folder is made where nobody named one.
+bool names_store(const SweepArguments& options, const sweep::Shard& shard) {
+    return shard.is_whole() || !options.store.empty();
+}
+
+void check_folders(const SweepArguments& options, const sweep::Shard& shard, const std::string& store) {
+    if (names_store(options, shard)) check_folder_of_store(store);
+    if (!options.out.empty()) check_folder(options.out, "--out");
+}
+
+void make_folders(const SweepArguments& options, const sweep::Shard& shard, const std::string& store) {
+    if (names_store(options, shard))
+        make_folder_of_store(store);
+    else
+        std::filesystem::create_directories(folder_of(store));
+    if (!options.out.empty()) make_folder(options.out, "--out");
+}
+
 int run_sweep(const SweepArguments& options, bool json) {
+    refuse_unused(options);
     const sweep::Shard shard = chosen_shard(options.shard);
+    const std::string path = store_of(options, shard);
+    check_folders(options, shard, path);
     const auto seconds =
         options.costs.empty() ? std::map<std::string, double>() : studies::seconds_in(options.costs);
     sweep::SweepWork work = sweep::prepare_sweep(chosen_plan(options), warn);
     studies::keep_shard(work, shard, seconds);
-    const std::string path = store_of(options, shard);
-    std::filesystem::create_directories(folder_of(path));
-    SweepOutcome outcome;
+    make_folders(options, shard, path);
+    PartsSummary outcome;
     {
         store::Store store(path);
         const std::string command = command_line(*options.command);
@@ -197,18 +230,22 @@ int run_sweep(const SweepArguments& options, bool json) {
                               {"started", measure::utc_time()},
                               {"ended", nullptr}};
         note_run(store, command, run);
-        outcome = run_all(work, store);
+        outcome = run_parts(work, store);
         if (!outcome.stopped) {
             run["ended"] = measure::utc_time();
             note_run(store, command, run);
             if (!shard.is_whole()) store.set_meta(store::complete_key, shard.text());
         }
     }
-    if (outcome.stopped) {
+    if (outcome.stopped && (outcome.sweep.cells == 0 || !shard.is_whole())) {
         warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there", path));
         return exit_check_failed;
     }
-    return finish_sweep(options, outcome, shard, path, json);
+    const int code = finish_sweep(options, outcome, shard, path, json);
+    if (!outcome.stopped) return code;
+    warn(fmt::format("stopped: {} of {} cells are there; the same command goes on from them",
+                     outcome.sweep.cells, work.cells()));
+    return exit_check_failed;
 }
 
 }  // namespace
@@ -224,6 +261,8 @@ void add_sweep(CLI::App& app, Context& context) {
     command->add_option("--out", options.out, "folder for the report; beside the store if not given");
     add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
     add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
+    command->add_flag("--no-report", options.no_report, "fill the store and write no report")
+        ->excludes(command->get_option("--out"));
     add_names(*command, "--peers", options.peers, "these libraries beside them, or all that are built");
     add_names(*command, "--axes", options.axes,
               "these axes beside the plain cells, such as gap_tolerance=1e-06");
@@ -232,6 +271,8 @@ void add_sweep(CLI::App& app, Context& context) {
     add_names(*command, "--shapes", options.shapes, "these built-in shapes instead of the plan's bodies");
     add_names(*command, "--caches", options.caches, "model caches for cells of these shapes, or all");
     add_names(*command, "--machines", options.machines, "whose caches: names, host, or your own NAME.json");
+    add_names(*command, "--probes", options.probes,
+              "measure cells by these probes alone (edgewise list probes)");
     command->add_option("--mesh", options.meshes, "these mesh files instead of the plan's bodies");
     command->add_flag("--each-mesh", options.each_mesh,
                       "one body for each mesh of a file, not one for the file");

@@ -5,7 +5,6 @@
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/studies/parts/sharded_work.hpp"
@@ -18,7 +17,6 @@ studies::StabilitySummary store_stability(const studies::StabilityPlan& plan, st
     store.put_build(build);
     store.set_meta("build", build.id);
     store.set_meta("seed", std::to_string(plan.seed));
-    Progress progress("stability", studies::stability_rows(plan));
     std::map<std::string, double> seconds;
     measure::Stopwatch watch;
     const studies::StabilitySummary summary = studies::run_stability(
@@ -27,11 +25,7 @@ studies::StabilitySummary store_stability(const studies::StabilityPlan& plan, st
             store.put_cell(build.id, row.cell, row.figures);
             seconds[row.cell.shape] += watch.elapsed_ns() * 1e-9;
             watch.restart();
-            if (on_row) {
-                progress.clear();
-                on_row(row);
-            }
-            progress.advance(1, row.cell.shape + " " + row.cell.table);
+            on_row(row);
         },
         stop_on_signals());
     for (const auto& [family, took] : seconds) {

@@ -5,6 +5,8 @@
 #include "edgewise/scene/case_file.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <vector>
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -27,6 +29,24 @@ const Json& member(const Json& object, const char* key) {
     static const Json absent;
     const auto found = object.find(key);
     return found == object.end() ? absent : *found;
+}
+
+/// All that a line lacks, so that it need not be mended member by member.
+void check_members(const Json& line) {
+    std::vector<std::string> missing;
+    if (member(line, "id").is_null()) missing.emplace_back("id");
+    for (const char* body : {"a", "b"}) {
+        const Json& value = member(line, body);
+        if (value.is_null()) {
+            missing.emplace_back(body);
+        } else if (value.is_object() && member(value, "vertices").is_null()) {
+            missing.push_back(std::string(body) + ".vertices");
+        }
+    }
+    if (missing.empty()) return;
+    if (missing.size() == 1) throw Fault{missing.front() + " is missing"};
+    throw Fault{fmt::format("{} are missing; a case is {}", fmt::join(missing, ", "),
+                            R"({"id": "1", "a": {"vertices": [[0,0,0], ...]}, "b": {"vertices": [...]}})")};
 }
 
 /// The member, which must be there.
@@ -119,7 +139,6 @@ Pose pose_of(const Json& line, const char* key) {
 
 std::string id_of(const Json& line) {
     const Json& value = member(line, "id");
-    if (value.is_null()) throw Fault{"id is missing"};
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_integer()) return value.dump();
     throw Fault{"id is neither a string nor a whole number"};
@@ -138,7 +157,8 @@ Result<Case> parse_case(std::string_view line, const std::string& where, std::st
     try {
         const Json object = parse_line(line);
         if (!object.is_object()) throw Fault{"the line is not a JSON object"};
-        id = id_of(object);
+        if (!member(object, "id").is_null()) id = id_of(object);
+        check_members(object);
         return Result<Case>::success({id, body_of(object, "a", where), body_of(object, "b", where),
                                       pose_of(object, "pose_a"), pose_of(object, "pose_b")});
     } catch (const Fault& fault) {

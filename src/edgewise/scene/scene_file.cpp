@@ -13,9 +13,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/scene/mesh/mesh_shapes.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 
@@ -69,7 +71,7 @@ void check_members(const Json& json) {
     if (!json.is_object()) throw Fault{"wants one object: {\"scene\": ..., \"shapes\": [...], ...}"};
     for (const auto& [key, value] : json.items()) {
         if (std::find(members.begin(), members.end(), key) == members.end())
-            throw Fault{fmt::format("unknown member '{}'; known: {}", key, fmt::join(members, ", "))};
+            throw Fault{unknown_name("member", key, {members.begin(), members.end()})};
     }
     for (const char* key : {"scene", "shapes"}) {
         if (!json.contains(key)) throw Fault{fmt::format("{} is missing", key)};
@@ -130,9 +132,9 @@ std::vector<std::pair<std::string, Json>> varied(const Json& json) {
     return values;
 }
 
-ScenePoint make_point(const Json& json, const SceneFile& file, const std::string& shape,
-                      const Polyhedron& body, const std::pair<std::string, Json>* varied_value) {
-    GivenParameters given({file.time_step, extent(body.vertices)});
+ScenePoint make_point(const Json& json, const SceneFile& file, const NamedShape& shape,
+                      const std::pair<std::string, Json>* varied_value) {
+    GivenParameters given({file.time_step, extent(shape.body.vertices)});
     if (member<std::string>(json, "sharing", "shared", "shared or per_instance") == "per_instance")
         given.take("sharing", "own_tables", 1);
     for (const auto& [name, value] : object_at(json, "parameters").items())
@@ -140,24 +142,44 @@ ScenePoint make_point(const Json& json, const SceneFile& file, const std::string
     if (varied_value) given.set("vary." + varied_value->first, varied_value->first, varied_value->second);
     const auto complete = complete_parameters(file.kind, given.values());
     if (!complete) throw Fault{complete.error};
-    return {shape, *complete};
+    return {shape.name, *complete};
+}
+
+/// A built-in body, or that of a mesh file beside the scene file.
+NamedShape shape_called(const std::string& name, const std::filesystem::path& folder, std::string& warning) {
+    if (!names_mesh_file(name)) {
+        auto body = make_shape(name);
+        if (!body) throw Fault{"shapes: " + body.error};
+        return {name, "built-in", *std::move(body), {}};
+    }
+    auto shapes = mesh_shapes((folder / name).string(), MeshGrouping::one_hull);
+    if (!shapes) throw Fault{"shapes: " + shapes.error};
+    warning += (warning.empty() ? "" : "; ") + shapes.warning;
+    return std::move(shapes->front());
+}
+
+std::vector<NamedShape> shapes_of(const Json& json, const std::filesystem::path& folder,
+                                  std::string& warning) {
+    std::vector<NamedShape> shapes;
+    for (const auto& name :
+         member<std::vector<std::string>>(json, "shapes", {}, "a list of shapes' names and mesh files"))
+        shapes.push_back(shape_called(name, folder, warning));
+    if (shapes.empty()) throw Fault{"shapes wants at least one name"};
+    return shapes;
 }
 
 void add_points(const Json& json, SceneFile& file) {
     const auto values = varied(json);
-    for (const std::string& shape : file.shapes) {
-        const auto body = make_shape(shape);
-        if (!body) throw Fault{"shapes: " + body.error};
-        if (values.empty()) file.points.push_back(make_point(json, file, shape, *body, nullptr));
-        for (const auto& value : values) file.points.push_back(make_point(json, file, shape, *body, &value));
+    for (const NamedShape& shape : file.shapes) {
+        if (values.empty()) file.points.push_back(make_point(json, file, shape, nullptr));
+        for (const auto& value : values) file.points.push_back(make_point(json, file, shape, &value));
     }
 }
 
 Needs needs_of(const Json& json) {
     const auto name = member<std::string>(json, "needs", "witnesses", "one of the needs' names");
     const auto needs = needs_from(name);
-    if (!needs)
-        throw Fault{fmt::format("needs = '{}' is unknown; known: {}", name, fmt::join(needs_names, ", "))};
+    if (!needs) throw Fault{unknown_name("needs", name, {needs_names.begin(), needs_names.end()})};
     return *needs;
 }
 
@@ -175,7 +197,7 @@ double margin_of(const Json& json, Needs needs) {
 void check_sharing(const Json& json) {
     const auto sharing = member<std::string>(json, "sharing", "shared", "shared or per_instance");
     if (sharing != "shared" && sharing != "per_instance")
-        throw Fault{fmt::format("sharing = '{}' is unknown; known: shared, per_instance", sharing)};
+        throw Fault{unknown_name("sharing", sharing, {"shared", "per_instance"})};
 }
 
 std::size_t queries_of(const Json& json) {
@@ -185,14 +207,14 @@ std::size_t queries_of(const Json& json) {
     return *queries;
 }
 
-SceneFile read(const std::string& name, const Json& json) {
+SceneFile read(const std::string& name, const Json& json, const SceneFileContext& context,
+               std::string& warning) {
     check_members(json);
     SceneFile file;
     file.name = name;
     file.text = json.dump();
     file.kind = member<std::string>(json, "scene", "", "the name of a scene");
-    file.shapes = member<std::vector<std::string>>(json, "shapes", {}, "a list of shapes' names");
-    if (file.shapes.empty()) throw Fault{"shapes wants at least one name"};
+    file.shapes = context.bodies.empty() ? shapes_of(json, context.folder, warning) : context.bodies;
     file.time_step = member(json, "time_step", usual_time_step, "a number of seconds");
     if (!(file.time_step > 0 && file.time_step <= longest_time_step))
         throw Fault{fmt::format("time_step = {} is out of bounds; choose above 0, to {} s", file.time_step,
@@ -208,28 +230,39 @@ SceneFile read(const std::string& name, const Json& json) {
 
 }  // namespace
 
-Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text) {
+Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text,
+                                   const SceneFileContext& context) {
     using Failure = Result<SceneFile>;
     const auto json = input::parse_json(text);
     if (!json) return Failure::failure(fmt::format("scene file {}: {}", name, json.error));
     try {
-        return Failure::success(read(name, *json));
+        std::string warning;
+        SceneFile file = read(name, *json, context, warning);
+        return Failure::success(std::move(file), warning);
     } catch (const Fault& fault) {
         return Failure::failure(fmt::format("scene file {}: {}", name, fault.what));
     }
 }
 
-Result<SceneFile> read_scene_file(const std::string& path) {
+Result<SceneFile> read_scene_file(const std::string& path, const std::vector<NamedShape>& bodies) {
     const auto text = input::read_file_text(path);
     if (!text) return Result<SceneFile>::failure("scene file " + text.error);
-    return parse_scene_file(std::filesystem::path(path).stem().string(), *text);
+    const std::filesystem::path file = path;
+    return parse_scene_file(file.stem().string(), *text, {file.parent_path(), bodies});
 }
 
-std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path) {
+bool is_scene_file(const std::string& name_or_path) {
+    return name_or_path.ends_with(".json") || std::ranges::find(scene_texts(), std::string_view(name_or_path),
+                                                                &SceneText::name) != scene_texts().end();
+}
+
+std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path,
+                                                 const std::vector<NamedShape>& bodies) {
     for (const SceneText& text : scene_texts()) {
-        if (text.name == name_or_path) return parse_scene_file(name_or_path, std::string(text.json));
+        if (text.name == name_or_path)
+            return parse_scene_file(name_or_path, std::string(text.json), {{}, bodies});
     }
-    if (name_or_path.ends_with(".json")) return read_scene_file(name_or_path);
+    if (name_or_path.ends_with(".json")) return read_scene_file(name_or_path, bodies);
     return std::nullopt;
 }
 

@@ -12,10 +12,12 @@
 // kind's own (`edgewise list scenes`), and of scenes that move bodies these, which the time step turns into
 // the kind's: angular_velocity (rad/s), linear_velocity (m/s). "random" as a turn: every body turned at
 // random in every step, where no coherence is left. With "needs": "nearer" a "margin" may be named, over the
-// larger body's extent.
+// larger body's extent. A shape with a dot in its name is a mesh file, found from where the scene file lies
+// ("shapes": ["my_link.stl"]); its body is called after it (my_link).
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +25,7 @@
 #include <vector>
 
 #include "edgewise/geometry/result.hpp"
+#include "edgewise/scene/shapes.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/table/needs.hpp"
 
@@ -35,10 +38,10 @@ struct ScenePoint {
 };
 
 struct SceneFile {
-    std::string name;                 ///< of the file, without its ending
-    std::string kind;                 ///< static, tumble ...
-    std::vector<std::string> shapes;  ///< built-in
-    double time_step = 0;             ///< s
+    std::string name;                ///< of the file, without its ending
+    std::string kind;                ///< static, tumble ...
+    std::vector<NamedShape> shapes;  ///< built-in, and of mesh files
+    double time_step = 0;            ///< s
     Needs needs = Needs::witnesses;
     double margin = 0;        ///< of Needs::nearer, over the larger body's extent; 0: the usual one
     std::size_t queries = 0;  ///< of every point; 0: as the plan says
@@ -47,10 +50,18 @@ struct SceneFile {
     std::string text;                ///< the file as JSON in one line, for the store
 };
 
-/// Fails with one line: the file, the place in it, what is allowed there.
-[[nodiscard]] Result<SceneFile> read_scene_file(const std::string& path);
+/// What a file's text does not say.
+struct SceneFileContext {
+    std::filesystem::path folder = {};    ///< where the file lies; empty: the working folder
+    std::vector<NamedShape> bodies = {};  ///< in place of the file's own shapes; none: its own
+};
+
+/// Fails with one line: the file, the place in it, what is allowed there. The warning is about its meshes.
+[[nodiscard]] Result<SceneFile> read_scene_file(const std::string& path,
+                                                const std::vector<NamedShape>& bodies = {});
 /// Likewise from its text, under a name.
-[[nodiscard]] Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text);
+[[nodiscard]] Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text,
+                                                 const SceneFileContext& context = {});
 
 struct SceneText {
     std::string_view name, json;
@@ -61,7 +72,12 @@ struct SceneText {
 /// kinds of scenes.
 [[nodiscard]] std::span<const SceneText> scene_texts();
 
-/// The scene file of that name, or at that path if it ends in .json; nothing for any other name.
-[[nodiscard]] std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path);
+/// Whether a scene of that name is a file: one that comes along, or a path that ends in .json.
+[[nodiscard]] bool is_scene_file(const std::string& name_or_path);
+
+/// The scene file of that name, or at that path if it ends in .json; nothing for any other name. `bodies`: in
+/// place of the file's own, if there are any.
+[[nodiscard]] std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path,
+                                                               const std::vector<NamedShape>& bodies = {});
 
 }  // namespace edgewise::scene

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/scene_file.hpp"
 
@@ -29,10 +30,10 @@ const SceneKind* find_scene(std::string_view name) {
 }
 
 template <class Infos>
-std::string names_of(const Infos& infos) {
+std::vector<std::string> names_of(const Infos& infos) {
     std::vector<std::string> names;
-    for (const auto& info : infos) names.push_back(info.name);
-    return fmt::format("{}", fmt::join(names, ", "));
+    for (const auto& info : infos) names.emplace_back(info.name);
+    return names;
 }
 
 /// Empty, or what is wrong with the value.
@@ -48,10 +49,9 @@ std::string check_value(std::string_view scene, const ParameterInfo& info, doubl
 }
 
 std::string unknown_scene(std::string_view scene) {
-    std::vector<std::string_view> files;
-    for (const SceneText& text : scene_texts()) files.push_back(text.name);
-    return fmt::format("unknown scene '{}': known are {}; of files {}, or the path of one that ends in .json",
-                       scene, names_of(list_scenes()), fmt::join(files, ", "));
+    std::vector<std::string> known = names_of(list_scenes());
+    for (const std::string& file : names_of(scene_texts())) known.push_back(file);
+    return unknown_name("scene", scene, known) + ", or the path of a file that ends in .json";
 }
 
 }  // namespace
@@ -73,8 +73,8 @@ Result<SceneParameters> complete_parameters(std::string_view scene, const SceneP
         const auto known = std::find_if(info.parameters.begin(), info.parameters.end(),
                                         [&name = name](const ParameterInfo& p) { return p.name == name; });
         if (known == info.parameters.end()) {
-            return Failure::failure(fmt::format("scene '{}' has no parameter '{}': known are {}", scene, name,
-                                                names_of(info.parameters)));
+            return Failure::failure(fmt::format("scene '{}': {}", scene,
+                                                unknown_name("parameter", name, names_of(info.parameters))));
         }
         const std::string wrong = check_value(scene, *known, value);
         if (!wrong.empty()) return Failure::failure(wrong);

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/scene/sphere_points.hpp"
 
 namespace edgewise::scene {
@@ -74,11 +75,12 @@ Result<Polyhedron> make_shape(std::string_view name) {
     if (name == "cube8") return convex_hull(cube_points());
     if (name == "uv_sphere386") return convex_hull(uv_sphere_points());
     if (const auto count = sphere_count(name)) return make_sphere(name, *count);
+    std::vector<std::string> known;
+    for (const ShapeInfo& shape : list_shapes()) known.push_back(shape.name);
     return Result<Polyhedron>::failure(
-        fmt::format("unknown shape '{}': known are tetra4, cube8, uv_sphere386 and sphereN with N = 4 k^2 + "
-                    "2 or 6 k^2 + 2 "
-                    "(sphere6, sphere8, sphere18, sphere26, sphere38 ... sphere386 ...)",
-                    name));
+        fmt::format("unknown shape '{}'{} known: tetra4, cube8, uv_sphere386 and sphereN with N = 4 k^2 + 2 "
+                    "or 6 k^2 + 2 (sphere6, sphere8, sphere18, sphere26, sphere38 ... sphere386 ...)",
+                    name, did_you_mean(name, known)));
 }
 
 Polyhedron scaled(const Polyhedron& body, double factor) {

@@ -152,4 +152,11 @@ void Store::set_meta(const std::string& key, const std::string& value) {
     sqlite::Statement(database_, "insert or replace into meta values(?,?)").bind(key, value).run();
 }
 
+std::optional<std::string> Store::meta(const std::string& key) const {
+    sqlite::Statement s(database_, "select value from meta where key = ?");
+    s.bind(key);
+    if (!s.step()) return std::nullopt;
+    return s.text(0);
+}
+
 }  // namespace edgewise::store

@@ -44,6 +44,8 @@ class Store {
 
     /// Plan name, start time, command line ...
     void set_meta(const std::string& key, const std::string& value);
+    /// Nothing where the key was never set.
+    [[nodiscard]] std::optional<std::string> meta(const std::string& key) const;
 
   private:
     sqlite::Database database_;

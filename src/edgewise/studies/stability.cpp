@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "edgewise/bench/cell.hpp"
+#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/studies/stability_subject.hpp"
 
@@ -27,8 +28,7 @@ std::vector<const scene::HardFamily*> chosen_families(const StabilityPlan& plan)
     for (const std::string& name : plan.families) {
         const auto found = std::ranges::find(scene::hard_families(), name, &scene::HardFamily::name);
         if (found == scene::hard_families().end())
-            throw std::invalid_argument(
-                fmt::format("unknown family '{}'; known: {}", name, fmt::join(names, ", ")));
+            throw std::invalid_argument(unknown_name("family", name, names));
         result.push_back(&*found);
     }
     return result;

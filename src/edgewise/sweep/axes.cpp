@@ -8,6 +8,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "edgewise/geometry/known_names.hpp"
+
 namespace edgewise::sweep {
 
 namespace {
@@ -80,10 +82,12 @@ void take(Axes& axes, std::string_view entry) {
     } else if (name == "margin") {
         axes.margin = read_margin(entry, value);
     } else {
-        std::vector<std::string> names;
-        for (const AxisInfo& axis : axes_known())
+        std::vector<std::string> names, plain;
+        for (const AxisInfo& axis : axes_known()) {
+            plain.emplace_back(axis.name);
             names.push_back(fmt::format("{}={}", axis.name, axis.values));
-        refuse(entry, fmt::format("unknown; known: {}", fmt::join(names, ", ")));
+        }
+        refuse(entry, fmt::format("unknown{} known: {}", did_you_mean(name, plain), fmt::join(names, ", ")));
     }
 }
 

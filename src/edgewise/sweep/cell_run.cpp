@@ -2,6 +2,7 @@
 #include "edgewise/sweep/cell_run.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/sweep/verify.hpp"
@@ -86,6 +87,7 @@ void CellRun::measure(Stage stage, std::span<const measure::Round> rounds) {
     for (const bench::Probe& probe : bench::registered_probes()) {
         if (probe.beside_others != (stage == Stage::beside_others)) continue;
         if (type_.is_peer && !probe.of_peers) continue;
+        if (!only_.empty() && std::ranges::find(only_, probe.name) == only_.end()) continue;
         bench::Findings found = probe.measure(cell);
         if (found.passed) hold_against_answers(*found.passed, probe.name);
         for (measure::Figure& figure : found.figures)

@@ -29,6 +29,9 @@ class CellRun {
     void model_caches(const bench::CacheOrder& caches) { caches_ = caches; }
     [[nodiscard]] const bench::CacheOrder& caches() const { return caches_; }
 
+    /// For a cell that is to be measured by these probes alone; the names must stay.
+    void measure_only(std::span<const std::string> probes) { only_ = probes; }
+
     /// Builds the tables, answers every query, checks the sample. Sets the row's status and reason. What
     /// follows does nothing before that, nor for a cell that is unavailable.
     void verify(SharedQueries& shared);
@@ -63,6 +66,7 @@ class CellRun {
     const SharedQueries* shared_ = nullptr;      ///< when the cell has run
     const scene::Workload* workload_ = nullptr;  ///< likewise: the queries as this cell is asked them
     bench::CacheOrder caches_;
+    std::span<const std::string> only_;     ///< none: by all probes
     std::vector<std::uint8_t> in_contact_;  ///< of every query; empty where the answers do not tell
     std::vector<double> distances_;         ///< the answers' sums, query by query
     std::vector<measure::CheckedAnswer> checked_;

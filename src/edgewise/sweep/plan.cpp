@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "edgewise/bench/registry.hpp"
+#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
@@ -48,8 +49,7 @@ class Members {
     void refuse_others() const {
         for (const auto& [key, value] : json_.items()) {
             if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-            throw std::invalid_argument(
-                fmt::format("unknown member '{}'; known: {}", key, fmt::join(known_, ", ")));
+            throw std::invalid_argument(unknown_name("member", key, known_));
         }
     }
 
@@ -139,8 +139,8 @@ Plan read_named(const PlanText& text) {
 Plan read_file(const std::string& file) {
     const auto text = input::read_file_text(file);
     if (!text)
-        throw std::invalid_argument(fmt::format("unknown plan '{}'; known: {}, or a readable JSON file ({})",
-                                                file, fmt::join(plan_names(), ", "), text.error));
+        throw std::invalid_argument(
+            fmt::format("{}, or a readable JSON file ({})", unknown_name("plan", file, plan_names()), text.error));
     return parse_plan(file, *text);
 }
 

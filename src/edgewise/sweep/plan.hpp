@@ -34,6 +34,7 @@ struct Plan {
     std::vector<std::string> meshes;      ///< mesh files
     bool each_mesh = false;               ///< one body for each mesh of a file, instead of one for the file
     bool meshes_required = false;         ///< an unreadable mesh file ends the sweep before it starts
+    bool bodies_for_files = false;        ///< scene files are of these bodies, too, in place of their own
     std::vector<std::string> layouts;     ///< as for select_table_types
     std::vector<std::string> algorithms;  ///< as for select_algorithms
     std::vector<std::string> peers;       ///< as for select_peer_types: other libraries beside these
@@ -50,6 +51,7 @@ struct Plan {
     std::size_t traced = 0;             ///< queries per cell whose caches are modelled; 0: all
     std::size_t traced_steps = 0;       ///< and of scenes in time order as many whole steps at least
     std::vector<std::string> machines;  ///< to model the caches of; as for choose_machines
+    std::vector<std::string> probes;    ///< these alone; none: all
 };
 
 /// A plan in the program; its file is found wherever the program is installed.

@@ -2,6 +2,7 @@
 #include "edgewise/sweep/run.hpp"
 
 #include <fmt/format.h>
+#include <mutex>
 
 #include <algorithm>
 #include <set>
@@ -16,6 +17,7 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/sweep/cell_run.hpp"
+#include "edgewise/sweep/expected_work.hpp"
 #include "edgewise/sweep/stored_cells.hpp"
 
 namespace edgewise::sweep {
@@ -96,7 +98,7 @@ StoredRound time_round(const Plan& plan, int number, std::vector<const CellRun*>
 /// the baseline somewhere among them. A round is stored when it is done, and `stop` looked at before the
 /// next.
 void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun& baseline,
-                 StoredCells& stored, const std::atomic<bool>& stop) {
+                 StoredCells& stored, const std::atomic<bool>& stop, const std::function<void()>& on_round) {
     const double clock_cost_ns = measure::calibrate();
     std::vector<std::set<int>> missing;
     for (const CellRun& cell : cells) missing.push_back(stored.rounds_missing(cell));
@@ -106,6 +108,7 @@ void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun
             if (cells[i].is_timed() && missing[i].contains(round)) lacking.push_back(&cells[i]);
         }
         if (!lacking.empty()) stored.put(time_round(plan, round, lacking, baseline, clock_cost_ns));
+        on_round();
     }
 }
 
@@ -116,13 +119,15 @@ class Sweep {
         : work_(work), stored_(store, build, work.plan), listener_(listener), stop_(stop) {}
 
     SweepSummary run() {
-        listener_.on_start(work_.cells());
+        const std::vector<GroupWork> expected =
+            expected_work(work_, [&](const std::string& group) { return stored_.took(group); });
+        double all = 0;
+        for (const GroupWork& group : expected) all += group.all();
+        listener_.on_start(all, work_.cells());
+        auto group = expected.begin();
         for (const SceneWork& scene : work_.scenes) {
             for (const scene::NamedShape* shape : scene.shapes) {
-                if (stop_) break;
-                std::vector<CellRun> cells = cells_of(scene, *shape);
-                if (!all_stored(cells)) run_timed(scene, *shape, cells);
-                if (!stop_) listener_.on_done(cells.size(), scene.choice.name + " " + shape->name);
+                if (!stop_) run_group(scene, *shape, *group++);
             }
         }
         summary_.stopped = stop_;
@@ -130,6 +135,21 @@ class Sweep {
     }
 
   private:
+    void run_group(const SceneWork& scene, const scene::NamedShape& shape, const GroupWork& expected) {
+        std::vector<CellRun> cells = cells_of(scene, shape);
+        if (all_stored(cells)) {
+            listener_.on_resumed(expected.all(), cells.size());
+            return;
+        }
+        const measure::Stopwatch watch;
+        run_cells(scene, shape, cells, expected);
+        if (stop_) return;
+        const double seconds = watch.elapsed_ns() * 1e-9;
+        stored_.put_seconds(group_key(work_.plan, scene, shape, cells.size()), seconds);
+        stored_.put_seconds(comparison_name(scene, shape), seconds);  // for shards to be weighed by
+        listener_.on_done(0, cells.size(), scene.choice.name + " " + shape.name);
+    }
+
     [[nodiscard]] store::CellRow row_for(const SceneWork& scene, const scene::NamedShape& shape) const {
         store::CellRow row;
         row.scene = scene.choice.name;
@@ -153,6 +173,7 @@ class Sweep {
                 cells.emplace_back(type, algorithm, axes, row_for(scene, shape), shape.body);
                 if (scene.models_caches(shape))
                     cells.back().model_caches({work_.machines, work_.plan.traced, work_.plan.traced_steps});
+                cells.back().measure_only(work_.plan.probes);
                 if (!shape.error.empty()) cells.back().make_unavailable(shape.error);
             });
         return cells;
@@ -170,28 +191,40 @@ class Sweep {
         return true;
     }
 
-    /// How long it took is kept, for shards of this plan to be weighed by.
-    void run_timed(const SceneWork& scene, const scene::NamedShape& shape, std::vector<CellRun>& cells) {
-        const measure::Stopwatch watch;
-        run_cells(scene, shape, cells);
-        if (!stop_) stored_.put_seconds(comparison_name(scene, shape), watch.elapsed_ns() * 1e-9);
+    /// Every cell's answers checked, then what may be measured of cells side by side.
+    void verify_and_trace(std::vector<CellRun>& cells, SharedQueries& shared, const GroupWork& expected,
+                          const std::string& what) {
+        const auto count = static_cast<double>(cells.size());
+        for (CellRun& cell : cells) {
+            if (stop_) return;
+            cell.verify(shared);
+            listener_.on_done(expected.verify / count, 0, what);
+        }
+        // On all processors: nothing is timed meanwhile, and traces do not depend on what runs beside them.
+        std::mutex telling;
+        bench::for_each_index(cells.size(), [&](std::size_t i) {
+            if (stop_) return;
+            cells[i].measure(CellRun::Stage::beside_others, {});
+            const std::scoped_lock lock(telling);
+            listener_.on_done(expected.beside / count, 0, what);
+        });
     }
 
-    void run_cells(const SceneWork& scene, const scene::NamedShape& shape, std::vector<CellRun>& cells) {
+    void run_cells(const SceneWork& scene, const scene::NamedShape& shape, std::vector<CellRun>& cells,
+                   const GroupWork& expected) {
         if (!shape.error.empty()) {  // nothing to measure
             for (const CellRun& cell : cells) keep(cell);
+            listener_.on_done(expected.all(), 0, {});
             return;
         }
+        const std::string what = scene.choice.name + " " + shape.name;
+        const auto count = static_cast<double>(cells.size());
         Plan plan = work_.plan;
         plan.queries = scene.queries;
         SceneChoice made = scene.choice;
         if (!scene.kind.empty()) made.name = scene.kind;
         SharedQueries shared(plan, made, shape);
-        for (CellRun& cell : cells) cell.verify(shared);
-        // On all processors: nothing is timed meanwhile, and traces do not depend on what runs beside them.
-        bench::for_each_index(cells.size(), [&](std::size_t i) {
-            if (!stop_) cells[i].measure(CellRun::Stage::beside_others, {});
-        });
+        verify_and_trace(cells, shared, expected, what);
         const bench::TableType& type = baseline_type();
         CellRun baseline(type, baseline_algorithm_on(type), {}, row_for(scene, shape), shape.body);
         baseline.verify(shared);
@@ -199,11 +232,13 @@ class Sweep {
             listener_.on_warning(fmt::format(
                 "the baseline {} on {} {} is {}: {}; nothing to compare times with", baseline.row().table,
                 scene.choice.name, shape.name, baseline.row().status, baseline.row().reason));
-        time_rounds(plan, cells, baseline, stored_, stop_);
+        time_rounds(plan, cells, baseline, stored_, stop_,
+                    [&] { listener_.on_done(expected.rounds / plan.rounds, 0, what); });
         if (stop_) return;
         for (CellRun& cell : cells) {
             cell.measure(CellRun::Stage::alone, stored_.rounds_of(cell));
             keep(cell);
+            listener_.on_done(expected.alone / count, 0, what);
         }
     }
 

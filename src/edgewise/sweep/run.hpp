@@ -21,8 +21,12 @@ struct SweepSummary {
 
 /// What a sweep tells while it runs.
 struct SweepListener {
-    std::function<void(std::size_t cells)> on_start;                          ///< how many there will be
-    std::function<void(std::size_t cells, const std::string& what)> on_done;  ///< that many more
+    /// How much work there will be, in expected seconds, and how many cells.
+    std::function<void(double work, std::size_t cells)> on_start;
+    /// That much more is done; cells as their group ends.
+    std::function<void(double work, std::size_t cells, const std::string& what)> on_done;
+    /// Likewise, by an earlier run.
+    std::function<void(double work, std::size_t cells)> on_resumed;
     std::function<void(const std::string& line)> on_warning;
 };
 

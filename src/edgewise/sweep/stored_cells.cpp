@@ -46,6 +46,11 @@ std::set<int> StoredCells::rounds_missing(const CellRun& cell) const {
     return missing;
 }
 
+std::optional<double> StoredCells::took(const std::string& group) const {
+    const auto text = store_.meta(store::took_key + group);
+    return text ? std::optional(std::stod(*text)) : std::nullopt;
+}
+
 void StoredCells::put_seconds(const std::string& of, double seconds) {
     store_.set_meta(store::took_key + of, fmt::format("{:.3f}", seconds));
 }

@@ -31,6 +31,9 @@ class StoredCells {
         return store_.rounds(build_, cell.row().hash);
     }
 
+    /// Seconds that a group took when it last ran, of this build or another.
+    [[nodiscard]] std::optional<double> took(const std::string& group) const;
+
     void put(const CellRun& cell) { store_.put_cell(build_, cell.row(), cell.figures()); }
     void put(std::span<const std::pair<std::string, measure::Round>> round) {
         store_.put_round(build_, round);

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
-#include "edgewise/geometry/hull.hpp"
-#include "edgewise/scene/mesh/mesh_file.hpp"
+#include "edgewise/bench/probe.hpp"
+#include "edgewise/geometry/known_names.hpp"
+#include "edgewise/scene/mesh/mesh_shapes.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
@@ -18,28 +20,20 @@ namespace edgewise::sweep {
 
 namespace {
 
-/// A single-precision mesh file holds only coordinates that every precision stores exactly, so that the
-/// rounding of storage would never show. This map, stated in the report, gives the coordinates all their
-/// digits back.
-constexpr double mesh_scale = 1.0 + 1.0 / 3.0;
-
 void add_mesh(const Plan& plan, const std::string& file, std::vector<scene::NamedShape>& to,
               const std::function<void(const std::string&)>& warn) {
-    const std::string name = std::filesystem::path(file).filename().string();
-    auto bodies = scene::read_mesh_file(
+    auto shapes = scene::mesh_shapes(
         file, plan.each_mesh ? scene::MeshGrouping::each_mesh : scene::MeshGrouping::one_hull);
-    if (!bodies.warning.empty()) warn(bodies.warning);
-    if (!bodies) {
-        if (plan.meshes_required) throw std::invalid_argument(bodies.error);
-        warn(bodies.error);
-        to.push_back({std::filesystem::path(file).stem().string(), name, {}, bodies.error});
+    if (shapes) {
+        // Of the plan's own bodies the report says it; of a user's, who may not know, so does this line.
+        if (!shapes.warning.empty() && plan.meshes_required) warn(shapes.warning);
+        std::ranges::move(*shapes, std::back_inserter(to));
         return;
     }
-    for (scene::MeshBody& mesh : *bodies) {
-        for (Vec3d& v : mesh.body.vertices) v *= mesh_scale;
-        // Rounding moved the vertices: faces anew.
-        to.push_back({mesh.name, name + ", scaled by 4/3", convex_hull(mesh.body.vertices).or_throw(), {}});
-    }
+    if (plan.meshes_required) throw std::invalid_argument(shapes.error);
+    warn(shapes.error);
+    const std::filesystem::path path = file;
+    to.push_back({path.stem().string(), path.filename().string(), {}, shapes.error});
 }
 
 template <class Names>
@@ -59,6 +53,15 @@ void check_names(const SceneChoice& choice, const std::vector<const scene::Named
         const auto is_it = [&](const scene::NamedShape* shape) { return shape->name == name; };
         if (std::any_of(found.begin(), found.end(), is_it)) continue;
         static_cast<void>(scene::make_shape(name).or_throw());
+    }
+}
+
+void check_probes(const std::vector<std::string>& wanted) {
+    std::vector<std::string> known;
+    for (const bench::Probe& probe : bench::registered_probes()) known.emplace_back(probe.name);
+    for (const std::string& name : wanted) {
+        if (std::ranges::find(known, name) == known.end())
+            throw std::invalid_argument(unknown_name("probe", name, known));
     }
 }
 
@@ -100,12 +103,12 @@ SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
     return scene;
 }
 
-const scene::NamedShape* file_shape(const std::string& name, SweepWork& work) {
+/// Kept where it stays; of a name that is known and of the same source, that one.
+const scene::NamedShape* kept_shape(const scene::NamedShape& shape, SweepWork& work) {
     for (const scene::NamedShape& known : work.file_shapes) {
-        if (known.name == name) return &known;
+        if (known.name == shape.name && known.source == shape.source) return &known;
     }
-    return &work.file_shapes.emplace_back(
-        scene::NamedShape{name, "built-in", scene::make_shape(name).or_throw(), {}});
+    return &work.file_shapes.emplace_back(shape);
 }
 
 /// One scene for each point of the file.
@@ -125,18 +128,22 @@ void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, Swe
     for (const scene::ScenePoint& point : file.points) {
         if (!allows(choice.shapes, point.shape)) continue;
         scene.choice.parameters = point.parameters;
-        scene.shapes = {file_shape(point.shape, work)};
+        const auto shape = std::ranges::find(file.shapes, point.shape, &scene::NamedShape::name);
+        scene.shapes = {kept_shape(*shape, work)};
         work.scenes.push_back(scene);
     }
 }
 
 /// Whether it is a scene file, whose points are added then.
-bool add_if_file(const SceneChoice& choice, SweepWork& work) {
-    const auto file = scene::find_scene_file(choice.name);
-    if (!file) return false;
+bool add_if_file(const SceneChoice& choice, SweepWork& work,
+                 const std::function<void(const std::string&)>& warn) {
+    if (!scene::is_scene_file(choice.name)) return false;
+    auto file = scene::find_scene_file(
+        choice.name, work.plan.bodies_for_files ? work.shapes : std::vector<scene::NamedShape>{});
+    if (!file->warning.empty()) warn(file->warning);
     if (!choice.parameters.empty())
         throw std::invalid_argument("scene file " + choice.name + ": its parameters are in the file");
-    add_scene_file(**file, choice, work);
+    add_scene_file(std::move(*file).or_throw(), choice, work);
     return true;
 }
 
@@ -209,16 +216,19 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     work.algorithms = bench::select_algorithms(plan.algorithms);
     work.machines = measure::choose_machines(plan.machines);
     check_scene_names(plan);
+    check_probes(plan.probes);
     for (const SceneChoice& scene : plan.scenes) {
-        if (auto file = scene::find_scene_file(scene.name)) {
-            static_cast<void>(std::move(*file).or_throw());
-        } else {
+        if (!scene::is_scene_file(scene.name))
             static_cast<void>(scene::complete_parameters(scene.name, scene.parameters).or_throw());
-        }
     }
-    work.shapes = shapes_of(without_unused_meshes(plan), warn);
+    // Bodies that nothing is of are not read, and nothing is said of them.
+    const auto takes_bodies = [&](const SceneChoice& scene) {
+        return plan.bodies_for_files || plan.stability > 0 || !scene::is_scene_file(scene.name);
+    };
+    if (std::ranges::any_of(plan.scenes, takes_bodies))
+        work.shapes = shapes_of(without_unused_meshes(plan), warn);
     for (const SceneChoice& scene : plan.scenes) {
-        if (!add_if_file(scene, work)) work.scenes.push_back(scene_work(scene, work));
+        if (!add_if_file(scene, work, warn)) work.scenes.push_back(scene_work(scene, work));
     }
     if (work.cells() == 0) {
         throw std::invalid_argument(

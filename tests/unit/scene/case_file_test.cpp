@@ -103,7 +103,6 @@ TEST(CaseFile, EveryFaultNamesItsLineAndField) {
         {line_with(R"({"vertices":[[0,0,0]],"faces":[]})"),
          "a.faces is empty; leave it out for the hull of the vertices"},
         {R"({"id":"x","a":)" + std::string(tetra) + "}", "b is missing"},
-        {R"({"a":1})", "id is missing"},
         {R"({"id":[1]})", "id is neither a string nor a whole number"},
         {"[1]", "the line is not a JSON object"},
     };
@@ -112,6 +111,14 @@ TEST(CaseFile, EveryFaultNamesItsLineAndField) {
         ASSERT_FALSE(c) << one.line;
         EXPECT_EQ(c.error, "cases.jsonl:12: " + one.error);
     }
+}
+
+/// All of it at once, with what a case looks like: no guessing member by member.
+TEST(CaseFile, AllThatALineLacksIsNamed) {
+    EXPECT_EQ(parse(R"({"a":1})").error.substr(0, 48), "cases.jsonl:12: id, b are missing; a case is {\"i");
+    EXPECT_EQ(parse("{}").error.substr(0, 36), "cases.jsonl:12: id, a, b are missing");
+    EXPECT_EQ(parse(R"({"id":"1","a":{},"b":{}})").error.substr(0, 49),
+              "cases.jsonl:12: a.vertices, b.vertices are missin");
 }
 
 TEST(CaseFile, WhatIsNotJsonNamesItsColumn) {
@@ -129,7 +136,7 @@ TEST(CaseFile, WhatIsNotJsonNamesItsColumn) {
 
 TEST(CaseFile, ABadLineDoesNotLoseTheRest) {
     std::istringstream stream(line_with(tetra) + "\r\n\n  \nbroken\n" +
-                              R"({"id":17,"a":{}})"
+                              R"({"id":17,"a":{},"b":{"vertices":[[0,0,0]]}})"
                               "\n" +
                               line_with(tetra));
     CaseReader reader(stream, "dir/cases.jsonl");

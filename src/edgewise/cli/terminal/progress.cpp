@@ -10,12 +10,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 namespace edgewise {
 
 namespace {
 
 constexpr double redraw_seconds = 0.1;
+constexpr double log_seconds = 30;  ///< between lines where stderr is no terminal
 
 /// Columns of the terminal on stderr; the customary 80 if it does not say.
 std::size_t terminal_columns() {
@@ -32,11 +34,26 @@ std::string plain(std::string text) {
     return text;
 }
 
+/// Part of the work that is done; of steps where no work is known.
+double share_done(const ProgressState& state) {
+    if (state.work_total > 0) return std::clamp(state.work_done / state.work_total, 0.0, 1.0);
+    if (state.total == 0) return 1;
+    return static_cast<double>(std::min(state.done, state.total)) / static_cast<double>(state.total);
+}
+
+/// Nothing while there is no idea, and at the end.
+std::optional<double> seconds_left(const ProgressState& state) {
+    const bool weighted = state.work_total > 0;
+    const double total = weighted ? state.work_total : static_cast<double>(state.total);
+    const double done = std::min(weighted ? state.work_done : static_cast<double>(state.done), total);
+    const double fresh = done - (weighted ? state.work_resumed : static_cast<double>(state.resumed));
+    if (state.done >= state.total || fresh <= 0) return std::nullopt;
+    return state.seconds / fresh * (total - done);
+}
+
 std::string remaining(const ProgressState& state) {
-    const std::size_t fresh = state.done - std::min(state.resumed, state.done);
-    if (state.done >= state.total || fresh == 0) return {};
-    const double each = state.seconds / static_cast<double>(fresh);
-    return fmt::format("  {} left", format_duration(each * static_cast<double>(state.total - state.done)));
+    const auto seconds = seconds_left(state);
+    return seconds ? fmt::format("  {} left", format_duration(*seconds)) : "";
 }
 
 }  // namespace
@@ -53,7 +70,10 @@ std::string format_duration(double seconds) {
 std::string progress_line(const std::string& title, const ProgressState& state, const std::string& note,
                           std::size_t columns) {
     const std::size_t done = std::min(state.done, state.total);
-    const std::size_t percent = state.total == 0 ? 100 : done * 100 / state.total;
+    // 100 % only when every step is done, however well the work was guessed.
+    const bool all = state.done >= state.total;
+    const std::size_t percent =
+        all ? 100 : std::min<std::size_t>(99, static_cast<std::size_t>(share_done(state) * 100));
     const std::string head = plain(title) + " ";
     const std::string tail = fmt::format("{:3} %  {}/{}{}", percent, done, state.total, remaining(state));
     const std::size_t fixed = head.size() + tail.size();
@@ -63,15 +83,32 @@ std::string progress_line(const std::string& title, const ProgressState& state, 
     const std::size_t room = columns - fixed;
     const std::size_t cells = room >= 11 ? std::min<std::size_t>(room - 3, 24) : 0;
     if (cells == 0) return head + tail;
-    const std::size_t filled = state.total == 0 ? cells : done * cells / state.total;
+    const std::size_t filled =
+        all ? cells
+            : std::min(cells - 1, static_cast<std::size_t>(share_done(state) * static_cast<double>(cells)));
     const std::string bar = "[" + std::string(filled, '#') + std::string(cells - filled, '-') + "] ";
     const std::string line = head + bar + tail;
     const std::string rest = note.empty() ? "" : "  " + plain(note);
     return line + rest.substr(0, columns - line.size());
 }
 
-Progress::Progress(std::string title, std::size_t total, std::size_t resumed)
-    : title_(std::move(title)), visible_(isatty(STDERR_FILENO) == 1) {
+std::string progress_log_line(const std::string& title, const ProgressState& state,
+                              const std::string& steps) {
+    const auto seconds = seconds_left(state);
+    std::string left;
+    if (seconds) {
+        const auto rounded = static_cast<long>(*seconds + 0.5);
+        left = rounded < 90 ? fmt::format(", {} s left", rounded)
+                            : fmt::format(", {} min left", (rounded + 30) / 60);
+    }
+    return fmt::format("{}: {} of {} {}{}", plain(title), state.done, state.total, steps, left);
+}
+
+Progress::Progress(std::string title, std::size_t total, std::size_t resumed, std::string steps)
+    : title_(std::move(title)),
+      steps_(std::move(steps)),
+      next_log_(log_seconds),
+      visible_(isatty(STDERR_FILENO) == 1) {
     state_.total = total;
     state_.done = state_.resumed = std::min(resumed, total);
     draw();
@@ -85,6 +122,20 @@ void Progress::advance(std::size_t steps, const std::string& note) {
     draw();
 }
 
+void Progress::advance_work(double work, const std::string& note) {
+    state_.work_done += work;
+    if (!note.empty()) note_ = note;
+    draw();
+}
+
+void Progress::resume(std::size_t steps, double work) {
+    state_.done = std::min(state_.done + steps, state_.total);
+    state_.resumed += steps;
+    state_.work_done += work;
+    state_.work_resumed += work;
+    draw();
+}
+
 void Progress::clear() {
     if (!visible_) return;
     std::fprintf(stderr, "\r%*s\r", static_cast<int>(terminal_columns() - 1), "");
@@ -93,8 +144,13 @@ void Progress::clear() {
 }
 
 void Progress::draw() {
-    if (!visible_) return;
     state_.seconds = watch_.elapsed_ns() * 1e-9;
+    if (!visible_) {
+        if (state_.seconds < next_log_ || state_.done >= state_.total) return;
+        next_log_ = state_.seconds + log_seconds;
+        fmt::print(stderr, "{}\n", progress_log_line(title_, state_, steps_));
+        return;
+    }
     if (state_.seconds < next_draw_ && state_.done < state_.total) return;
     next_draw_ = state_.seconds + redraw_seconds;
     // Padded, so that a shorter line leaves nothing of a longer one.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A progress bar with an estimate, for people: one line on stderr, rewritten in place, and nothing at all
-// unless stderr is a terminal.
+// A progress bar with an estimate, for people: one line on stderr, rewritten in place; where stderr is no
+// terminal, a line every 30 seconds.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,8 @@ struct ProgressState {
     std::size_t done = 0, total = 0;
     std::size_t resumed = 0;  ///< of `done`, what an earlier run did; the estimate leaves it out
     double seconds = 0;       ///< since the start of this run
+    /// Where steps differ in what they take: expected seconds; the bar and the estimate are of these then.
+    double work_done = 0, work_total = 0, work_resumed = 0;
 };
 
 /// One line of at most `columns` characters, without a line break; "" when there is no room for anything.
@@ -23,12 +25,17 @@ struct ProgressState {
 [[nodiscard]] std::string progress_line(const std::string& title, const ProgressState& state,
                                         const std::string& note, std::size_t columns);
 
+/// One line for a log: "sweep: 434 of 1281 cells, 3 min left".
+[[nodiscard]] std::string progress_log_line(const std::string& title, const ProgressState& state,
+                                            const std::string& steps);
+
 /// "42s", "3m05s", "2h07m".
 [[nodiscard]] std::string format_duration(double seconds);
 
 class Progress {
   public:
-    Progress(std::string title, std::size_t total, std::size_t resumed = 0);
+    /// `steps`: what these are called in a log.
+    Progress(std::string title, std::size_t total, std::size_t resumed = 0, std::string steps = "steps");
     /// Wipes the line, so that what is printed next starts on a clean one.
     ~Progress();
     Progress(const Progress&) = delete;
@@ -36,16 +43,24 @@ class Progress {
 
     /// Counts `steps` more as done; `note` says what comes next.
     void advance(std::size_t steps = 1, const std::string& note = {});
+
+    /// For steps that differ in what they take: this much is expected in all, in seconds.
+    void expect(double work) { state_.work_total += work; }
+    /// So much of it is done, whether or not a step has ended.
+    void advance_work(double work, const std::string& note = {});
+    /// So many steps, and so much of the work, an earlier run did.
+    void resume(std::size_t steps, double work);
     /// Wipes the line; to be called before other output to the terminal.
     void clear();
 
   private:
     void draw();
 
-    std::string title_, note_;
+    std::string title_, note_, steps_;
     ProgressState state_;
     measure::Stopwatch watch_;
     double next_draw_ = 0;  ///< seconds; a terminal is slow, and drawing must not disturb what is measured
+    double next_log_;       ///< likewise, where stderr is no terminal
     bool visible_ = false;
 };
 

@@ -60,6 +60,13 @@ struct Place {
         if (value != std::floor(value)) refuse(field, "a whole number");
         return static_cast<std::uint64_t>(value);
     }
+    /// What may be left out, but not be wrong.
+    [[nodiscard]] std::string text_or(std::string_view field, const char* standard) const {
+        return json.contains(field) ? text(field) : standard;
+    }
+    [[nodiscard]] double number_or_0(std::string_view field, double least, double most) const {
+        return json.contains(field) ? number(field, least, most) : 0;
+    }
     [[nodiscard]] std::string text(std::string_view field) const {
         const std::string value = at(field).is_string() ? at(field).get<std::string>() : "";
         if (value.empty()) refuse(field, "a text, not empty");
@@ -78,8 +85,8 @@ struct Place {
 
 LevelOrigin read_origin(const Place& place, bool has_latency) {
     LevelOrigin origin;
-    if (has_latency) origin.latency_cycles = place.number("latency_cycles", 0, most_cycles);
-    origin.source = place.text("source");
+    if (has_latency) origin.latency_cycles = place.number_or_0("latency_cycles", 0, most_cycles);
+    origin.source = place.text_or("source", "the file names none");
     if (!place.json.contains("unverified")) return origin;
     const Json& unverified = place.at("unverified");
     if (!unverified.is_array()) place.refuse("unverified", "a list of this level's fields");
@@ -122,7 +129,8 @@ void read_caches(const Place& file, CacheMachine& machine) {
     }
     if (machine.caches.levels[0].inclusion == Inclusion::exclusive)
         file.list("levels")[0].refuse("inclusion", "non_inclusive: nothing is above the first level");
-    machine.memory = read_origin(file.in("memory"), true);
+    machine.memory.source = "the file names none";
+    if (file.json.contains("memory")) machine.memory = read_origin(file.in("memory"), true);
 }
 
 void read_tlbs(const Place& file, CacheMachine& machine) {
@@ -150,8 +158,8 @@ CacheMachine parse_cache_machine(const std::string& json, const std::string& nam
     if (!parsed.is_object()) file.refuse("the file", "an object");
     CacheMachine machine;
     machine.name = name;
-    machine.what = file.text("what");
-    machine.clock_mhz = file.number("clock_mhz", 1, 1e5);
+    machine.what = file.text_or("what", name.c_str());
+    machine.clock_mhz = file.number_or_0("clock_mhz", 1, 1e5);
     read_caches(file, machine);
     read_tlbs(file, machine);
     return machine;
@@ -169,7 +177,7 @@ double CacheMachine::memory_ns(std::span<const LevelCounts> counts) const {
 }
 
 bool CacheMachine::latencies_known() const {
-    return memory.latency_cycles > 0 &&
+    return clock_mhz > 0 && memory.latency_cycles > 0 &&
            std::all_of(origins.begin(), origins.end(),
                        [](const LevelOrigin& origin) { return origin.latency_cycles > 0; });
 }

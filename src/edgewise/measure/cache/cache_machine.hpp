@@ -10,7 +10,8 @@
 //      "tlb": {"page_bytes": 4096, "levels": [{"name": "dTLB", "entries": 64, "ways": 4, "source": "..."}]}}
 //
 // Levels may add "inclusion" (non_inclusive, inclusive, exclusive), "replacement" (lru, tree_plru, random)
-// and "unverified" (a list of the level's own fields); "tlb" may be left out.
+// and "unverified" (a list of the level's own fields). Needed are "line_bytes" and of each level name, bytes
+// and ways. Without clock, latencies or memory no time is computed of misses; "tlb" may be left out.
 #pragma once
 
 #include <span>
@@ -33,7 +34,7 @@ struct LevelOrigin {
 
 struct CacheMachine {
     std::string name, what;
-    double clock_mhz = 0;
+    double clock_mhz = 0;  ///< 0: not known
     CacheGeometry caches;
     std::vector<LevelOrigin> origins;  ///< of each cache level
     LevelOrigin memory;
@@ -43,7 +44,7 @@ struct CacheMachine {
     /// Modelled time of what was counted beyond the first level: every access waits for the level that
     /// answers it, nothing overlaps. Counts of `caches`, level by level.
     [[nodiscard]] double memory_ns(std::span<const LevelCounts> counts) const;
-    /// Whether every level and memory have a latency.
+    /// Whether the clock is known, and every level and memory have a latency.
     [[nodiscard]] bool latencies_known() const;
     /// Whether every latency in memory_ns is proved.
     [[nodiscard]] bool latencies_proved() const;
@@ -51,6 +52,9 @@ struct CacheMachine {
 
 /// Throws std::runtime_error with one line: file, field, what is wanted.
 [[nodiscard]] CacheMachine parse_cache_machine(const std::string& json, const std::string& name);
+
+/// The machine as such a file, on one line.
+[[nodiscard]] std::string cache_machine_json(const CacheMachine& machine);
 
 /// Those that come with Edgewise, oldest first.
 [[nodiscard]] const std::vector<CacheMachine>& cache_machines();

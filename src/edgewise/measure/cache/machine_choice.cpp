@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/file_text.hpp"
+#include "edgewise/measure/cache/machine_of_sizes.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 
 namespace edgewise::measure {
@@ -45,13 +47,14 @@ Expected<CacheMachine> from_file(const std::string& file) {
 Expected<CacheMachine> machine_of(const std::string& name) {
     if (name == "host") return host_machine();
     if (name.ends_with(".json")) return from_file(name);
-    std::string known = "host";
+    if (is_level_size(name)) return {machine_of_sizes(name)};
+    std::vector<std::string> known = {"host"};
     for (const CacheMachine& machine : cache_machines()) {
         if (machine.name == name) return {machine};
-        known += ", " + machine.name;
+        known.push_back(machine.name);
     }
-    throw std::invalid_argument(
-        fmt::format("unknown machine '{}'; known: {}, or a file NAME.json", name, known));
+    throw std::invalid_argument(unknown_name("machine", name, known) +
+                                ", a file NAME.json, or sizes as in l2=256K,l3=8M");
 }
 
 }  // namespace
@@ -73,7 +76,7 @@ Expected<CacheMachine> host_machine(const std::filesystem::path& root) {
 
 std::vector<MachineChoice> choose_machines(std::span<const std::string> names) {
     std::vector<MachineChoice> choices;
-    for (const std::string& name : names) {
+    for (const std::string& name : joined_level_sizes(names)) {
         MachineChoice choice{name, machine_of(name)};
         if (choice.machine.value) choice.name = choice.machine.value->name;
         const bool twice = std::any_of(choices.begin(), choices.end(),

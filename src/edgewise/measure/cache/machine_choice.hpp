@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Machines to model, chosen by name: one that comes with Edgewise, `host`, or the user's own JSON file; and a
-// machine under another replacement policy, to see whether that changes what is concluded.
+// Machines to model, chosen by name: one that comes with Edgewise, `host`, the user's own JSON file, or sizes
+// (l2=256K,l3=8M); and a machine under another replacement policy, to see whether that changes what is
+// concluded.
 #pragma once
 
 #include <filesystem>

@@ -11,6 +11,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
 
@@ -61,7 +62,7 @@ GateOver over_of(const json& object, const std::string& place) {
     const std::string over = gate_text(object, place, "over");
     if (over == over_names[0]) return GateOver::reference;
     if (over == over_names[1]) return GateOver::kernel;
-    throw GateFault{fmt::format("{}over = '{}' is unknown; known: reference, kernel", place, over)};
+    throw GateFault{place + unknown_name("over", over, {"reference", "kernel"})};
 }
 
 GateEntry entry_of(const json& object, const std::string& place) {

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise judge`: a pair as people post it, and who is wrong about it: exact answer, every algorithm's and
+// every library's, a smaller pair that still fails, and a test case for either side.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "edgewise/bench/peers/peer_modules.hpp"
+#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/judge/judge_input.hpp"
+#include "edgewise/cli/terminal/text_table.hpp"
+#include "edgewise/scene/case_text.hpp"
+#include "edgewise/studies/judge/smaller_pair.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+using Json = nlohmann::json;
+
+struct JudgeArguments {
+    JudgeInput input;
+    std::vector<std::string> layouts = {"all"}, algorithms = {"all"}, peers;
+    std::vector<std::string> said;  ///< LIBRARY=DISTANCE
+    bool as_given = false;          ///< no smaller pair is looked for
+    bool tests = false;             ///< C++ for FCL and Bullet
+};
+
+scene::ReportedAnswer said_answer(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    std::size_t used = 0;
+    double distance = 0;
+    try {
+        if (equals != text.npos && equals > 0) distance = std::stod(text.substr(equals + 1), &used);
+    } catch (const std::exception&) {
+        used = 0;
+    }
+    if (used == 0 || equals + 1 + used != text.size())
+        throw std::invalid_argument(fmt::format(
+            "--said {}: write LIBRARY=DISTANCE, a depth as a negative distance, as in --said fcl=3.1622",
+            text));
+    return {text.substr(0, equals) + ", as reported", "", distance};
+}
+
+/// Those that are asked for; without a word those that there are.
+std::vector<const bench::TableType*> chosen_peers(const std::vector<std::string>& names) {
+    if (!names.empty()) return bench::select_peer_types(names);
+    std::vector<const bench::TableType*> all;
+    for (const bench::TableType& peer : bench::peer_types()) all.push_back(&peer);
+    return all;
+}
+
+struct Judged {
+    scene::PastedPair pasted;
+    studies::PairTruth truth;
+    std::vector<studies::JudgedResponse> answers;
+    std::optional<studies::SmallerPair> smaller;
+    std::vector<std::string> wrong;  ///< who
+};
+
+Judged judge(const JudgeArguments& options) {
+    Judged judged;
+    judged.pasted = read_judge_input(options.input);
+    const scene::Case& pair = judged.pasted.pair;
+    judged.truth = studies::truth_of(pair).or_throw();
+    const auto respondents =
+        studies::respondents_of(bench::select_table_types(options.layouts),
+                                bench::select_algorithms(options.algorithms), chosen_peers(options.peers));
+    judged.answers = studies::ask_all(respondents, pair, judged.truth);
+    if (judged.pasted.reported)
+        judged.answers.push_back(studies::judge_reported(*judged.pasted.reported, judged.truth));
+    for (const std::string& text : options.said)
+        judged.answers.push_back(studies::judge_reported(said_answer(text), judged.truth));
+    for (const auto& answer : judged.answers)
+        if (answer.wrong()) judged.wrong.push_back(answer.who);
+    if (options.as_given) return judged;
+    for (const studies::Respondent& respondent : respondents) {
+        if (std::ranges::find(judged.wrong, respondent.name()) == judged.wrong.end()) continue;
+        judged.smaller = studies::smaller_pair(respondent, pair);
+        if (judged.smaller) break;
+    }
+    return judged;
+}
+
+/// What a test wants of a pair.
+scene::ExpectedAnswer expected_of(const studies::PairTruth& truth) {
+    return {truth.exact.distance, truth.depth};
+}
+
+/// The pair that goes into tests: the smaller one where there is one.
+std::pair<const scene::Case&, const studies::PairTruth&> tested(const Judged& judged) {
+    if (judged.smaller) return {judged.smaller->found.pair, judged.smaller->truth};
+    return {judged.pasted.pair, judged.truth};
+}
+
+std::string line_of(const Judged& judged) {
+    const auto& [pair, truth] = tested(judged);
+    const std::string source = judged.smaller
+                                   ? judged.pasted.format + ", made smaller for " + judged.smaller->answer.who
+                                   : judged.pasted.format;
+    return scene::case_line(pair, source, expected_of(truth));
+}
+
+Json json_of(const studies::JudgedResponse& answer) {
+    return {{"who", answer.who},
+            {"same", answer.same},
+            {"status", answer.status},
+            {"distance", or_null(answer.distance)},
+            {"depth", or_null(answer.depth)},
+            {"verdict", to_string(answer.is)},
+            {"wrong", answer.wrong()},
+            {"error", answer.error},
+            {"beyond", answer.beyond},
+            {"error_of_given", answer.of_given},
+            {"why", or_null(answer.why)}};
+}
+
+Json json_of(const studies::PairTruth& truth) {
+    return {{"verdict", to_string(truth.exact.verdict)},
+            {"distance", truth.exact.distance},
+            {"depth", or_null(truth.depth)},
+            {"scale", truth.band.scale},
+            {"band", truth.band.band},
+            {"certificate", truth.certificate ? Json{{"lower", truth.certificate->lower},
+                                                     {"upper", truth.certificate->upper}}
+                                              : Json()},
+            {"no_certificate", or_null(truth.no_certificate)}};
+}
+
+Json json_of(const Judged& judged, bool tests) {
+    Json answers = Json::array();
+    for (const auto& answer : judged.answers) answers.push_back(json_of(answer));
+    Json json = {{"id", judged.pasted.pair.id},
+                 {"format", judged.pasted.format},
+                 {"exact", json_of(judged.truth)},
+                 {"answers", answers},
+                 {"wrong", judged.wrong},
+                 {"case", Json::parse(line_of(judged))},
+                 {"smaller", nullptr}};
+    if (judged.smaller)
+        json["smaller"] = {{"of", judged.smaller->answer.who},
+                           {"answer", json_of(judged.smaller->answer)},
+                           {"exact", json_of(judged.smaller->truth)},
+                           {"tried", judged.smaller->found.tried},
+                           {"at_limit", judged.smaller->found.at_limit}};
+    if (!tests) return json;
+    const auto& [pair, truth] = tested(judged);
+    const auto fcl = scene::fcl_test(pair, expected_of(truth));
+    json["tests"] = {{"fcl", fcl ? Json(*fcl) : Json()},
+                     {"no_fcl", or_null(fcl.error)},
+                     {"bullet", scene::bullet_test(pair, expected_of(truth))}};
+    return json;
+}
+
+void print_truth(const studies::PairTruth& truth, const std::string& name) {
+    fmt::print("{}: {}", name, to_string(truth.exact.verdict));
+    if (truth.depth) {
+        fmt::print(", depth {}\n", *truth.depth);
+    } else {
+        fmt::print(", distance {}\n", truth.exact.distance);
+    }
+    if (truth.certificate) {
+        fmt::print("certificate: the distance lies in [{}, {}]\n", truth.certificate->lower,
+                   truth.certificate->upper);
+    } else {
+        fmt::print("certificate: none: {}\n", truth.no_certificate);
+    }
+    fmt::print("scale {:.4g}; a verdict nearer to grazing than {:.2g} is left to rounding (double)\n",
+               truth.band.scale, truth.band.band);
+}
+
+std::string number_text(const std::optional<double>& value) {
+    return value ? fmt::format("{:.10g}", *value) : "-";
+}
+
+void print_answers(const std::vector<studies::JudgedResponse>& answers) {
+    TextTable table({"who", "says", "#distance", "#depth", "#error", "verdict"});
+    for (const auto& answer : answers) {
+        const std::string who =
+            answer.same.empty() ? answer.who : fmt::format("{} + {}", answer.who, answer.same.size());
+        std::string verdict(to_string(answer.is));
+        if (answer.wrong()) verdict = "WRONG: " + answer.why;
+        if (answer.wrong() && answer.beyond > 0)
+            verdict += fmt::format(" ({:.3g} beyond what is allowed)", answer.beyond);
+        if (!answer.wrong() && !answer.why.empty()) verdict += ": " + answer.why;
+        table.add({who, answer.status, number_text(answer.distance), number_text(answer.depth),
+                   answer.distance ? fmt::format("{:.2g}", answer.error) : "-", verdict});
+    }
+    fmt::print("\n{}'+ n': so many further table types give the same answer to the bit; --json names them\n",
+               table.text());
+}
+
+void print_smaller(const Judged& judged) {
+    if (!judged.smaller) return;
+    const auto& found = judged.smaller->found;
+    const scene::CaseSize before = size_of(judged.pasted.pair), after = size_of(found.pair);
+    fmt::print("\nsmaller, {} still wrong: {} vertices of {}, {} digits of {} ({} pairs tried{})\n",
+               judged.smaller->answer.who, after.vertices, before.vertices, after.digits, before.digits,
+               found.tried, found.at_limit ? ", at the limit" : "");
+    print_truth(judged.smaller->truth, "exact");
+    print_answers({judged.smaller->answer});
+}
+
+void print_tests(const Judged& judged) {
+    const auto& [pair, truth] = tested(judged);
+    const auto fcl = scene::fcl_test(pair, expected_of(truth));
+    fmt::print("\n// for FCL\n{}\n// for Bullet\n{}", fcl ? *fcl : "// none: " + fcl.error + "\n",
+               scene::bullet_test(pair, expected_of(truth)));
+}
+
+int run_judge(const JudgeArguments& options, bool json) {
+    const Judged judged = judge(options);
+    if (json) {
+        fmt::print("{}\n",
+                   json_of(judged, options.tests).dump(-1, ' ', false, Json::error_handler_t::replace));
+    } else {
+        const scene::Case& pair = judged.pasted.pair;
+        fmt::print("{}: {} and {} vertices\n", judged.pasted.format, pair.a.vertices.size(),
+                   pair.b.vertices.size());
+        print_truth(judged.truth, "exact");
+        print_answers(judged.answers);
+        print_smaller(judged);
+        fmt::print("\nfor a case file of Edgewise:\n{}\n", line_of(judged));
+        if (options.tests) print_tests(judged);
+        fmt::print("\n{}\n", judged.wrong.empty() ? "nobody is wrong"
+                                                  : fmt::format("wrong: {}", fmt::join(judged.wrong, ", ")));
+    }
+    return judged.wrong.empty() ? exit_done : exit_check_failed;
+}
+
+}  // namespace
+
+void add_judge(CLI::App& app, Context& context) {
+    auto [command, options] = add_command(
+        app, context, "judge",
+        "A pair as people post it, and who is wrong about it; exit code 1 where somebody is", run_judge);
+    add_judge_input(*command, options.input);
+    add_names(*command, "--layouts", options.layouts, "these layouts or table types; all if not given");
+    add_names(*command, "--algorithms", options.algorithms, "these algorithms; all if not given");
+    add_names(*command, "--peers", options.peers, "these libraries; all that are built if not given");
+    command->add_option(
+        "--said", options.said,
+        "what a library printed, LIBRARY=DISTANCE, judged with the others; a depth is negative");
+    command->add_flag("--as-given", options.as_given, "look for no smaller pair that still fails");
+    command->add_flag("--tests", options.tests, "also the pair as a test in C++ for FCL and for Bullet");
+}
+
+}  // namespace edgewise::cli

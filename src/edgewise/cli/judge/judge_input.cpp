@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// OBJ files are read here by their vertex lines, in double: Assimp reads coordinates as float, and a pair is
+// judged as it was given to the last bit.
+#include "edgewise/cli/judge/judge_input.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/scene/dumps/dump_text.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+std::vector<Vec3d> obj_vertices(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw std::invalid_argument(fmt::format("{}: cannot be read", path));
+    std::vector<Vec3d> vertices;
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with("v ") && !line.starts_with("v\t")) continue;
+        const auto numbers = scene::numbers_from(line, 1, 3);
+        if (numbers.size() != 3)
+            throw std::invalid_argument(fmt::format("{}: '{}' is no vertex of three numbers", path, line));
+        vertices.emplace_back(numbers[0], numbers[1], numbers[2]);
+    }
+    if (vertices.empty()) throw std::invalid_argument(fmt::format("{}: no vertices in it", path));
+    return vertices;
+}
+
+scene::CaseBody mesh_body(const std::string& path) {
+    if (path.ends_with(".obj") || path.ends_with(".OBJ")) return {path, obj_vertices(path), {}};
+    auto bodies = scene::read_mesh_file(path, scene::MeshGrouping::one_hull);
+    if (!bodies.warning.empty()) warn(bodies.warning);
+    warn(path + ": coordinates are read in single precision; an OBJ file is read as it is written");
+    return {path, std::move(bodies).or_throw().front().body.vertices, {}};
+}
+
+/// 3 numbers: a translation; 12 or 16: rows of a matrix with the translation last.
+Pose pose_from(const std::string& text, const char* option) {
+    const auto m = scene::numbers_from(text, 0, 17);
+    Pose pose;
+    if (m.size() == 3) {
+        pose.translation = {m[0], m[1], m[2]};
+    } else if (m.size() == 12 || m.size() == 16) {
+        pose.rotation << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];
+        pose.translation = {m[3], m[7], m[11]};
+    } else if (!text.empty()) {
+        throw std::invalid_argument(
+            fmt::format("{}: {} numbers; write x,y,z, or the 12 (or 16) numbers of a matrix, row by row",
+                        option, m.size()));
+    }
+    return pose;
+}
+
+std::string text_from(const std::string& file) {
+    std::ostringstream text;
+    if (file == "-") {
+        text << std::cin.rdbuf();
+        return text.str();
+    }
+    std::ifstream stream;
+    if (!std::filesystem::is_directory(file)) stream.open(file);
+    if (!stream.is_open())
+        throw std::invalid_argument(fmt::format("cannot read {}: no such file, or a directory", file));
+    text << stream.rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+void add_judge_input(CLI::App& command, JudgeInput& input) {
+    CLI::Option* const text = command.add_option(
+        "pair", input.text,
+        "a file, or - for stdin: a case line, what FCL or Drake printed, code for Coal, FCL or Bullet");
+    CLI::Option* const a =
+        command.add_option("--a", input.mesh_a, "mesh file of the first body")->excludes(text);
+    CLI::Option* const b = command.add_option("--b", input.mesh_b, "mesh file of the second body");
+    a->needs(b);
+    b->needs(a);
+    command.add_option("--pose-a", input.pose_a, "x,y,z, or a matrix of 12 or 16 numbers, row by row")
+        ->needs(a);
+    command.add_option("--pose-b", input.pose_b, "likewise of the second body")->needs(b);
+}
+
+scene::PastedPair read_judge_input(const JudgeInput& input) {
+    if (input.text.empty() && input.mesh_a.empty())
+        throw std::invalid_argument("no pair: name a file or - for stdin, or --a and --b; --help shows one");
+    if (!input.text.empty()) return scene::read_pasted(text_from(input.text), input.text).or_throw();
+    return {{"meshes", mesh_body(input.mesh_a), mesh_body(input.mesh_b), pose_from(input.pose_a, "--pose-a"),
+             pose_from(input.pose_b, "--pose-b")},
+            "mesh files",
+            std::nullopt};
+}
+
+}  // namespace edgewise::cli

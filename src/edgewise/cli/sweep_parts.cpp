@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/cli/sweep_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "edgewise/bench/build_info.hpp"
+#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/store/schema.hpp"
+#include "edgewise/studies/effort_rows.hpp"
+#include "edgewise/studies/paging_rows.hpp"
+#include "edgewise/studies/parts/sharded_work.hpp"
+#include "edgewise/studies/thrash/thrash_rows.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+/// What a part is told to call when a row of it is done.
+using OnRow = std::function<void(const std::string& what)>;
+
+struct Part {
+    std::string name;
+    std::size_t rows = 0;
+    double seconds_each = 0;                ///< expected, of a row
+    std::function<bool(const OnRow&)> run;  ///< false: stopped
+
+    [[nodiscard]] std::string key() const { return fmt::format("part {} {}", name, rows); }
+};
+
+studies::StabilityPlan stability_plan(const sweep::SweepWork& work) {
+    studies::StabilityPlan plan;
+    plan.count = plan.proofs = work.plan.stability;
+    plan.seed = work.plan.seed;
+    plan.raw = work.plan.control;
+    plan.types = work.types;
+    plan.algorithms = work.algorithms;
+    plan.families = work.families;
+    for (const scene::NamedShape& shape : work.shapes) {
+        if (shape.error.empty() && shape.source != "built-in") plan.real.push_back(shape.body);
+    }
+    return plan;
+}
+
+studies::PagingPlan paging_plan(const sweep::Plan& of) {
+    studies::PagingPlan plan;
+    plan.bodies = of.paging;
+    plan.seed = of.seed;
+    return plan;
+}
+
+studies::EffortPlan effort_plan(const sweep::SweepWork& work) {
+    const std::string machines[] = {studies::effort_machine};
+    studies::EffortPlan plan{studies::effort_cell, work.types, work.peers, work.algorithms,
+                             measure::choose_machines(machines).front()};
+    plan.cell.queries = work.plan.effort;
+    plan.cell.checked = std::min(work.plan.checked, work.plan.effort);
+    plan.cell.seed = work.plan.seed;
+    return plan;
+}
+
+// Expected seconds of a row on two cores, where a store does not remember any: of a hard family's case, of
+// paging under its limits, of a scene that is traced for figure 8, of a Callgrind run's query.
+constexpr const char* stability_part_name = "stability";
+constexpr double stability_case = 0.0009, paging_row = 6, thrash_unit = 5, effort_query = 0.012;
+
+Part stability_part(const sweep::SweepWork& work, store::Store& store, studies::StabilitySummary& stability) {
+    auto of = stability_plan(work);
+    of.stored = [&store, build = bench::this_build().id](
+                    const std::string& hash) -> std::optional<studies::StabilityRow> {
+        auto row = store.find_cell(build, hash);
+        if (!row) return std::nullopt;
+        return studies::StabilityRow{*std::move(row), store.figures(build, hash)};
+    };
+    return {stability_part_name, studies::stability_rows(of),
+            stability_case * static_cast<double>(work.plan.stability),
+            [=, &store, &stability](const OnRow& on_row) {
+                stability = store_stability(of, store, [&](const studies::StabilityRow& row) {
+                    on_row(row.cell.shape + " " + row.cell.table);
+                });
+                return !stability.stopped;
+            }};
+}
+
+Part paging_part(const sweep::Plan& plan, store::Store& store) {
+    return {studies::paging_unit, studies::paging_rows(), paging_row, [&](const OnRow& on_row) {
+                return studies::run_paging(
+                    paging_plan(plan), bench::this_build().id, store,
+                    [&](const store::CellRow& row) { on_row(row.shape + " " + row.table); },
+                    stop_on_signals());
+            }};
+}
+
+Part thrash_part(const studies::thrash::Levels& levels, store::Store& store) {
+    return {studies::thrash_unit, studies::thrash::thrash_units(levels), thrash_unit, [=, &store](const OnRow& on_row) {
+                return studies::thrash::run_thrash(
+                    levels, bench::this_build().id, store, [&] { on_row("figure 8"); }, stop_on_signals());
+            }};
+}
+
+Part effort_part(const sweep::SweepWork& work, store::Store& store) {
+    return {studies::effort_unit, studies::effort_rows(effort_plan(work)),
+            effort_query * static_cast<double>(work.plan.effort), [&](const OnRow& on_row) {
+                return studies::store_effort(
+                    effort_plan(work), bench::this_build().id, store,
+                    [&](std::size_t, const studies::EffortRow& row) {
+                        on_row(row.cell.algorithm + " " + row.cell.table);
+                    },
+                    stop_on_signals());
+            }};
+}
+
+/// The parts after the sweep that the plan has.
+std::vector<Part> later_parts(const sweep::SweepWork& work, store::Store& store,
+                              studies::StabilitySummary& stability) {
+    std::vector<Part> parts;
+    if (work.plan.stability > 0) parts.push_back(stability_part(work, store, stability));
+    if (work.plan.paging > 0) parts.push_back(paging_part(work.plan, store));
+    studies::thrash::Levels levels;
+    levels.seed = work.plan.seed;
+    if (work.plan.thrash && studies::thrash::has_tables(levels)) parts.push_back(thrash_part(levels, store));
+    if (work.plan.effort > 0) parts.push_back(effort_part(work, store));
+    return parts;
+}
+
+sweep::SweepListener listener_for(Progress& progress) {
+    sweep::SweepListener listener;
+    listener.on_start = [&](double seconds, std::size_t) { progress.expect(seconds); };
+    listener.on_done = [&](double seconds, std::size_t cells, const std::string& what) {
+        progress.advance_work(seconds, what);
+        if (cells > 0) progress.advance(cells, what);
+    };
+    listener.on_resumed = [&](double seconds, std::size_t cells) { progress.resume(cells, seconds); };
+    listener.on_warning = [&](const std::string& line) {
+        progress.clear();
+        warn(line);
+    };
+    return listener;
+}
+
+/// Whether it came to its end. Rows that are there already are counted as resumed.
+bool run_part(const Part& part, double seconds_each, store::Store& store, Progress& progress) {
+    const measure::Stopwatch watch;
+    std::size_t done = 0;
+    const bool ended = part.run([&](const std::string& what) {
+        ++done;
+        progress.advance_work(seconds_each, what);
+        progress.advance(1, part.name + " " + what);
+    });
+    if (!ended) return false;
+    if (done == part.rows) {
+        const std::string took = fmt::format("{:.4g}", watch.elapsed_ns() * 1e-9);
+        store.set_meta(store::took_key + part.key(), took);
+        if (part.name != stability_part_name) store.set_meta(store::took_key + part.name, took);
+    }
+    const std::size_t earlier = part.rows - std::min(done, part.rows);
+    progress.resume(earlier, seconds_each * static_cast<double>(earlier));
+    return true;
+}
+
+}  // namespace
+
+PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store) {
+    PartsSummary summary;
+    std::vector<Part> parts = later_parts(work, store, summary.stability);
+    std::size_t steps = work.cells();
+    for (const Part& part : parts) steps += part.rows;
+    Progress progress("sweep", steps, 0, "cells");
+    for (Part& part : parts) {
+        if (const auto took = store.meta(store::took_key + part.key()); took && part.rows > 0)
+            part.seconds_each = std::stod(*took) / static_cast<double>(part.rows);
+        progress.expect(part.seconds_each * static_cast<double>(part.rows));
+    }
+    summary.sweep = sweep::run_sweep(work, store, listener_for(progress), stop_on_signals());
+    summary.stopped = summary.sweep.stopped;
+    for (const Part& part : parts) {
+        if (!summary.stopped) summary.stopped = !run_part(part, part.seconds_each, store, progress);
+    }
+    return summary;
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/cli/usage/examples.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <string>
+
+namespace edgewise::cli {
+
+namespace {
+
+struct Examples {
+    const char *first, *second;
+    const char* more = "";  ///< below them, as a case to paste
+};
+
+/// A case on one line, as `query` and `judge` read it.
+constexpr const char* example_case =
+    "\nA case, one per line (faces and poses may be left out):\n"
+    R"(  {"id": "1", "a": {"vertices": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]]}, "b": {"vertices": [[3,0,0], [4,0,0], [3,1,0], [3,0,1]]}, "pose_b": {"R": [1,0,0, 0,1,0, 0,0,1], "t": [0.5,0,0]}})"
+    "\n";
+
+const std::map<std::string, Examples> examples = {
+    {"advise",
+     {"advise --bodies 300 --vertices 386 --own-tables --error 1e-6 --machine l2=256K,l3=8M",
+      "advise --mesh my_link.stl --bodies 50 --shared-tables"}},
+    {"budget", {"budget --mesh my_link.stl --tolerance 0.0001", "budget --shape sphere386 --table lean_f32"}},
+    {"bench", {"bench --queries 2000", "bench --gate mine.json --write"}},
+    {"bytes", {"bytes --layouts aos_f64,lean_f64", "bytes --mesh my_link.stl --layouts lean"}},
+    {"caches",
+     {"caches --table lean_f32 --scene pressure --queries 2000 --write lean.din",
+      "caches --trace lean.din --machines zen5,l2=256K"}},
+    {"calibrate", {"calibrate", "calibrate --json"}},
+    {"claims", {"claims", "claims mine.db --diff theirs.db"}},
+    {"crosscheck", {"crosscheck --table lean_f32", "crosscheck --table aos_f64 --machines l1=16K,l2=256K"}},
+    {"draw", {"draw layout lean_f32 > lean.svg", "draw layout aos_f64 --shape tetra4 > aos.svg"}},
+    {"effort", {"effort --layouts aos_f64,lean_f64", "effort --by-phase --scene cold --shape cube8"}},
+    {"export",
+     {"export --figures 'time.*' --out times.csv",
+      "export mine.db --figures 'caches.*.step.*' --format json"}},
+    {"heat",
+     {"heat --table aos_f64 --shape sphere386 --queries 500", "heat --table lean_f32 --svg > lean_heat.svg"}},
+    {"judge",
+     {"judge message.txt --tests", "judge --a link.obj --b wall.obj --pose-b 0.5,0,0 --said fcl=0.02",
+      example_case}},
+    {"list", {"list layouts", "list machines --json"}},
+    {"lock", {"lock --table lean_f32 --queries 200 > lean.lock.json", "lock --check lean.lock.json"}},
+    {"machine", {"machine", "machine --json"}},
+    {"paging", {"paging", "paging --bodies 200 --json"}},
+    {"query",
+     {"query cases.jsonl --algorithm gjk --layout aos_f64", "query - --needs certificate < cases.jsonl",
+      example_case}},
+    {"report", {"report", "report mine.db --out mine"}},
+    {"scaling", {"scaling --table lean_f64 --threads 2", "scaling --scene pressure --parameter bodies=2000"}},
+    {"stability", {"stability --count 20 --layouts aos_f64", "stability --families slivers --count 1000"}},
+    {"sweep",
+     {"sweep --mesh my_link.stl --scenes tumble --layouts aos,lean",
+      "sweep --scenes mine.json --caches all --machines l2=256K,l3=8M"}},
+    {"thrash", {"thrash", "thrash --json"}},
+};
+
+std::string footer(const Examples& of) {
+    return fmt::format("Examples:\n  edgewise {}\n  edgewise {}\n{}", of.first, of.second, of.more);
+}
+
+}  // namespace
+
+void add_examples(CLI::App& app) {
+    for (CLI::App* command : app.get_subcommands({})) {
+        const auto of = examples.find(command->get_name());
+        if (of != examples.end()) command->footer(footer(of->second));
+    }
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/cli/usage/folders.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+#include "edgewise/cli/command.hpp"
+
+namespace edgewise::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// "out/" is "out".
+fs::path named_folder(const std::string& folder) {
+    const fs::path path = fs::path(folder).lexically_normal();
+    return path.has_filename() ? path : path.parent_path();
+}
+
+}  // namespace
+
+void check_folder(const std::string& folder, const std::string& option) {
+    const fs::path named = named_folder(folder), above = named.parent_path();
+    if (fs::is_directory(named)) return;
+    if (!above.empty() && !fs::is_directory(above))
+        throw std::invalid_argument(fmt::format("{} {}: there is no folder {}; make it, or mend the path",
+                                                option, folder, above.string()));
+}
+
+void check_folder_of_store(const std::string& store) {
+    if (store != default_store) check_folder(folder_of(store), "--store");
+}
+
+void make_folder(const std::string& folder, const std::string& option) {
+    check_folder(folder, option);
+    std::error_code failed;
+    fs::create_directory(named_folder(folder), failed);
+    if (failed)
+        throw std::invalid_argument(
+            fmt::format("{} {}: the folder cannot be made: {}", option, folder, failed.message()));
+}
+
+void make_folder_of_store(const std::string& store) {
+    const std::string folder = folder_of(store);
+    if (store == default_store) fs::create_directories(folder);
+    make_folder(folder, "--store");
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// What to say to a name that nobody knows: the known one that it is most likely a slip of, and all of them.
+// Every "unknown ...; known: ..." line is made here. Inline, since rooms that are no library use it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edgewise/geometry/message.hpp"
+
+namespace edgewise {
+
+namespace known_names_detail {
+
+inline std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
+/// Of a slip: a letter of a short name, a third of a longer one.
+inline int most_edits(std::string_view name) { return std::max(1, static_cast<int>(name.size()) / 3); }
+
+/// Names shorter than this begin too many others.
+inline constexpr std::size_t least_beginning = 3;
+
+}  // namespace known_names_detail
+
+/// How many letters have to be put in, left out, replaced, or swapped with their neighbour, to make one name
+/// of the other (optimal string alignment); upper and lower case are one.
+[[nodiscard]] inline int edits_between(std::string_view first, std::string_view second) {
+    const std::string a = known_names_detail::lower_case(first), b = known_names_detail::lower_case(second);
+    // Rows of the table of distances between beginnings: two letters ago, one letter ago, now.
+    std::vector<int> before, last(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = static_cast<int>(j);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        before = last;
+        last = row;
+        row[0] = static_cast<int>(i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+/// The known name that needs the fewest edits, the first of several; nothing where more than a third of the
+/// letters would have to change. A name that only goes on where the other ends ("sphere" of "sphere38") is
+/// taken where nothing is nearer.
+[[nodiscard]] inline std::optional<std::string> nearest_name(std::string_view name,
+                                                             const std::vector<std::string>& known) {
+    using namespace known_names_detail;
+    const std::string* nearest = nullptr;
+    int fewest = most_edits(name) + 1;
+    for (const std::string& candidate : known) {
+        const int edits = edits_between(name, candidate);
+        if (edits >= fewest) continue;
+        fewest = edits;
+        nearest = &candidate;
+    }
+    if (nearest) return *nearest;
+    const std::string wanted = lower_case(name);
+    for (const std::string& candidate : known) {
+        if (wanted.size() >= least_beginning && lower_case(candidate).starts_with(wanted)) return candidate;
+    }
+    return std::nullopt;
+}
+
+/// "; did you mean 'aos'?", or ";" where no name is near: what stands before the known ones.
+[[nodiscard]] inline std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
+    const auto nearest = nearest_name(name, known);
+    return nearest ? message("; did you mean '", *nearest, "'?") : ";";
+}
+
+/// "unknown layout 'aso'; did you mean 'aos'? known: aos, soa"
+[[nodiscard]] inline std::string unknown_name(std::string_view what, std::string_view name,
+                                              const std::vector<std::string>& known) {
+    std::string line = message("unknown ", what, " '", name, "'", did_you_mean(name, known), " known: ");
+    for (std::size_t i = 0; i < known.size(); ++i) line += message(i == 0 ? "" : ", ", known[i]);
+    return line;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/scene/minimise.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+namespace edgewise::scene {
+
+namespace {
+
+/// In a decimal text with that many significant digits, read back.
+double with_digits(double value, int digits) {
+    char text[40];
+    const auto end =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
+    *end = '\0';
+    return std::strtod(text, nullptr);
+}
+
+/// Of the shortest text that reads back the same.
+std::size_t significant_digits(double value) {
+    char text[40];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;
+    std::size_t digits = 0;
+    for (const char* c = text; c != end && *c != 'e'; ++c) digits += *c >= '0' && *c <= '9';
+    return value == 0 ? 0 : digits;
+}
+
+/// Of rotations none: what is rounded there is no rotation any more.
+template <class Use>
+void each_number(Case& pair, const Use& use) {
+    for (CaseBody* body : {&pair.a, &pair.b}) {
+        for (Vec3d& vertex : body->vertices) {
+            for (int k = 0; k < 3; ++k) use(vertex[k]);
+        }
+    }
+    for (Pose* pose : {&pair.pose_a, &pair.pose_b}) {
+        for (int k = 0; k < 3; ++k) use(pose->translation[k]);
+    }
+}
+
+class Search {
+  public:
+    Search(Case best, const StillFails& still_fails, std::size_t most)
+        : best_(std::move(best)), still_fails_(still_fails), most_(most) {}
+
+    Minimised run() {
+        for (bool simpler = true; simpler && !at_limit();) {
+            simpler = without_faces();
+            simpler = simpler_poses() || simpler;
+            simpler = fewer_vertices(&Case::a) || simpler;
+            simpler = fewer_vertices(&Case::b) || simpler;
+            simpler = rounder_numbers() || simpler;
+        }
+        return {best_, tried_, at_limit()};
+    }
+
+  private:
+    [[nodiscard]] bool at_limit() const { return tried_ >= most_; }
+
+    bool take_if_failing(Case candidate) {
+        if (at_limit()) return false;
+        ++tried_;
+        if (!still_fails_(candidate)) return false;
+        best_ = std::move(candidate);
+        return true;
+    }
+
+    /// Hulls in place of given faces: these name vertices that are to go.
+    bool without_faces() {
+        if (!best_.a.faces && !best_.b.faces) return false;
+        Case candidate = best_;
+        candidate.a.faces.reset();
+        candidate.b.faces.reset();
+        return take_if_failing(std::move(candidate));
+    }
+
+    /// One pose the identity, the other what it is seen from there; else parts of them the identity.
+    bool simpler_poses() {
+        bool simpler = false;
+        for (Pose Case::*pose : {&Case::pose_a, &Case::pose_b}) {
+            Case candidate = best_;
+            if (!(best_.*pose).rotation.isIdentity(0)) {
+                (candidate.*pose).rotation.setIdentity();
+                simpler = take_if_failing(candidate) || simpler;
+            }
+            candidate = best_;
+            if (!(best_.*pose).translation.isZero(0)) {
+                (candidate.*pose).translation.setZero();
+                simpler = take_if_failing(candidate) || simpler;
+            }
+        }
+        Case candidate = best_;
+        candidate.pose_b.translation -= candidate.pose_a.translation;
+        candidate.pose_a.translation.setZero();
+        if (!best_.pose_a.translation.isZero(0)) simpler = take_if_failing(std::move(candidate)) || simpler;
+        return simpler;
+    }
+
+    /// ddmin: ever smaller runs of vertices left out. Not of a body with faces.
+    bool fewer_vertices(CaseBody Case::*body) {
+        if ((best_.*body).faces) return false;
+        bool fewer = false;
+        for (std::size_t run = (best_.*body).vertices.size() / 2; run > 0; run /= 2) {
+            for (std::size_t first = 0; first < (best_.*body).vertices.size() && !at_limit();) {
+                Case candidate = best_;
+                std::vector<Vec3d>& vertices = (candidate.*body).vertices;
+                if (vertices.size() <= 1) return fewer;
+                const std::size_t last = std::min(first + run, vertices.size());
+                if (last - first == vertices.size()) break;
+                vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(first),
+                               vertices.begin() + static_cast<std::ptrdiff_t>(last));
+                if (take_if_failing(std::move(candidate))) {
+                    fewer = true;
+                } else {
+                    first += run;
+                }
+            }
+        }
+        return fewer;
+    }
+
+    /// All numbers with fewer digits at once, then each by itself; 0 and whole numbers are tried first.
+    bool rounder_numbers() {
+        bool rounder = false;
+        for (int digits = 1; digits <= 12 && !rounder; ++digits) {
+            Case candidate = best_;
+            each_number(candidate, [&](double& value) { value = with_digits(value, digits); });
+            if (size_of(candidate).digits < size_of(best_).digits)
+                rounder = take_if_failing(std::move(candidate));
+        }
+        std::size_t count = 0;
+        each_number(best_, [&](const double&) { ++count; });
+        for (std::size_t number = 0; number < count && !at_limit(); ++number)
+            rounder = rounder_number(number) || rounder;
+        return rounder;
+    }
+
+    bool rounder_number(std::size_t number) {
+        double value = 0;
+        std::size_t at = 0;
+        each_number(best_, [&](const double& here) { value = at++ == number ? here : value; });
+        const std::size_t had = significant_digits(value);
+        for (int digits = 0; digits < static_cast<int>(had); ++digits) {
+            const double simpler = digits == 0 ? 0 : with_digits(value, digits);
+            if (significant_digits(simpler) >= had) continue;
+            Case candidate = best_;
+            at = 0;
+            each_number(candidate, [&](double& here) { here = at++ == number ? simpler : here; });
+            if (take_if_failing(std::move(candidate))) return true;
+        }
+        return false;
+    }
+
+    Case best_;
+    const StillFails& still_fails_;
+    std::size_t most_, tried_ = 0;
+};
+
+}  // namespace
+
+Minimised minimise(const Case& failing, const StillFails& still_fails, std::size_t most_tries) {
+    return Search(failing, still_fails, most_tries).run();
+}
+
+CaseSize size_of(const Case& pair) {
+    CaseSize size{pair.a.vertices.size() + pair.b.vertices.size(), 0};
+    Case copy = pair;
+    each_number(copy, [&](const double& value) { size.digits += significant_digits(value); });
+    return size;
+}
+
+}  // namespace edgewise::scene

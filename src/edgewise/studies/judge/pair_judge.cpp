@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/judge/pair_judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgewise/bench/certificates.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/truth/depth/exact_depth.hpp"
+
+namespace edgewise::studies {
+
+namespace {
+
+/// Other libraries, relative to the scale of the pair, distances and depths: what they aim at by themselves
+/// (1e-6 is FCL's distance_tolerance and Coal's). An error below it is by their design.
+constexpr double judged_error_peer = 1e-6;
+
+struct Posed {
+    std::span<const Vec3d> a, b;
+    const Pose &pose_a, &pose_b;
+};
+
+Result<PairTruth> exact_of(const Posed& posed, double eps) {
+    using Truth = Result<PairTruth>;
+    const auto exact = truth::exact_distance(posed.a, posed.pose_a, posed.b, posed.pose_b);
+    if (!exact) return Truth::failure(exact.error);
+    PairTruth truth;
+    truth.exact = *exact;
+    truth.band = truth::accuracy_band(posed.a, posed.pose_a, posed.b, posed.pose_b, eps);
+    if (exact->verdict == truth::ExactVerdict::separated) return Truth::success(truth);
+    const auto depth = truth::exact_depth(posed.a, posed.pose_a, posed.b, posed.pose_b, exact->simplex);
+    if (!depth) return Truth::failure(depth.error);
+    truth.depth = depth->depth;
+    return Truth::success(truth);
+}
+
+/// What a distance may be wrong by: rounding, and of a library what it aims at by itself.
+double allowed_error(const bench::TableType& type, const truth::AccuracyBand& band) {
+    const bool single = type.eps > Tolerance<double>::eps;
+    const double own = single ? verified_error_single : verified_error_double;
+    return (type.is_peer ? std::max(own, judged_error_peer) : own) * band.scale + band.band;
+}
+
+double allowed_depth_error(const bench::TableType& type, const truth::AccuracyBand& band) {
+    const bool single = type.eps > Tolerance<double>::eps;
+    return (single ? verified_error_single : verified_depth_error_double) * band.scale + band.band;
+}
+
+/// Of an answer that is one: verdict, then distance, then depth.
+void judge(JudgedResponse& response, bool separated, const PairTruth& stored, double allowed,
+           double allowed_depth) {
+    const truth::JudgedAnswer answer{separated, response.distance.value_or(0)};
+    const truth::Judgement judged = truth::judge(answer, stored.exact, stored.band, stored.depth);
+    if (response.distance) response.error = judged.error;
+    const bool truly_separated = stored.exact.verdict == truth::ExactVerdict::separated;
+    if (judged.verdict_wrong) {
+        response.is = AnswerIs::wrong_verdict;
+        response.beyond = std::max(judged.error, stored.depth.value_or(0)) - stored.band.band;
+        response.why = fmt::format("says {}, is {}", response.status, to_string(stored.exact.verdict));
+    } else if (response.distance && !(judged.error <= allowed)) {
+        response.is = AnswerIs::wrong_distance;
+        response.beyond = judged.error - allowed;
+        response.why = fmt::format("distance {} instead of {}", *response.distance, stored.exact.distance);
+    } else if (separated != truly_separated) {
+        response.is = AnswerIs::in_band;
+        response.why = "another verdict, where rounding decides";
+    } else if (!separated && response.depth && stored.depth) {
+        response.error = std::abs(*response.depth - *stored.depth);
+        if (response.error <= allowed_depth) return;
+        response.is = AnswerIs::wrong_depth;
+        response.beyond = response.error - allowed_depth;
+        response.why = fmt::format("depth {} instead of {}", *response.depth, *stored.depth);
+    }
+}
+
+std::string answer_key(const JudgedResponse& response) {
+    return fmt::format("{} {} {} {} {}", response.status, response.distance.value_or(-1),
+                       response.depth.value_or(-1), response.error, to_string(response.is));
+}
+
+void refuse(JudgedResponse& response, const std::string& why) {
+    response.is = AnswerIs::refused;
+    response.status = "failed";
+    response.why = why;
+}
+
+std::vector<Polyhedron> bodies_of(const scene::Case& pair) {
+    return {scene::body_from_case(pair.a).or_throw(), scene::body_from_case(pair.b).or_throw()};
+}
+
+/// V-Clip in double on the first table type that stores bodies as they are, for its proof.
+void add_certificate(const scene::Case& pair, PairTruth& truth) {
+    const auto is_exact = [](const bench::TableType& type) {
+        return type.serves("vclip") && type.storage == "double" && !type.single_storage;
+    };
+    const auto type = std::ranges::find_if(bench::table_types(), is_exact);
+    truth.no_certificate = "this program has no table type that stores doubles";
+    if (type == bench::table_types().end()) return;
+    const std::vector<Polyhedron> bodies = bodies_of(pair);
+    const auto runner = type->make_runner("vclip");
+    truth.no_certificate = runner->load(bodies);
+    if (!truth.no_certificate.empty()) return;
+    const scene::Query query{0, 1, 0, pair.pose_a, pair.pose_b};
+    const auto known = bench::certificates_of(runner->answer(query), query, bodies, runner->stored_bodies(),
+                                              pair.a.vertices, pair.b.vertices);
+    if (known) truth.certificate = known->given;
+    truth.no_certificate = known.error;
+}
+
+}  // namespace
+
+std::string_view to_string(AnswerIs answer) {
+    constexpr std::string_view names[] = {"right",       "in the band", "wrong verdict", "wrong distance",
+                                          "wrong depth", "no answer",   "refused"};
+    return names[static_cast<std::size_t>(answer)];
+}
+
+std::string Respondent::name() const {
+    if (type->is_peer) return type->name;
+    return fmt::format("{} on {}",
+                       algorithm == "vclip" ? "V-Clip"
+                       : algorithm == "gjk" ? "GJK"
+                                            : algorithm,
+                       type->name);
+}
+
+Result<PairTruth> truth_of(const scene::Case& pair) {
+    for (const scene::CaseBody* body : {&pair.a, &pair.b}) {
+        if (const auto made = scene::body_from_case(*body); !made)
+            return Result<PairTruth>::failure(made.error);
+    }
+    Result<PairTruth> truth =
+        exact_of({pair.a.vertices, pair.b.vertices, pair.pose_a, pair.pose_b}, Tolerance<double>::eps);
+    if (truth) add_certificate(pair, *truth);
+    return truth;
+}
+
+JudgedResponse ask(const Respondent& respondent, const scene::Case& pair, const PairTruth& truth) {
+    JudgedResponse response;
+    response.who = respondent.name();
+    const bench::TableType& type = *respondent.type;
+    const std::vector<Polyhedron> bodies = bodies_of(pair);
+    const auto runner = type.make_runner(respondent.algorithm);
+    if (const std::string error = runner->load(bodies); !error.empty()) {
+        refuse(response, error);
+        return response;
+    }
+    const bench::NamedAnswer answer = runner->answer({0, 1, 0, pair.pose_a, pair.pose_b});
+    const Distance& d = answer.distance;
+    response.status = to_string(d.status);
+    if (d.status == Status::failed) {
+        response.is = type.is_peer ? AnswerIs::no_answer : AnswerIs::refused;
+        response.why =
+            type.is_peer ? "gave no answer" : "too large, too small or too far apart for this precision";
+        return response;
+    }
+    const auto stored = runner->stored_bodies();
+    const auto held = exact_of({stored[0].vertices, stored[1].vertices, pair.pose_a, pair.pose_b}, type.eps);
+    if (!held) {
+        refuse(response, held.error);
+        return response;
+    }
+    const bool separated = d.status == Status::separated;
+    if (!type.verdict_only) response.distance = d.distance;
+    if (!separated && !type.is_peer) response.depth = answer.depth;
+    judge(response, separated, *held, allowed_error(type, held->band), allowed_depth_error(type, held->band));
+    response.of_given = std::abs((separated ? d.distance : 0) - truth.exact.distance);
+    if (response.is == AnswerIs::right &&
+        separated != (truth.exact.verdict == truth::ExactVerdict::separated))
+        response.why = "of the bodies as it rounds them";
+    return response;
+}
+
+JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const PairTruth& truth) {
+    JudgedResponse response;
+    response.who = reported.who;
+    response.distance = reported.distance;
+    if (!reported.distance) {
+        response.is = AnswerIs::no_answer;
+        response.status = "failed";
+        response.why = reported.what;
+        return response;
+    }
+    const bool separated = *reported.distance > 0;
+    response.status = separated ? "separated" : "touching";
+    if (*reported.distance < 0) {  // a signed distance: its size is a depth
+        response.depth = -*reported.distance;
+        response.distance = 0;
+    }
+    const double allowed = judged_error_peer * truth.band.scale + truth.band.band;
+    judge(response, separated, truth, allowed, allowed);
+    response.of_given = response.error;
+    return response;
+}
+
+std::vector<JudgedResponse> ask_all(std::span<const Respondent> respondents, const scene::Case& pair,
+                                    const PairTruth& truth) {
+    std::vector<JudgedResponse> answers;
+    for (const Respondent& respondent : respondents) {
+        JudgedResponse response = ask(respondent, pair, truth);
+        const auto same = std::ranges::find_if(answers, [&](const JudgedResponse& other) {
+            return !respondent.type->is_peer && other.who.substr(0, 4) == response.who.substr(0, 4) &&
+                   answer_key(other) == answer_key(response);
+        });
+        if (same == answers.end()) {
+            answers.push_back(std::move(response));
+        } else {
+            same->same.push_back(respondent.type->name);
+        }
+    }
+    return answers;
+}
+
+std::vector<Respondent> respondents_of(std::span<const bench::TableType* const> types,
+                                       std::span<const std::string> algorithms,
+                                       std::span<const bench::TableType* const> peers) {
+    std::vector<Respondent> all;
+    for (const std::string& algorithm : algorithms) {
+        for (const bench::TableType* type : types) {
+            if (type->serves(algorithm)) all.push_back({type, algorithm});
+        }
+    }
+    for (const bench::TableType* peer : peers) all.push_back({peer, peer->algorithms.front()});
+    return all;
+}
+
+}  // namespace edgewise::studies

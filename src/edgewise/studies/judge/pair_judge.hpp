@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+//
+// One pair, and what everybody answers to it: every algorithm on every table type, other libraries, and what
+// somebody reports; each beside exact arithmetic.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/scene/case_file.hpp"
+#include "edgewise/scene/dumps/dump.hpp"
+#include "edgewise/truth/accuracy_band.hpp"
+#include "edgewise/truth/certificate.hpp"
+#include "edgewise/truth/exact_distance.hpp"
+
+namespace edgewise::studies {
+
+/// Of the bodies as given.
+struct PairTruth {
+    truth::ExactDistance exact;
+    std::optional<double> depth;  ///< in contact
+    truth::AccuracyBand band;     ///< of double precision
+    /// That V-Clip in double proved; none where that has no answer.
+    std::optional<truth::Certificate> certificate;
+    std::string no_certificate;  ///< why
+};
+
+/// Who is asked. Of another library the algorithm is its own.
+struct Respondent {
+    const bench::TableType* type;
+    std::string algorithm;
+
+    [[nodiscard]] std::string name() const;  ///< "V-Clip on aos_f64", "bullet_epa2_f64"
+};
+
+enum class AnswerIs {
+    right,
+    in_band,        ///< another verdict than the exact one, nearer to grazing than rounding decides
+    wrong_verdict,  ///< beyond that band
+    wrong_distance,
+    wrong_depth,
+    no_answer,  ///< threw, or gave up
+    refused,    ///< the bodies or the pose are outside what it takes, and it says so
+};
+[[nodiscard]] std::string_view to_string(AnswerIs answer);
+
+struct JudgedResponse {
+    std::string who;
+    std::vector<std::string> same;  ///< others whose answer is the same to the bit
+    std::string status;  ///< separated, touching, overlapping, failed; of a library contact is touching
+    std::optional<double> distance, depth;
+    double error = 0;     ///< of the distance (in contact: of the depth), from the bodies that it holds
+    double beyond = 0;    ///< how far that is over what is allowed; 0: it is not
+    double of_given = 0;  ///< error of the distance from the bodies as given: rounding of storage too
+    AnswerIs is = AnswerIs::right;
+    std::string why;  ///< where it is not right
+
+    [[nodiscard]] bool wrong() const {
+        return is == AnswerIs::wrong_verdict || is == AnswerIs::wrong_distance ||
+               is == AnswerIs::wrong_depth || is == AnswerIs::no_answer;
+    }
+};
+
+/// Fails where the bodies are none, or no exact answer is to be had: one line.
+[[nodiscard]] Result<PairTruth> truth_of(const scene::Case& pair);
+
+/// The tables are built for this.
+[[nodiscard]] JudgedResponse ask(const Respondent& respondent, const scene::Case& pair,
+                                 const PairTruth& truth);
+
+/// An answer that was printed elsewhere.
+[[nodiscard]] JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const PairTruth& truth);
+
+/// All of them, those of one answer together: the first of each, in the order of the respondents.
+[[nodiscard]] std::vector<JudgedResponse> ask_all(std::span<const Respondent> respondents,
+                                                  const scene::Case& pair, const PairTruth& truth);
+
+/// Every algorithm on every one of these types, then the peers.
+[[nodiscard]] std::vector<Respondent> respondents_of(std::span<const bench::TableType* const> types,
+                                                     std::span<const std::string> algorithms,
+                                                     std::span<const bench::TableType* const> peers);
+
+}  // namespace edgewise::studies

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise judge` on pairs as they were posted (dumps/): the exact distance, and who was wrong. Exact
+// distances are of the corpus (tests/corpus), which two other exact solvers confirmed.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli_paths.hpp"
+#include "program.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::Contains;
+using testing::HasSubstr;
+
+std::string dump(const std::string& name) { return text_of(std::string(dumps_folder) + "/" + name); }
+
+/// Of the pair in a file, with a few table types: all are asked in tests/corpus.
+Outcome judge(const std::string& text, Arguments more = {}) {
+    const Folder folder;
+    folder.write("pair.txt", text);
+    Arguments arguments = {"judge", "pair.txt", "--json", "--layouts", "aos_f64,lean_f64,points_soa_f64"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments, folder);
+}
+
+struct Posted {
+    std::string name;
+    double distance, depth;  ///< of contact the depth, else 0
+};
+
+const std::vector<Posted> thrown = {{"drake21673_convex1.txt", 0, 0.5747809100146696},
+                                    {"drake21673_convex2.txt", 0, 0.8936538640120293},
+                                    {"drake21673_convex3.txt", 0, 0.6343418689916047},
+                                    {"fcl390.txt", 1.7082191684687607e-08, 0}};
+
+TEST(Judge, SaysWhoWasWrongAboutWhatWasPosted) {
+    for (const Posted& posted : thrown) {
+        const Outcome outcome = judge(dump(posted.name));
+        ASSERT_EQ(outcome.exit_code, 1) << posted.name << outcome.err;
+        const json verdict = json::parse(outcome.out);
+        EXPECT_EQ(verdict["format"], "FCL dump");
+        EXPECT_THAT(verdict["wrong"], Contains("FCL, as reported")) << "it threw";
+        for (const json& answer : verdict["answers"]) {
+            const std::string who = answer["who"];
+            if (who.find(" on ") != who.npos) {
+                EXPECT_FALSE(answer["wrong"]) << posted.name << ": " << answer;
+            }
+        }
+        const double exact = verdict["exact"]["distance"];
+        EXPECT_DOUBLE_EQ(exact, posted.distance) << posted.name;
+        if (posted.depth > 0) {
+            EXPECT_NEAR(verdict["exact"]["depth"], posted.depth, 1e-12) << posted.name;
+        }
+        const json& proof = verdict["exact"]["certificate"];
+        EXPECT_LE(proof["lower"], exact);
+        EXPECT_GE(proof["upper"], exact);
+    }
+}
+
+/// Nobody says in these texts what the library answered; it is told beside them.
+TEST(Judge, TakesWhatALibrarySaid) {
+    const json shallow = json::parse(judge(dump("coal144.txt")).out);
+    EXPECT_NEAR(shallow["exact"]["depth"], 1e-4, 1e-15);
+    const Outcome apart = judge(dump("coal685.txt"), {"--said", "coal=-0.1"});
+    EXPECT_EQ(apart.exit_code, 1);
+    const json verdict = json::parse(apart.out);
+    EXPECT_NEAR(verdict["exact"]["distance"], 1.075 - 0.03 - (0.845416 + 0.37 / 2), 1e-14);
+    EXPECT_EQ(verdict["wrong"][0], "coal, as reported");
+    EXPECT_EQ(judge(dump("coal685.txt"), {"--said", "coal=0.014584", "--peers", "none"}).exit_code, 2);
+}
+
+/// The cube and the tetrahedron of FCL's issue 508: 3.1622776601683795 was answered where the distance is 3.
+constexpr const char* fcl508 =
+    R"({"id": "fcl508", "a": {"vertices": [[-0.5,-0.5,-0.5],[0.5,-0.5,-0.5],[-0.5,0.5,-0.5],[0.5,0.5,-0.5],)"
+    R"([-0.5,-0.5,0.5],[0.5,-0.5,0.5],[-0.5,0.5,0.5],[0.5,0.5,0.5]]},)"
+    R"( "b": {"vertices": [[0,3.5,0],[1,5,0],[-1,5,0],[0,5,1]]}})";
+
+TEST(Judge, SaysByHowMuch) {
+    const json verdict = json::parse(judge(fcl508, {"--said", "fcl=3.1622776601683795"}).out);
+    const json& said = verdict["answers"].back();
+    EXPECT_EQ(said["who"], "fcl, as reported");
+    EXPECT_EQ(said["verdict"], "wrong distance");
+    EXPECT_NEAR(said["error"], 0.1622776601683795, 1e-15);
+    EXPECT_GT(said["beyond"], 0.16);
+}
+
+/// What it prints for a case file is read again, and is the same pair.
+TEST(Judge, GivesACaseThatIsReadAgain) {
+    const json first = json::parse(judge(dump("fcl390.txt")).out);
+    const json second = json::parse(judge(first["case"].dump()).out);
+    EXPECT_EQ(second["format"], "case line");
+    EXPECT_EQ(second["exact"]["distance"], first["exact"]["distance"]);
+    EXPECT_EQ(first["case"]["expect"]["distance"], first["exact"]["distance"]);
+}
+
+TEST(Judge, WritesTestsForOthers) {
+    const json verdict = json::parse(judge(dump("fcl390.txt"), {"--tests"}).out);
+    EXPECT_THAT(verdict["tests"]["fcl"].get<std::string>(), HasSubstr("fcl::Convex<double> a("));
+    EXPECT_THAT(verdict["tests"]["bullet"].get<std::string>(), HasSubstr("btGjkPairDetector"));
+    const json flat = json::parse(
+        judge(R"({"id": "1", "a": {"vertices": [[0,0,0]]}, "b": {"vertices": [[1,2,2]]}})", {"--tests"}).out);
+    EXPECT_EQ(flat["exact"]["distance"], 3);
+    EXPECT_TRUE(flat["tests"]["fcl"].is_null());
+}
+
+TEST(Judge, TakesMeshesWithPoses) {
+    const Folder folder;
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\n");
+    folder.write("b.obj", "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+    const Outcome outcome =
+        run({"judge", "--a", "a.obj", "--b", "b.obj", "--pose-b", "3,0,0", "--layouts", "aos_f64", "--json"},
+            folder);
+    ASSERT_NE(outcome.exit_code, 2) << outcome.err;
+    const json same = json::parse(judge(R"({"id": "1", "a": {"vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]},)"
+                                        R"( "b": {"vertices": [[0.1,0,0],[1,0,0],[0,1,0],[0,0,1]]},)"
+                                        R"( "pose_b": {"R": [1,0,0,0,1,0,0,0,1], "t": [3,0,0]}})")
+                                      .out);
+    EXPECT_EQ(json::parse(outcome.out)["exact"]["distance"], same["exact"]["distance"]);
+    EXPECT_GT(same["exact"]["distance"], 1.9);
+}
+
+TEST(Judge, RefusesWhatItCannotJudge) {
+    for (const auto& [text, said] : {std::pair{"", "nothing in it"},
+                                     {"Shape 1: Sphere(1)\nX_FS1\nShape 2: Box1 1 1\nX_FS2\n", "Sphere"},
+                                     {"{\"id\": \"1\"}", "a, b are missing"}}) {
+        const Outcome outcome = judge(text);
+        EXPECT_EQ(outcome.exit_code, 2) << text;
+        EXPECT_EQ(lines_of(outcome.err).size(), 1U);
+        EXPECT_THAT(outcome.err, HasSubstr(said));
+    }
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test
