@@ -183,7 +183,8 @@ TEST(Claims, AreJudgedFromAnyStore) {
     }
     const Outcome table = run({"claims", "s.db"}, folder);
     EXPECT_EQ(table.exit_code, 0) << table.err;
-    EXPECT_THAT(lines_of(table.out).back(), HasSubstr(" not measured"));
+    EXPECT_THAT(lines_of(table.out).at(0), HasSubstr(" not measured")) << "the summary first";
+    EXPECT_THAT(lines_of(table.out).at(1), HasSubstr("layouts/sweep --paper")) << "then the remedy";
     EXPECT_THAT(table.out, HasSubstr("bytes_per_edge_double"));
 }
 

@@ -43,11 +43,13 @@ std::string taken_text(const Advice& advice) {
         bytes += fmt::format(" (the paper's layout: {:.1f}, {})", paper->bytes_per_edge,
                              bytes_text(tables * paper->table_bytes));
     std::string text = labelled("take", bytes);
-    text += labelled(
-        "time", fmt::format("{:.0f} ns per query here, {} of the paper's layout over {} processes (that one "
-                            "beside itself: {:.2f} to {:.2f})",
-                            taken.ns, ratio_text(taken), advice.finals.processes, advice.finals.noise_low,
-                            advice.finals.noise_high));
+    const std::string noise = advice.finals.processes < 2
+                                  ? "what that one differs by from process to process is not known"
+                                  : fmt::format("that one beside itself: {:.2f} to {:.2f}",
+                                                advice.finals.noise_low, advice.finals.noise_high);
+    text +=
+        labelled("time", fmt::format("{:.0f} ns per query here, {} of the paper's layout; processes: {}; {}",
+                                     taken.ns, ratio_text(taken), advice.finals.processes, noise));
     text += labelled("error", fmt::format("{:.1e} of the pair's size (asked: {:.0e})", taken.error,
                                           advice.asked.error_limit));
     return text + labelled("why", fmt::format("{:.1f} steps and {:.1f} lines of 64 bytes per query",
