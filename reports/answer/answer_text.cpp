@@ -153,6 +153,13 @@ std::string conditions_of(const Answer& answer, const ReportData& data) {
                        limit_text(answer.question.error_limit), machine_text(data));
 }
 
+std::string unfinished_sentence(const Answer& answer) {
+    const std::size_t missing = missing_cells(answer.runs);
+    return fmt::format("A sweep did not finish: {}; the same command goes on from there.",
+                       missing > 0 ? plural(missing, "cell") + " of its plan are missing"
+                                   : std::string("what follows its cells is missing"));
+}
+
 }  // namespace
 
 std::optional<AdviceText> advice_of(const std::vector<SceneAnswer>& scenes, const Answer& answer) {
@@ -218,11 +225,7 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
                   "Intervals are over the rounds of one process.",
                   noise_text(answer.noise), plural(answer.noise.cells, "scene"));
     text.counts = cells_sentence(answer) + " " + gaps_sentence(answer);
-    if (const std::size_t missing = missing_cells(answer.runs, answer.counts.cells); missing > 0)
-        text.counts = fmt::format(
-            "A sweep did not finish: {} of its cells are missing, and the same command "
-            "goes on with them. {}",
-            missing, text.counts);
+    if (any_unfinished(answer.runs)) text.counts = unfinished_sentence(answer) + " " + text.counts;
     return text;
 }
 

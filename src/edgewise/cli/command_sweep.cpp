@@ -11,11 +11,10 @@
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/run_note.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
-#include "edgewise/measure/machine/utc_time.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
-#include "edgewise/store/schema.hpp"
 #include "edgewise/studies/effort_rows.hpp"
 #include "edgewise/studies/paging_rows.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
@@ -117,11 +116,14 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     return plan;
 }
 
-sweep::SweepSummary run_with_progress(const sweep::SweepWork& work, store::Store& store) {
+sweep::SweepSummary run_with_progress(const sweep::SweepWork& work, store::Store& store, RunNote& note) {
     std::unique_ptr<Progress> progress;
     sweep::SweepListener listener;
     listener.on_start = [&](std::size_t cells) { progress = std::make_unique<Progress>("sweep", cells); };
-    listener.on_done = [&](std::size_t cells, const std::string& what) { progress->advance(cells, what); };
+    listener.on_done = [&](std::size_t cells, const std::string& what) {
+        progress->advance(cells, what);
+        note.add_done(cells);
+    };
     listener.on_warning = [&](const std::string& line) {
         if (progress) progress->clear();
         warn(line);
@@ -185,11 +187,6 @@ void run_effort_of(const sweep::SweepWork& work, store::Store& store, bool& stop
         stop_on_signals());
 }
 
-/// What the sweep is to do and when it began, into the store; again with its end once all of it is done.
-void note_run(store::Store& store, const std::string& command, const nlohmann::json& run) {
-    store.set_meta(store::run_key + command, run.dump());
-}
-
 void print_summary(const sweep::SweepSummary& summary, const studies::StabilitySummary& stability,
                    const std::string& store, const reports::ReportSummary& report, bool json) {
     const std::string& page = report.page;
@@ -223,20 +220,14 @@ int run_sweep(const SweepArguments& options, bool json) {
     studies::StabilitySummary stability;
     {
         store::Store store(options.store);
-        const std::string command = command_line(*options.command);
-        store.set_meta(store::command_key + command, bench::this_build().id);
-        nlohmann::json run = {{"build", bench::this_build().id},
-                              {"cells", work.cells()},
-                              {"started", measure::utc_time()},
-                              {"ended", nullptr}};
-        note_run(store, command, run);
-        summary = run_with_progress(work, store);
+        RunNote note(store, command_line(*options.command), work.cells());
+        summary = run_with_progress(work, store, note);
         if (!summary.stopped) stability = run_stability_of(work, store);
         summary.stopped = summary.stopped || stability.stopped;
         if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
         if (!summary.stopped) run_thrash_of(work.plan, store, summary.stopped);
         if (!summary.stopped) run_effort_of(work, store, summary.stopped);
-        if (!summary.stopped) run["ended"] = measure::utc_time(), note_run(store, command, run);
+        if (!summary.stopped) note.end();
     }
     if (summary.stopped) {
         warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there",
