@@ -166,6 +166,10 @@ std::optional<AdviceText> advice_of(const std::vector<SceneAnswer>& scenes, cons
     const std::optional<Take> take = take_of(scenes);
     if (!take) return std::nullopt;
     const bool own_tables = scenes.front().own_tables;
+    if (std::all_of(take->places.begin(), take->places.end(),
+                    [](const Take::Place& place) { return place.scene->too_noisy; }))
+        return AdviceText{condition_of(own_tables) + ", these times are too noisy to choose by.",
+                          noisy_sentence(scenes).substr(1)};
     AdviceText text = take->beats_baseline_somewhere() ? take_winner(*take, own_tables)
                                                        : keep_baseline(*take, answer, own_tables);
     if (own_tables) text.rest += memory_sentence(*take);

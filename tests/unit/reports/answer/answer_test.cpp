@@ -110,7 +110,8 @@ TEST(Answer, WhatIsTooNoisyIsNotChosenBy) {
     EXPECT_EQ(scene.ties.size(), 3u);
     EXPECT_EQ(scene.choice(), scene.baseline());
     EXPECT_EQ(scene.smallest_of_ties()->name(), "V-Clip on aos_f32") << "points_soa is twice as slow";
-    EXPECT_THAT(answer_paragraph(answer, data), HasSubstr("Too noisy to choose by"));
+    EXPECT_THAT(answer_paragraph(answer, data),
+                HasSubstr("If your bodies share a table, these times are too noisy to choose by. Too noisy"));
     ReportData more = data;
     for (const MadeCandidate& made : {candidate_paper, candidate_lean})
         more.cells.push_back(answer_cell(made, R"({"bodies":12})"));
