@@ -134,7 +134,11 @@ bool Take::beats_baseline_somewhere() const {
 
 std::optional<Take> take_of(const std::vector<SceneAnswer>& scenes) {
     std::map<std::pair<std::string, std::string>, Tally> tallies;
+    const bool any_quiet = std::any_of(scenes.begin(), scenes.end(), [](const SceneAnswer& scene) {
+        return scene.winner() && !scene.too_noisy;
+    });
     for (const SceneAnswer& scene : scenes) {
+        if (any_quiet && scene.too_noisy) continue;
         for (const Candidate& one : scene.candidates) {
             Tally& tally = tallies[{one.cell->algorithm, one.table}];
             ++(scene.ties_with_winner(one) ? tally.ties : tally.losses);

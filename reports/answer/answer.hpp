@@ -57,8 +57,8 @@ struct Take {
     [[nodiscard]] bool is(const Baseline& baseline) const;
     [[nodiscard]] bool beats_baseline_somewhere() const;
 };
-/// The most scenes in which it ties, then the fewest in which it is beaten, then the smallest tables. Null
-/// where no scene has a winner.
+/// The most scenes in which it ties, then the fewest in which it is beaten, then the smallest tables; scenes
+/// that are too noisy count only where all are. Null where no scene has a winner.
 [[nodiscard]] std::optional<Take> take_of(const std::vector<SceneAnswer>& scenes);
 
 }  // namespace edgewise::reports

@@ -153,12 +153,23 @@ std::string conditions_of(const Answer& answer, const ReportData& data) {
                        limit_text(answer.question.error_limit), machine_text(data));
 }
 
+std::string unfinished_sentence(const Answer& answer) {
+    const std::size_t missing = missing_cells(answer.runs);
+    return fmt::format("A sweep did not finish: {}; the same command goes on from there.",
+                       missing > 0 ? plural(missing, "cell") + " of its plan are missing"
+                                   : std::string("what follows its cells is missing"));
+}
+
 }  // namespace
 
 std::optional<AdviceText> advice_of(const std::vector<SceneAnswer>& scenes, const Answer& answer) {
     const std::optional<Take> take = take_of(scenes);
     if (!take) return std::nullopt;
     const bool own_tables = scenes.front().own_tables;
+    if (std::all_of(take->places.begin(), take->places.end(),
+                    [](const Take::Place& place) { return place.scene->too_noisy; }))
+        return AdviceText{condition_of(own_tables) + ", these times are too noisy to choose by.",
+                          noisy_sentence(scenes).substr(1)};
     AdviceText text = take->beats_baseline_somewhere() ? take_winner(*take, own_tables)
                                                        : keep_baseline(*take, answer, own_tables);
     if (own_tables) text.rest += memory_sentence(*take);
@@ -218,11 +229,7 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
                   "Intervals are over the rounds of one process.",
                   noise_text(answer.noise), plural(answer.noise.cells, "scene"));
     text.counts = cells_sentence(answer) + " " + gaps_sentence(answer);
-    if (const std::size_t missing = missing_cells(answer.runs, answer.counts.cells); missing > 0)
-        text.counts = fmt::format(
-            "A sweep did not finish: {} of its cells are missing, and the same command "
-            "goes on with them. {}",
-            missing, text.counts);
+    if (any_unfinished(answer.runs)) text.counts = unfinished_sentence(answer) + " " + text.counts;
     return text;
 }
 

@@ -20,18 +20,24 @@ std::vector<SweepRun> sweep_runs(const ReportData& data) {
                        : std::string();
         };
         if (text("build") != data.build.id) continue;
-        const bool counted = json.contains("cells") && json["cells"].is_number_unsigned();
-        runs.push_back({key.substr(prefix.size()), counted ? json["cells"].get<std::size_t>() : 0,
-                        text("started"), text("ended")});
+        const auto count = [&](const char* name) {
+            return json.contains(name) && json[name].is_number_unsigned() ? json[name].get<std::size_t>() : 0;
+        };
+        runs.push_back(
+            {key.substr(prefix.size()), count("cells"), count("done"), text("started"), text("ended")});
     }
     return runs;
 }
 
-std::size_t missing_cells(const std::vector<SweepRun>& runs, std::size_t stored) {
-    std::size_t planned = 0;
+bool any_unfinished(const std::vector<SweepRun>& runs) {
+    return std::any_of(runs.begin(), runs.end(), [](const SweepRun& run) { return !run.finished(); });
+}
+
+std::size_t missing_cells(const std::vector<SweepRun>& runs) {
+    std::size_t missing = 0;
     for (const SweepRun& run : runs)
-        if (!run.finished()) planned = std::max(planned, run.planned);
-    return planned > stored ? planned - stored : 0;
+        if (!run.finished() && run.planned > run.done) missing += run.planned - run.done;
+    return missing;
 }
 
 }  // namespace edgewise::reports

@@ -15,6 +15,7 @@ namespace edgewise::reports {
 struct SweepRun {
     std::string command;         ///< "sweep --plan quick"
     std::size_t planned = 0;     ///< cells
+    std::size_t done = 0;        ///< of these
     std::string started, ended;  ///< UTC, ISO 8601; `ended` is empty when it was stopped
     [[nodiscard]] bool finished() const { return !ended.empty(); }
 };
@@ -22,8 +23,8 @@ struct SweepRun {
 /// Of the build that is shown.
 [[nodiscard]] std::vector<SweepRun> sweep_runs(const ReportData& data);
 
-/// How many cells of the plans are not in the store: none where every sweep finished. Several plans may share
-/// cells, so of several sweeps that were stopped this is the largest lack.
-[[nodiscard]] std::size_t missing_cells(const std::vector<SweepRun>& runs, std::size_t stored);
+[[nodiscard]] bool any_unfinished(const std::vector<SweepRun>& runs);
+/// How many cells of their plans these have not come to; cells that two plans share count twice.
+[[nodiscard]] std::size_t missing_cells(const std::vector<SweepRun>& runs);
 
 }  // namespace edgewise::reports

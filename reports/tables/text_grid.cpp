@@ -49,6 +49,9 @@ std::string markdown_cell(const GridCell& cell, Reasons& reasons) {
     return fmt::format("{} ({})", markdown_text(cell.text), reasons.number(cell.why));
 }
 
+/// "0", or "0 (28 of 29)": over those that have the figure.
+bool is_zero(const std::string& text) { return text == "0" || text.starts_with("0 ("); }
+
 }  // namespace
 
 GridCell missing_cell(const std::string& why) {
@@ -85,7 +88,7 @@ void drop_zero_columns(TextGrid& grid) {
     for (std::size_t i = grid.columns.size(); i-- > 0;) {
         const bool zero = grid.columns[i].number && !grid.rows.empty() &&
                           std::all_of(grid.rows.begin(), grid.rows.end(),
-                                      [&](const auto& row) { return row[i].text == "0"; });
+                                      [&](const auto& row) { return is_zero(row[i].text); });
         if (!zero) continue;
         append(zeros, grid.columns[i].title);
         const auto place = static_cast<std::ptrdiff_t>(i);

@@ -117,7 +117,7 @@ std::string problems_of(const ReportData& data) {
 
 std::string counts_html(const Answer& answer, const AnswerText& text, const ReportData& data) {
     const bool failed = data.any_failed();
-    const bool partly = missing_cells(answer.runs, answer.counts.cells) > 0 || answer.counts.unavailable > 0;
+    const bool partly = any_unfinished(answer.runs) || answer.counts.unavailable > 0;
     return fmt::format(
         "<p class=\"verdict {}\">{} <a href=\"#missing\">What is missing, and how to get "
         "it</a>.</p>\n",

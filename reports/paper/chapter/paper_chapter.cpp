@@ -67,7 +67,7 @@ std::vector<ChapterPart> paper_parts(const ReportData& data) {
 }
 
 ChapterPart own_part(const ReportData& data) {
-    ChapterPart part{"Your own scenes", "Scenes from files that are not the paper's.", own_section, {}, {}};
+    ChapterPart part{"", "Scenes from files that are not the paper's.", own_section, {}, {}};
     for (const StoredScene& scene : scene_files(data))
         if (!is_of_paper(scene.name)) part.long_grids.push_back(file_scene_grid(scene));
     return part;

@@ -95,7 +95,8 @@ void print_row(const studies::StabilityRow& row) {
         row.cell.reason.empty() ? "" : "  " + row.cell.status + ": " + row.cell.reason);
 }
 
-studies::StabilitySummary run_with_progress(const studies::StabilityPlan& plan, store::Store& store, bool json) {
+studies::StabilitySummary run_with_progress(const studies::StabilityPlan& plan, store::Store& store,
+                                            bool json) {
     Progress progress("stability", studies::stability_rows(plan), 0, "rows");
     return store_stability(plan, store, [&](const studies::StabilityRow& row) {
         if (!json) {

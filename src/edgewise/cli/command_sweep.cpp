@@ -13,9 +13,9 @@
 #include "edgewise/cli/count_option.hpp"
 #include "edgewise/cli/parts/figures_of_merit.hpp"
 #include "edgewise/cli/parts/shard_options.hpp"
+#include "edgewise/cli/run_note.hpp"
 #include "edgewise/cli/sweep_parts.hpp"
 #include "edgewise/cli/usage/folders.hpp"
-#include "edgewise/measure/machine/utc_time.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"
@@ -131,11 +131,6 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     return plan;
 }
 
-/// What the sweep is to do and when it began, into the store; again with its end once all of it is done.
-void note_run(store::Store& store, const std::string& command, const nlohmann::json& run) {
-    store.set_meta(store::run_key + command, run.dump());
-}
-
 /// `report`: of what was written of the store; its page is empty where nothing was.
 void print_summary(const PartsSummary& outcome, const std::string& store,
                    const reports::ReportSummary& report, bool json) {
@@ -222,18 +217,11 @@ int run_sweep(const SweepArguments& options, bool json) {
     PartsSummary outcome;
     {
         store::Store store(path);
-        const std::string command = command_line(*options.command);
-        store.set_meta(store::command_key + command, bench::this_build().id);
         if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
-        nlohmann::json run = {{"build", bench::this_build().id},
-                              {"cells", work.cells()},
-                              {"started", measure::utc_time()},
-                              {"ended", nullptr}};
-        note_run(store, command, run);
-        outcome = run_parts(work, store);
+        RunNote note(store, command_line(*options.command), work.cells());
+        outcome = run_parts(work, store, [&](std::size_t cells) { note.add_done(cells); });
         if (!outcome.stopped) {
-            run["ended"] = measure::utc_time();
-            note_run(store, command, run);
+            note.end();
             if (!shard.is_whole()) store.set_meta(store::complete_key, shard.text());
         }
     }

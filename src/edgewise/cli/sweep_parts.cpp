@@ -22,6 +22,7 @@ namespace edgewise::cli {
 
 namespace {
 
+using OnCells = std::function<void(std::size_t cells)>;
 /// What a part is told to call when a row of it is done.
 using OnRow = std::function<void(const std::string& what)>;
 
@@ -98,7 +99,8 @@ Part paging_part(const sweep::Plan& plan, store::Store& store) {
 }
 
 Part thrash_part(const studies::thrash::Levels& levels, store::Store& store) {
-    return {studies::thrash_unit, studies::thrash::thrash_units(levels), thrash_unit, [=, &store](const OnRow& on_row) {
+    return {studies::thrash_unit, studies::thrash::thrash_units(levels), thrash_unit,
+            [=, &store](const OnRow& on_row) {
                 return studies::thrash::run_thrash(
                     levels, bench::this_build().id, store, [&] { on_row("figure 8"); }, stop_on_signals());
             }};
@@ -129,14 +131,19 @@ std::vector<Part> later_parts(const sweep::SweepWork& work, store::Store& store,
     return parts;
 }
 
-sweep::SweepListener listener_for(Progress& progress) {
+sweep::SweepListener listener_for(Progress& progress, const OnCells& on_cells) {
     sweep::SweepListener listener;
     listener.on_start = [&](double seconds, std::size_t) { progress.expect(seconds); };
     listener.on_done = [&](double seconds, std::size_t cells, const std::string& what) {
         progress.advance_work(seconds, what);
-        if (cells > 0) progress.advance(cells, what);
+        if (cells == 0) return;
+        progress.advance(cells, what);
+        on_cells(cells);
     };
-    listener.on_resumed = [&](double seconds, std::size_t cells) { progress.resume(cells, seconds); };
+    listener.on_resumed = [&](double seconds, std::size_t cells) {
+        progress.resume(cells, seconds);
+        on_cells(cells);
+    };
     listener.on_warning = [&](const std::string& line) {
         progress.clear();
         warn(line);
@@ -166,7 +173,7 @@ bool run_part(const Part& part, double seconds_each, store::Store& store, Progre
 
 }  // namespace
 
-PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store) {
+PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store, const OnCells& on_cells) {
     PartsSummary summary;
     std::vector<Part> parts = later_parts(work, store, summary.stability);
     std::size_t steps = work.cells();
@@ -177,7 +184,7 @@ PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store) {
             part.seconds_each = std::stod(*took) / static_cast<double>(part.rows);
         progress.expect(part.seconds_each * static_cast<double>(part.rows));
     }
-    summary.sweep = sweep::run_sweep(work, store, listener_for(progress), stop_on_signals());
+    summary.sweep = sweep::run_sweep(work, store, listener_for(progress, on_cells), stop_on_signals());
     summary.stopped = summary.sweep.stopped;
     for (const Part& part : parts) {
         if (!summary.stopped) summary.stopped = !run_part(part, part.seconds_each, store, progress);

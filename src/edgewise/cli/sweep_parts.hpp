@@ -4,6 +4,9 @@
 // made the paper's figure 8, and what the queries take.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+
 #include "edgewise/store/store.hpp"
 #include "edgewise/studies/stability.hpp"
 #include "edgewise/sweep/run.hpp"
@@ -16,7 +19,9 @@ struct PartsSummary {
     bool stopped = false;  ///< before the end of the last part
 };
 
-/// Ctrl-C stops after the piece in hand; what is stored stays.
-[[nodiscard]] PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store);
+/// Ctrl-C stops after the piece in hand; what is stored stays. on_cells: is told how many cells more are
+/// there.
+[[nodiscard]] PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store,
+                                     const std::function<void(std::size_t cells)>& on_cells);
 
 }  // namespace edgewise::cli

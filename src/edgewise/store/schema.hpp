@@ -18,7 +18,7 @@ inline constexpr const char* scene_file_key = "scene ";
 /// Likewise this and the options of a sweep that filled the store: the build that ran it.
 inline constexpr const char* command_key = "command ";
 
-/// Likewise this and the options of a sweep: what it was to do, as JSON {"build", "cells", "started",
+/// Likewise this and the options of a sweep: what it was to do, as JSON {"build", "cells", "done", "started",
 /// "ended"}; times are UTC (ISO 8601), `ended` is null until it has done it all.
 inline constexpr const char* run_key = "run ";
 

@@ -77,6 +77,17 @@ TEST(Charts, MarksAreCappedAndSaidSo) {
     EXPECT_NE(notes[0].find("of 1000 rows"), std::string::npos);
 }
 
+/// What is 0 everywhere is a sentence, not a column; what was not measured anywhere is neither.
+TEST(TextGrid, ColumnsOfZerosBecomeASentence) {
+    TextGrid grid{"Rows", columns_of("name|#wrong|#cases|#none"), {}};
+    grid.rows = {{{"a"}, {"0"}, {"12"}, missing_cell("why")}, {{"b"}, {"0 (1 of 2)"}, {"0"}, {"0"}}};
+    drop_zero_columns(grid);
+    ASSERT_EQ(grid.columns.size(), 3u);
+    EXPECT_EQ(grid.columns[1].title, "cases");
+    EXPECT_EQ(grid.rows[0].size(), 3u);
+    EXPECT_EQ(grid.caption, "Rows. 0 in every row: wrong");
+}
+
 TEST(Text, NumbersKeepTheirMeaning) {
     EXPECT_EQ(number_text(0, "ns"), "0");
     EXPECT_EQ(number_text(168, "B/edge"), "168");

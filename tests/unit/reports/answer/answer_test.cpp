@@ -110,7 +110,15 @@ TEST(Answer, WhatIsTooNoisyIsNotChosenBy) {
     EXPECT_EQ(scene.ties.size(), 3u);
     EXPECT_EQ(scene.choice(), scene.baseline());
     EXPECT_EQ(scene.smallest_of_ties()->name(), "V-Clip on aos_f32") << "points_soa is twice as slow";
-    EXPECT_THAT(answer_paragraph(answer, data), HasSubstr("Too noisy to choose by"));
+    EXPECT_THAT(answer_paragraph(answer, data),
+                HasSubstr("If your bodies share a table, these times are too noisy to choose by. Too noisy"));
+    ReportData more = data;
+    for (const MadeCandidate& made : {candidate_paper, candidate_lean})
+        more.cells.push_back(answer_cell(made, R"({"bodies":12})"));
+    const Answer quiet = answer_of(more);
+    const auto take = take_of(quiet.shared);
+    ASSERT_TRUE(take);
+    EXPECT_EQ(take->table, "lean_f32") << "the quiet scene alone decides";
 }
 
 TEST(Answer, SharedAndOwnTablesAreAnsweredApart) {
@@ -193,12 +201,13 @@ TEST(Answer, AStoppedSweepSaysWhatIsMissing) {
     ReportData data = answer_data({candidate_paper, candidate_lean});
     data.build.id = "b";
     const std::string key = std::string(store::run_key) + "sweep --plan quick";
-    data.meta = {{key, R"({"build":"b","cells":1281,"started":"2026-01-01T00:00:00Z","ended":null})"}};
+    data.meta = {
+        {key, R"({"build":"b","cells":1281,"done":2,"started":"2026-01-01T00:00:00Z","ended":null})"}};
     const Answer stopped = answer_of(data);
-    EXPECT_EQ(missing_cells(stopped.runs, stopped.counts.cells), 1279u);
+    EXPECT_EQ(missing_cells(stopped.runs), 1279u);
     EXPECT_THAT(answer_paragraph(stopped, data),
-                HasSubstr("A sweep did not finish: 1279 of its cells are missing"));
-    data.meta = {{key, R"({"build":"b","cells":1281,"started":"2026-01-01T00:00:00Z",)"
+                HasSubstr("A sweep did not finish: 1279 cells of its plan are missing"));
+    data.meta = {{key, R"({"build":"b","cells":1281,"done":2,"started":"2026-01-01T00:00:00Z",)"
                        R"("ended":"2026-01-01T01:00:00Z"})"}};
     EXPECT_THAT(answer_paragraph(answer_of(data), data), Not(HasSubstr("did not finish")));
 }
