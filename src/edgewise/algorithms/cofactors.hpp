@@ -162,8 +162,8 @@ template <int count, class Scalar>
 /// The point of w[0 .. count-1], 1 <= count <= 4, closest to the origin. `newest_belongs`: it is known to
 /// rest on the last of them, in exact arithmetic.
 template <class Scalar>
-[[gnu::noinline]] void find_closest(const std::array<Vec3<Scalar>, 4>& w, int count, bool newest_belongs,
-                                    ClosestOfSimplex<Scalar>& found) {
+__attribute__((noinline, no_sanitize("address", "undefined", "thread"))) void find_closest(
+    const std::array<Vec3<Scalar>, 4>& w, int count, bool newest_belongs, ClosestOfSimplex<Scalar>& found) {
     assert(count >= 1 && count <= 4);
     const unsigned allowed = newest_belongs ? subsets_that_hold(count - 1) : ~0U;
     if (count == 3 && weigh_passing<3>(w, allowed, found)) return;
