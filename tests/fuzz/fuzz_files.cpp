@@ -3,10 +3,14 @@
 // The fuzz target of what users write and hand over: which reader it feeds is the program's name, fuzz_scene,
 // fuzz_plan, fuzz_machine, fuzz_cases, fuzz_lock, fuzz_mesh or fuzz_store. A reader may refuse with one line,
 // by value or by std::exception; anything else is a find: a crash, a hang, memory without end, a line break.
+#include <unistd.h>
+
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -19,6 +23,7 @@
 #include "edgewise/scene/mesh/mesh_header.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/reader.hpp"
+#include "edgewise/store/store.hpp"
 #include "edgewise/sweep/plan.hpp"
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments);
@@ -55,9 +60,34 @@ void read_mesh(const std::string& text) {
         check_line(scene::mesh_header_error(ending, text, text.size()));
 }
 
+/// A store of some cells, as bytes; the file is used again.
+std::string whole_store(const std::string& path) {
+    {
+        store::Store store(path);
+        store.put_build({"build", "abc", "g++", "-O3", "Release", "{}"});
+        for (int i = 0; i < 40; ++i) {
+            store::CellRow cell;
+            cell.hash = "cell-" + std::to_string(i);
+            cell.status = "verified";
+            const store::FigureRow figures[] = {{{"total_bytes_per_edge", 168.0, "B/edge"}, "bytes"}};
+            store.put_cell("build", cell, figures);
+        }
+    }
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A store with some bytes changed: four of the input say where, a fifth to what.
 void read_store(const std::string& text) {
-    static const std::string path = "/dev/shm/edgewise_fuzz_store_" + std::to_string(std::rand()) + ".db";
-    std::ofstream(path, std::ios::binary) << text;
+    static const std::string path = "/dev/shm/edgewise_fuzz_store_" + std::to_string(getpid()) + ".db";
+    static const std::string whole = whole_store(path);
+    std::string damaged = whole;
+    for (std::size_t i = 0; i + 5 <= text.size(); i += 5) {
+        std::uint32_t at = 0;
+        std::memcpy(&at, text.data() + i, sizeof at);
+        damaged[at % damaged.size()] = text[i + 4];
+    }
+    std::ofstream(path, std::ios::binary) << damaged;
     static_cast<void>(store::read_build(path));
 }
 

@@ -184,13 +184,13 @@ template <class Scalar>
 /// Of any simplex, and of one that is known to rest on its newest point: two functions, since their branches
 /// go different ways.
 template <class Scalar>
-[[gnu::noinline]] void find_closest_of_any(const std::array<Vec3<Scalar>, 4>& w, int count,
-                                           ClosestOfSimplex<Scalar>& found) {
+__attribute__((noinline, no_sanitize("address", "undefined", "thread"))) void find_closest_of_any(
+    const std::array<Vec3<Scalar>, 4>& w, int count, ClosestOfSimplex<Scalar>& found) {
     if (!weigh_passing_of<false>(w, count, found)) search_closest(w, count, found);
 }
 template <class Scalar>
-[[gnu::noinline]] void find_closest_with_newest(const std::array<Vec3<Scalar>, 4>& w, int count,
-                                                ClosestOfSimplex<Scalar>& found) {
+__attribute__((noinline, no_sanitize("address", "undefined", "thread"))) void find_closest_with_newest(
+    const std::array<Vec3<Scalar>, 4>& w, int count, ClosestOfSimplex<Scalar>& found) {
     if (!weigh_passing_of<true>(w, count, found)) search_closest(w, count, found);
 }
 
