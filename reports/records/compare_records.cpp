@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace edgewise::reports {
 
@@ -53,6 +54,37 @@ std::vector<std::string> first_on_all(const ComparedQuestion& compared) {
     return tables;
 }
 
+/// Values of each parameter of a scene, over all records.
+using ParameterValues = std::map<std::string, std::map<std::string, std::set<std::string>>>;
+
+ParameterValues values_in(std::span<const MachineRecord> records) {
+    ParameterValues values;
+    for (const MachineRecord& record : records) {
+        for (const RecordRow& row : record.rows) {
+            const nlohmann::json parameters = nlohmann::json::parse(row.parameters, nullptr, false);
+            for (const auto& [name, value] : parameters.items()) values[row.scene][name].insert(value.dump());
+        }
+    }
+    return values;
+}
+
+/// For people: of the scene's parameters those that differ between questions.
+std::string label_of(const RecordRow& row, const ParameterValues& values) {
+    const nlohmann::json all = nlohmann::json::parse(row.parameters, nullptr, false);
+    std::string parameters;
+    for (const auto& [name, value] : all.items())
+        if (values.at(row.scene).at(name).size() > 1) parameters += fmt::format(" {} {}", name, value.dump());
+    return fmt::format("{}{}, {}, {}", row.scene, parameters, row.shape, row.algorithm);
+}
+
+std::map<std::string, std::string> labels_of(std::span<const MachineRecord> records) {
+    const ParameterValues values = values_in(records);
+    std::map<std::string, std::string> labels;  // of questions
+    for (const MachineRecord& record : records)
+        for (const RecordRow& row : record.rows) labels[row.question()] = label_of(row, values);
+    return labels;
+}
+
 std::string label_of(const MachineRecord& record) {
     return record.is_model ? record.machine + " (model)" : record.machine;
 }
@@ -82,8 +114,9 @@ std::string comparison_text(std::span<const MachineRecord> records) {
     std::string text = "fastest table and its ratio to the record's baseline; 'or n more': intervals meet\n";
     std::size_t alike = 0;
     const auto compared = compare_records(records);
+    const auto labels = labels_of(records);
     for (const ComparedQuestion& question : compared) {
-        text += question.question + "\n";
+        text += labels.at(question.question) + "\n";
         for (std::size_t i = 0; i < records.size(); ++i)
             text += fmt::format("    {:<44} {}\n", label_of(records[i]), place_text(question.machines[i]));
         alike += !question.first_everywhere.empty();

@@ -150,5 +150,20 @@ TEST(MachineRecords, ComeFromASweepAndAreCompared) {
     EXPECT_EQ(run({"compare", "nothing.json"}, folder).exit_code, 2);
 }
 
+TEST(MachineRecords, ThreeModelsAreThereToBeCompared) {
+    const Folder folder;
+    Arguments arguments = {"compare", "--json"};
+    for (const auto& entry : std::filesystem::directory_iterator(records_folder))
+        arguments.push_back(entry.path().string());
+    const Outcome compared = run(arguments, folder);
+    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    const json result = json::parse(compared.out);
+    ASSERT_EQ(result["machines"].size(), 3U);
+    for (const json& machine : result["machines"]) EXPECT_EQ(machine["modelled"], true);
+    EXPECT_GT(result["questions"].size(), 3U);
+    arguments[1] = records_folder + std::string("/zen3.json");
+    EXPECT_THAT(run(arguments, folder).out, HasSubstr("zen3 (model)"));
+}
+
 }  // namespace
 }  // namespace edgewise::cli_test

@@ -32,8 +32,8 @@ KnownPair StoredPair::know(const std::pair<Pose, Pose>& poses, const Vec3d& gues
 
 const truth::ExactDistance& StoredPair::exact(const std::pair<Pose, Pose>& poses, KnownPair& known) const {
     if (!known.exact)
-        known.exact =
-            truth::exact_distance(a_.vertices(), poses.first, b_.vertices(), poses.second).or_throw();
+        known.exact = std::make_unique<truth::ExactDistance>(
+            truth::exact_distance(a_.vertices(), poses.first, b_.vertices(), poses.second).or_throw());
     return *known.exact;
 }
 

@@ -4,6 +4,7 @@
 // One for all cells that store the same bodies.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "edgewise/truth/accuracy_band.hpp"
@@ -20,10 +21,10 @@ struct KnownPair {
     /// Proven of a pair whose distance or depth is within the band in double: any verdict is right, and which
     /// one is the truth was not asked; `verdict` says touching.
     bool is_grazing = false;
-    double lower = 0, upper = 0;                ///< the distance is in [lower, upper]
-    std::optional<truth::ExactDistance> exact;  ///< as soon as somebody had to ask
-    std::optional<double> depth;                ///< likewise, of an overlap
-    double offset = 0, ortho = 0;               ///< for the band
+    double lower = 0, upper = 0;                  ///< the distance is in [lower, upper]
+    std::unique_ptr<truth::ExactDistance> exact;  ///< as soon as somebody had to ask
+    std::optional<double> depth;                  ///< likewise, of an overlap
+    double offset = 0, ortho = 0;                 ///< for the band
 
     [[nodiscard]] bool is_separated() const { return verdict == truth::ExactVerdict::separated; }
 };
