@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "edgewise/reports/additions.hpp"
+#include "edgewise/reports/page/fields_chapter.hpp"
 #include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/scale_tables.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 
@@ -47,6 +49,8 @@ Chapter layouts_chapter(const ReportData& data) {
                        .paragraph = prose("support.md") + support_verdict(data)};
     if (TextGrid supports = support_grid(data); !supports.rows.empty()) claim.grids = {std::move(supports)};
     chapter.blocks.push_back(std::move(claim));
+    if (TextGrid scales = scale_grid(data); !scales.rows.empty())
+        chapter.blocks.push_back({.title = "One table, many scales", .grids = {std::move(scales)}});
     if (!pictures.empty())
         chapter.blocks.push_back({.elements = pictures,
                                   .fold = "The layouts draw themselves: the table of a cube",
@@ -168,6 +172,7 @@ std::vector<Chapter> report_chapters(const ReportData& data, const std::vector<C
          {bytes_chapter, layouts_chapter, caches_chapter, counters_chapter, times_chapter, fronts_chapter,
           errors_chapter, stability_chapter, cells_chapter})
         chapters.push_back(chapter(data));
+    if (auto chapter = fields_chapter(data)) chapters.push_back(std::move(*chapter));
     return chapters;
 }
 

@@ -15,7 +15,8 @@ std::vector<GridCell> problem_row(const ReportCell& cell) {
 }
 
 void add_status(TextGrid& grid, const ReportData& data, const std::string& status) {
-    for (const auto* rows : {&data.cells, &data.from_files, &data.stability, &data.paging, &data.effort}) {
+    for (const auto* rows :
+         {&data.cells, &data.from_files, &data.stability, &data.paging, &data.effort, &data.fields}) {
         for (const ReportCell& row : *rows)
             if (row.status == status) grid.rows.push_back(problem_row(row));
     }

@@ -247,3 +247,23 @@ edgewise_mutant(faults_cost_nothing studies/thrash/query_time.cpp [[page_faults(
     ThrashTime.* ${unit}/studies/thrash_time_test.cpp)
 edgewise_mutant(gjk_may_be_as_erratic studies/thrash/figure_8_facts.cpp [[found.fall >= least_fall && found.gjk_fall < least_fall]] [[found.fall >= least_fall]]
     Figure8Facts.* ${unit}/studies/thrash_facts_test.cpp)
+
+# Fields that travel together
+edgewise_mutant(records_of_any_kind_are_one studies/fields/co_access.cpp [[kind_[field.field] << 40 |]] [[]]
+    CoAccess.* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(steps_that_read_nothing_count studies/fields/co_access.cpp [[if (of_step_ == 0) return;]] [[]]
+    CoAccess.* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(worst_groups studies/fields/best_groups.cpp [[if (cost < best[set]) {]] [[if (best[set] < cost) {]]
+    BestGroups.AreAs* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(unread_fields_travel_along studies/fields/best_groups.cpp [[(reads.read() >> field & 1) != 0]] [[true]]
+    BestGroups.FieldsThat* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(caches_of_pairs_stay_where_they_were studies/fields/field_places.cpp [[access.address += is - was;]] [[]]
+    FieldPlaces.OfAny* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(further_records_are_free studies/fields/node_places.cpp [[listener.on_access(link);]] [[]]
+    FieldPlaces.OfAny* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(any_faster_median_holds studies/fields/verdicts.cpp [[if (time->high < std::min(1.0, noise->low))]] [[if (time->middle < 1)]]
+    FieldsAdvice.* ${unit}/studies/fields_advice_test.cpp)
+
+# Many scales
+edgewise_mutant(one_factor_for_two_axes table/scaled_table.hpp [[scale_.y() * point.y()]] [[scale_.x() * point.y()]]
+    ScaledTable.Answers* ${unit}/algorithms/scaled_table_test.cpp)

@@ -111,6 +111,7 @@ void add_crosscheck(CLI::App& app, Context& context);
 void add_draw(CLI::App& app, Context& context);
 void add_effort(CLI::App& app, Context& context);
 void add_export(CLI::App& app, Context& context);
+void add_fields(CLI::App& app, Context& context);
 void add_heat(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 void add_lock(CLI::App& app, Context& context);

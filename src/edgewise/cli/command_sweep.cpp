@@ -16,6 +16,7 @@
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/studies/effort_rows.hpp"
+#include "edgewise/studies/fields/fields_rows.hpp"
 #include "edgewise/studies/paging_rows.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
 #include "edgewise/sweep/run.hpp"
@@ -74,6 +75,7 @@ void narrow_runs(const SweepArguments& options, sweep::Plan& plan) {
         plan.thrash = false;
     }
     plan.effort = options.effort.value_or(narrowed(options) ? 0 : plan.effort);
+    if (narrowed(options)) plan.fields = 0;
 }
 
 /// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.
@@ -184,6 +186,17 @@ void run_effort_of(const sweep::SweepWork& work, store::Store& store, bool& stop
         stop_on_signals());
 }
 
+/// Which fields travel together, if the plan asks, of tables that this program can build otherwise.
+void run_fields_of(const sweep::Plan& of, store::Store& store, bool& stopped) {
+    if (of.fields == 0) return;
+    const auto cells = studies::fields_cells(of.fields, of.seed);
+    Progress progress("fields", cells.size());
+    stopped = !studies::store_fields(
+        cells, bench::this_build().id, store,
+        [&](const store::CellRow& row) { progress.advance(1, row.algorithm + " " + row.table); },
+        stop_on_signals());
+}
+
 void print_summary(const sweep::SweepSummary& summary, const studies::StabilitySummary& stability,
                    const std::string& store, const std::string& page, bool json) {
     if (json) {
@@ -223,6 +236,7 @@ int run_sweep(const SweepArguments& options, bool json) {
         if (!summary.stopped) run_paging_of(work.plan, store, summary.stopped);
         if (!summary.stopped) run_thrash_of(work.plan, store, summary.stopped);
         if (!summary.stopped) run_effort_of(work, store, summary.stopped);
+        if (!summary.stopped) run_fields_of(work.plan, store, summary.stopped);
     }
     if (summary.stopped) {
         warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there",

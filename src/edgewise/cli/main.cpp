@@ -23,15 +23,9 @@ std::string one_line(const CLI::App* app, const CLI::Error& problem) {
     return "edgewise: " + what + "; --help says more\n";
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// In the order of the help text.
+void add_commands(CLI::App& app, edgewise::cli::Context& context) {
     using namespace edgewise::cli;
-    CLI::App app{"Edgewise: memory- and cache-focused profiling of convex collision detection"};
-    app.require_subcommand(1);
-    app.set_help_all_flag("--help-all", "Help of all commands");
-    app.failure_message(one_line);
-    Context context;
     add_sweep(app, context);
     add_thrash(app, context);
     add_stability(app, context);
@@ -42,6 +36,7 @@ int main(int argc, char** argv) {
     add_draw(app, context);
     add_query(app, context);
     add_machine(app, context);
+    add_fields(app, context);
     add_heat(app, context);
     add_caches(app, context);
     add_lock(app, context);
@@ -53,6 +48,18 @@ int main(int argc, char** argv) {
     add_bench(app, context);
     add_pass(app, context);
     add_list(app, context);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace edgewise::cli;
+    CLI::App app{"Edgewise: memory- and cache-focused profiling of convex collision detection"};
+    app.require_subcommand(1);
+    app.set_help_all_flag("--help-all", "Help of all commands");
+    app.failure_message(one_line);
+    Context context;
+    add_commands(app, context);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {

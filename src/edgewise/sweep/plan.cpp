@@ -86,6 +86,7 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
         .take("paging", plan.paging)
         .take("thrash", plan.thrash)
         .take("effort", plan.effort)
+        .take("fields", plan.fields)
         .refuse_others();
     if (json.contains("meshes")) plan.meshes_required = true;
     if (json.contains("scenes")) {
