@@ -20,7 +20,7 @@ if(TARGET edgewise_measure)
 endif()
 
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES tests/consumer/project/own_shape.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(FILES tests/consumer/project/own_shape.cpp tests/consumer/project/many_scales.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 
 install(TARGETS edgewise_library EXPORT edgewise_targets)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/edgewise)

@@ -61,6 +61,7 @@ class aos : public StoredTable<AosArrays<typename P::Stored>, P, Loader> {
     static constexpr std::string_view name = "aos";
     static constexpr std::string_view stores =
         "one struct per edge: four Voronoi planes, direction, length, ends";
+    static constexpr bool measured_at_scales = true;
 
     using Base::Base;
 };

@@ -37,6 +37,7 @@ class lean : public DerivedTable<PlainPoints<typename P::Stored>, P, Loader> {
   public:
     static constexpr std::string_view name = "lean";
     static constexpr std::string_view stores = "vertex coordinates and neighbour rings of 8, 16 or 32 bits";
+    static constexpr bool measured_at_scales = true;
 
     using Base::Base;
 };

@@ -78,6 +78,8 @@ void sort_out(ReportData& data) {
         take_out(data.cells, [](const ReportCell& cell) { return cell.scene.starts_with("thrash"); });
     data.effort =
         take_out(data.cells, [](const ReportCell& cell) { return cell.scene.starts_with("effort "); });
+    data.fields =
+        take_out(data.cells, [](const ReportCell& cell) { return cell.scene.starts_with("fields "); });
     data.from_files =
         take_out(data.cells, [&](const ReportCell& cell) { return names.contains(cell.scene); });
     name_by_file(data.from_files, data.scene_files);
@@ -104,7 +106,8 @@ std::size_t ReportData::count(const std::string& status) const {
 bool ReportData::any_failed() const {
     const auto failed = [](const ReportCell& row) { return row.status == "failed"; };
     return count("failed") > 0 || std::any_of(stability.begin(), stability.end(), failed) ||
-           std::any_of(effort.begin(), effort.end(), failed);
+           std::any_of(effort.begin(), effort.end(), failed) ||
+           std::any_of(fields.begin(), fields.end(), failed);
 }
 
 ReportData read_report(const std::string& store, const std::string& build) {

@@ -36,6 +36,7 @@ struct ReportData {
     std::vector<ReportCell> paging;  ///< rows of the paging run; likewise
     std::vector<ReportCell> thrash;  ///< rows of the study of figure 8, and of its realised cells; likewise
     std::vector<ReportCell> effort;  ///< rows of the effort run, ours and peers'; likewise
+    std::vector<ReportCell> fields;  ///< rows of the fields run; likewise
     std::vector<ReportCell> peers;   ///< cells of other libraries, in the scenes of `cells`; order likewise
     std::vector<std::pair<std::string, std::string>> scene_files;  ///< name and text (JSON), by name
 

@@ -12,11 +12,13 @@
 
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/page/fields_chapter.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/page/safe_svg.hpp"
 #include "edgewise/reports/page/sentences.hpp"
 #include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/scale_tables.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 
@@ -70,7 +72,7 @@ ChapterBlock drawings_block(const ReportData& data) {
 
 Chapter layouts_chapter(const Answer&, const ReportData& data) {
     Chapter chapter{.id = "layouts",
-                    .title = "Which fields travel together, and what does a layout cost?",
+                    .title = "What does a layout cost?",
                     .paragraph = prose("layouts.md"),
                     .blocks = {{.grids = {layout_cost_grid(data)}}},
                     .link = "Layouts"};
@@ -85,6 +87,8 @@ Chapter layouts_chapter(const Answer&, const ReportData& data) {
                                   .paragraph = prose("seeds.md"),
                                   .section = "seeds",
                                   .grids = {std::move(seeds)}});
+    if (TextGrid scales = scale_grid(data); !scales.rows.empty())
+        chapter.blocks.push_back({.title = "One table, many scales", .grids = {std::move(scales)}});
     if (ChapterBlock pictures = drawings_block(data); !pictures.fold.empty())
         chapter.blocks.push_back(std::move(pictures));
     return chapter;
@@ -246,6 +250,7 @@ std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& dat
     for (const Addition& addition : additions())
         for (Chapter& chapter : addition.chapters(data, charts)) chapters.push_back(std::move(chapter));
     if (auto chapter = peers_chapter(answer, data)) chapters.push_back(std::move(*chapter));
+    if (auto chapter = fields_chapter(data)) chapters.push_back(std::move(*chapter));
     add({layouts_chapter, errors_chapter, counters_chapter, missing_chapter, method_chapter});
     return chapters;
 }

@@ -70,6 +70,7 @@ function(check_consumer COMPILER FOLDER)
     expect_output("README's example" ${FOLDER}/consumer "${expected}")
     expect_output("own_shape.cpp" ${FOLDER}/own_shape
         "separated 2 along 1 0 0;separated 0.5 along 1 0 0;overlapping 0.25 along 1 0 0")
+    expect_output("many_scales.cpp" ${FOLDER}/many_scales "separated 1.5;separated 0.5;overlapping 0")
     expect_output("many_pairs.cpp" ${FOLDER}/many_pairs "500500 500500")
 endfunction()
 

@@ -260,3 +260,22 @@ edgewise_mutant(corners_are_where_they_seem truth/filter/enclosure.cpp [[return 
     Enclosure.* ${unit}/truth/enclosure_test.cpp)
 edgewise_mutant(any_answer_is_proven studies/campaign/checked_answer.cpp [[return checked.error <= cell.error_allowed;]] [[return true;]]
     Campaign.FindsALiar* ${campaign}/campaign_test.cpp)
+# Fields that travel together
+edgewise_mutant(records_of_any_kind_are_one studies/fields/co_access.cpp [[kind_[field.field] << 40 |]] [[]]
+    CoAccess.* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(steps_that_read_nothing_count studies/fields/co_access.cpp [[if (of_step_ == 0) return;]] [[]]
+    CoAccess.* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(worst_groups studies/fields/best_groups.cpp [[if (cost < best[set]) {]] [[if (best[set] < cost) {]]
+    BestGroups.AreAs* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(unread_fields_travel_along studies/fields/best_groups.cpp [[(reads.read() >> field & 1) != 0]] [[true]]
+    BestGroups.FieldsThat* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(caches_of_pairs_stay_where_they_were studies/fields/field_places.cpp [[access.address += is - was;]] [[]]
+    FieldPlaces.OfAny* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(further_records_are_free studies/fields/node_places.cpp [[listener.on_access(link);]] [[]]
+    FieldPlaces.OfAny* ${unit}/studies/fields_test.cpp)
+edgewise_mutant(any_faster_median_holds studies/fields/verdicts.cpp [[if (time->high < std::min(1.0, noise->low))]] [[if (time->middle < 1)]]
+    FieldsAdvice.* ${unit}/studies/fields_advice_test.cpp)
+
+# Many scales
+edgewise_mutant(one_factor_for_two_axes table/scaled_table.hpp [[scale_.y() * point.y()]] [[scale_.x() * point.y()]]
+    ScaledTable.Answers* ${unit}/algorithms/scaled_table_test.cpp)

@@ -17,12 +17,14 @@
 #include "edgewise/bench/near_margins.hpp"
 #include "edgewise/bench/prepared_workload.hpp"
 #include "edgewise/bench/runner_options.hpp"
+#include "edgewise/bench/scales/scale_times.hpp"
 #include "edgewise/bench/support_times.hpp"
 #include "edgewise/bench/threaded_pass.hpp"
 #include "edgewise/bench/trace/trace_extent.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 #include "edgewise/measure/round.hpp"
 #include "edgewise/scene/workload.hpp"
+#include "edgewise/table/field_map.hpp"
 #include "edgewise/table/ledger.hpp"
 #include "edgewise/table/pieces.hpp"
 
@@ -125,6 +127,10 @@ class Runner {
     /// The memory of every table.
     [[nodiscard]] virtual std::vector<TableMap> memory_maps() const = 0;
 
+    /// Of every table, where each field of its records lies, from the allocator's base; empty where the
+    /// layout does not say.
+    [[nodiscard]] virtual std::vector<FieldMap> field_maps() const { return {}; }
+
     /// What the tables stand in. Only after load().
     [[nodiscard]] const TableAllocator& table_allocator() const { return *memory_; }
 
@@ -135,6 +141,9 @@ class Runner {
 
     /// Support queries of the tables by themselves. Empty: the runner has no support points of its own.
     [[nodiscard]] virtual SupportTimes support_times(int /*repetitions*/) const { return {}; }
+
+    /// The first body at many scales, over one table and over a table for each. Empty: the runner cannot.
+    [[nodiscard]] virtual ScaleTimes scale_times(int /*repetitions*/) const { return {}; }
 
     /// Bytes of one pair's cache.
     [[nodiscard]] virtual std::size_t pair_bytes() const = 0;

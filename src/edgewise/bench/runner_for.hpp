@@ -17,58 +17,12 @@
 #include "edgewise/bench/name_answer.hpp"
 #include "edgewise/bench/near_question.hpp"
 #include "edgewise/bench/runner.hpp"
+#include "edgewise/bench/scales/scale_study.hpp"
 #include "edgewise/bench/support_times.hpp"
+#include "edgewise/bench/table_runner.hpp"
 #include "edgewise/bench/trace/trace_queries.hpp"
-#include "edgewise/layout_parts/write_geometry.hpp"
-#include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/table/stored_body.hpp"
-#include "edgewise/table/table_memory.hpp"
 
 namespace edgewise::bench {
-
-/// Of a body that the table can store, as Runner::build_times tells.
-template <class Table>
-[[nodiscard]] BuildTimes time_builds(const Polyhedron& body, Parts parts, int repetitions) {
-    const Polyhedron larger = scene::scaled(body, 2);
-    Table refitted(body, parts);
-    BuildTimes times;
-    for (int i = 0; i < repetitions; ++i) {
-        const measure::Stopwatch build_watch;
-        const Table fresh(body, parts);
-        times.build_ns.push_back(build_watch.elapsed_ns());
-        if constexpr (Refittable<Table>) {
-            const measure::Stopwatch refit_watch;
-            refit(refitted, i % 2 == 0 ? larger : body);
-            times.refit_ns.push_back(refit_watch.elapsed_ns());
-        }
-    }
-    return times;
-}
-
-/// Part of the tables' bytes that ever stood: all of it, but of lazy ones.
-template <class Table>
-[[nodiscard]] double mean_materialised(const std::vector<Table>& tables) {
-    double part = 1;
-    if constexpr (requires { tables[0].materialised(); }) {
-        part = 0;
-        for (const Table& table : tables) part += table.materialised() / static_cast<double>(tables.size());
-    }
-    return part;
-}
-
-/// Of one table for each body; offsets from `base`.
-template <class Table>
-[[nodiscard]] std::vector<TableMap> maps_of(const std::vector<Table>& tables,
-                                            const std::vector<const Polyhedron*>& bodies,
-                                            const std::byte* base) {
-    std::vector<TableMap> maps;
-    for (std::size_t i = 0; i < tables.size(); ++i) {
-        const Polyhedron& body = *bodies[i];
-        maps.push_back({memory_map(tables[i].pieces(), base), body.vertex_count(), body.edge_count(),
-                        body.face_count()});
-    }
-    return maps;
-}
 
 /// One cache for each pair of a warm scene, each on its own bodies' tables. tables: gives a query's two.
 template <class Pair, class Tables>
@@ -85,13 +39,18 @@ template <class Pair, class Tables>
 
 /// TracedTable: the same layout with a loader that tells a TraceSink.
 template <class Algorithm, class Table, class TracedTable>
-class RunnerFor final : public Runner {
+class RunnerFor final : public TableRunner<Table> {
+    using Base = TableRunner<Table>;
+    using Base::asks_nearness, Base::in_range, Base::margins, Base::options, Base::prepared, Base::table_a,
+        Base::table_allocator, Base::table_b, Base::tables;
+
   public:
     using Pair = typename Algorithm::template Pair<Table, Table>;
 
-    RunnerFor() : Runner(std::is_same_v<ComputeOf<Table>, float>) {}
+    RunnerFor() : Base(Algorithm::parts) {}
 
     using Runner::answer, Runner::trace;
+    using typename Runner::RangePass;
 
     [[nodiscard]] NamedAnswer answer(const scene::Query& given) const override {
         const scene::Query query = prepared().prepared(given);
@@ -127,21 +86,11 @@ class RunnerFor final : public Runner {
             tables_of_queries(), listener, answers));
     }
 
-    [[nodiscard]] Ledger ledger() const override { return tables_[0].ledger(); }
-    [[nodiscard]] std::size_t object_bytes() const override { return sizeof(Table); }
     [[nodiscard]] SupportTimes support_times(int n) const override {
-        return time_supports<Algorithm>(tables_, n);
+        return time_supports<Algorithm>(tables(), n);
     }
-
-    [[nodiscard]] std::vector<TableMap> memory_maps() const override {
-        return maps_of(tables_, bodies_, table_allocator().base());
-    }
-
-    /// In memory that nobody used before, where the allocator has that.
-    [[nodiscard]] BuildTimes build_times(int repetitions) const override {
-        const auto memory = make_allocator(options().tables.allocator);
-        const TablesIn placed(*memory);
-        return time_builds<Table>(prepared().bodies()[0], Algorithm::parts, repetitions);
+    [[nodiscard]] ScaleTimes scale_times(int n) const override {
+        return time_scales<Algorithm, Table>(prepared().bodies()[0], n);
     }
 
     [[nodiscard]] std::size_t pair_bytes() const override {
@@ -149,23 +98,10 @@ class RunnerFor final : public Runner {
     }
 
   private:
-    [[nodiscard]] Result<Polyhedron> store(const Polyhedron& body) const override {
-        return stored_body<Table>(body);
-    }
-
-    void build_tables(const std::vector<const Polyhedron*>& bodies) override {
-        tables_.clear();
-        bodies_ = bodies;
-        for (const Polyhedron* body : bodies) tables_.emplace_back(*body, Algorithm::parts);
-    }
-
-    [[nodiscard]] std::size_t table_count() const override { return tables_.size(); }
-    [[nodiscard]] double materialised() const override { return mean_materialised(tables_); }
-
     /// Gives a query's two tables.
     [[nodiscard]] auto tables_of_queries() const {
         return [this](const scene::Query& query) {
-            return std::pair(&tables_[table_a(query)], &tables_[table_b(query)]);
+            return std::pair(&tables()[table_a(query)], &tables()[table_b(query)]);
         };
     }
 
@@ -183,7 +119,7 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] Pair cold_pair(const scene::Query& query) const {
-        return Pair(tables_[table_a(query)], tables_[table_b(query)]);
+        return Pair(tables()[table_a(query)], tables()[table_b(query)]);
     }
 
     [[nodiscard]] std::vector<Pair> cold_pairs() const {
@@ -210,7 +146,7 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] Distance ask_plain(const scene::Query& query, Pair& pair) const {
-        return Algorithm::query(tables_[table_a(query)], tables_[table_b(query)],
+        return Algorithm::query(tables()[table_a(query)], tables()[table_b(query)],
                                 relative_pose(query.pose_a, query.pose_b), pair, options().query);
     }
 
@@ -226,12 +162,9 @@ class RunnerFor final : public Runner {
     }
 
     [[nodiscard]] AskedPair<Table> asked(const scene::Query& query) const {
-        return {tables_[table_a(query)], tables_[table_b(query)], prepared().bodies()[query.body_a],
+        return {tables()[table_a(query)], tables()[table_b(query)], prepared().bodies()[query.body_a],
                 prepared().bodies()[query.body_b], query};
     }
-
-    std::vector<Table> tables_;
-    std::vector<const Polyhedron*> bodies_;  ///< of the tables
 };
 
 }  // namespace edgewise::bench

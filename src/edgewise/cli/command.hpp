@@ -115,6 +115,7 @@ void add_crosscheck(CLI::App& app, Context& context);
 void add_draw(CLI::App& app, Context& context);
 void add_effort(CLI::App& app, Context& context);
 void add_export(CLI::App& app, Context& context);
+void add_fields(CLI::App& app, Context& context);
 void add_heat(CLI::App& app, Context& context);
 void add_judge(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);

@@ -88,6 +88,7 @@ void narrow_runs(const SweepArguments& options, sweep::Plan& plan) {
         plan.thrash = false;
     }
     plan.effort = options.effort.value_or(narrowed(options) ? 0 : plan.effort);
+    if (narrowed(options)) plan.fields = 0;
 }
 
 /// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.

@@ -14,6 +14,7 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/studies/effort_rows.hpp"
+#include "edgewise/studies/fields/fields_rows.hpp"
 #include "edgewise/studies/paging_rows.hpp"
 #include "edgewise/studies/parts/sharded_work.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
@@ -69,7 +70,8 @@ studies::EffortPlan effort_plan(const sweep::SweepWork& work) {
 // Expected seconds of a row on two cores, where a store does not remember any: of a hard family's case, of
 // paging under its limits, of a scene that is traced for figure 8, of a Callgrind run's query.
 constexpr const char* stability_part_name = "stability";
-constexpr double stability_case = 0.0009, paging_row = 6, thrash_unit = 5, effort_query = 0.012;
+constexpr double stability_case = 0.0009, paging_row = 6, thrash_unit = 5, effort_query = 0.012,
+                 fields_cell = 10;
 
 Part stability_part(const sweep::SweepWork& work, store::Store& store, studies::StabilitySummary& stability) {
     auto of = stability_plan(work);
@@ -118,6 +120,16 @@ Part effort_part(const sweep::SweepWork& work, store::Store& store) {
             }};
 }
 
+Part fields_part(const sweep::Plan& plan, store::Store& store) {
+    const auto cells = studies::fields_cells(plan.fields, plan.seed);
+    return {studies::fields_unit, cells.size(), fields_cell, [=, &store](const OnRow& on_row) {
+                return studies::store_fields(
+                    cells, bench::this_build().id, store,
+                    [&](const store::CellRow& row) { on_row(row.algorithm + " " + row.table); },
+                    stop_on_signals());
+            }};
+}
+
 /// The parts after the sweep that the plan has.
 std::vector<Part> later_parts(const sweep::SweepWork& work, store::Store& store,
                               studies::StabilitySummary& stability) {
@@ -128,6 +140,7 @@ std::vector<Part> later_parts(const sweep::SweepWork& work, store::Store& store,
     levels.seed = work.plan.seed;
     if (work.plan.thrash && studies::thrash::has_tables(levels)) parts.push_back(thrash_part(levels, store));
     if (work.plan.effort > 0) parts.push_back(effort_part(work, store));
+    if (work.plan.fields > 0) parts.push_back(fields_part(work.plan, store));
     return parts;
 }
 

@@ -48,13 +48,24 @@ class BlockPlan {
     template <class Element>
     std::uint32_t array_at(std::size_t count, const Shares& shares) {
         static_assert(std::is_trivially_destructible_v<Element> && alignof(Element) <= alignment);
-        const std::size_t to = count * sizeof(Element) < alignment ? alignof(Element) : alignment;
-        const std::size_t start = (size_ + to - 1) / to * to;
-        add_piece(1, start - size_, {});
-        add_piece(sizeof(Element), count, shares);
-        element_alignment_ = std::max(element_alignment_, alignof(Element));
+        const std::size_t start = records_at({sizeof(Element), alignof(Element)}, count, shares);
         if (base_) std::uninitialized_default_construct_n(reinterpret_cast<Element*>(base_ + start), count);
         return static_cast<std::uint32_t>(start);
+    }
+
+    struct RecordSize {
+        std::size_t bytes, alignment;
+    };
+
+    /// The same of records that no type describes: whoever asks reads and writes bytes there.
+    std::size_t records_at(const RecordSize& record, std::size_t count, const Shares& shares) {
+        assert(record.alignment <= alignment && record.bytes % record.alignment == 0);
+        const std::size_t to = count * record.bytes < alignment ? record.alignment : alignment;
+        const std::size_t start = (size_ + to - 1) / to * to;
+        add_piece(1, start - size_, {});
+        add_piece(record.bytes, count, shares);
+        element_alignment_ = std::max(element_alignment_, record.alignment);
+        return start;
     }
 
     /// One element right behind what is there, of any size: for records of several lengths, which count on
@@ -66,6 +77,8 @@ class BlockPlan {
         return start;
     }
 
+    /// Null when it does not place.
+    [[nodiscard]] std::byte* base() const { return base_; }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::size_t block_alignment() const {
         return size_ < small ? element_alignment_ : alignment;

@@ -1,92 +1,141 @@
 // SPDX-License-Identifier: MIT
 //
-// All nodes of the layout `linked`: each asked for by itself, as `new` would, and given back one by one.
-// Nodes are found again by following their own pointers, so nothing is kept beside them.
+// All nodes of a table of nodes and pointers. They are found again by following their own pointers, so
+// nothing is kept beside them.
 #pragma once
 
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <memory_resource>
-#include <new>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "edgewise/layout_parts/linked_nodes.hpp"
-#include "edgewise/table/needs.hpp"
+#include "edgewise/table/body_facts.hpp"
+#include "edgewise/table/field_map.hpp"
+#include "edgewise/table/loader.hpp"
 #include "edgewise/table/table_memory.hpp"
 
 namespace edgewise {
 
-/// Of one owner; views borrow the nodes and must not outlive it.
-template <class Stored>
+/// Of one owner; views borrow the nodes and must not outlive it. NodePlaces: where fields of nodes lie, as
+/// NodeStructs has it.
+template <class NodePlaces>
 class LinkedBody {
-    using Nodes = LinkedNodes<Stored>;
+    using Nodes = typename NodePlaces::Nodes;
     using Vertex = typename Nodes::Vertex;
+    using Edge = typename Nodes::Edge;
     using Face = typename Nodes::Face;
     using Spoke = typename Nodes::Spoke;
     using VertexCone = typename Nodes::VertexCone;
+    using FaceCone = typename Nodes::FaceCone;
 
   public:
     /// Nothing yet. With features, spokes are vertex cones.
-    explicit LinkedBody(Parts parts) : parts_(parts), owner_(&table_memory()) {}
+    explicit LinkedBody(const BodyFacts& facts) : parts_(facts.parts), owner_(&table_memory()) {
+        places_.prepare(facts, *owner_);
+    }
     ~LinkedBody() {
         if (!owner_) return;
         if (parts_ == Parts::features) leave_edges_to_their_tails();
-        for_each_node(
-            [this](auto* node) { owner_->deallocate(node, sizeof(*node), alignof(decltype(*node))); });
+        for_each_node([this](auto* node) { places_.give_back(node, *owner_); });
+        places_.release(*owner_);
     }
     LinkedBody(LinkedBody&& other) noexcept
         : first_vertex(other.first_vertex),
           first_face(other.first_face),
           parts_(other.parts_),
-          owner_(std::exchange(other.owner_, nullptr)) {}
+          owner_(std::exchange(other.owner_, nullptr)),
+          places_(other.places_) {}
     LinkedBody& operator=(LinkedBody&& other) noexcept {
         std::swap(first_vertex, other.first_vertex);
         std::swap(first_face, other.first_face);
         std::swap(parts_, other.parts_);
         std::swap(owner_, other.owner_);
+        std::swap(places_, other.places_);
         return *this;
     }
 
     /// The same nodes, borrowed.
     [[nodiscard]] LinkedBody view() const {
-        LinkedBody borrowed(parts_);
-        borrowed.owner_ = nullptr;
+        LinkedBody borrowed;
+        borrowed.parts_ = parts_;
         borrowed.first_vertex = first_vertex;
         borrowed.first_face = first_face;
+        borrowed.places_ = places_;
         return borrowed;
     }
 
     /// A new node, its pointers null; whoever asks ties it to what is there before asking for the next.
     template <class Node>
-    [[nodiscard]] Node* make() const {
-        static_assert(std::is_trivially_destructible_v<Node>);
+    [[nodiscard]] Node* make() {
         assert(owner_);
-        return new (owner_->allocate(sizeof(Node), alignof(Node))) Node{};
+        return places_.template make<Node>(*owner_);
+    }
+
+    /// The place of a node's field, read through this loader under that name where something leads there.
+    template <NodeField field, class Loader, class Node>
+    [[nodiscard]] auto& at(const Loader& loader, Node* node, Field name) const {
+        return places_.template at<field>(loader, node, name);
+    }
+    /// The same for those who build and write.
+    template <NodeField field, class Node>
+    [[nodiscard]] auto& at(Node* node) const {
+        return at<field>(Direct(), node, Field::edge_ends);
     }
 
     [[nodiscard]] std::vector<Piece> pieces() const {
         std::vector<Piece> all;
-        for_each_node([&](const auto* node) {
-            all.push_back({reinterpret_cast<const std::byte*>(node), sizeof(*node), 1, node->shares()});
-        });
+        for_each_node([&](const auto* node) { places_.add_piece(node, all); });
+        places_.add_further_pieces(all);
         return all;
+    }
+
+    /// Nodes are counted by kind, as they are visited.
+    [[nodiscard]] FieldMap field_map(const std::byte* base) const {
+        const auto sized = sized_node_fields<typename NodePlaces::Stored>();
+        FieldMap map{{sized.begin(), sized.end()}, {}};
+        std::uint32_t visited[node_kind_count] = {};
+        for_each_node([&]<class Node>(Node* node) {
+            constexpr NodeKind kind = kind_of<typename NodePlaces::Stored, Node>();
+            const std::uint32_t element = visited[static_cast<std::size_t>(kind)]++;
+            for_each_node_field([&](auto field) {
+                if constexpr (holds<Node, field()>()) {
+                    const auto* const at = reinterpret_cast<const std::byte*>(&this->at<field()>(node));
+                    map.places.push_back(
+                        {static_cast<std::uint64_t>(at - base), element, static_cast<std::uint8_t>(field()),
+                         0, static_cast<std::uint8_t>(sized[static_cast<std::size_t>(field())].bytes)});
+                }
+            });
+        });
+        return map;
     }
 
     Vertex* first_vertex = nullptr;  ///< of a list in the body's order
     Face* first_face = nullptr;      ///< likewise
 
   private:
+    LinkedBody() = default;
+
+    template <class Node, NodeField field>
+    [[nodiscard]] static constexpr bool holds() {
+        constexpr bool of_kind = info_of(field).kind == kind_of<typename NodePlaces::Stored, Node>();
+        constexpr bool of_cone = field == NodeField::vertex_plane || field == NodeField::vertex_edge;
+        return of_kind && !(of_cone && std::is_same_v<Node, Spoke>);
+    }
+
     /// A node may be given back while it is visited.
     template <class Visit>
     void for_each_node(Visit visit) const {
-        for_each_in(first_vertex, [&](Vertex* vertex) {
-            for_each_in(vertex->spokes, [&](Spoke* spoke) { visit_spoke(spoke, visit); });
+        for_each_in<NodeField::next_vertex>(first_vertex, [&](Vertex* vertex) {
+            for_each_in<NodeField::next_spoke>(at<NodeField::spokes>(vertex),
+                                               [&](Spoke* spoke) { visit_spoke(spoke, visit); });
             visit(vertex);
         });
-        for_each_in(first_face, [&](Face* face) {
-            for_each_in(face->cone, visit);
+        for_each_in<NodeField::next_face>(first_face, [&](Face* face) {
+            for_each_in<NodeField::next_side>(at<NodeField::cone>(face), visit);
             visit(face);
         });
     }
@@ -95,13 +144,14 @@ class LinkedBody {
     void visit_spoke(Spoke* spoke, Visit visit) const {
         if (parts_ == Parts::support) return visit(spoke);
         auto* const cone = static_cast<VertexCone*>(spoke);
-        if (cone->edge && cone->edge->vertex_cone[0] == cone) visit(cone->edge);
+        Edge* const edge = at<NodeField::vertex_edge>(cone);
+        if (edge && at<NodeField::tail_cone>(edge) == cone) visit(edge);
         visit(cone);
     }
-    template <class Node, class Visit>
-    static void for_each_in(Node* node, Visit visit) {
+    template <NodeField next_field, class Node, class Visit>
+    void for_each_in(Node* node, Visit visit) const {
         while (node) {
-            Node* const next = static_cast<Node*>(node->next);
+            Node* const next = at<next_field>(node);
             visit(node);
             node = next;
         }
@@ -109,16 +159,18 @@ class LinkedBody {
 
     /// So that the cone at an edge's head does not look at an edge that was given back.
     void leave_edges_to_their_tails() const {
-        for_each_in(first_vertex, [](Vertex* vertex) {
-            for_each_in(vertex->spokes, [](Spoke* spoke) {
+        for_each_in<NodeField::next_vertex>(first_vertex, [this](Vertex* vertex) {
+            for_each_in<NodeField::next_spoke>(at<NodeField::spokes>(vertex), [this](Spoke* spoke) {
                 auto* const cone = static_cast<VertexCone*>(spoke);
-                if (cone->edge && cone->edge->vertex_cone[1] == cone) cone->edge = nullptr;
+                Edge*& edge = at<NodeField::vertex_edge>(cone);
+                if (edge && at<NodeField::head_cone>(edge) == cone) edge = nullptr;
             });
         });
     }
 
-    Parts parts_;
-    std::pmr::memory_resource* owner_;  // none: borrowed
+    Parts parts_ = Parts::support;
+    std::pmr::memory_resource* owner_ = nullptr;  // none: borrowed
+    [[no_unique_address]] NodePlaces places_;
 };
 
 }  // namespace edgewise

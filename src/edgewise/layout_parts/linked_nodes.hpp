@@ -1,84 +1,192 @@
 // SPDX-License-Identifier: MIT
 //
-// The nodes of the layout `linked`, and what their bytes are for.
+// The nodes of the layout `linked`, field by field: what each is of, what its bytes are for, and its place in
+// a node that is a struct. Code that reads or writes nodes names a field and is given its place, so that a
+// layout may keep the fields of a node elsewhere (grouped_nodes.hpp).
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 
+#include "edgewise/geometry/plane.hpp"
 #include "edgewise/geometry/polyhedron.hpp"
-#include "edgewise/layout_parts/voronoi.hpp"
+#include "edgewise/table/field_map.hpp"
 #include "edgewise/table/pieces.hpp"
 
 namespace edgewise {
 
+/// A spoke is one way out of a vertex, and all that a support table knows of an edge; a vertex cone is a
+/// spoke with the plane of its edge there, a face cone the same in the list of a face.
 template <class Stored>
 struct LinkedNodes {
     struct Spoke;
     struct VertexCone;
     struct FaceCone;
 
-    static constexpr std::size_t pointer = sizeof(void*);
-    static constexpr Share plane_share{Component::voronoi_planes, sizeof(Plane<Stored>)};
-
     struct Vertex {
         Vec3<Stored> point;
         Index index;  // in the canonical body
         Spoke* spokes;
         Vertex* next;
-        static Shares shares() {
-            return {{Component::vertex_coordinates, sizeof(Vec3<Stored>)},
-                    {Component::topology, sizeof(Index)},
-                    {Component::padding, (sizeof(Vec3<Stored>) + sizeof(Index)) % pointer},
-                    {Component::topology, 2 * pointer}};
-        }
     };
     struct Face {
         Plane<Stored> plane;
         FaceCone* cone;
         Face* next;
-        static Shares shares() {
-            return {{Component::face_planes, sizeof(Plane<Stored>)}, {Component::topology, 2 * pointer}};
-        }
     };
     struct Edge {
         Vec3<Stored> direction;
         Stored length;
-        Vertex* end[2];              // by End
-        Face* side[2];               // by Side
-        VertexCone* vertex_cone[2];  // by End
-        FaceCone* face_cone[2];      // by Side
-        static Shares shares() {
-            return {{Component::edge_geometry, 4 * sizeof(Stored)}, {Component::topology, 8 * pointer}};
-        }
-        /// Its planes are kept in the cones.
-        void write(const EdgeGeometry& g) {
-            direction = cast<Stored>(g.direction);
-            length = static_cast<Stored>(g.length);
-            vertex_cone[0]->plane = cast<Stored>(g.tail_plane);
-            vertex_cone[1]->plane = cast<Stored>(g.head_plane);
-            if (face_cone[0]) face_cone[0]->plane = cast<Stored>(g.left_plane);
-            if (face_cone[1]) face_cone[1]->plane = cast<Stored>(g.right_plane);
-        }
+        Vertex *tail, *head;
+        Face *left, *right;
+        VertexCone *tail_cone, *head_cone;
+        FaceCone *left_cone, *right_cone;
     };
-    /// One way out of a vertex: all that a support table knows of an edge.
     struct Spoke {
         Vertex* neighbour;
         Spoke* next;
-        static Shares shares() { return {{Component::topology, 2 * pointer}}; }
     };
     struct VertexCone : Spoke {
         Plane<Stored> plane;
         Edge* edge;
-        static Shares shares() {
-            return {{Component::topology, 2 * pointer}, plane_share, {Component::topology, pointer}};
-        }
     };
     struct FaceCone {
         Plane<Stored> plane;
         Edge* edge;
         FaceCone* next;
-        static Shares shares() { return {plane_share, {Component::topology, 2 * pointer}}; }
     };
 };
+
+/// In the order of the structs.
+enum class NodeField : std::uint8_t {
+    point,
+    index,
+    spokes,
+    next_vertex,
+    neighbour,
+    next_spoke,
+    vertex_plane,
+    vertex_edge,
+    direction,
+    length,
+    tail,
+    head,
+    left,
+    right,
+    tail_cone,
+    head_cone,
+    left_cone,
+    right_cone,
+    side_plane,
+    side_edge,
+    next_side,
+    face_plane,
+    cone,
+    next_face,
+};
+inline constexpr std::size_t node_field_count = static_cast<std::size_t>(NodeField::next_face) + 1;
+
+enum class NodeKind : std::uint8_t { vertex, vertex_cone, edge, face_cone, face };
+inline constexpr std::size_t node_kind_count = static_cast<std::size_t>(NodeKind::face) + 1;
+inline constexpr std::array<std::string_view, node_kind_count> node_kind_names = {
+    "vertex", "vertex_cone", "edge", "face_cone", "face"};
+
+struct NodeFieldInfo {
+    std::string_view name;
+    NodeKind kind;
+    Component component;
+};
+
+inline constexpr std::array<NodeFieldInfo, node_field_count> node_field_infos = {{
+    {"point", NodeKind::vertex, Component::vertex_coordinates},
+    {"index", NodeKind::vertex, Component::topology},
+    {"spokes", NodeKind::vertex, Component::topology},
+    {"next_vertex", NodeKind::vertex, Component::topology},
+    {"neighbour", NodeKind::vertex_cone, Component::topology},
+    {"next_spoke", NodeKind::vertex_cone, Component::topology},
+    {"vertex_plane", NodeKind::vertex_cone, Component::voronoi_planes},
+    {"vertex_edge", NodeKind::vertex_cone, Component::topology},
+    {"direction", NodeKind::edge, Component::edge_geometry},
+    {"length", NodeKind::edge, Component::edge_geometry},
+    {"tail", NodeKind::edge, Component::topology},
+    {"head", NodeKind::edge, Component::topology},
+    {"left", NodeKind::edge, Component::topology},
+    {"right", NodeKind::edge, Component::topology},
+    {"tail_cone", NodeKind::edge, Component::topology},
+    {"head_cone", NodeKind::edge, Component::topology},
+    {"left_cone", NodeKind::edge, Component::topology},
+    {"right_cone", NodeKind::edge, Component::topology},
+    {"side_plane", NodeKind::face_cone, Component::voronoi_planes},
+    {"side_edge", NodeKind::face_cone, Component::topology},
+    {"next_side", NodeKind::face_cone, Component::topology},
+    {"face_plane", NodeKind::face, Component::face_planes},
+    {"cone", NodeKind::face, Component::topology},
+    {"next_face", NodeKind::face, Component::topology},
+}};
+
+[[nodiscard]] constexpr const NodeFieldInfo& info_of(NodeField field) {
+    return node_field_infos[static_cast<std::size_t>(field)];
+}
+
+/// Of the structs, in the order of NodeField.
+template <class Stored, class N = LinkedNodes<Stored>>
+inline constexpr auto node_members =
+    std::tuple{&N::Vertex::point,    &N::Vertex::index,    &N::Vertex::spokes,    &N::Vertex::next,
+               &N::Spoke::neighbour, &N::Spoke::next,      &N::VertexCone::plane, &N::VertexCone::edge,
+               &N::Edge::direction,  &N::Edge::length,     &N::Edge::tail,        &N::Edge::head,
+               &N::Edge::left,       &N::Edge::right,      &N::Edge::tail_cone,   &N::Edge::head_cone,
+               &N::Edge::left_cone,  &N::Edge::right_cone, &N::FaceCone::plane,   &N::FaceCone::edge,
+               &N::FaceCone::next,   &N::Face::plane,      &N::Face::cone,        &N::Face::next};
+
+template <class Stored, NodeField field>
+inline constexpr auto node_member = std::get<static_cast<std::size_t>(field)>(node_members<Stored>);
+
+namespace detail {
+template <class Node, class Value>
+Value value_of(Value Node::*);
+}  // namespace detail
+
+/// What a field holds.
+template <class Stored, NodeField field>
+using NodeValue = decltype(detail::value_of(node_member<Stored, field>));
+
+/// use(constant of the field) of each field in order.
+template <class Use>
+constexpr void for_each_node_field(Use use) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+        (use(std::integral_constant<NodeField, static_cast<NodeField>(i)>()), ...);
+    }
+    (std::make_index_sequence<node_field_count>());
+}
+
+/// By number.
+template <class Stored>
+[[nodiscard]] std::array<RecordField, node_field_count> sized_node_fields() {
+    std::array<RecordField, node_field_count> sized;
+    for_each_node_field([&](auto field) {
+        using Value = NodeValue<Stored, field()>;
+        const NodeFieldInfo& info = info_of(field());
+        // Of a pointer it is the pointer that is held. NOLINTNEXTLINE(bugprone-sizeof-expression)
+        constexpr std::uint32_t bytes = sizeof(Value);
+        sized[static_cast<std::size_t>(field())] = {
+            info.name, node_kind_names[static_cast<std::size_t>(info.kind)], bytes, alignof(Value)};
+    });
+    return sized;
+}
+
+template <class Stored, class Node>
+[[nodiscard]] constexpr NodeKind kind_of() {
+    using N = LinkedNodes<Stored>;
+    if constexpr (std::is_same_v<Node, typename N::Vertex>) return NodeKind::vertex;
+    if constexpr (std::is_same_v<Node, typename N::Edge>) return NodeKind::edge;
+    if constexpr (std::is_same_v<Node, typename N::FaceCone>) return NodeKind::face_cone;
+    if constexpr (std::is_same_v<Node, typename N::Face>) return NodeKind::face;
+    return NodeKind::vertex_cone;
+}
 
 }  // namespace edgewise

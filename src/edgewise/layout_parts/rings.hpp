@@ -2,10 +2,10 @@
 //
 // The rings of a body as compressed rows of 32-bit indices, for layouts that do not bring their own:
 // neighbours of a vertex, edges around a vertex, edges around a face. An edge entry is twice the edge plus
-// one when flipped, as the Polyhedron's half-edges are, for both kinds of ring.
+// one when flipped, as the Polyhedron's half-edges are, for both kinds of ring. RingsAt is how they are
+// written and read wherever their numbers lie; Rings are arrays of their own.
 #pragma once
 
-#include <algorithm>
 #include <cassert>
 
 #include "edgewise/geometry/polyhedron.hpp"
@@ -17,7 +17,63 @@
 
 namespace edgewise {
 
-struct Rings {
+/// Places is the derived class, and says where the numbers lie:
+///
+///     Index& vertex_offset_at(Index v) const;  // where the rows of a vertex start; one more at the end
+///     Index& neighbour_at(Index at) const;
+///     Index& vertex_ring_at(Index at) const;
+///     Index& face_offset_at(Index f) const;    // likewise of a face
+///     Index& face_ring_at(Index at) const;
+template <class Places>
+struct RingsAt {
+    void fill(const Polyhedron& body, Parts parts) const {
+        assert(body.vertex_offset.size() == body.vertex_count() + 1);
+        const bool features = parts == Parts::features;
+        for (Index v = 0; v <= body.vertex_count(); ++v) places().vertex_offset_at(v) = body.vertex_offset[v];
+        for (Index at = 0; at < body.vertex_ring.size(); ++at) {
+            places().neighbour_at(at) = body.head(body.vertex_ring[at]);
+            if (features) places().vertex_ring_at(at) = body.vertex_ring[at];
+        }
+        if (!features) return;
+        for (Index f = 0; f <= body.face_count(); ++f) places().face_offset_at(f) = body.face_offset[f];
+        for (Index at = 0; at < body.face_ring.size(); ++at) places().face_ring_at(at) = body.face_ring[at];
+    }
+
+    template <class Loader>
+    [[nodiscard]] auto neighbours(const Loader& loader, Index v) const {
+        const Places& at = places();
+        return rows(loader, at.vertex_offset_at(v), at.vertex_offset_at(v + 1), Field::vertex_ring,
+                    [&at, &loader](Index i) { return loader.load(at.neighbour_at(i), Field::neighbour); });
+    }
+    template <class Loader>
+    [[nodiscard]] auto ring_of_vertex(const Loader& loader, Index v) const {
+        const Places& at = places();
+        return rows(loader, at.vertex_offset_at(v), at.vertex_offset_at(v + 1), Field::vertex_ring,
+                    [&at, &loader](Index i) {
+                        return decode(loader.load(at.vertex_ring_at(i), Field::vertex_ring));
+                    });
+    }
+    template <class Loader>
+    [[nodiscard]] auto ring_of_face(const Loader& loader, Index f) const {
+        const Places& at = places();
+        return rows(
+            loader, at.face_offset_at(f), at.face_offset_at(f + 1), Field::face_ring,
+            [&at, &loader](Index i) { return decode(loader.load(at.face_ring_at(i), Field::face_ring)); });
+    }
+
+  private:
+    [[nodiscard]] const Places& places() const { return static_cast<const Places&>(*this); }
+    static RingEdge<Index> decode(Index half_edge) { return {half_edge >> 1, (half_edge & 1) != 0}; }
+
+    template <class Loader, class Reader>
+    static auto rows(const Loader& loader, const Index& from, const Index& to, Field field, Reader reader) {
+        const Index first = loader.load(from, field);
+        const Index last = loader.load(to, field);
+        return IndexedRing(first, last, reader);
+    }
+};
+
+struct Rings : RingsAt<Rings> {
     Index* vertex_offset = nullptr;
     Index* neighbour = nullptr;
     Index* vertex_ring = nullptr;
@@ -35,44 +91,11 @@ struct Rings {
         plan.array(face_ring, n.face_ring_count(), topology);
     }
 
-    void fill(const Polyhedron& body, Parts parts) const {
-        assert(body.vertex_offset.size() == body.vertex_count() + 1);
-        std::copy(body.vertex_offset.begin(), body.vertex_offset.end(), vertex_offset);
-        std::transform(body.vertex_ring.begin(), body.vertex_ring.end(), neighbour,
-                       [&](HalfEdge h) { return body.head(h); });
-        if (parts == Parts::support) return;
-        std::copy(body.vertex_ring.begin(), body.vertex_ring.end(), vertex_ring);
-        std::copy(body.face_offset.begin(), body.face_offset.end(), face_offset);
-        std::copy(body.face_ring.begin(), body.face_ring.end(), face_ring);
-    }
-
-    template <class Loader>
-    [[nodiscard]] auto neighbours(const Loader& loader, Index v) const {
-        return rows(loader, vertex_offset, v, Field::vertex_ring,
-                    [this, &loader](Index at) { return loader.load(neighbour[at], Field::neighbour); });
-    }
-    template <class Loader>
-    [[nodiscard]] auto ring_of_vertex(const Loader& loader, Index v) const {
-        return rows(loader, vertex_offset, v, Field::vertex_ring, [this, &loader](Index at) {
-            return decode(loader.load(vertex_ring[at], Field::vertex_ring));
-        });
-    }
-    template <class Loader>
-    [[nodiscard]] auto ring_of_face(const Loader& loader, Index f) const {
-        return rows(loader, face_offset, f, Field::face_ring, [this, &loader](Index at) {
-            return decode(loader.load(face_ring[at], Field::face_ring));
-        });
-    }
-
-  private:
-    static RingEdge<Index> decode(Index half_edge) { return {half_edge >> 1, (half_edge & 1) != 0}; }
-
-    template <class Loader, class Reader>
-    static auto rows(const Loader& loader, const Index* offset, Index row, Field field, Reader reader) {
-        const Index first = loader.load(offset[row], field);
-        const Index last = loader.load(offset[row + 1], field);
-        return IndexedRing(first, last, reader);
-    }
+    [[nodiscard]] Index& vertex_offset_at(Index v) const { return vertex_offset[v]; }
+    [[nodiscard]] Index& neighbour_at(Index at) const { return neighbour[at]; }
+    [[nodiscard]] Index& vertex_ring_at(Index at) const { return vertex_ring[at]; }
+    [[nodiscard]] Index& face_offset_at(Index f) const { return face_offset[f]; }
+    [[nodiscard]] Index& face_ring_at(Index at) const { return face_ring[at]; }
 };
 
 }  // namespace edgewise

@@ -18,6 +18,7 @@
 // A layout whose planes are in no one place reads them by functions of its own, and its arrays have, instead
 // of the places of planes and length, `void write_edge(Index e, const EdgeGeometry&) const`. What follows
 // from the topology alone, and is not an edge's ends, is written by `void link(const Polyhedron&) const`.
+// Arrays that hold the rings too derive from RingsAt.
 #pragma once
 
 #include <cassert>
@@ -25,13 +26,31 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
 #include "edgewise/layout_parts/places.hpp"
 #include "edgewise/layout_parts/rings.hpp"
+#include "edgewise/layout_parts/stored_fields.hpp"
 
 namespace edgewise {
+
+/// Rings of arrays that hold them themselves.
+struct NoRings {
+    static void place(BlockPlan& /*plan*/, const BodyFacts& /*n*/) {}
+};
+
+template <class Arrays>
+inline constexpr bool brings_rings = std::is_base_of_v<RingsAt<Arrays>, Arrays>;
+
+/// Every field is in a place of its own.
+template <class Arrays>
+concept PlacesEveryField = requires(const Arrays& at) {
+    at.vertex_edge_plane(Index{}, End::tail);
+    at.edge_face_plane(Index{}, Side::left);
+    at.length(Index{});
+};
 
 template <class Arrays, Precision P, class Loader>
 class StoredTable : public BlockTable<P, Loader> {
@@ -43,6 +62,7 @@ class StoredTable : public BlockTable<P, Loader> {
 
   public:
     using typename Base::Compute;
+    using typename Base::Stored;
     using typename Base::Vertex;
     using Edge = Index;
     using Face = Index;
@@ -53,7 +73,7 @@ class StoredTable : public BlockTable<P, Loader> {
     StoredTable(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
         : Base(body, parts, loader) {
         this->make_block(at_, rings_);
-        rings_.fill(body, parts);
+        rings().fill(body, parts);
         for (Index e = 0; e < facts_.edge_count(); ++e) write_ends(at_.ends(e), body.edges[e]);
         if constexpr (requires { at_.link(body); }) {
             if (parts == Parts::features) at_.link(body);
@@ -65,21 +85,25 @@ class StoredTable : public BlockTable<P, Loader> {
     StoredTable(const StoredTable<Arrays, P, OtherLoader>& other, Loader loader)
         : Base(other, loader), at_(other.at_), rings_(other.rings_) {}
 
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Arrays(), Rings()); }
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(at_, rings_); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+    /// Offsets from `base`.
+    [[nodiscard]] FieldMap field_map(const std::byte* base) const requires PlacesEveryField<Arrays> {
+        return map_of_fields<Stored>(at_, rings(), facts_, base);
+    }
 
     [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
     [[nodiscard]] auto neighbours(Vertex v) const {
         assert(v < facts_.vertex_count);
-        return rings_.neighbours(loader_, v);
+        return rings().neighbours(loader_, v);
     }
     [[nodiscard]] auto ring_of_vertex(Vertex v) const {
         assert(v < facts_.vertex_count && facts_.parts == Parts::features);
-        return rings_.ring_of_vertex(loader_, v);
+        return rings().ring_of_vertex(loader_, v);
     }
     [[nodiscard]] auto ring_of_face(Face f) const {
         assert(f < facts_.face_count);
-        return rings_.ring_of_face(loader_, f);
+        return rings().ring_of_face(loader_, f);
     }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
@@ -127,9 +151,16 @@ class StoredTable : public BlockTable<P, Loader> {
     friend class StoredTable;
 
     Arrays at_;
-    Rings rings_;
+    [[no_unique_address]] std::conditional_t<brings_rings<Arrays>, NoRings, Rings> rings_;
 
   private:
+    [[nodiscard]] const auto& rings() const {
+        if constexpr (brings_rings<Arrays>) {
+            return at_;
+        } else {
+            return rings_;
+        }
+    }
     [[nodiscard]] Index end(Edge e, std::size_t k) const {
         assert(e < facts_.edge_count());
         return this->load(end_at(at_.ends(e), k), Field::edge_ends);

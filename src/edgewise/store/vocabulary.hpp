@@ -18,14 +18,16 @@
 #include "edgewise/measure/figure.hpp"
 #include "edgewise/store/vocabulary/answers.hpp"
 #include "edgewise/store/vocabulary/effort.hpp"
+#include "edgewise/store/vocabulary/fields.hpp"
 #include "edgewise/store/vocabulary/memory.hpp"
 #include "edgewise/store/vocabulary/thrash.hpp"
 #include "edgewise/store/vocabulary/time.hpp"
 
 namespace edgewise::store {
 
-inline constexpr std::span<const FigureInfo> vocabulary_parts[] = {
-    vocabulary::memory, vocabulary::time, vocabulary::answers, vocabulary::effort, vocabulary::thrash};
+inline constexpr std::span<const FigureInfo> vocabulary_parts[] = {vocabulary::memory,  vocabulary::time,
+                                                                   vocabulary::answers, vocabulary::effort,
+                                                                   vocabulary::fields,  vocabulary::thrash};
 
 /// A figure, or a family of figures with what stands between braces filled in. The texts that fill it must
 /// outlive it.

@@ -98,6 +98,7 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
         .count("paging", plan.paging, input::bodies_or_none)
         .take("thrash", plan.thrash)
         .count("effort", plan.effort, input::queries_or_none)
+        .count("fields", plan.fields, input::queries_or_none)
         .refuse_others();
     if (json.contains("meshes")) plan.meshes_required = true;
     if (json.contains("scenes")) {
@@ -139,8 +140,8 @@ Plan read_named(const PlanText& text) {
 Plan read_file(const std::string& file) {
     const auto text = input::read_file_text(file);
     if (!text)
-        throw std::invalid_argument(
-            fmt::format("{}, or a readable JSON file ({})", unknown_name("plan", file, plan_names()), text.error));
+        throw std::invalid_argument(fmt::format("{}, or a readable JSON file ({})",
+                                                unknown_name("plan", file, plan_names()), text.error));
     return parse_plan(file, *text);
 }
 

@@ -46,6 +46,7 @@ struct Plan {
     std::size_t paging = 0;             ///< bodies of the paging run; 0: none
     bool thrash = false;                ///< whether to study what could have made figure 8
     std::size_t effort = 0;             ///< queries of the effort run; 0: none
+    std::size_t fields = 0;             ///< queries of the fields run; 0: none
     int rounds = 0;                     ///< timed, interleaved
     std::size_t stability = 0;          ///< hard cases per family; 0: no stability run
     std::size_t traced = 0;             ///< queries per cell whose caches are modelled; 0: all

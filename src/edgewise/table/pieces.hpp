@@ -26,7 +26,7 @@ struct Share {
 /// The shares of one kind of element.
 class Shares {
   public:
-    static constexpr std::size_t most = 8;
+    static constexpr std::size_t most = 10;
 
     Shares() = default;
     Shares(std::initializer_list<Share> shares) {

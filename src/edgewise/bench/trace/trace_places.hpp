@@ -34,9 +34,11 @@ struct TracePlaces {
     static constexpr std::array<std::uint32_t, broad_phase_arrays> element_bytes = {
         sizeof(Aabb), sizeof(std::uint32_t), sizeof(std::uint32_t), sizeof(std::uint32_t), sizeof(BodyPair)};
 
+    /// Where what follows so many bytes starts.
+    [[nodiscard]] static std::uint64_t page_after(std::uint64_t at) { return (at + page - 1) / page * page; }
+
   private:
     static constexpr std::uint64_t page = 4096;
-    static std::uint64_t page_after(std::uint64_t at) { return (at + page - 1) / page * page; }
 };
 
 }  // namespace edgewise::bench

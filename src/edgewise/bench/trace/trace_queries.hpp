@@ -30,7 +30,7 @@ PassSum trace_queries(const scene::Workload& workload, const TraceExtent& extent
     const std::vector<std::uint8_t> cold = cold_starts(workload);
     measure::TraceSink sink_a(listener, measure::TraceSide::table_a, places.base);
     measure::TraceSink sink_b(listener, measure::TraceSide::table_b, places.base);
-    const StepMarks marks{sink_a, sink_b};
+    const StepMarks marks{sink_a, sink_b, listener};
     std::unordered_map<std::uint32_t, std::unique_ptr<TracedPair<Algorithm, TracedTable>>> pairs;
     FrameTrace frames(workload, places, listener);
     const std::size_t least = extent.end_of_steps(workload);

@@ -16,9 +16,11 @@
 
 namespace edgewise::bench {
 
-/// Sets the step that reads are booked under: of V-Clip the state, of GJK the iterations.
+/// Sets the step that reads are booked under, and tells the listener where each begins: of V-Clip the state,
+/// of GJK the iterations.
 struct StepMarks {
     measure::TraceSink &a, &b;
+    measure::TraceListener& listener;
 
     void visit(FeatureKind kind_a, FeatureKind kind_b) const { set(step_of(kind_a, kind_b)); }
     void ask_gjk() const { set(TraceStep::settle); }
@@ -26,6 +28,7 @@ struct StepMarks {
     void set(TraceStep step) const {
         a.set_step(static_cast<std::uint8_t>(step));
         b.set_step(static_cast<std::uint8_t>(step));
+        listener.on_step_start(static_cast<std::uint8_t>(step));
     }
 };
 

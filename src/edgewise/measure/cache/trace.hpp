@@ -44,6 +44,9 @@ class TraceListener {
 
     /// Before each query, and what is accessed for it.
     virtual void on_query_start(QueryStart /*start*/) {}
+    /// Before each step of a query's algorithm: accesses from here on are the step's. Steps have the numbers
+    /// that accesses have.
+    virtual void on_step_start(std::uint8_t /*step*/) {}
     virtual void on_access(const TracedAccess& access) = 0;
     /// After each query; `counts` is false for the cold first query of a pair in a warm scene.
     virtual void on_query_end(bool counts) = 0;
@@ -58,6 +61,9 @@ class TraceFanOut final : public TraceListener {
 
     void on_query_start(QueryStart start) override {
         for (TraceListener* listener : listeners_) listener->on_query_start(start);
+    }
+    void on_step_start(std::uint8_t step) override {
+        for (TraceListener* listener : listeners_) listener->on_step_start(step);
     }
     void on_access(const TracedAccess& access) override {
         for (TraceListener* listener : listeners_) listener->on_access(access);

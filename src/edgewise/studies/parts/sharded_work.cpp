@@ -19,6 +19,7 @@ namespace {
 constexpr double cost_of_case = 2000;     ///< per hard case and table type: exact depth and certificate
 constexpr double cost_of_body = 500'000;  ///< of the paging run: seconds of waiting for a disk
 constexpr double cost_of_thrash = 5e9;    ///< some ten minutes
+constexpr double cost_of_fields = 4e8;    ///< some fifty seconds
 constexpr double cost_of_counted = 5e5;   ///< per query and table type under Callgrind
 
 double cells_of(const sweep::SweepWork& work, const sweep::SceneWork& scene) {
@@ -63,6 +64,7 @@ std::vector<sweep::ShardUnit> units_of(const sweep::SweepWork& work) {
     if (work.plan.thrash) units.push_back({thrash_unit, cost_of_thrash});
     if (work.plan.effort > 0)
         units.push_back({effort_unit, static_cast<double>(work.plan.effort) * subjects * cost_of_counted});
+    if (work.plan.fields > 0) units.push_back({fields_unit, cost_of_fields});
     return units;
 }
 
@@ -98,6 +100,7 @@ void keep_shard(sweep::SweepWork& work, const sweep::Shard& shard,
     if (!mine.contains(paging_unit)) work.plan.paging = 0;
     if (!mine.contains(thrash_unit)) work.plan.thrash = false;
     if (!mine.contains(effort_unit)) work.plan.effort = 0;
+    if (!mine.contains(fields_unit)) work.plan.fields = 0;
 }
 
 bool keep_shard(StabilityPlan& plan, const sweep::Shard& shard,

@@ -14,7 +14,8 @@
 namespace edgewise::studies {
 
 /// Names of runs, in a store's seconds too (store::took_key).
-inline constexpr const char *paging_unit = "paging", *thrash_unit = "thrash", *effort_unit = "effort";
+inline constexpr const char *paging_unit = "paging", *thrash_unit = "thrash", *effort_unit = "effort",
+                            *fields_unit = "fields";
 [[nodiscard]] std::string stability_unit(const std::string& family);
 
 /// Leaves in the work what is dealt to the shard; seconds: of an earlier run, or none.

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/tables/field_tables.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "edgewise/reports/charts/co_access_picture.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+constexpr store::FigureName number("fields.number.{field}"), lines("fields.lines.{whose}"),
+    ratio("fields.time_ratio.{whose}"), ratio_low("fields.time_ratio_low.{whose}"),
+    ratio_high("fields.time_ratio_high.{whose}"), lines_held("fields.lines_held"),
+    time_held("fields.time_held");
+
+/// In the order of records.
+std::vector<std::string> fields_of(const ReportCell& row) {
+    std::vector<std::pair<double, std::string>> found;
+    for (const store::FigureRow& figure : row.figures)
+        if (auto field = number.value_in(figure.probe, figure.name); field && figure.value)
+            found.emplace_back(*figure.value, std::move(*field));
+    std::sort(found.begin(), found.end());
+    std::vector<std::string> fields;
+    for (auto& [place, field] : found) fields.push_back(std::move(field));
+    return fields;
+}
+
+/// Machine and level of each figure of misses, in their order.
+std::vector<std::pair<std::string, std::string>> levels_of(const ReportData& data) {
+    std::set<std::pair<std::string, std::string>> levels;
+    for (const ReportCell& row : data.fields) {
+        for (const store::FigureRow& figure : row.figures) {
+            if (figure.probe != "fields" || !figure.name.starts_with("misses.")) continue;
+            const std::string rest = figure.name.substr(figure.name.find('.') + 1);
+            const std::size_t first = rest.find('.'), last = rest.rfind('.');
+            levels.emplace(rest.substr(0, first), rest.substr(first + 1, last - first - 1));
+        }
+    }
+    return {levels.begin(), levels.end()};
+}
+
+GridCell time_cell(const ReportCell& row, const char* whose) {
+    const measure::Figure middle = row.figure(ratio.of(whose)), low = row.figure(ratio_low.of(whose)),
+                          high = row.figure(ratio_high.of(whose));
+    if (!middle.value || !low.value || !high.value) return figure_cell(middle);
+    return {fmt::format("{:.3f} [{:.3f}, {:.3f}]", *middle.value, *low.value, *high.value)};
+}
+
+GridCell verdict_cell(const measure::Figure& figure) {
+    if (!figure.value) return figure_cell(figure);
+    return {*figure.value > 0 ? "held" : *figure.value < 0 ? "did not hold" : "within the noise"};
+}
+GridCell lines_verdict_cell(const measure::Figure& figure) {
+    if (!figure.value) return figure_cell(figure);
+    return {*figure.value > 0 ? "held" : "did not hold"};
+}
+
+std::vector<const ReportCell*> verified_rows(const ReportData& data) {
+    std::vector<const ReportCell*> rows;
+    for (const ReportCell& row : data.fields)
+        if (row.verified()) rows.push_back(&row);
+    return rows;
+}
+
+}  // namespace
+
+TextGrid field_advice_grid(const ReportData& data) {
+    const auto levels = levels_of(data);
+    constexpr store::FigureName misses("fields.misses.{machine}.{level}.{whose}"),
+        unseen("fields.unseen_lines.{whose}");
+    TextGrid grid{"Advice, and what became of it: per query of all queries",
+                  columns_of("scene|shape|algorithm|table|#lines|#predicted|#counted|lines|#unseen queries: "
+                             "lines|#as advised|#time, advised|#noise|time|#made by hand: lines|#its time"),
+                  {}};
+    for (const auto& [machine, level] : levels) {
+        grid.columns.push_back({fmt::format("misses, {} {}", machine, level), true});
+        grid.columns.push_back({"as advised", true});
+    }
+    for (const ReportCell* row : verified_rows(data)) {
+        auto cells = grid_row(
+            row->scene_label, row->shape, row->algorithm, row->table, row->figure(lines.of("original")),
+            row->figure(lines.of("predicted")), row->figure(lines.of("advised")),
+            lines_verdict_cell(row->figure(lines_held)), row->figure(unseen.of("original")),
+            row->figure(unseen.of("advised")), time_cell(*row, "advised"), time_cell(*row, "control"),
+            verdict_cell(row->figure(time_held)), row->figure(lines.of("beside")), time_cell(*row, "beside"));
+        for (const auto& [machine, level] : levels)
+            for (const char* whose : {"original", "advised"})
+                cells.push_back(figure_cell(row->figure(misses.of(machine, level, whose))));
+        grid.rows.push_back(std::move(cells));
+    }
+    return grid;
+}
+
+TextGrid field_groups_grid(const ReportCell& row) {
+    constexpr store::FigureName own("fields.own_group.{field}"), advised("fields.advised_group.{field}"),
+        bytes("fields.bytes.{field}");
+    std::map<double, std::pair<std::string, double>> now, then;  // by number of the record: names and bytes
+    for (const std::string& field : fields_of(row)) {
+        const double size = row.figure(bytes.of(field)).value.value_or(0);
+        for (const auto& [name, to] : {std::pair(own, &now), std::pair(advised, &then)}) {
+            const auto group = row.figure(name.of(field)).value;
+            if (!group) continue;
+            auto& [names, sum] = (*to)[*group];
+            append(names, field);
+            sum += size;
+        }
+    }
+    TextGrid grid{fmt::format("{} and {}: records", row.table, row.algorithm),
+                  columns_of("records|fields|#bytes of fields"),
+                  {}};
+    for (const auto& [whose, groups] : {std::pair("now", &now), std::pair("advised", &then)})
+        for (const auto& [group, fields] : *groups)
+            grid.rows.push_back(grid_row(whose, fields.first, static_cast<int>(fields.second)));
+    return grid;
+}
+
+std::string field_verdict(const ReportData& data) {
+    std::size_t rows = 0, lines_right = 0, faster = 0, slower = 0;
+    for (const ReportCell* row : verified_rows(data)) {
+        const auto time = row->figure(time_held).value, line = row->figure(lines_held).value;
+        if (!time || !line) continue;
+        ++rows;
+        lines_right += *line > 0;
+        faster += *time > 0;
+        slower += *time < 0;
+    }
+    if (rows == 0) return " Not measured here: `edgewise sweep --plan full` does, or `edgewise fields`.";
+    return fmt::format(
+        " Of {} tables and algorithms the advice held in lines {} times; in time it held {} times, made {} slower, "
+        "and was within the noise of {}.",
+        rows, lines_right, faster, slower, rows - faster - slower);
+}
+
+std::string field_picture(const ReportCell& row) {
+    constexpr store::FigureName own("fields.own_group.{field}"), step_part("fields.step_part.{field}"),
+        same_query("fields.same_query.{field}.{other}"), same_step("fields.same_step.{field}.{other}");
+    const std::vector<std::string> names = fields_of(row);
+    std::vector<CoAccessField> fields;
+    CoAccessParts by_query(names.size(), std::vector<double>(names.size())), by_step = by_query;
+    const auto value = [&](const store::FigureName& name) { return row.figure(name).value.value_or(0); };
+    for (std::size_t a = 0; a < names.size(); ++a) {
+        fields.push_back({names[a], fmt::format("{}", value(own.of(names[a])))});
+        by_step[a][a] = value(step_part.of(names[a]));
+        for (std::size_t b = a + 1; b < names.size(); ++b) {
+            by_query[a][b] = by_query[b][a] = value(same_query.of(names[a], names[b]));
+            by_step[a][b] = by_step[b][a] = value(same_step.of(names[a], names[b]));
+        }
+    }
+    return draw_co_access(fmt::format("{} {}, {} {}", row.table, row.algorithm, row.scene_label, row.shape),
+                          fields, by_query, by_step);
+}
+
+}  // namespace edgewise::reports

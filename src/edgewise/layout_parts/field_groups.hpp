@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+//
+// Which fields travel together: fields by number, cut into groups, each of which is one kind of record. With
+// it the seam by which a layout takes its groups at run time: a choice holds for tables that this thread
+// builds while it lives, as TablesIn does for memory.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+
+#include "edgewise/layout_parts/block.hpp"
+#include "edgewise/table/field_map.hpp"
+
+namespace edgewise {
+
+/// Groups in memory order. Copied with every table, so it owns nothing.
+class FieldGroups {
+  public:
+    static constexpr std::size_t most = 32;  ///< fields
+
+    FieldGroups() = default;
+    /// Field: an enumeration of fields, by number.
+    template <class Field>
+    FieldGroups(std::initializer_list<std::initializer_list<Field>> groups) {
+        for (const auto& group : groups) {
+            std::array<std::uint8_t, most> numbers{};
+            std::size_t count = 0;
+            for (const Field field : group) numbers[count++] = static_cast<std::uint8_t>(field);
+            add({numbers.data(), count});
+        }
+    }
+
+    void add(std::span<const std::uint8_t> group) {
+        assert(count_ + group.size() <= most);
+        if (group.empty()) return;
+        starts_ |= std::uint32_t{1} << count_;
+        for (const std::uint8_t field : group) fields_[count_++] = field;
+    }
+
+    [[nodiscard]] std::size_t field_count() const { return count_; }
+    /// use(group) of each, a span of field numbers.
+    template <class Use>
+    void for_each(Use use) const {
+        for (std::size_t first = 0; first < count_;) {
+            std::size_t last = first + 1;
+            while (last < count_ && (starts_ >> last & 1) == 0) ++last;
+            use(std::span(fields_).subspan(first, last - first));
+            first = last;
+        }
+    }
+    [[nodiscard]] bool operator==(const FieldGroups&) const = default;
+
+  private:
+    std::array<std::uint8_t, most> fields_{};
+    std::uint32_t starts_ = 0;  ///< bit i: a group starts at fields_[i]
+    std::uint8_t count_ = 0;
+};
+
+/// The record of one group: its fields as they are given, each at its alignment, as a struct has them.
+struct GroupRecord {
+    std::array<std::uint8_t, FieldGroups::most> fields{};   ///< in memory order
+    std::array<std::uint32_t, FieldGroups::most> offset{};  ///< of each of them
+    std::size_t count = 0;
+    BlockPlan::RecordSize size{0, 1};
+
+    /// sized: what there is to know of a field, by number.
+    GroupRecord(std::span<const std::uint8_t> group, std::span<const RecordField> sized)
+        : count(group.size()) {
+        assert(count <= FieldGroups::most);
+        std::copy(group.begin(), group.end(), fields.begin());
+        for (std::size_t i = 0; i < count; ++i) {
+            const RecordField& field = sized[fields[i]];
+            size.bytes = padded(size.bytes, field.alignment);
+            offset[i] = static_cast<std::uint32_t>(size.bytes);
+            size.bytes += field.bytes;
+            size.alignment = std::max<std::size_t>(size.alignment, field.alignment);
+        }
+        size.bytes = padded(size.bytes, size.alignment);
+    }
+
+  private:
+    static std::size_t padded(std::size_t bytes, std::size_t to) { return (bytes + to - 1) / to * to; }
+};
+
+/// What the bytes of a record are for, field by field in memory order.
+class ShareRuns {
+  public:
+    void add(Component component, std::size_t bytes) {
+        if (bytes == 0) return;
+        if (run_.bytes > 0 && run_.component != component) {
+            shares_.add(run_);
+            run_.bytes = 0;
+        }
+        run_ = {component, run_.bytes + bytes};
+        end_ += bytes;
+    }
+    void pad_to(std::size_t offset) {
+        assert(offset >= end_);
+        add(Component::padding, offset - end_);
+    }
+    [[nodiscard]] Shares take() {
+        if (run_.bytes > 0 && run_.component != Component::padding) shares_.add(run_);
+        run_.bytes = 0;
+        return shares_;
+    }
+
+  private:
+    Shares shares_;
+    Share run_{};
+    std::size_t end_ = 0;
+};
+
+/// Names the records of all groups to a plan, in order. records(field): how many there are of it; 0 leaves it
+/// out of its group. shares(record): what its bytes are for. use(field, start, stride): where its values lie,
+/// in bytes from the block's start.
+template <class Records, class SharesOf, class Use>
+void place_groups(BlockPlan& plan, const FieldGroups& groups, std::span<const RecordField> sized,
+                  const Records& records, const SharesOf& shares, const Use& use) {
+    groups.for_each([&](std::span<const std::uint8_t> group) {
+        std::array<std::uint8_t, FieldGroups::most> held{};
+        std::size_t count = 0, most = 0;
+        for (const std::uint8_t field : group) {
+            const std::size_t of_field = records(field);
+            if (of_field > 0) held[count++] = field;
+            most = std::max(most, of_field);
+        }
+        if (count == 0) return;
+        const GroupRecord record({held.data(), count}, sized);
+        const std::size_t start = plan.records_at(record.size, most, shares(record));
+        for (std::size_t i = 0; i < count; ++i)
+            use(record.fields[i], start + record.offset[i], record.size.bytes);
+    });
+}
+
+/// A choice of groups for tables whose fields have this enumeration's numbers, while it lives; choices nest.
+template <class Field>
+class FieldsGroupedBy {
+  public:
+    explicit FieldsGroupedBy(const FieldGroups& groups) : before_(current()) { current() = &groups; }
+    ~FieldsGroupedBy() { current() = before_; }
+    FieldsGroupedBy(const FieldsGroupedBy&) = delete;
+    FieldsGroupedBy& operator=(const FieldsGroupedBy&) = delete;
+
+    /// What was chosen, or else these.
+    [[nodiscard]] static const FieldGroups& chosen_or(const FieldGroups& usual) {
+        return current() ? *current() : usual;
+    }
+
+  private:
+    static const FieldGroups*& current() {
+        thread_local const FieldGroups* chosen = nullptr;
+        return chosen;
+    }
+    const FieldGroups* before_;
+};
+
+}  // namespace edgewise

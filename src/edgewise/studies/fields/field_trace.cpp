@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/fields/field_trace.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "edgewise/bench/trace/trace_names.hpp"
+
+namespace edgewise::studies {
+
+namespace {
+
+/// From an address to the field that is there.
+class FieldDictionary {
+  public:
+    explicit FieldDictionary(const std::vector<FieldMap>& maps) {
+        for (std::uint32_t table = 0; table < maps.size(); ++table)
+            for (const FieldPlace& place : maps[table].places)
+                entries_.emplace(place.at,
+                                 Entry{{table, place.element, place.field, place.part}, place.bytes});
+    }
+
+    /// Null where no field of so many bytes is.
+    [[nodiscard]] const FieldAccess* find(std::uint64_t address, std::uint32_t bytes) const {
+        const auto found = entries_.find(address);
+        if (found == entries_.end() || found->second.bytes != bytes) return nullptr;
+        return &found->second.access;
+    }
+
+  private:
+    struct Entry {
+        FieldAccess access;
+        std::uint8_t bytes;
+    };
+    std::unordered_map<std::uint64_t, Entry> entries_;
+};
+
+class FieldRecorder final : public measure::TraceListener {
+  public:
+    explicit FieldRecorder(const std::vector<FieldMap>& maps) : dictionary_(maps) {}
+
+    void on_query_start(measure::QueryStart start) override {
+        events_.push_back({.kind = FieldEvent::Kind::query_start, .start = start});
+    }
+    void on_step_start(std::uint8_t step) override {
+        events_.push_back({.kind = FieldEvent::Kind::step_start});
+        events_.back().access.step = step;
+    }
+    void on_access(const measure::TracedAccess& access) override {
+        events_.push_back({.kind = FieldEvent::Kind::other, .access = access});
+        if (access.side == measure::TraceSide::scene) return;
+        const FieldAccess* const field = dictionary_.find(access.address, access.bytes);
+        if (!field && !unknown_) unknown_ = access;
+        if (!field) return;
+        events_.back().kind = FieldEvent::Kind::field;
+        events_.back().field = *field;
+    }
+    void on_query_end(bool counts) override {
+        events_.push_back({.kind = FieldEvent::Kind::query_end, .counts = counts});
+    }
+    void on_frame_end() override { events_.push_back({.kind = FieldEvent::Kind::frame_end}); }
+
+    [[nodiscard]] std::vector<FieldEvent> take() { return std::move(events_); }
+    /// The first read of a table that is of no field.
+    [[nodiscard]] const std::optional<measure::TracedAccess>& unknown() const { return unknown_; }
+
+  private:
+    FieldDictionary dictionary_;
+    std::vector<FieldEvent> events_;
+    std::optional<measure::TracedAccess> unknown_;
+};
+
+TableFields fields_of(const FieldMap& map) {
+    TableFields table{map.fields, std::vector<std::uint32_t>(map.fields.size())};
+    for (const FieldPlace& place : map.places)
+        table.records[place.field] = std::max(table.records[place.field], place.element + 1);
+    return table;
+}
+
+}  // namespace
+
+FieldTrace FieldTrace::first(std::uint64_t wanted) const {
+    FieldTrace part{maps, tables, {}, taken, 0};
+    for (const FieldEvent& event : events) {
+        if (part.queries == wanted) break;
+        part.events.push_back(event);
+        part.queries += event.kind == FieldEvent::Kind::query_end ? 1 : 0;
+    }
+    return part;
+}
+
+FieldTrace trace_fields(const bench::Runner& runner, const bench::TraceExtent& extent,
+                        const std::string& table) {
+    const std::vector<FieldMap> maps = runner.field_maps();
+    if (maps.empty() || !runner.table_allocator().base())
+        throw std::invalid_argument(fmt::format(
+            "{}: this layout does not keep every field in a place of its own; name aos, aos_padded, "
+            "hot_cold, soa, soa_stagger, aosoa, grouped or linked",
+            table));
+    FieldRecorder recorder(maps);
+    FieldTrace trace;
+    trace.queries = runner.trace(extent, recorder).queries;
+    if (const auto& unknown = recorder.unknown())
+        throw std::invalid_argument(
+            fmt::format("{}: a read of {} bytes at {} ({}) is of no field that the layout names", table,
+                        unknown->bytes, unknown->address, bench::field_names()[unknown->field]));
+    trace.events = recorder.take();
+    for (const FieldMap& map : maps) trace.tables.push_back(fields_of(map));
+    trace.maps = maps;
+    trace.taken = runner.table_allocator().taken();
+    return trace;
+}
+
+}  // namespace edgewise::studies

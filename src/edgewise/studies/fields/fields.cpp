@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/fields/fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "edgewise/layout_parts/linked_nodes.hpp"
+#include "edgewise/layout_parts/stored_fields.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/studies/fields/best_groups.hpp"
+#include "edgewise/studies/fields/field_places.hpp"
+#include "edgewise/studies/fields/group_text.hpp"
+#include "edgewise/studies/fields/node_groups.hpp"
+#include "edgewise/studies/fields/node_places.hpp"
+#include "edgewise/sweep/verify.hpp"
+
+namespace edgewise::studies {
+
+namespace {
+
+using Role = FieldsContender::Role;
+
+/// A contender on its way: with its cell.
+struct Standing {
+    FieldsContender contender;
+    std::unique_ptr<SingleCell> cell;
+};
+
+bool has_type(const std::string& name) {
+    const auto types = bench::table_types();
+    return std::any_of(types.begin(), types.end(),
+                       [&](const bench::TableType& type) { return type.name == name; });
+}
+
+/// Fewer lines by hand than the table that is asked about: what it would be compared with.
+std::string usual_beside(const bench::TableType& type) {
+    const std::string name = "hot_cold_" + type.precision;
+    const bool none = type.layout == "linked" || type.layout == "hot_cold" || !has_type(name);
+    return none ? "" : name;
+}
+
+class FieldsRun {
+  public:
+    explicit FieldsRun(const FieldsPlan& plan)
+        : plan_(plan), machines_(measure::described_machines(plan.machines)) {}
+
+    [[nodiscard]] FieldsAdvice run(const std::function<void()>& on_round) {
+        stand(Role::original, plan_.cell.table, std::nullopt);
+        find_advice();
+        if (advice_.own) {
+            stand(Role::own_groups, advice_.builder, advice_.own);
+            stand(Role::control, advice_.builder, advice_.own);
+        } else {
+            stand(Role::control, plan_.cell.table, std::nullopt);
+        }
+        stand(Role::advised, advice_.builder, advice_.advised);
+        const std::string beside = plan_.beside.empty() ? usual_beside(type()) : plan_.beside;
+        if (!beside.empty()) stand(Role::beside, beside, std::nullopt);
+        time_rounds(on_round);
+        for (Standing& standing : standing_) advice_.contenders.push_back(std::move(standing.contender));
+        return std::move(advice_);
+    }
+
+  private:
+    [[nodiscard]] const SingleCell& original() const { return *standing_.front().cell; }
+    [[nodiscard]] const bench::TableType& type() const { return original().type(); }
+
+    /// Builds a cell, verifies it and counts what it reads.
+    void stand(Role role, const std::string& table, const std::optional<FieldGroups>& groups) {
+        CellChoice choice = plan_.cell;
+        choice.table = table;
+        FieldsContender contender{role, table, groups, {}, {}, 0, {}};
+        auto cell = make_cell(choice, groups);
+        contender.table = cell->type().name;
+        contender.wrong =
+            sweep::what_is_wrong(cell->shared(),
+                                 sweep::check_answers(cell->shared(), cell->runner().stored_bodies(),
+                                                      cell->runner().answer(), cell->type().eps),
+                                 cell->type().eps);
+        contender.cost = cost_of(
+            [&](measure::TraceListener& listener) {
+                static_cast<void>(cell->runner().trace(bench::TraceExtent::everything(), listener));
+            },
+            machines_);
+        contender.table_bytes = cell->runner().memory().requested;
+        standing_.push_back({std::move(contender), std::move(cell)});
+    }
+
+    static std::unique_ptr<SingleCell> make_cell(const CellChoice& choice,
+                                                 const std::optional<FieldGroups>& groups) {
+        if (!groups) return std::make_unique<SingleCell>(choice);
+        // Of these two the layout asks for its own.
+        const FieldsGroupedBy<StoredField> fields(*groups);
+        const FieldsGroupedBy<NodeField> nodes(*groups);
+        return std::make_unique<SingleCell>(choice);
+    }
+
+    void find_advice() {
+        const FieldTrace trace =
+            trace_fields(original().runner(), bench::TraceExtent::everything(), type().name);
+        advice_.table = type().name;
+        advice_.builder = (is_of_nodes() ? "grouped_nodes_" : "grouped_") + type().precision;
+        if (!has_type(advice_.builder))
+            throw std::invalid_argument(fmt::format(
+                "{}, which builds what is advised, is not in this program: name it in EDGEWISE_LAYOUTS",
+                advice_.builder));
+        advice_.fields = trace.fields();
+        advice_.together = co_access(trace);
+        advice_.own = own_groups(trace);
+        if (!plan_.groups_file.empty())
+            advice_.advised = read_groups(plan_.groups_file, advice_.fields);
+        else
+            advice_.advised = is_of_nodes() ? best_node_groups(trace) : best_groups(trace);
+        advice_.predicted = predict(trace, advice_.advised);
+        look_at_unseen(trace.queries);
+    }
+
+    [[nodiscard]] bool is_of_nodes() const { return type().layout == "linked"; }
+
+    /// The groups of the table, if such records give it again: as many lines and bytes.
+    [[nodiscard]] std::optional<FieldGroups> own_groups(const FieldTrace& trace) const {
+        const std::optional<FieldGroups> groups =
+            is_of_nodes() ? whole_nodes() : groups_of(trace.maps.front());
+        if (!groups) return std::nullopt;
+        const bool same = places_of(trace, *groups)->taken() == trace.taken &&
+                          predict(trace, *groups).lines == standing_.front().contender.cost.lines;
+        return same ? groups : std::nullopt;
+    }
+
+    [[nodiscard]] std::unique_ptr<FieldPlaces> places_of(const FieldTrace& trace,
+                                                         const FieldGroups& groups) const {
+        if (is_of_nodes()) return std::make_unique<GroupedNodePlaces>(trace.maps, groups);
+        return std::make_unique<GroupedPlaces>(trace.tables, groups);
+    }
+    [[nodiscard]] TraceCost predict(const FieldTrace& trace, const FieldGroups& groups) const {
+        const auto places = places_of(trace, groups);
+        return cost_of([&](measure::TraceListener& listener) { replay(trace, *places, listener); },
+                       machines_);
+    }
+
+    /// The scene from another seed.
+    void look_at_unseen(std::uint64_t queries) {
+        CellChoice choice = plan_.cell;
+        ++choice.seed;
+        choice.checked = 0;
+        const SingleCell other(choice);
+        const FieldTrace trace = trace_fields(other.runner(), queries, type().name);
+        const auto pass = [&](measure::TraceListener& listener) {
+            static_cast<void>(other.runner().trace(queries, listener));
+        };
+        advice_.unseen_lines = cost_of(pass, {}).lines_per_query();
+        advice_.unseen_lines_advised = predict(trace, advice_.advised).lines_per_query();
+    }
+
+    void time_rounds(const std::function<void()>& on_round) {
+        const double clock_cost_ns = measure::calibrate();
+        std::vector<std::size_t> order(standing_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        for (int round = 0; round < plan_.rounds; ++round) {
+            scene::Rng rng(static_cast<std::uint64_t>(round) + 1);
+            rng.shuffle(order);
+            for (const std::size_t i : order) {
+                const bench::Runner& runner = standing_[i].cell->runner();
+                // The first pass finds its tables out of the caches, and an interrupt seldom hits both.
+                const double first = runner.time({}, clock_cost_ns).all().value_or(0),
+                             second = runner.time({}, clock_cost_ns).all().value_or(0);
+                standing_[i].contender.ns.push_back(std::min(first, second));
+            }
+            on_round();
+        }
+    }
+
+    const FieldsPlan& plan_;
+    std::vector<measure::CacheMachine> machines_;
+    std::vector<Standing> standing_;
+    FieldsAdvice advice_;
+};
+
+}  // namespace
+
+FieldsAdvice advise_fields(const FieldsPlan& plan, const std::function<void()>& on_round) {
+    return FieldsRun(plan).run(on_round);
+}
+
+}  // namespace edgewise::studies

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// Advice on a layout's records, and what became of it. From a trace of one cell: which fields are read
+// together, and the groups of which its queries read the fewest lines (predicted, by telling the trace again
+// with the fields where they would be). Then the advised table is built, its answers are verified, its lines
+// are counted and its queries timed: advice of this kind is often right about lines and wrong about time.
+//
+// Who is timed, in interleaved rounds: the table that was asked about; its own groups in the layout that
+// takes groups at run time, which is what the advice is compared with, since both pay for that; the same
+// once more, whose ratio to itself is the noise; the advised groups; and a layout made by hand.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgewise/layout_parts/field_groups.hpp"
+#include "edgewise/studies/fields/co_access.hpp"
+#include "edgewise/studies/fields/trace_cost.hpp"
+#include "edgewise/studies/single_cell.hpp"
+
+namespace edgewise::studies {
+
+/// What is asked when nobody says otherwise.
+inline const CellChoice fields_cell = {
+    .parameters = {{"rotation_step", 0.1}}, .queries = 2000, .checked = 200};
+
+struct FieldsPlan {
+    CellChoice cell = fields_cell;
+    std::vector<std::string> machines = {"pentium3_coppermine", "zen5"};  ///< not the host: misses repeat
+    std::string beside;       ///< a table type made by hand; empty: the usual one, or none
+    std::string groups_file;  ///< groups to try in place of advised ones
+    int rounds = 25;
+};
+
+/// A table that was built, traced and timed.
+struct FieldsContender {
+    enum class Role { original, own_groups, control, advised, beside };
+
+    Role role{};
+    std::string table;                  ///< type
+    std::optional<FieldGroups> groups;  ///< of a layout that takes them
+    std::string wrong;                  ///< with its answers; empty: all are right
+    TraceCost cost;
+    double table_bytes = 0;  ///< of all tables
+    std::vector<double> ns;  ///< per query, by round
+};
+
+[[nodiscard]] std::string_view to_string(FieldsContender::Role role);
+
+/// One time over another, both of the same round: the median with its 95 % interval over the rounds of one
+/// process. Nothing where rounds are too few.
+struct TimeRatio {
+    double low = 0, middle = 0, high = 0;
+};
+
+/// Whether advice held.
+enum class Held {
+    yes,
+    no,
+    within_noise,  ///< of time: the interval holds 1, or lies within what the control shows
+};
+[[nodiscard]] std::string_view to_string(Held held);
+
+struct FieldsAdvice {
+    std::string table, builder;  ///< type asked about, and the one that takes groups
+    std::vector<RecordField> fields;
+    CoAccess together;
+    std::optional<FieldGroups> own;  ///< nothing: no records by groups give this table
+    FieldGroups advised;
+    TraceCost predicted;  ///< of the advised groups, before they were built
+    /// Lines per query of other queries of the same scene, which the advice never saw: before and after.
+    double unseen_lines = 0, unseen_lines_advised = 0;
+    std::vector<FieldsContender> contenders;
+
+    [[nodiscard]] const FieldsContender* find(FieldsContender::Role role) const;
+    /// The first contender over the second; nothing where either is not there.
+    [[nodiscard]] std::optional<TimeRatio> ratio(FieldsContender::Role above,
+                                                 FieldsContender::Role below) const;
+    /// What the advice is compared with: its own groups, or else the table itself.
+    [[nodiscard]] FieldsContender::Role baseline() const;
+
+    [[nodiscard]] bool all_right() const;
+    /// As many lines as predicted, to the last one; and fewer than before.
+    [[nodiscard]] Held lines_held() const;
+    /// Faster than the baseline by more than the noise.
+    [[nodiscard]] Held time_held() const;
+};
+
+/// on_round is called after each round. Throws std::invalid_argument for a cell that cannot be made, a layout
+/// without places of fields, or a program that was built without what takes groups.
+[[nodiscard]] FieldsAdvice advise_fields(const FieldsPlan& plan, const std::function<void()>& on_round);
+
+}  // namespace edgewise::studies

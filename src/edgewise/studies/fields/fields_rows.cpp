@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/fields/fields_rows.hpp"
+
+#include <algorithm>
+
+#include "edgewise/bench/cell.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/store/vocabulary.hpp"
+
+namespace edgewise::studies {
+
+namespace {
+
+using Role = FieldsContender::Role;
+
+constexpr std::string_view whose(Role role) {
+    constexpr std::string_view names[] = {"original", "own_groups", "control", "advised", "beside"};
+    return names[static_cast<int>(role)];
+}
+
+class FieldsFigures {
+  public:
+    explicit FieldsFigures(const FieldsAdvice& advice) : advice_(advice) {}
+
+    [[nodiscard]] std::vector<store::FigureRow> take() {
+        for (std::size_t field = 0; field < advice_.fields.size(); ++field) add_field(field);
+        if (advice_.own) add_groups("fields.own_group.{field}", *advice_.own);
+        add_groups("fields.advised_group.{field}", advice_.advised);
+        add_cost("predicted", advice_.predicted);
+        for (const FieldsContender& contender : advice_.contenders) add_contender(contender);
+        constexpr store::FigureName unseen("fields.unseen_lines.{whose}");
+        add(unseen.of("original"), advice_.unseen_lines);
+        add(unseen.of("advised"), advice_.unseen_lines_advised);
+        add("fields.lines_held", advice_.lines_held() == Held::yes ? 1 : 0);
+        const Held time = advice_.time_held();
+        add("fields.time_held", time == Held::yes ? 1 : time == Held::no ? -1 : 0);
+        return std::move(figures_);
+    }
+
+  private:
+    void add(const store::FigureName& name, std::optional<double> value, const std::string& reason = {}) {
+        figures_.push_back({store::figure(name, value, reason), name.probe()});
+    }
+
+    void add_field(std::size_t a) {
+        const CoAccess& together = advice_.together;
+        const std::string_view name = advice_.fields[a].name;
+        const auto part = [](std::uint64_t of, std::uint64_t all) {
+            return all == 0 ? 0 : static_cast<double>(of) / static_cast<double>(all);
+        };
+        add(store::FigureName("fields.bytes.{field}").of(name), advice_.fields[a].bytes);
+        add(store::FigureName("fields.number.{field}").of(name), static_cast<double>(a));
+        add(store::FigureName("fields.query_part.{field}").of(name),
+            part(together.by_query[a][a], together.queries));
+        add(store::FigureName("fields.step_part.{field}").of(name),
+            part(together.by_step[a][a], together.steps));
+        for (std::size_t b = a + 1; b < advice_.fields.size(); ++b) {
+            const std::string_view other = advice_.fields[b].name;
+            add(store::FigureName("fields.same_query.{field}.{other}").of(name, other),
+                CoAccess::overlap(together.by_query, a, b));
+            add(store::FigureName("fields.same_step.{field}.{other}").of(name, other),
+                CoAccess::overlap(together.by_step, a, b));
+            if (advice_.fields[a].record == advice_.fields[b].record)
+                add(store::FigureName("fields.same_record.{field}.{other}").of(name, other),
+                    CoAccess::overlap(together.by_record, a, b));
+        }
+    }
+
+    void add_groups(const store::FigureName& name, const FieldGroups& groups) {
+        double number = 0;
+        groups.for_each([&](std::span<const std::uint8_t> group) {
+            for (const std::uint8_t field : group) add(name.of(advice_.fields[field].name), number);
+            ++number;
+        });
+    }
+
+    void add_cost(std::string_view of, const TraceCost& cost) {
+        add(store::FigureName("fields.lines.{whose}").of(of), cost.lines_per_query());
+        for (const LevelMissesPerQuery& level : cost.misses)
+            add(store::FigureName("fields.misses.{machine}.{level}.{whose}")
+                    .of(level.machine, level.level, of),
+                level.misses);
+    }
+
+    void add_contender(const FieldsContender& contender) {
+        const std::string_view of = whose(contender.role);
+        add_cost(of, contender.cost);
+        add(store::FigureName("fields.table_bytes.{whose}").of(of), contender.table_bytes);
+        if (contender.role == advice_.baseline()) return;
+        const auto ratio = advice_.ratio(contender.role, advice_.baseline());
+        const std::string reason = "too few rounds for an interval";
+        const auto add_end = [&](const store::FigureName& name, double TimeRatio::*end) {
+            add(name.of(of), ratio ? std::optional(*ratio.*end) : std::nullopt, reason);
+        };
+        add_end("fields.time_ratio.{whose}", &TimeRatio::middle);
+        add_end("fields.time_ratio_low.{whose}", &TimeRatio::low);
+        add_end("fields.time_ratio_high.{whose}", &TimeRatio::high);
+    }
+
+    const FieldsAdvice& advice_;
+    std::vector<store::FigureRow> figures_;
+};
+
+bool can_build(const CellChoice& choice) {
+    const auto types = bench::table_types();
+    const auto has = [&](const std::string& name) {
+        return std::any_of(types.begin(), types.end(),
+                           [&](const bench::TableType& type) { return type.name == name; });
+    };
+    return has(choice.table) && has(choice.table.starts_with("linked") ? "grouped_nodes_f64" : "grouped_f64");
+}
+
+}  // namespace
+
+std::vector<CellChoice> fields_cells(std::size_t queries, std::uint64_t seed) {
+    std::vector<CellChoice> cells;
+    for (const char* table : {"aos_f64", "linked_f64"}) {
+        for (const char* algorithm : {"vclip", "gjk"}) {
+            CellChoice choice = fields_cell;
+            choice.table = table;
+            choice.algorithm = algorithm;
+            choice.queries = queries;
+            choice.seed = seed;
+            if (can_build(choice)) cells.push_back(choice);
+        }
+    }
+    return cells;
+}
+
+store::CellRow fields_row(const CellChoice& choice) {
+    const Polyhedron body = scene::make_shape(choice.shape).or_throw();
+    const std::string names[] = {choice.table};
+    const bench::TableType& type = *bench::select_table_types(names).front();
+    store::CellRow row;
+    row.scene = fields_scene + choice.scene;
+    row.scene_parameters =
+        bench::parameters_json(scene::complete_parameters(choice.scene, choice.parameters).or_throw());
+    row.shape = choice.shape;
+    row.shape_source = "built-in";
+    row.algorithm = choice.algorithm;
+    row.layout = type.layout;
+    row.precision = type.precision;
+    row.table = type.name;
+    row.vertices = static_cast<std::int64_t>(body.vertex_count());
+    row.edges = static_cast<std::int64_t>(body.edge_count());
+    row.faces = static_cast<std::int64_t>(body.face_count());
+    row.seed = choice.seed;
+    row.queries = static_cast<std::int64_t>(choice.queries);
+    bench::name_cell(row, body);
+    return row;
+}
+
+std::vector<store::FigureRow> fields_figures(const FieldsAdvice& advice) {
+    return FieldsFigures(advice).take();
+}
+
+bool store_fields(const std::vector<CellChoice>& cells, const std::string& build, store::Store& store,
+                  const std::function<void(const store::CellRow&)>& on_row, const std::atomic<bool>& stop) {
+    for (const CellChoice& choice : cells) {
+        if (stop) return false;
+        store::CellRow row = fields_row(choice);
+        if (store.figures(build, row.hash).empty()) {
+            FieldsPlan plan;
+            plan.cell = choice;
+            const FieldsAdvice advice = advise_fields(plan, [] {});
+            row.status = advice.all_right() ? "verified" : "failed";
+            for (const FieldsContender& contender : advice.contenders)
+                if (row.reason.empty()) row.reason = contender.wrong;
+            store.put_cell(build, row, fields_figures(advice));
+        }
+        on_row(row);
+    }
+    return !stop;
+}
+
+}  // namespace edgewise::studies

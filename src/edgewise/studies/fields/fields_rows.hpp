@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// The fields run: advice on the records of some table types (fields.hpp) as rows of the store, under a scene
+// called `fields` and the kind of the scene.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "edgewise/store/rows.hpp"
+#include "edgewise/store/store.hpp"
+#include "edgewise/studies/fields/fields.hpp"
+
+namespace edgewise::studies {
+
+/// What the scene names of these rows begin with.
+inline constexpr const char* fields_scene = "fields ";
+
+/// Cells that a plan asks about: the paper's record and the nodes of 1998, by both algorithms; those that
+/// this program can build otherwise.
+[[nodiscard]] std::vector<CellChoice> fields_cells(std::size_t queries, std::uint64_t seed);
+
+[[nodiscard]] store::CellRow fields_row(const CellChoice& choice);
+[[nodiscard]] std::vector<store::FigureRow> fields_figures(const FieldsAdvice& advice);
+
+/// Into the store, but for rows that are there already. on_row is notified of each. False when it was stopped
+/// before the last.
+[[nodiscard]] bool store_fields(const std::vector<CellChoice>& cells, const std::string& build,
+                                store::Store& store, const std::function<void(const store::CellRow&)>& on_row,
+                                const std::atomic<bool>& stop);
+
+}  // namespace edgewise::studies

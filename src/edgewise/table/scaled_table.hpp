@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// One table, many scales: a view of a table whose body is stretched along its axes. Nothing is stored but the
+// three factors; instances of a shape at any number of scales share one table and one build.
+//
+// What the body is: the hull of the points S p, each coordinate a product of a factor and a stored
+// coordinate, rounded to what the table computes in. Not of the exact products: so it is a body like any
+// other, whose exact distances an oracle can give.
+//
+// Why support points may be climbed to as on the table: <S p, d> = <p, S d>. A vertex is the highest along d
+// of the stretched body if and only if it is along S d of the body, on which no vertex but the highest lacks
+// a higher neighbour. What rounding adds to a height, half a rounding step of each of three products, is
+// within what climbs allow (tolerance.hpp, level: 49 of 64), of the view's reach.
+//
+// For GJK alone. V-Clip's planes through an edge are perpendicular to it, and to its faces: a stretch keeps
+// neither right angle, so they are not the images of the table's. (A face's plane is: its normal times the
+// inverse of S.) Build a table of the stretched body, or refit one (write_geometry.hpp), where V-Clip is
+// asked.
+#pragma once
+
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "edgewise/table/contract.hpp"
+
+namespace edgewise {
+
+/// Borrows the table, which must outlive it. Meets SupportTable, and ClimbingTable where the table does.
+template <SupportTable Table>
+class ScaledTable {
+  public:
+    using PrecisionType = typename Table::PrecisionType;
+    using Compute = ComputeOf<Table>;
+    using Vertex = typename Table::Vertex;
+    static constexpr bool counts_vertices = requires { requires Table::counts_vertices; };
+
+    /// scale: a factor for each of the body's axes, finite and not 0; below 0 it mirrors. Products with the
+    /// coordinates must neither overflow nor become denormal.
+    ScaledTable(const Table& table, const Vec3d& scale) : table_(&table), scale_(cast<Compute>(scale)) {
+        assert(scale.array().isFinite().all() && (scale_.array() != 0).all());
+    }
+
+    [[nodiscard]] Vertex first_vertex() const { return table_->first_vertex(); }
+    [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
+        const Vec3<Compute> point = table_->vertex(v);
+        return {scale_.x() * point.x(), scale_.y() * point.y(), scale_.z() * point.z()};
+    }
+    [[nodiscard]] auto all_vertices() const { return table_->all_vertices(); }
+
+    [[nodiscard]] std::size_t vertex_count() const requires ClimbingTable<Table> {
+        return table_->vertex_count();
+    }
+    [[nodiscard]] auto neighbours(Vertex v) const requires ClimbingTable<Table> {
+        return table_->neighbours(v);
+    }
+    /// Angles change: nobody may build on them.
+    [[nodiscard]] bool strictly_convex() const requires ClimbingTable<Table> { return false; }
+    [[nodiscard]] bool climbable() const requires ClimbingTable<Table> {
+        if constexpr (requires { table_->climbable(); })
+            return table_->climbable();
+        else
+            return table_->strictly_convex();
+    }
+    [[nodiscard]] double reach() const requires requires(const Table& table) { table.reach(); }
+    { return static_cast<double>(max_abs(scale_)) * table_->reach(); }
+    /// The table's: a vertex of it is one of the view, at every scale.
+    [[nodiscard]] std::uint32_t identity() const requires requires(const Table& table) { table.identity(); }
+    { return table_->identity(); }
+
+    [[nodiscard]] const Vec3<Compute>& scale() const { return scale_; }
+
+  private:
+    const Table* table_;
+    Vec3<Compute> scale_;
+};
+
+}  // namespace edgewise

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+//
+// One table at many scales: GJK over a stretched view beside the exact distance of the stretched points,
+// climbs beside scans, and a view that stretches nothing beside the table.
+#include "edgewise/table/scaled_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/layouts/lean.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/table/stored_body.hpp"
+#include "edgewise/truth/exact_distance.hpp"
+
+namespace edgewise {
+namespace {
+
+const std::array<Vec3d, 6> scales = {Vec3d{1, 1, 1},        Vec3d{2, 0.5, 4},      Vec3d{1.7, 0.3, 0.9},
+                                     Vec3d{-1.1, 2.3, 0.7}, Vec3d{30, 1.1, 0.013}, Vec3d{0.1, 0.1, 7}};
+
+template <class Table>
+Polyhedron stored(const char* shape) {
+    return stored_body<Table>(scene::make_shape(shape).or_throw()).or_throw();
+}
+
+/// The body that a view of the table stands for: each coordinate times its factor, rounded.
+template <class Table>
+std::vector<Vec3d> stretched(const Table& table, const Vec3d& scale) {
+    using Compute = ComputeOf<Table>;
+    std::vector<Vec3d> points;
+    for (const auto v : table.all_vertices()) {
+        const Vec3<Compute> point = table.vertex(v);
+        Vec3d& product = points.emplace_back();
+        for (int k = 0; k < 3; ++k) product[k] = point[k] * static_cast<Compute>(scale[k]);
+    }
+    return points;
+}
+
+double extent_of(const std::vector<Vec3d>& points) {
+    double extent = 0;
+    for (const Vec3d& point : points) extent = std::max(extent, 2 * max_abs(point));
+    return extent;
+}
+
+/// A pose somewhere near: bodies of these extents touch now and then.
+Pose near_pose(scene::Rng& rng, double extent) {
+    Pose pose;
+    pose.rotation = rng.rotation();
+    for (int k = 0; k < 3; ++k) pose.translation[k] = rng.uniform(-extent, extent);
+    return pose;
+}
+
+struct Regimes {
+    int separated = 0, overlapping = 0, wrong = 0;
+    double error = 0;  ///< over the size of the problem
+};
+
+template <class Table>
+void ask(const Table& table, const Vec3d& scale_a, const Vec3d& scale_b, scene::Rng& rng, Regimes& seen) {
+    using View = ScaledTable<Table>;
+    const View a(table, scale_a), b(table, scale_b);
+    const std::vector<Vec3d> points_a = stretched(table, scale_a), points_b = stretched(table, scale_b);
+    const double extent = std::max(extent_of(points_a), extent_of(points_b));
+    SimplexPair<View, View> warm(a, b);
+    for (int i = 0; i < 12; ++i) {
+        const Pose pose_a = near_pose(rng, extent / 2), pose_b = near_pose(rng, extent / 2);
+        const auto exact = truth::exact_distance(points_a, pose_a, points_b, pose_b).or_throw();
+        const double size = std::max(extent, norm(Vec3d(pose_a.translation - pose_b.translation)));
+        const bool in_contact = exact.verdict != truth::ExactVerdict::separated;
+        ++(in_contact ? seen.overlapping : seen.separated);
+        SimplexPair<View, View> cold(a, b);
+        for (auto* pair : {&cold, &warm}) {
+            const Distance answer = Gjk::query(a, b, relative_pose(pose_a, pose_b), *pair);
+            seen.wrong += (answer.status != Status::separated) != in_contact;
+            seen.error = std::max(seen.error, std::abs(answer.distance - exact.distance) / size);
+        }
+    }
+}
+
+template <class Table>
+void expect_exact(double allowed) {
+    scene::Rng rng(5);
+    Regimes seen;
+    for (const char* shape : {"cube8", "sphere38", "sphere386"}) {
+        const Table table(stored<Table>(shape), Parts::support);
+        for (const Vec3d& scale_a : scales)
+            for (const Vec3d& scale_b : scales) ask(table, scale_a, scale_b, rng, seen);
+    }
+    std::printf("%s: %d separated, %d in contact, worst error %.2g of the size\n",
+                std::string(Table::name).c_str(), seen.separated, seen.overlapping, seen.error);
+    EXPECT_EQ(seen.wrong, 0);
+    EXPECT_LT(seen.error, allowed);
+    EXPECT_GT(seen.separated, 100);
+    EXPECT_GT(seen.overlapping, 100);
+}
+
+TEST(ScaledTable, AnswersAreThoseOfTheStretchedPoints) {
+    expect_exact<lean<f64>>(verified_error_double);
+    expect_exact<lean<f32>>(verified_error_single);
+}
+
+TEST(ScaledTable, ClimbsFindWhatScansFind) {
+    using Table = lean<f64>;
+    const Table table(stored<Table>("sphere386"), Parts::support);
+    scene::Rng rng(7);
+    double worst = 0;
+    for (const Vec3d& scale : scales) {
+        const ScaledTable<Table> view(table, scale);
+        ASSERT_TRUE(view.climbable());
+        for (int i = 0; i < 300; ++i) {
+            const Vec3d direction = rng.on_sphere();
+            const auto start = static_cast<Index>(rng.below(view.vertex_count()));
+            const double climbed = climb_support(view, direction, start).along,
+                         scanned = scan_support(view, direction).along;
+            worst = std::max(worst, (scanned - climbed) / view.reach());
+        }
+    }
+    std::printf("a climb ends %.2g of the reach below a scan\n", worst);
+    EXPECT_LE(worst, Tolerance<double>::level);
+}
+
+TEST(ScaledTable, OfScaleOneIsTheTable) {
+    using Table = lean<f64>;
+    const Table table(stored<Table>("sphere38"), Parts::support);
+    const ScaledTable<Table> view(table, {1, 1, 1});
+    scene::Rng rng(9);
+    for (int i = 0; i < 200; ++i) {
+        const Transform<double> a_from_b = relative_pose(Pose{}, near_pose(rng, 2));
+        SimplexPair<Table, Table> of_tables(table, table);
+        SimplexPair<ScaledTable<Table>, ScaledTable<Table>> of_views(view, view);
+        const Distance plain = Gjk::query(table, table, a_from_b, of_tables),
+                       scaled = Gjk::query(view, view, a_from_b, of_views);
+        EXPECT_EQ(plain.status, scaled.status);
+        EXPECT_EQ(plain.distance, scaled.distance);
+        EXPECT_EQ(plain.point_a, scaled.point_a);
+    }
+}
+
+static_assert(ClimbingTable<ScaledTable<lean<f32>>>);
+
+}  // namespace
+}  // namespace edgewise

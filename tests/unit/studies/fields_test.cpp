@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+//
+// Fields that travel together: what is counted of a made-up trace, the best groups beside all there are, and
+// a trace told again beside that of a table which was built so: access by access the same.
+#include "edgewise/studies/fields/fields.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdio>
+
+#include "edgewise/layout_parts/stored_fields.hpp"
+#include "edgewise/measure/cache/lines_touched.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/studies/fields/best_groups.hpp"
+#include "edgewise/studies/fields/group_text.hpp"
+#include "edgewise/studies/fields/node_groups.hpp"
+#include "edgewise/studies/fields/node_places.hpp"
+
+namespace edgewise::studies {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// Builds traces by hand: fields a, b and c of one record, d of another, 24 bytes each.
+class MadeUpTrace {
+  public:
+    MadeUpTrace() {
+        for (const char* name : {"a", "b", "c"}) table_.fields.push_back({name, "one", 24, 8});
+        table_.fields.push_back({"d", "other", 24, 8});
+        table_.records = {100, 100, 100, 50};
+        trace_.tables = {table_};
+    }
+    MadeUpTrace& query() {
+        if (trace_.queries++ > 0) trace_.events.push_back({.kind = FieldEvent::Kind::query_end});
+        trace_.events.push_back({.kind = FieldEvent::Kind::query_start});
+        return *this;
+    }
+    MadeUpTrace& step() {
+        trace_.events.push_back({.kind = FieldEvent::Kind::step_start});
+        return *this;
+    }
+    MadeUpTrace& read(std::uint8_t field, std::uint32_t element,
+                      measure::TraceSide side = measure::TraceSide::table_a) {
+        FieldEvent event{.kind = FieldEvent::Kind::field, .field = {0, element, field, 0}};
+        event.access = {0, 24, measure::AccessKind::read, 0, 0, side};
+        trace_.events.push_back(event);
+        return *this;
+    }
+    FieldTrace end() {
+        trace_.events.push_back({.kind = FieldEvent::Kind::query_end});
+        return trace_;
+    }
+
+  private:
+    TableFields table_;
+    FieldTrace trace_;
+};
+
+TEST(CoAccess, CountsQueriesStepsAndRecords) {
+    MadeUpTrace made;
+    made.query().step().read(0, 7).read(1, 7).read(0, 7).step().read(2, 7).read(3, 7);
+    made.query().step().read(0, 7).read(1, 8).step().step().read(0, 3).read(0, 3,
+                                                                            measure::TraceSide::table_b);
+    const CoAccess together = co_access(made.end());
+    EXPECT_EQ(together.queries, 2U);
+    EXPECT_EQ(together.steps, 4U) << "a step that reads nothing is none";
+    EXPECT_THAT(together.by_query, ElementsAre(ElementsAre(2, 2, 1, 1), ElementsAre(2, 2, 1, 1),
+                                               ElementsAre(1, 1, 1, 1), ElementsAre(1, 1, 1, 1)));
+    EXPECT_THAT(together.by_step, ElementsAre(ElementsAre(3, 2, 0, 0), ElementsAre(2, 2, 0, 0),
+                                              ElementsAre(0, 0, 1, 1), ElementsAre(0, 0, 1, 1)));
+    // a and b of record 7 once; c and d, both of number 7, are of different records.
+    EXPECT_THAT(together.by_record, ElementsAre(ElementsAre(4, 1, 0, 0), ElementsAre(1, 2, 0, 0),
+                                                ElementsAre(0, 0, 1, 0), ElementsAre(0, 0, 0, 1)));
+    EXPECT_DOUBLE_EQ(CoAccess::overlap(together.by_step, 0, 1), 2.0 / 3.0);
+    EXPECT_DOUBLE_EQ(CoAccess::overlap(together.by_step, 0, 2), 0);
+}
+
+std::uint64_t lines_of(const FieldTrace& trace, const FieldGroups& groups) {
+    measure::LineCounter lines;
+    replay(trace, GroupedPlaces(trace.tables, groups), lines);
+    return lines.sums().all.lines;
+}
+
+FieldGroups groups_by(const std::vector<std::vector<std::uint8_t>>& groups) {
+    FieldGroups result;
+    for (const auto& group : groups) result.add(group);
+    return result;
+}
+
+TEST(BestGroups, AreAsGoodAsAnyOfAllThereAre) {
+    scene::Rng rng(3);
+    std::size_t differ = 0;
+    for (int turn = 0; turn < 20; ++turn) {
+        MadeUpTrace made;
+        const std::uint64_t habit = rng.below(8);  // which fields a query likes to read of one record
+        for (int query = 0; query < 30; ++query) {
+            made.query().step();
+            for (int reads = 0; reads < 4; ++reads) {
+                const auto element = static_cast<std::uint32_t>(rng.below(100));
+                for (std::uint8_t field = 0; field < 3; ++field)
+                    if ((habit >> field & 1) != 0 || rng.below(4) == 0) made.read(field, element);
+            }
+        }
+        const FieldTrace trace = made.end();
+        std::vector<std::uint64_t> all;
+        for (const auto& groups : std::vector<std::vector<std::vector<std::uint8_t>>>{{{0}, {1}, {2}, {3}},
+                                                                                      {{0, 1}, {2}, {3}},
+                                                                                      {{0, 2}, {1}, {3}},
+                                                                                      {{1, 2}, {0}, {3}},
+                                                                                      {{0, 1, 2}, {3}}})
+            all.push_back(lines_of(trace, groups_by(groups)));
+        const std::uint64_t best = *std::min_element(all.begin(), all.end());
+        EXPECT_LE(lines_of(trace, best_groups(trace)), best);
+        differ += *std::max_element(all.begin(), all.end()) > best;
+    }
+    EXPECT_GT(differ, 10U) << "groups must matter";
+}
+
+TEST(BestGroups, FieldsThatNobodyReadsAreApart) {
+    MadeUpTrace made;
+    for (std::uint32_t i = 0; i < 40; ++i) made.query().step().read(0, i).read(1, i);
+    const FieldTrace trace = made.end();
+    EXPECT_EQ(groups_text(best_groups(trace), trace.fields()), "a,b|c|d");
+}
+
+struct Recorded {
+    std::vector<measure::TracedAccess> accesses;
+    std::size_t steps = 0, queries = 0;
+};
+
+class Recorder final : public measure::TraceListener {
+  public:
+    void on_step_start(std::uint8_t /*step*/) override { ++recorded.steps; }
+    void on_access(const measure::TracedAccess& access) override { recorded.accesses.push_back(access); }
+    void on_query_end(bool /*counts*/) override { ++recorded.queries; }
+
+    Recorded recorded;
+};
+
+void expect_same(const Recorded& predicted, const Recorded& counted, const std::string& what) {
+    ASSERT_EQ(predicted.accesses.size(), counted.accesses.size()) << what;
+    EXPECT_EQ(predicted.steps, counted.steps) << what;
+    EXPECT_EQ(predicted.queries, counted.queries) << what;
+    for (std::size_t i = 0; i < predicted.accesses.size(); ++i) {
+        const measure::TracedAccess &a = predicted.accesses[i], &b = counted.accesses[i];
+        const bool same = a.address == b.address && a.bytes == b.bytes && a.kind == b.kind &&
+                          a.field == b.field && a.step == b.step && a.side == b.side;
+        ASSERT_TRUE(same) << what << ", access " << i << ": " << a.address << " predicted, " << b.address;
+    }
+}
+
+CellChoice small(const std::string& table, const std::string& algorithm) {
+    return {.table = table, .algorithm = algorithm, .shape = "sphere38", .queries = 60};
+}
+
+/// Groups at random: every field somewhere, with others of its record.
+FieldGroups random_groups(const std::vector<RecordField>& fields, scene::Rng& rng) {
+    std::vector<std::vector<std::uint8_t>> groups;
+    for (std::uint8_t field = 0; field < fields.size(); ++field) {
+        const std::size_t place = rng.below(groups.size() + 1);
+        const bool joins =
+            place < groups.size() && fields[groups[place].front()].record == fields[field].record;
+        if (!joins) groups.emplace_back();
+        std::vector<std::uint8_t>& to = joins ? groups[place] : groups.back();
+        to.insert(to.begin() + static_cast<std::ptrdiff_t>(rng.below(to.size() + 1)), field);
+    }
+    return groups_by(groups);
+}
+
+template <class Places>
+class Prediction {
+  public:
+    Prediction(const std::string& table, const std::string& algorithm)
+        : what_(table + " " + algorithm),
+          cell_(small(table, algorithm)),
+          trace_(trace_fields(cell_.runner(), bench::TraceExtent::everything(), table)) {}
+
+    [[nodiscard]] const FieldTrace& trace() const { return trace_; }
+
+    void expect_of_itself(const FieldGroups& groups) const {
+        expect_same(told(groups), asked(cell_), what_ + " as it is");
+    }
+    template <class Field>
+    void expect_of_built(const std::string& builder, const FieldGroups& groups) const {
+        const FieldsGroupedBy<Field> chosen(groups);
+        const SingleCell built(small(builder, cell_.algorithm()));
+        expect_same(told(groups), asked(built), what_ + " as " + groups_text(groups, trace_.fields()));
+        const std::vector<Distance> before = cell_.runner().answer(), after = built.runner().answer();
+        ASSERT_EQ(before.size(), after.size());
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            EXPECT_EQ(before[i].distance, after[i].distance);
+            EXPECT_EQ(before[i].point_a, after[i].point_a);
+        }
+    }
+
+  private:
+    [[nodiscard]] Recorded told(const FieldGroups& groups) const {
+        Recorder recorder;
+        if constexpr (std::is_same_v<Places, GroupedNodePlaces>)
+            replay(trace_, Places(trace_.maps, groups), recorder);
+        else
+            replay(trace_, Places(trace_.tables, groups), recorder);
+        return recorder.recorded;
+    }
+    [[nodiscard]] static Recorded asked(const SingleCell& cell) {
+        Recorder recorder;
+        static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), recorder));
+        EXPECT_GT(recorder.recorded.accesses.size(), 1000U);
+        return recorder.recorded;
+    }
+
+    std::string what_;
+    SingleCell cell_;
+    FieldTrace trace_;
+};
+
+TEST(FieldPlaces, OfItsOwnGroupsAreATableAsItIs) {
+    for (const char* algorithm : {"vclip", "gjk"}) {
+        for (const char* table : {"aos_f64", "hot_cold_f64"}) {
+            const Prediction<GroupedPlaces> prediction(table, algorithm);
+            const auto own = groups_of(prediction.trace().maps.front());
+            ASSERT_TRUE(own) << table;
+            prediction.expect_of_itself(*own);
+            prediction.expect_of_built<StoredField>("grouped_f64", *own);
+        }
+        const Prediction<GroupedNodePlaces> nodes("linked_f64", algorithm);
+        nodes.expect_of_itself(whole_nodes());
+        nodes.expect_of_built<NodeField>("grouped_nodes_f64", whole_nodes());
+    }
+}
+
+TEST(FieldPlaces, OfAnyGroupsAreThoseOfATableBuiltSo) {
+    scene::Rng rng(1);
+    for (const char* algorithm : {"vclip", "gjk"}) {
+        const Prediction<GroupedPlaces> records("aos_f64", algorithm);
+        const Prediction<GroupedNodePlaces> nodes("linked_f64", algorithm);
+        for (int turn = 0; turn < 10; ++turn) {
+            records.expect_of_built<StoredField>("grouped_f64", random_groups(records.trace().fields(), rng));
+            nodes.expect_of_built<NodeField>("grouped_nodes_f64", random_groups(nodes.trace().fields(), rng));
+        }
+    }
+}
+
+TEST(BestGroups, OfNodesAreNotWorseThanTheNodes) {
+    const Prediction<GroupedNodePlaces> nodes("linked_f64", "vclip");
+    const FieldTrace& trace = nodes.trace();
+    measure::LineCounter before, after;
+    replay(trace, GroupedNodePlaces(trace.maps, whole_nodes()), before);
+    replay(trace, GroupedNodePlaces(trace.maps, best_node_groups(trace)), after);
+    std::printf("linked_f64: %llu lines, %llu as advised\n",
+                static_cast<unsigned long long>(before.sums().all.lines),
+                static_cast<unsigned long long>(after.sums().all.lines));
+    EXPECT_LT(after.sums().all.lines, before.sums().all.lines);
+}
+
+TEST(FieldTrace, RefusesLayoutsWhoseFieldsHaveNoPlace) {
+    const SingleCell cell(small("lean_f64", "gjk"));
+    try {
+        static_cast<void>(trace_fields(cell.runner(), 10, "lean_f64"));
+        FAIL();
+    } catch (const std::invalid_argument& problem) {
+        EXPECT_THAT(problem.what(), HasSubstr("lean_f64: this layout does not keep every field"));
+    }
+}
+
+}  // namespace
+}  // namespace edgewise::studies
