@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The model: constants are of one machine (AMD EPYC, 2 cores), fitted to the groups of the plan `quick`
-// there. Another machine is faster or slower in all of them, which changes no ratio.
+// The model: its constants are estimates of what parts of a group take beside each other, fitted to no
+// measurement. A machine that is faster or slower in all of them changes no ratio, and the seconds of groups that the store
+// remembers take the place of the model's.
 #include "edgewise/sweep/expected_work.hpp"
 
 #include <fmt/format.h>

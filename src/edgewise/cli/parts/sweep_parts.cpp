@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/cli/sweep_parts.hpp"
+#include "edgewise/cli/parts/sweep_parts.hpp"
 
 #include <fmt/format.h>
 

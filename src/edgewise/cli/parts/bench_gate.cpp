@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/cli/bench_gate.hpp"
+#include "edgewise/cli/parts/bench_gate.hpp"
 #include "edgewise/cli/count_option.hpp"
 
 #include <fmt/format.h>
