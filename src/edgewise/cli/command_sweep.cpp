@@ -19,6 +19,7 @@
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"
+#include "edgewise/studies/parts/sharded_work.hpp"
 
 namespace edgewise::cli {
 
