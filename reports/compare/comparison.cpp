@@ -93,7 +93,7 @@ void widen_noise(const ReportData& data, Comparison& comparison) {
     }
 }
 
-std::string meta_of(const ReportData& data, const std::string& key) {
+std::string meta_in(const ReportData& data, const std::string& key) {
     for (const auto& [name, value] : data.meta)
         if (name == key) return value;
     return "?";
@@ -106,7 +106,7 @@ std::string processor_of(const ReportData& data) {
 }
 
 std::vector<Condition> conditions_of(const ReportData& before, const ReportData& after, bool same_bodies) {
-    return {{"seed", meta_of(before, "seed"), meta_of(after, "seed")},
+    return {{"seed", meta_in(before, "seed"), meta_in(after, "seed")},
             {"bodies", "as they are", same_bodies ? "as they are" : "others"},
             {"processor", processor_of(before), processor_of(after)},
             {"compiler", before.build.compiler, after.build.compiler},

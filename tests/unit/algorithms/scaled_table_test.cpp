@@ -59,13 +59,13 @@ Pose near_pose(scene::Rng& rng, double extent) {
     return pose;
 }
 
-struct Regimes {
+struct ScaleRegimes {
     int separated = 0, overlapping = 0, wrong = 0;
     double error = 0;  ///< over the size of the problem
 };
 
 template <class Table>
-void ask(const Table& table, const Vec3d& scale_a, const Vec3d& scale_b, scene::Rng& rng, Regimes& seen) {
+void ask(const Table& table, const Vec3d& scale_a, const Vec3d& scale_b, scene::Rng& rng, ScaleRegimes& seen) {
     using View = ScaledTable<Table>;
     const View a(table, scale_a), b(table, scale_b);
     const std::vector<Vec3d> points_a = stretched(table, scale_a), points_b = stretched(table, scale_b);
@@ -89,7 +89,7 @@ void ask(const Table& table, const Vec3d& scale_a, const Vec3d& scale_b, scene::
 template <class Table>
 void expect_exact(double allowed) {
     scene::Rng rng(5);
-    Regimes seen;
+    ScaleRegimes seen;
     for (const char* shape : {"cube8", "sphere38", "sphere386"}) {
         const Table table(stored<Table>(shape), Parts::support);
         for (const Vec3d& scale_a : scales)
