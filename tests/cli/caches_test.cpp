@@ -63,11 +63,13 @@ TEST(Caches, AreNotModelledAgainForTheSameMachines) {
 
 TEST(Caches, OfAnUnknownMachineAreOneLineOfComplaint) {
     const Folder folder;
-    const Outcome unknown = run({"sweep", "--scenes", "static", "--machines", "zen17"}, folder);
+    const Outcome unknown =
+        run({"sweep", "--scenes", "static", "--caches", "all", "--machines", "zen17"}, folder);
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_THAT(unknown.err, testing::AllOf(HasSubstr("zen17"), HasSubstr("known:"), HasSubstr("zen5")));
     folder.write("bad.json", "{}");
-    const Outcome bad = run({"sweep", "--scenes", "static", "--machines", "bad.json"}, folder);
+    const Outcome bad =
+        run({"sweep", "--scenes", "static", "--caches", "all", "--machines", "bad.json"}, folder);
     EXPECT_EQ(bad.exit_code, 2);
     EXPECT_THAT(bad.err, HasSubstr("bad.json"));
     const Outcome shape = run({"sweep", "--scenes", "static", "--caches", "blob"}, folder);

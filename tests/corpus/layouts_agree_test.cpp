@@ -110,9 +110,9 @@ TEST(LayoutsAgree, OnFeaturesStatusAndDistance) {
             type.name.c_str(), tally.unique, tally.compared, tally.other_features, tally.other_status,
             tally.difference);
         EXPECT_GT(tally.unique, 500) << type.name;
-        // In single, features that are unique by a hair may be told apart by rounding alone.
-        EXPECT_LE(tally.other_features, single || plain->rounded_planes ? tally.unique / 100 : 0)
-            << type.name;
+        // In single, features that are unique by a hair may be told apart by rounding alone: of all pairs
+        // 8 where V-Clip begins at seeds, also in layouts that can hold two thirds of them.
+        EXPECT_LE(tally.other_features, single || plain->rounded_planes ? 10 : 0) << type.name;
         EXPECT_EQ(tally.other_status, 0) << type.name;
         EXPECT_LE(tally.difference, single || type.rounded_planes || plain->rounded_planes
                                         ? verified_error_single

@@ -29,8 +29,8 @@ inline constexpr const char* peer_key = "peer ";
 /// that part ran to its end.
 inline constexpr const char *shard_key = "shard", *complete_key = "complete";
 
-/// This and the name of a comparison, of a group of a sweep or of another run: the seconds that it took when it
-/// last ran, by which parts are weighed and progress is told.
+/// This and the name of a comparison, of a group of a sweep or of another run: the seconds that it took when
+/// it last ran, by which parts are weighed and progress is told.
 inline constexpr const char* took_key = "took ";
 
 /// schema.sql: creates what is not there.

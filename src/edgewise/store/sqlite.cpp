@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 #include <sqlite3.h>
+#include <algorithm>
 
 #include <filesystem>
 #include <stdexcept>
@@ -78,8 +79,11 @@ std::int64_t Database::number(const char* sql) const {
 }
 
 void Database::fail(std::string_view doing) const {
-    throw std::runtime_error(fmt::format("store {}: {}: {}{}", path_, doing, sqlite3_errmsg(handle_),
-                                         remedy(sqlite3_errcode(handle_))));
+    std::string what = sqlite3_errmsg(handle_);  // of a damaged file it may quote what stands there
+    std::replace_if(
+        what.begin(), what.end(), [](unsigned char c) { return c < ' '; }, ' ');
+    throw std::runtime_error(
+        fmt::format("store {}: {}: {}{}", path_, doing, what, remedy(sqlite3_errcode(handle_))));
 }
 
 Statement::Statement(const Database& database, const std::string& sql) : database_(database) {

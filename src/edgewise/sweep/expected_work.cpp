@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The model: its constants are estimates of what parts of a group take beside each other, fitted to no
-// measurement. A machine that is faster or slower in all of them changes no ratio, and the seconds of groups that the store
-// remembers take the place of the model's.
+// measurement. A machine that is faster or slower in all of them changes no ratio, and the seconds of groups
+// that the store remembers take the place of the model's.
 #include "edgewise/sweep/expected_work.hpp"
 
 #include <fmt/format.h>

@@ -112,6 +112,14 @@ void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun
     }
 }
 
+void count(const std::string& status, SweepSummary& summary) {
+    ++summary.cells;
+    ++(status == "verified" ? summary.verified
+       : status == "failed" ? summary.failed
+       : status == "judged" ? summary.judged
+                            : summary.unavailable);
+}
+
 class Sweep {
   public:
     Sweep(const SweepWork& work, store::Store& store, const std::string& build, const SweepListener& listener,
@@ -187,7 +195,7 @@ class Sweep {
             if (!status) return false;
             states.push_back(*status);
         }
-        for (const std::string& status : states) count(status);
+        for (const std::string& status : states) count(status, summary_);
         return true;
     }
 
@@ -244,19 +252,11 @@ class Sweep {
 
     void keep(const CellRun& cell) {
         stored_.put(cell);
-        count(cell.row().status);
+        count(cell.row().status, summary_);
         if (cell.row().status == "failed") {
             listener_.on_warning(fmt::format("failed: {} {} {} {}: {}", cell.row().scene, cell.row().shape,
                                              cell.row().algorithm, cell.row().table, cell.row().reason));
         }
-    }
-
-    void count(const std::string& status) {
-        ++summary_.cells;
-        ++(status == "verified" ? summary_.verified
-           : status == "failed" ? summary_.failed
-           : status == "judged" ? summary_.judged
-                                : summary_.unavailable);
     }
 
     const SweepWork& work_;

@@ -75,7 +75,7 @@ class ScalePass {
         const double angle = 0.1 * static_cast<double>(step), c = std::sqrt(1 - angle * angle / 16);
         Mat3d turn;
         turn << c, -angle / 4, 0, angle / 4, c, 0, 0, 0, 1;
-        return {Mat3d(turn * places_[i].rotation), places_[i].translation};
+        return {multiply(turn, places_[i].rotation), places_[i].translation};
     }
 
     /// From cold pairs; ns per query.

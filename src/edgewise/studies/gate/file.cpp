@@ -62,7 +62,7 @@ GateOver over_of(const json& object, const std::string& place) {
     const std::string over = gate_text(object, place, "over");
     if (over == over_names[0]) return GateOver::reference;
     if (over == over_names[1]) return GateOver::kernel;
-    throw GateFault{place + unknown_name("over", over, {"reference", "kernel"})};
+    throw GateFault{fmt::format("{}over: {}", place, unknown_name("ratio", over, {"reference", "kernel"}))};
 }
 
 GateEntry entry_of(const json& object, const std::string& place) {
