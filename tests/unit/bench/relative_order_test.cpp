@@ -92,7 +92,7 @@ TEST(RelativeOrder, NamesFeaturesByTheUsersIndices) {
     const Polyhedron cube = scene::make_shape("cube8").or_throw();
     const auto runner = relative->make_runner("vclip");
     ASSERT_EQ(runner->load(std::vector{cube}), "");
-    scene::Query query;
+    scene::Query query{0, 0, 0, {}, {}};
     query.pose_b.translation = 4 * cube.vertices[7];
     const NamedAnswer answer = runner->answer(query);
     ASSERT_EQ(answer.feature_a.vertices.size(), 1U);
