@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/bench/scales/scale_places.hpp"
 #include "edgewise/bench/scales/scale_times.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/layout_parts/write_geometry.hpp"
@@ -72,10 +73,7 @@ class ScalePass {
 
     [[nodiscard]] const Table& next(std::size_t i) const { return shapes_[(i + 1) % shapes_.size()]; }
     [[nodiscard]] Transform<double> a_from_b(std::size_t i, std::size_t step) const {
-        const double angle = 0.1 * static_cast<double>(step), c = std::sqrt(1 - angle * angle / 16);
-        Mat3d turn;
-        turn << c, -angle / 4, 0, angle / 4, c, 0, 0, 0, 1;
-        return {multiply(turn, places_[i].rotation), places_[i].translation};
+        return turned_place(places_[i], step);
     }
 
     /// From cold pairs; ns per query.
