@@ -65,7 +65,8 @@ struct ScaleRegimes {
 };
 
 template <class Table>
-void ask(const Table& table, const Vec3d& scale_a, const Vec3d& scale_b, scene::Rng& rng, ScaleRegimes& seen) {
+void ask(const Table& table, const Vec3d& scale_a, const Vec3d& scale_b, scene::Rng& rng,
+         ScaleRegimes& seen) {
     using View = ScaledTable<Table>;
     const View a(table, scale_a), b(table, scale_b);
     const std::vector<Vec3d> points_a = stretched(table, scale_a), points_b = stretched(table, scale_b);
