@@ -45,7 +45,7 @@ void expect_gate_line(const std::string& text, const std::string& mentioned) {
 TEST(GateFile, WhatIsNoJsonIsOneLine) {
     const std::string text = gate_json(drawn_record(3, 0, 1)).dump();
     for (const std::size_t kept : {std::size_t{0}, std::size_t{1}, text.size() / 2, text.size() - 1})
-        expect_gate_line(text.substr(0, kept), "not JSON");
+        expect_gate_line(text.substr(0, kept), "column");
     expect_gate_line("[]", "object");
 }
 
