@@ -8,9 +8,11 @@
 #include <iterator>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/parts/shard_options.hpp"
 #include "edgewise/cli/terminal/campaign_tables.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/scene/case_text.hpp"
 #include "edgewise/studies/campaign/failing_case.hpp"
 #include "edgewise/studies/campaign/run.hpp"
 
@@ -27,7 +29,7 @@ constexpr int most_minimised = 3;
 struct CampaignArguments {
     double pairs = 1e6;
     std::uint64_t seed = 1;
-    std::string shard = "1/1";
+    std::string shard;
     std::vector<std::string> families, shapes = {"tetra4", "cube8", "sphere38", "sphere386"};
     std::vector<std::string> layouts = {"all"}, algorithms = {"all"};
     bool every_type = false;
@@ -44,7 +46,7 @@ std::vector<Cell> chosen_cells(const CampaignArguments& options) {
     return options.every_type ? cells : one_of_each_class(std::move(cells));
 }
 
-Question question_of(const CampaignArguments& options, const Shard& shard, const PairSource& source,
+Question question_of(const CampaignArguments& options, const sweep::Shard& shard, const PairSource& source,
                      const std::vector<Cell>& cells) {
     Question question;
     question.seed = options.seed;
@@ -61,7 +63,7 @@ CampaignProgress start_of(const Question& question, const std::string& path) {
     CampaignProgress progress;
     progress.question = question;
     if (!known) return progress;
-    const bool whole = question.shard.count == 1;
+    const bool whole = question.shard.is_whole();
     const std::uint64_t wanted_before = known->question.pairs;
     if (whole && question.pairs >= wanted_before && wanted_before % pairs_per_block == 0)
         known->question.pairs = question.pairs;
@@ -121,19 +123,19 @@ int add_up(const CampaignArguments& options, bool json) {
 
 int run_campaign(const CampaignArguments& options, bool json) {
     if (!options.add.empty()) return add_up(options, json);
-    const Shard shard = Shard::parse(options.shard).or_throw();
+    const sweep::Shard shard = chosen_shard(options.shard);
     const PairSource source(options.seed, options.families, options.shapes);
     if (options.pair) {
-        fmt::print("{}\n",
-                   case_line(case_of(source, *options.pair), fmt::format("campaign, seed {}", options.seed)));
+        fmt::print("{}\n", scene::case_line(case_of(source, *options.pair),
+                                            fmt::format("campaign, seed {}", options.seed)));
         return exit_done;
     }
     const std::vector<Cell> cells = chosen_cells(options);
     std::filesystem::create_directories(folder_of(options.state));
     CampaignProgress progress = start_of(question_of(options, shard, source, cells), options.state);
-    const std::uint64_t blocks = progress.question.blocks(), first = shard.first(blocks);
+    const std::uint64_t blocks = progress.question.blocks(), first = shard.first_of(blocks);
     const std::uint64_t resumed = std::max(progress.next_block, first) - first;
-    Progress bar("campaign", shard.last(blocks) - first, resumed);
+    Progress bar("campaign", shard.last_of(blocks) - first, resumed);
     FailureLog log(source, cells, options.failures, bar);
     measure::Stopwatch since_write;
     CampaignHooks hooks;
@@ -161,7 +163,7 @@ void add_campaign(CLI::App& app, Context& context) {
         ->check(CLI::Range(1.0, 1e15))
         ->capture_default_str();
     command->add_option("--seed", options.seed, "seed of the generators")->capture_default_str();
-    command->add_option("--shard", options.shard, "i/n: this part of the pairs alone")->capture_default_str();
+    add_shard_option(*command, options.shard);
     add_names(*command, "--families", options.families,
               "only these: random, or hard ones (edgewise list families)");
     add_names(*command, "--shapes", options.shapes, "of the family random");

@@ -70,12 +70,13 @@ std::string bullet_pose(const char* name, const Pose& pose) {
 
 }  // namespace
 
-std::string case_line(const Case& pair, const std::string& source, const ExpectedAnswer& expected) {
+std::string case_line(const Case& pair, const std::string& source,
+                      const std::optional<ExpectedAnswer>& expected) {
     LineJson json = {{"id", pair.id}, {"source", source}, {"a", body_json(pair.a)}, {"b", body_json(pair.b)}};
     if (!is_identity(pair.pose_a)) json["pose_a"] = pose_json(pair.pose_a);
     if (!is_identity(pair.pose_b)) json["pose_b"] = pose_json(pair.pose_b);
-    json["expect"] = {{"distance", expected.distance}};
-    if (expected.depth) json["expect"]["depth"] = *expected.depth;
+    if (expected) json["expect"] = {{"distance", expected->distance}};
+    if (expected && expected->depth) json["expect"]["depth"] = *expected->depth;
     return json.dump(-1, ' ', false, LineJson::error_handler_t::replace);
 }
 

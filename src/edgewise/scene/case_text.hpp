@@ -17,9 +17,10 @@ struct ExpectedAnswer {
     std::optional<double> depth;  ///< in contact
 };
 
-/// One line, as CaseReader and the corpus take it: `source` says where the pair is from.
+/// One line, as CaseReader and the corpus take it: `source` says where the pair is from. Without an expected
+/// answer where that is for the reader to find.
 [[nodiscard]] std::string case_line(const Case& pair, const std::string& source,
-                                    const ExpectedAnswer& expected);
+                                    const std::optional<ExpectedAnswer>& expected = std::nullopt);
 
 /// A test of googletest for FCL's default solver, with the hulls' faces. Fails for flat bodies, of which FCL
 /// has none.

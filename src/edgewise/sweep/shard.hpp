@@ -21,7 +21,17 @@ struct Shard {
     std::size_t index = 0, count = 1;
 
     [[nodiscard]] bool is_whole() const { return count == 1; }
+    /// Of so many pieces in a row, its are first_of(pieces) .. last_of(pieces) - 1; each is some shard's.
+    [[nodiscard]] std::size_t first_of(std::size_t pieces) const { return start_of(pieces, index); }
+    [[nodiscard]] std::size_t last_of(std::size_t pieces) const { return start_of(pieces, index + 1); }
+    [[nodiscard]] bool operator==(const Shard&) const = default;
     [[nodiscard]] std::string text() const;  ///< "3/8"
+
+  private:
+    /// pieces * i / count without overflow.
+    [[nodiscard]] std::size_t start_of(std::size_t pieces, std::size_t i) const {
+        return pieces / count * i + pieces % count * i / count;
+    }
 };
 
 /// Of the environment: null where there is no such variable.

@@ -58,6 +58,20 @@ std::vector<ShardUnit> some_units(std::size_t count) {
     return units;
 }
 
+TEST(Shard, HasOneRangeOfPiecesInARow) {
+    for (const std::size_t pieces : {0ULL, 1ULL, 7ULL, 244'141ULL, ~0ULL}) {
+        for (const std::size_t count : {1ULL, 3ULL, 8ULL, 1000ULL}) {
+            std::size_t next = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                const Shard shard{i, count};
+                EXPECT_EQ(shard.first_of(pieces), next);
+                next = shard.last_of(pieces);
+            }
+            EXPECT_EQ(next, pieces);
+        }
+    }
+}
+
 TEST(Shards, HaveEveryUnitOnceEvenly) {
     for (const std::size_t count : {1U, 2U, 3U, 8U, 50U}) {
         const auto units = some_units(40);

@@ -5,10 +5,14 @@
 
 namespace edgewise::cli {
 
-void add_shard_options(CLI::App& command, std::string& shard, std::string& costs) {
+void add_shard_option(CLI::App& command, std::string& shard) {
     command.add_option("--shard", shard,
                        "this part of it alone: i/n, from 0/n on; auto or auto/n: the part that a scheduler's "
                        "environment says");
+}
+
+void add_shard_options(CLI::App& command, std::string& shard, std::string& costs) {
+    add_shard_option(command, shard);
     command.add_option("--costs", costs,
                        "store of an earlier run, whose seconds make parts even; the same for all");
 }

@@ -10,7 +10,9 @@
 
 namespace edgewise::cli {
 
-/// --shard and --costs.
+/// --shard.
+void add_shard_option(CLI::App& command, std::string& shard);
+/// That and --costs.
 void add_shard_options(CLI::App& command, std::string& shard, std::string& costs);
 
 /// Of --shard, empty for the whole; throws std::invalid_argument.

@@ -56,8 +56,8 @@ void leave_out_slow_ones(std::vector<ScreenedCell>& cells, double slowest) {
     for (const ScreenedCell& cell : cells)
         if (cell.out.empty() && (fastest == 0 || cell.ns < fastest)) fastest = cell.ns;
     for (ScreenedCell& cell : cells) {
-        if (cell.out.empty() && cell.ns > slowest * fastest && !is_baseline(cell))
-            cell.out = fmt::format("{:.2f} times as long as the fastest", cell.ns / fastest);
+        cell.is_slow = cell.out.empty() && cell.ns > slowest * fastest && !is_baseline(cell);
+        if (cell.is_slow) cell.out = fmt::format("{:.2f} times as long as the fastest", cell.ns / fastest);
     }
 }
 

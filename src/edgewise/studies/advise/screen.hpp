@@ -19,10 +19,11 @@ struct ScreenedCell {
     const bench::TableType* type = nullptr;
     std::string algorithm;
     double bytes_per_edge = 0, table_bytes = 0;
-    double error = 0;  ///< worst of the checked answers against the bodies as given, divided by the scale
-    double ns = 0;     ///< per query, the shortest pass
-    double steps = 0;  ///< per query
-    std::string out;   ///< why it is out of question; empty: it is not
+    double error = 0;      ///< worst of the checked answers against the bodies as given, divided by the scale
+    double ns = 0;         ///< per query, the shortest pass
+    double steps = 0;      ///< per query
+    std::string out;       ///< why it is out of question; empty: it is not
+    bool is_slow = false;  ///< and that is all that is wrong with it
 
     [[nodiscard]] std::string name() const;  ///< "V-Clip on lean_f32"
 };

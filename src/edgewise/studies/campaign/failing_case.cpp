@@ -3,31 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <tuple>
 
+#include "edgewise/scene/case_text.hpp"
+#include "edgewise/scene/minimise.hpp"
 #include "edgewise/studies/campaign/checked_answer.hpp"
-#include "edgewise/studies/campaign/minimise.hpp"
 #include "edgewise/studies/campaign/workload_of.hpp"
 #include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::studies::campaign {
 
 namespace {
-
-nlohmann::ordered_json json_of(const Vec3d& v) { return {v.x(), v.y(), v.z()}; }
-
-nlohmann::ordered_json json_of(const scene::CaseBody& body) {
-    nlohmann::ordered_json result;
-    for (const Vec3d& v : body.vertices) result["vertices"].push_back(json_of(v));
-    if (body.faces) result["faces"] = *body.faces;
-    return result;
-}
-
-nlohmann::ordered_json json_of(const Pose& pose) {
-    nlohmann::ordered_json rotation = nlohmann::ordered_json::array();
-    for (const double x : pose.rotation.reshaped<Eigen::RowMajor>()) rotation.push_back(x);
-    return {{"R", rotation}, {"t", json_of(pose.translation)}};
-}
 
 /// "wrong_distance_of_vclip_aos_f32_in_grazing"
 std::string id_of(const Failure& failure) {
@@ -66,23 +52,15 @@ std::string what_is_wrong(const scene::Case& of, const Cell& cell) {
     return check_answer(asker->answer().front(), cell, pair, block.poses[0], known).wrong;
 }
 
-std::string case_line(const scene::Case& of, const std::string& source) {
-    const nlohmann::ordered_json line = {{"id", of.id},
-                                         {"source", source},
-                                         {"a", json_of(of.a)},
-                                         {"b", json_of(of.b)},
-                                         {"pose_a", json_of(of.pose_a)},
-                                         {"pose_b", json_of(of.pose_b)}};
-    return line.dump();
-}
-
 std::string failing_line(const PairSource& source, const Failure& failure, const Cell& cell) {
     const scene::Case given = case_of(source, failure.pair);
-    scene::Case small =
-        minimised(given, [&](const scene::Case& tried) { return !what_is_wrong(tried, cell).empty(); });
+    scene::Case small = scene::minimise(given, [&](const scene::Case& tried) {
+                            return !what_is_wrong(tried, cell).empty();
+                        }).pair;
     small.id = id_of(failure);
     const std::string still = what_is_wrong(small, cell);
-    return case_line(small, fmt::format("campaign, pair {}, {}: {}", failure.pair, failure.cell,
+    return scene::case_line(small,
+                            fmt::format("campaign, pair {}, {}: {}", failure.pair, failure.cell,
                                         still.empty() ? failure.what + " (not seen again alone)" : still));
 }
 

@@ -16,9 +16,6 @@ namespace edgewise::studies::campaign {
 /// Why the cell's answer to the case is wrong; empty: it is right, or there is none.
 [[nodiscard]] std::string what_is_wrong(const scene::Case& of, const Cell& cell);
 
-/// One line of JSON without a line break.
-[[nodiscard]] std::string case_line(const scene::Case& of, const std::string& source);
-
 /// The failing pair, minimised, as a line that says what was wrong with which answer to which pair.
 [[nodiscard]] std::string failing_line(const PairSource& source, const Failure& failure, const Cell& cell);
 

@@ -24,7 +24,8 @@ CampaignProgress progress_of(const nlohmann::json& object) {
     question.pairs = object.at("pairs_wanted").get<std::uint64_t>();
     question.families = object.at("families_in_turn").get<std::vector<std::string>>();
     question.cells = object.at("cells_asked").get<std::vector<std::string>>();
-    question.shard = Shard::parse(object.at("shard").get<std::string>()).or_throw();
+    const auto nothing = [](const char*) -> const char* { return nullptr; };
+    question.shard = sweep::parse_shard(object.at("shard").get<std::string>(), nothing).or_throw();
     progress.next_block = object.at("next_block").get<std::uint64_t>();
     progress.seconds = object.at("seconds").get<double>();
     progress.tally = tally_of(object);
@@ -58,7 +59,7 @@ nlohmann::json to_json(const CampaignProgress& progress) {
     object["pairs_wanted"] = question.pairs;
     object["families_in_turn"] = question.families;
     object["cells_asked"] = question.cells;
-    object["shard"] = fmt::format("{}/{}", question.shard.index, question.shard.count);
+    object["shard"] = question.shard.text();
     object["next_block"] = progress.next_block;
     object["seconds"] = progress.seconds;
     return object;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/studies/campaign/shard.hpp"
 #include "edgewise/studies/campaign/tally.hpp"
+#include "edgewise/sweep/shard.hpp"
 
 namespace edgewise::studies::campaign {
 
@@ -18,7 +18,7 @@ struct Question {
     std::uint64_t seed = 1, pairs = 0;
     std::vector<std::string> families;  ///< in turn
     std::vector<std::string> cells;
-    Shard shard;
+    sweep::Shard shard;
 
     [[nodiscard]] std::uint64_t blocks() const;
     /// Of the last block fewer may be asked.
@@ -33,7 +33,7 @@ struct CampaignProgress {
     double seconds = 0;  ///< of running so far
     Tally tally;
 
-    [[nodiscard]] bool is_done() const { return next_block >= question.shard.last(question.blocks()); }
+    [[nodiscard]] bool is_done() const { return next_block >= question.shard.last_of(question.blocks()); }
     /// Asked so far.
     [[nodiscard]] std::uint64_t pairs() const;
 };

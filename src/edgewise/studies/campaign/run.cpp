@@ -15,7 +15,7 @@ bool run_campaign(const PairSource& source, std::span<const Cell> cells, Campaig
                   const CampaignHooks& hooks, const std::atomic<bool>& stop) {
     BlockRun blocks(cells);
     const Question& question = progress.question;
-    const std::uint64_t first = question.shard.first(question.blocks());
+    const std::uint64_t first = question.shard.first_of(question.blocks());
     progress.next_block = std::max(progress.next_block, first);
     while (!progress.is_done()) {
         if (stop) return false;
@@ -38,13 +38,13 @@ CampaignProgress added_up(std::span<const CampaignProgress> parts) {
     whole.next_block = whole.question.blocks();
     std::set<std::uint64_t> seen;
     for (const CampaignProgress& part : parts) {
-        const Shard& shard = part.question.shard;
+        const sweep::Shard& shard = part.question.shard;
         if (!part.question.is_part_of_same(parts.front().question) ||
             shard.count != parts.front().question.shard.count)
             throw std::invalid_argument(
                 "parts of different campaigns: seed, pairs, families, cells or shards differ");
         if (!seen.insert(shard.index).second)
-            throw std::invalid_argument(fmt::format("shard {}/{} comes twice", shard.index, shard.count));
+            throw std::invalid_argument("shard " + shard.text() + " comes twice");
         whole.tally.add(part.tally);
         whole.seconds += part.seconds;
         if (!part.is_done()) whole.next_block = 0;
