@@ -82,7 +82,9 @@ void ask_about_slope(const T& table, typename T::Vertex v, const Vec3<ComputeOf<
     const auto found = steepest_descent(table, v, normal);
     EXPECT_EQ(found.edge, falling.edge);
     EXPECT_EQ(found.slope, falling.value);
-    EXPECT_EQ(found.steepest, falling.largest);
+    if (found.edge) {
+        EXPECT_EQ(found.steepest, falling.largest);
+    }
     seen.count(falling);
 }
 

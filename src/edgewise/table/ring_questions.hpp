@@ -132,7 +132,7 @@ template <class Edge, class Scalar>
 struct Descent {
     std::optional<Edge> edge;
     Scalar slope = 0;     ///< of that edge, leaving the vertex; negative
-    Scalar steepest = 0;  ///< largest |slope| in the ring
+    Scalar steepest = 0;  ///< largest |slope| in the ring, if an edge descends; else nothing is said
 };
 
 template <FeatureTable Table>
