@@ -30,6 +30,12 @@ bool is_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') |
 bool is_name_or_digit(char c) { return is_name(c) || (c >= '0' && c <= '9'); }
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
+/// In letters of either case; `word` is in small ones.
+bool holds_word(std::string_view text, std::string_view word) {
+    const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+    return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
+}
+
 /// Whether an attribute that follows is one that only the charts of the live page need.
 bool is_dropped(std::string_view attribute) {
     constexpr std::array<std::string_view, 7> dropped = {
@@ -95,9 +101,9 @@ class SvgScanner {
         if (end == rest_.npos) return false;
         const std::string_view value = rest_.substr(0, end);
         rest_.remove_prefix(end + 1);
-        // url(...) would load, and an entity could spell it.
-        return value.find_first_of("<>&\\") == value.npos && value.find("url") == value.npos &&
-               value.find("script") == value.npos;
+        // url(...) would load, in letters of either case, and an entity could spell it.
+        return value.find_first_of("<>&\\") == value.npos && !holds_word(value, "url") &&
+               !holds_word(value, "script");
     }
 
     std::string_view rest_;
@@ -115,16 +121,19 @@ std::string slim_svg(const std::string& svg, const std::string& label) {
     std::string slim;
     slim.reserve(svg.size());
     std::size_t decimals = 0;
-    bool fraction = false;
+    bool fraction = false, in_tag = false;
     for (std::size_t i = 0; i < svg.size(); ++i) {
-        if (svg[i] == ' ' && is_dropped(std::string_view(svg).substr(i + 1))) {
-            i = svg.find('"', svg.find('"', i) + 1);
+        in_tag = svg[i] == '<' || (in_tag && svg[i] != '>');
+        if (in_tag && svg[i] == ' ' && is_dropped(std::string_view(svg).substr(i + 1))) {
+            const std::size_t end = svg.find('"', svg.find('"', i) + 1);
+            if (end == svg.npos) break;
+            i = end;
             continue;
         }
         const bool is_digit = svg[i] >= '0' && svg[i] <= '9';
         fraction = svg[i] == '.' || (fraction && is_digit);
         decimals = fraction && is_digit ? decimals + 1 : 0;
-        if (decimals < 2) slim += svg[i];
+        if (!in_tag || decimals < 2) slim += svg[i];  // a tick of 0.25 stays one
     }
     const std::size_t start = slim.find("<svg ");
     if (start != slim.npos) slim.insert(start + 5, "role=\"img\" aria-label=\"" + html_text(label) + "\" ");

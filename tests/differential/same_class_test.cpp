@@ -87,8 +87,8 @@ TEST(SameClass, EveryTableTypeAnswersAsOneThatIsJudged) {
     std::istringstream names(representatives);
     for (std::string name; names >> name;) judged.insert(name);
     std::map<std::string, std::string> classes, others;  // algorithm and answers -> who; who -> the same
+    const std::vector<Polyhedron> all = bodies();
     for (const bench::TableType& type : bench::table_types()) {
-        const auto all = bodies();
         const bool holds_all = std::all_of(all.begin(), all.end(), [&](const Polyhedron& body) {
             return static_cast<bool>(type.stored_body(body));
         });

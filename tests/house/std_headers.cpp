@@ -18,7 +18,7 @@ const std::vector<std::pair<std::string, std::string>> names_of_headers = {
      "all_of any_of clamp copy count fill fill_n find find_if lower_bound max max_element min min_element minmax none_of pop_heap push_heap reverse sort stable_sort transform unique upper_bound"},
     {"array", "array"},
     {"atomic", "atomic memory_order_relaxed"},
-    {"bit", "bit_cast bit_width countl_zero countr_one countr_zero has_single_bit popcount"},
+    {"bit", "bit_cast bit_width countl_zero countr_one countr_zero endian has_single_bit popcount"},
     {"charconv", "chars_format from_chars to_chars"},
     {"cmath", "abs ceil copysign fabs floor fma frexp hypot ilogb isfinite isnan ldexp nextafter sqrt"},
     {"concepts", "convertible_to floating_point integral regular same_as unsigned_integral"},

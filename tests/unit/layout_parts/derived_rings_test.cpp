@@ -3,28 +3,17 @@
 // Numbers of half-edges where a vertex has more neighbours than its part of the number can count.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
 #include <set>
 
-#include "edgewise/geometry/hull.hpp"
+#include "cones.hpp"
 #include "edgewise/layouts/lean.hpp"
 
 namespace edgewise {
 namespace {
 
-Polyhedron pyramid(int sides) {
-    std::vector<Vec3d> points = {{0, 0, 1}};
-    for (int i = 0; i < sides; ++i) {
-        const double turn = 2 * std::numbers::pi * i / sides;
-        points.emplace_back(std::cos(turn), std::sin(turn), 0);
-    }
-    return *convex_hull(points);
-}
-
 TEST(DerivedRings, NumbersEdgesOfATipWithManyNeighbours) {
     constexpr int sides = 3000;
-    const Polyhedron body = pyramid(sides);
+    const Polyhedron body = testing::pyramid(sides);
     ASSERT_EQ(body.vertex_count(), sides + 1U);
     const lean<f64> table(body, Parts::features);
     std::set<std::uint32_t> names;
@@ -53,7 +42,7 @@ TEST(DerivedRings, NumbersEdgesOfATipWithManyNeighbours) {
 }
 
 TEST(DerivedRings, ATableForSupportAloneHasNoFeatures) {
-    const lean<f64> table(pyramid(5), Parts::support);
+    const lean<f64> table(testing::pyramid(5), Parts::support);
     EXPECT_FALSE(table.edge_named(0).has_value());
     EXPECT_FALSE(table.face_named(0).has_value());
 }

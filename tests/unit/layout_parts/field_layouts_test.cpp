@@ -5,13 +5,10 @@
 // neighbours go, to the bit, as wide scans go where single ones go.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-#include <string>
 #include <vector>
 
+#include "cones.hpp"
 #include "edgewise/algorithms/support.hpp"
-#include "edgewise/geometry/hull.hpp"
 #include "edgewise/layouts/bepu.hpp"
 #include "edgewise/layouts/jitter2.hpp"
 #include "edgewise/layouts/lean.hpp"
@@ -20,46 +17,34 @@
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/table/stored_body.hpp"
+#include "expect_rings.hpp"
 
 namespace edgewise {
 namespace {
 
-/// Two tops over and under a polygon: two vertices with this many neighbours.
-Polyhedron double_cone(int sides) {
-    std::vector<Vec3d> points = {{0, 0, 1}, {0.1, 0, -1}};
-    for (int i = 0; i < sides; ++i) {
-        const double angle = 2 * std::numbers::pi * i / sides;
-        points.push_back({std::cos(angle), std::sin(angle), 0});
-    }
-    return convex_hull(points).or_throw();
-}
-
 std::vector<Polyhedron> bodies_of_every_degree() {
     std::vector<Polyhedron> all;
-    for (const int sides : {3, 7, 8, 9, 10, 12, 13, 14, 15, 16, 40}) all.push_back(double_cone(sides));
+    for (const int sides : {3, 7, 8, 9, 10, 12, 13, 14, 15, 16, 40})
+        all.push_back(testing::double_cone(sides));
     for (const char* shape : {"cube8", "sphere38", "sphere386", "uv_sphere386"})
         all.push_back(scene::make_shape(shape).or_throw());
     return all;
 }
 
+/// In whole words of four bytes.
 template <class Table>
-void expect_rings(const Table& table, const Polyhedron& body) {
-    for (Index v = 0; v < body.vertex_count(); ++v) {
-        std::vector<Index> found, expected;
-        for (const Index w : table.neighbours(v)) found.push_back(w);
-        for (const HalfEdge h : body.ring_of_vertex(v)) expected.push_back(body.head(h));
-        EXPECT_EQ(found, expected) << Table::name << " vertex " << v << " of " << body.vertex_count();
-    }
-    EXPECT_EQ(table.ledger().total() % 4, 0U);
+void expect_kept(const Table& table, const Polyhedron& body) {
+    testing::expect_rings(table, body);
+    EXPECT_EQ(table.ledger().total() % 4, 0U) << Table::name;
 }
 
 TEST(FieldLayouts, KeepRingsOfEveryLength) {
     for (const Polyhedron& given : bodies_of_every_degree()) {
         const Polyhedron single = stored_body<lean<f32>>(given).or_throw();
-        expect_rings(line_per_vertex<f64>(given, Parts::support), given);
-        expect_rings(line_per_vertex<f32>(single, Parts::support), single);
-        expect_rings(ring_block<f64>(given, Parts::support), given);
-        expect_rings(ring_block<f32>(single, Parts::support), single);
+        expect_kept(line_per_vertex<f64>(given, Parts::support), given);
+        expect_kept(line_per_vertex<f32>(single, Parts::support), single);
+        expect_kept(ring_block<f64>(given, Parts::support), given);
+        expect_kept(ring_block<f32>(single, Parts::support), single);
     }
 }
 
@@ -117,7 +102,7 @@ TEST(FieldLayouts, BepuKeepsPlanesAndFaces) {
 TEST(FieldLayouts, Jitter2TakesAsManyNeighboursAs16BitsCount) {
     const Polyhedron fits = scene::make_shape("sphere6146").or_throw();
     EXPECT_TRUE(stored_body<jitter2<f64>>(fits));
-    expect_rings(jitter2<f64>(fits, Parts::features), fits);
+    expect_kept(jitter2<f64>(fits, Parts::features), fits);
     const auto refused = stored_body<jitter2<f64>>(scene::make_shape("sphere24578").or_throw());
     EXPECT_FALSE(refused);
     EXPECT_EQ(refused.error, "jitter2 takes bodies of up to 32767 edges, and this one has 73728");

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
-#include <numbers>
 #include <vector>
 
+#include "cones.hpp"
 #include "edgewise/geometry/bandwidth_order.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/layouts/lean.hpp"
@@ -18,36 +18,17 @@
 #include "edgewise/layouts/quantised_relative.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/table/stored_body.hpp"
+#include "expect_rings.hpp"
 #include "round_body.hpp"
 
 namespace edgewise {
 namespace {
-
-/// A fan under a tip, which is given first.
-Polyhedron pyramid(int sides) {
-    std::vector<Vec3d> points = {{0, 0, 1}};
-    for (int i = 0; i < sides; ++i) {
-        const double turn = 2 * std::numbers::pi * i / sides;
-        points.emplace_back(std::cos(turn), std::sin(turn), 0);
-    }
-    return convex_hull(points).or_throw();
-}
 
 /// A round body with a thorn that all of a cap sees: a vertex of many neighbours among others of few.
 Polyhedron thorn(std::size_t vertices, double height) {
     std::vector<Vec3d> points = testing::round_body(vertices).vertices;
     points.push_back({0, 0, height});
     return convex_hull(points).or_throw();
-}
-
-template <class Table>
-void expect_rings(const Table& table, const Polyhedron& body) {
-    for (Index v = 0; v < body.vertex_count(); ++v) {
-        std::vector<Index> found, expected;
-        for (const Index w : table.neighbours(v)) found.push_back(w);
-        for (const HalfEdge h : body.ring_of_vertex(v)) expected.push_back(body.head(h));
-        ASSERT_EQ(found, expected) << "vertex " << v << " of " << body.vertex_count();
-    }
 }
 
 std::size_t far_entries(const Polyhedron& body) {
@@ -65,7 +46,8 @@ std::size_t relative_bytes(const Polyhedron& body) {
 }
 
 TEST(RelativeRings, AreThoseOfTheBodyInAnyOrder) {
-    std::vector<Polyhedron> bodies = {pyramid(300), pyramid(3000), thorn(2000, 1.05), thorn(700, 3)};
+    std::vector<Polyhedron> bodies = {testing::pyramid(300), testing::pyramid(3000), thorn(2000, 1.05),
+                                      thorn(700, 3)};
     for (const char* shape : {"tetra4", "cube8", "sphere386", "uv_sphere386", "sphere6146"})
         bodies.push_back(scene::make_shape(shape).or_throw());
     std::size_t met[2] = {0, 0};  // entries that fit in tables of bytes, and that do not
@@ -73,7 +55,7 @@ TEST(RelativeRings, AreThoseOfTheBodyInAnyOrder) {
         for (const VertexOrder order : {VertexOrder::given, VertexOrder::spatial, VertexOrder::rcm}) {
             const Polyhedron body = reordered(given, order).or_throw();
             const lean_relative<f64> table(body, Parts::features);
-            expect_rings(table, body);
+            testing::expect_rings(table, body);
             const std::size_t relative = relative_bytes(body);
             const std::size_t plain = lean<f64>(body, Parts::features).ledger()[Component::topology];
             EXPECT_EQ(table.ledger()[Component::topology], std::min(relative, plain));
@@ -123,7 +105,7 @@ TEST(RelativeRings, KeepTheUsersIndicesWhereAsked) {
             moved += table.input_index(v) != v;
         }
         EXPECT_GT(moved, 0U) << shape;
-        expect_rings(table, body);
+        testing::expect_rings(table, body);
     }
 }
 

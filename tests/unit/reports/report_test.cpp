@@ -142,9 +142,10 @@ TEST_F(Report, DrawingsThatCouldRunAreNotShown) {
     EXPECT_TRUE(safe_svg(plain));
     for (const char* evil :
          {"<svg onload=\"alert(1)\"></svg>", "<svg><script>1</script></svg>", "<svg><foreignObject/></svg>",
-          "<svg><rect fill=\"url(http://a)\"/></svg>", "<svg><a href=\"javascript:1\"/></svg>", "<b>",
-          "<svg></svg><script>1</script>", "<svg><rect fill=\"&#106;\"/></svg>", "<svg><rect", "<svg",
-          "<svg><!--</svg>", "<svg><style>*{}</style></svg>", "<svg></g></svg>x", ""})
+          "<svg><rect fill=\"url(http://a)\"/></svg>", "<svg><rect fill=\"Url(http://a)\"/></svg>",
+          "<svg><a href=\"javascript:1\"/></svg>", "<b>", "<svg></svg><script>1</script>",
+          "<svg><rect fill=\"&#106;\"/></svg>", "<svg><rect", "<svg", "<svg><!--</svg>",
+          "<svg><style>*{}</style></svg>", "<svg></g></svg>x", ""})
         EXPECT_FALSE(safe_svg(evil)) << evil;
 }
 

@@ -55,6 +55,10 @@ TEST(SafeSvg, SlimPicturesHaveOneLabelAndShortNumbers) {
     EXPECT_EQ(slim_svg(R"(<svg width="1"><path aria-label="a: 1.25" role="x" d="M1.2345,10.06L3,4"/></svg>)",
                        "A & B"),
               R"(<svg role="img" aria-label="A &amp; B" width="1"><path d="M1.2,10.0L3,4"/></svg>)");
+    const std::string text = R"(<text>0.25, an aria-label of a class="b</text></svg>)";
+    EXPECT_EQ(slim_svg("<svg x=\"1.25\">" + text, "A"),
+              "<svg role=\"img\" aria-label=\"A\" x=\"1.2\">" + text)
+        << "text is no coordinate and no attribute";
 }
 
 }  // namespace
