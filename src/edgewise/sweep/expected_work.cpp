@@ -45,6 +45,7 @@ double tables_of(const SceneWork& scene) {
 
 GroupWork modelled_work(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape,
                         std::size_t cells) {
+    if (!shape.error.empty()) return {};
     const auto count = static_cast<double>(cells), queries = static_cast<double>(scene.queries);
     const auto vertices = static_cast<double>(shape.body.vertex_count());
     const double each = query_seconds(scene, vertices);
@@ -85,8 +86,9 @@ std::vector<GroupWork> expected_work(
     }
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const double missed = known > 0 && modelled > 0 ? known / modelled : 1;
-        const double factor = seconds[i] ? *seconds[i] / groups[i].all() : missed;
         GroupWork& group = groups[i];
+        if (group.all() == 0) continue;  // of a body that there is not
+        const double factor = seconds[i] ? *seconds[i] / group.all() : missed;
         group = {group.verify * factor, group.beside * factor, group.rounds * factor, group.alone * factor};
     }
     return groups;

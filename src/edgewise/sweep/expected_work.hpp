@@ -23,7 +23,7 @@ struct GroupWork {
     [[nodiscard]] double all() const { return verify + beside + rounds + alone; }
 };
 
-/// Of a group of this many cells, by the model.
+/// Of a group of this many cells, by the model; nothing of a body that there is not.
 [[nodiscard]] GroupWork modelled_work(const Plan& plan, const SceneWork& scene,
                                       const scene::NamedShape& shape, std::size_t cells);
 

@@ -18,6 +18,7 @@
 #include "edgewise/studies/paging_rows.hpp"
 #include "edgewise/studies/parts/sharded_work.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
+#include "edgewise/sweep/progress_pieces.hpp"
 
 namespace edgewise::cli {
 
@@ -70,6 +71,7 @@ studies::EffortPlan effort_plan(const sweep::SweepWork& work) {
 // Expected seconds of a row on two cores, where a store does not remember any: of a hard family's case, of
 // paging under its limits, of a scene that is traced for figure 8, of a Callgrind run's query.
 constexpr const char* stability_part_name = "stability";
+constexpr std::size_t first_part_place = 500'000;  ///< in the order of a sweep: after all of its groups
 constexpr double stability_case = 0.0009, paging_row = 6, thrash_unit = 5, effort_query = 0.012,
                  fields_cell = 10;
 
@@ -164,23 +166,28 @@ sweep::SweepListener listener_for(Progress& progress, const OnCells& on_cells) {
     return listener;
 }
 
+/// What the part took, for later sweeps and shards; and beside that what it was expected to.
+void store_seconds(const Part& part, double seconds, std::size_t place, store::Store& store) {
+    const std::string took = fmt::format("{:.4g}", seconds);
+    store.set_meta(store::took_key + part.key(), took);
+    if (part.name != stability_part_name) store.set_meta(store::took_key + part.name, took);
+    const sweep::ProgressPiece piece[] = {{"all", part.seconds_each * static_cast<double>(part.rows), seconds}};
+    store.set_meta(sweep::progress_key(place, part.name), sweep::progress_value(piece));
+}
+
 /// Whether it came to its end. Rows that are there already are counted as resumed.
-bool run_part(const Part& part, double seconds_each, store::Store& store, Progress& progress) {
+bool run_part(const Part& part, std::size_t place, store::Store& store, Progress& progress) {
     const measure::Stopwatch watch;
     std::size_t done = 0;
     const bool ended = part.run([&](const std::string& what) {
         ++done;
-        progress.advance_work(seconds_each, what);
+        progress.advance_work(part.seconds_each, what);
         progress.advance(1, part.name + " " + what);
     });
     if (!ended) return false;
-    if (done == part.rows) {
-        const std::string took = fmt::format("{:.4g}", watch.elapsed_ns() * 1e-9);
-        store.set_meta(store::took_key + part.key(), took);
-        if (part.name != stability_part_name) store.set_meta(store::took_key + part.name, took);
-    }
+    if (done == part.rows) store_seconds(part, watch.elapsed_ns() * 1e-9, place, store);
     const std::size_t earlier = part.rows - std::min(done, part.rows);
-    progress.resume(earlier, seconds_each * static_cast<double>(earlier));
+    progress.resume(earlier, part.seconds_each * static_cast<double>(earlier));
     return true;
 }
 
@@ -199,8 +206,9 @@ PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store, const 
     }
     summary.sweep = sweep::run_sweep(work, store, listener_for(progress, on_cells), stop_on_signals());
     summary.stopped = summary.sweep.stopped;
+    std::size_t place = first_part_place;
     for (const Part& part : parts) {
-        if (!summary.stopped) summary.stopped = !run_part(part, part.seconds_each, store, progress);
+        if (!summary.stopped) summary.stopped = !run_part(part, place++, store, progress);
     }
     return summary;
 }
