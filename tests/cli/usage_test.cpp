@@ -142,6 +142,12 @@ const std::vector<Slip> bad_values = {
     {"advice_on_no_machine", {"advise", "--machines", "zen55"}, {"did you mean 'zen5'?"}},
     {"advice_on_no_shape", {"advise", "--shape", "sphere385"}, {"sphere385", "sphere386"}},
     {"judge_of_a_word", {"judge", "text.obj", "--said", "fcl=0x1p3"}, {"--said fcl=0x1p3"}},
+    {"folder_of_a_slip_in_merge", {"merge", "not_a_store.db", "--out", "no/such/x.db"}, {"--out", "no/such"}},
+    {"folder_of_a_slip_in_campaign",
+     {"campaign", "--pairs", "10", "--layouts", "aos_f64", "--state", "no/such/x.json"},
+     {"--state", "there is no folder no"}},
+    {"campaign_of_a_negative_seed", {"campaign", "--seed", "-1"}, {"--seed '-1'"}},
+    {"fields_of_few_rounds", {"fields", "--rounds", "8"}, {"--rounds '8'", "rounds, 9 to 1000"}},
     {"no_case_at_all", {"query", "-"}, {"-: no case in it", "--help"}},
 };
 

@@ -16,6 +16,7 @@
 #include "edgewise/studies/effort_rows.hpp"
 #include "edgewise/studies/fields/fields_rows.hpp"
 #include "edgewise/studies/paging_rows.hpp"
+#include "edgewise/studies/parts/expected_seconds.hpp"
 #include "edgewise/studies/parts/sharded_work.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
 #include "edgewise/sweep/progress_pieces.hpp"
@@ -68,12 +69,8 @@ studies::EffortPlan effort_plan(const sweep::SweepWork& work) {
     return plan;
 }
 
-// Expected seconds of a row on two cores, where a store does not remember any: of a hard family's case, of
-// paging under its limits, of a scene that is traced for figure 8, of a Callgrind run's query.
 constexpr const char* stability_part_name = "stability";
 constexpr std::size_t first_part_place = 500'000;  ///< in the order of a sweep: after all of its groups
-constexpr double stability_case = 0.0009, paging_row = 6, thrash_unit = 5, effort_query = 0.012,
-                 fields_cell = 10;
 
 Part stability_part(const sweep::SweepWork& work, store::Store& store, studies::StabilitySummary& stability) {
     auto of = stability_plan(work);
@@ -84,7 +81,7 @@ Part stability_part(const sweep::SweepWork& work, store::Store& store, studies::
         return studies::StabilityRow{*std::move(row), store.figures(build, hash)};
     };
     return {stability_part_name, studies::stability_rows(of),
-            stability_case * static_cast<double>(work.plan.stability),
+            studies::stability_case_seconds * static_cast<double>(work.plan.stability),
             [=, &store, &stability](const OnRow& on_row) {
                 stability = store_stability(of, store, [&](const studies::StabilityRow& row) {
                     on_row(row.cell.shape + " " + row.cell.table);
@@ -94,7 +91,7 @@ Part stability_part(const sweep::SweepWork& work, store::Store& store, studies::
 }
 
 Part paging_part(const sweep::Plan& plan, store::Store& store) {
-    return {studies::paging_unit, studies::paging_rows(), paging_row, [&](const OnRow& on_row) {
+    return {studies::paging_unit, studies::paging_rows(), studies::paging_row_seconds, [&](const OnRow& on_row) {
                 return studies::run_paging(
                     paging_plan(plan), bench::this_build().id, store,
                     [&](const store::CellRow& row) { on_row(row.shape + " " + row.table); },
@@ -103,7 +100,7 @@ Part paging_part(const sweep::Plan& plan, store::Store& store) {
 }
 
 Part thrash_part(const studies::thrash::Levels& levels, store::Store& store) {
-    return {studies::thrash_unit, studies::thrash::thrash_units(levels), thrash_unit,
+    return {studies::thrash_unit, studies::thrash::thrash_units(levels), studies::thrash_unit_seconds,
             [=, &store](const OnRow& on_row) {
                 return studies::thrash::run_thrash(
                     levels, bench::this_build().id, store, [&] { on_row("figure 8"); }, stop_on_signals());
@@ -112,7 +109,7 @@ Part thrash_part(const studies::thrash::Levels& levels, store::Store& store) {
 
 Part effort_part(const sweep::SweepWork& work, store::Store& store) {
     return {studies::effort_unit, studies::effort_rows(effort_plan(work)),
-            effort_query * static_cast<double>(work.plan.effort), [&](const OnRow& on_row) {
+            studies::effort_query_seconds * static_cast<double>(work.plan.effort), [&](const OnRow& on_row) {
                 return studies::store_effort(
                     effort_plan(work), bench::this_build().id, store,
                     [&](std::size_t, const studies::EffortRow& row) {
@@ -124,7 +121,7 @@ Part effort_part(const sweep::SweepWork& work, store::Store& store) {
 
 Part fields_part(const sweep::Plan& plan, store::Store& store) {
     const auto cells = studies::fields_cells(plan.fields, plan.seed);
-    return {studies::fields_unit, cells.size(), fields_cell, [=, &store](const OnRow& on_row) {
+    return {studies::fields_unit, cells.size(), studies::fields_cell_seconds, [=, &store](const OnRow& on_row) {
                 return studies::store_fields(
                     cells, bench::this_build().id, store,
                     [&](const store::CellRow& row) { on_row(row.algorithm + " " + row.table); },

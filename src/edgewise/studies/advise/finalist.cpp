@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "edgewise/studies/parts/contender_name.hpp"
+
 namespace edgewise::studies::advise {
 
 namespace {
@@ -28,9 +30,5 @@ bool Finalist::is(const std::string& other_algorithm, const std::string& other_t
 }
 
 std::string Finalist::name() const { return contender_name(algorithm, table); }
-
-std::string contender_name(const std::string& algorithm, const std::string& table) {
-    return (algorithm == "vclip" ? "V-Clip" : algorithm == "gjk" ? "GJK" : algorithm) + " on " + table;
-}
 
 }  // namespace edgewise::studies::advise

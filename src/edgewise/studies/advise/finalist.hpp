@@ -31,7 +31,4 @@ struct Finalist {
     [[nodiscard]] std::string name() const;  ///< "V-Clip on lean_f32"
 };
 
-/// "V-Clip on lean_f32".
-[[nodiscard]] std::string contender_name(const std::string& algorithm, const std::string& table);
-
 }  // namespace edgewise::studies::advise

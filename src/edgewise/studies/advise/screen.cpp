@@ -7,6 +7,7 @@
 
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/studies/advise/finals.hpp"
+#include "edgewise/studies/parts/contender_name.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
 #include "edgewise/sweep/verify.hpp"
 

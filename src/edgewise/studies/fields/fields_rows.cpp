@@ -102,13 +102,13 @@ class FieldsFigures {
     std::vector<store::FigureRow> figures_;
 };
 
+const bench::TableType& type_of(const CellChoice& choice) {
+    const std::string names[] = {choice.table};
+    return *bench::select_table_types(names).front();
+}
+
 bool can_build(const CellChoice& choice) {
-    const auto types = bench::table_types();
-    const auto has = [&](const std::string& name) {
-        return std::any_of(types.begin(), types.end(),
-                           [&](const bench::TableType& type) { return type.name == name; });
-    };
-    return has(choice.table) && has(choice.table.starts_with("linked") ? "grouped_nodes_f64" : "grouped_f64");
+    return has_table_type(choice.table) && has_table_type(builder_of(type_of(choice)));
 }
 
 }  // namespace
@@ -130,8 +130,7 @@ std::vector<CellChoice> fields_cells(std::size_t queries, std::uint64_t seed) {
 
 store::CellRow fields_row(const CellChoice& choice) {
     const Polyhedron body = scene::make_shape(choice.shape).or_throw();
-    const std::string names[] = {choice.table};
-    const bench::TableType& type = *bench::select_table_types(names).front();
+    const bench::TableType& type = type_of(choice);
     store::CellRow row;
     row.scene = fields_scene + choice.scene;
     row.scene_parameters =

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/studies/parts/contender_name.hpp"
 #include "edgewise/truth/depth/exact_depth.hpp"
 
 namespace edgewise::studies {
@@ -120,11 +122,7 @@ std::string_view to_string(AnswerIs answer) {
 
 std::string Respondent::name() const {
     if (type->is_peer) return type->name;
-    return fmt::format("{} on {}",
-                       algorithm == "vclip" ? "V-Clip"
-                       : algorithm == "gjk" ? "GJK"
-                                            : algorithm,
-                       type->name);
+    return contender_name(algorithm, type->name);
 }
 
 Result<PairTruth> truth_of(const scene::Case& pair) {
@@ -199,16 +197,16 @@ JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const PairT
 std::vector<JudgedResponse> ask_all(std::span<const Respondent> respondents, const scene::Case& pair,
                                     const PairTruth& truth) {
     std::vector<JudgedResponse> answers;
+    std::map<std::string, std::size_t> places;  // of the first answers, by algorithm and answer
     for (const Respondent& respondent : respondents) {
         JudgedResponse response = ask(respondent, pair, truth);
-        const auto same = std::ranges::find_if(answers, [&](const JudgedResponse& other) {
-            return !respondent.type->is_peer && other.who.substr(0, 4) == response.who.substr(0, 4) &&
-                   answer_key(other) == answer_key(response);
-        });
-        if (same == answers.end()) {
+        const std::string key =
+            (respondent.type->is_peer ? response.who : respondent.algorithm) + " " + answer_key(response);
+        const auto [place, is_new] = places.try_emplace(key, answers.size());
+        if (is_new) {
             answers.push_back(std::move(response));
         } else {
-            same->same.push_back(respondent.type->name);
+            answers[place->second].same.push_back(respondent.type->name);
         }
     }
     return answers;
