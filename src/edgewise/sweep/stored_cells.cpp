@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "edgewise/input/count.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/vocabulary.hpp"
 #include "edgewise/sweep/progress_pieces.hpp"
@@ -47,9 +48,9 @@ std::set<int> StoredCells::rounds_missing(const CellRun& cell) const {
     return missing;
 }
 
-std::optional<double> StoredCells::took(const std::string& group) const {
-    const auto text = store_.meta(store::took_key + group);
-    return text ? std::optional(std::stod(*text)) : std::nullopt;
+std::optional<double> took_in(const store::Store& store, const std::string& what) {
+    const auto text = store.meta(store::took_key + what);
+    return text ? input::parse_number(*text).value : std::nullopt;
 }
 
 void StoredCells::put_seconds(const std::string& of, double seconds) {

@@ -17,6 +17,9 @@
 
 namespace edgewise::sweep {
 
+/// Seconds that a group or another run took when it last ran, of any build; nothing where none are stored.
+[[nodiscard]] std::optional<double> took_in(const store::Store& store, const std::string& what);
+
 class StoredCells {
   public:
     StoredCells(store::Store& store, std::string build, const Plan& plan)
@@ -32,8 +35,7 @@ class StoredCells {
         return store_.rounds(build_, cell.row().hash);
     }
 
-    /// Seconds that a group took when it last ran, of this build or another.
-    [[nodiscard]] std::optional<double> took(const std::string& group) const;
+    [[nodiscard]] std::optional<double> took(const std::string& group) const { return took_in(store_, group); }
 
     void put(const CellRun& cell) { store_.put_cell(build_, cell.row(), cell.figures()); }
     void put(std::span<const std::pair<std::string, measure::Round>> round) {

@@ -20,6 +20,7 @@
 #include "edgewise/studies/parts/sharded_work.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
 #include "edgewise/sweep/progress_pieces.hpp"
+#include "edgewise/sweep/stored_cells.hpp"
 
 namespace edgewise::cli {
 
@@ -197,8 +198,8 @@ PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store, const 
     for (const Part& part : parts) steps += part.rows;
     Progress progress("sweep", steps, 0, "cells");
     for (Part& part : parts) {
-        if (const auto took = store.meta(store::took_key + part.key()); took && part.rows > 0)
-            part.seconds_each = std::stod(*took) / static_cast<double>(part.rows);
+        if (const auto took = sweep::took_in(store, part.key()); took && part.rows > 0)
+            part.seconds_each = *took / static_cast<double>(part.rows);
         progress.expect(part.seconds_each * static_cast<double>(part.rows));
     }
     summary.sweep = sweep::run_sweep(work, store, listener_for(progress, on_cells), stop_on_signals());
