@@ -9,6 +9,7 @@
 
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/studies/parts/allowed_errors.hpp"
 #include "edgewise/studies/parts/contender_name.hpp"
 #include "edgewise/truth/depth/exact_depth.hpp"
 
@@ -39,21 +40,18 @@ Result<PairTruth> exact_of(const Posed& posed, double eps) {
     return Truth::success(truth);
 }
 
-/// What a distance may be wrong by: rounding, and of a library what it aims at by itself.
-double allowed_error(const bench::TableType& type, const truth::AccuracyBand& band) {
-    const bool single = type.eps > Tolerance<double>::eps;
-    const double own = single ? verified_error_single : verified_error_double;
-    return (type.is_peer ? std::max(own, judged_error_peer) : own) * band.scale + band.band;
+/// Of a library what it aims at by itself, too. Its depths are not asked for.
+AllowedErrors allowed_errors_of(const Respondent& respondent) {
+    AllowedErrors allowed = allowed_errors(*respondent.type, respondent.algorithm);
+    if (respondent.type->is_peer) allowed.distance = std::max(allowed.distance, judged_error_peer);
+    return allowed;
 }
 
-double allowed_depth_error(const bench::TableType& type, const truth::AccuracyBand& band) {
-    const bool single = type.eps > Tolerance<double>::eps;
-    return (single ? verified_error_single : verified_depth_error_double) * band.scale + band.band;
-}
-
-/// Of an answer that is one: verdict, then distance, then depth.
-void judge(JudgedResponse& response, bool separated, const PairTruth& stored, double allowed,
-           double allowed_depth) {
+/// Of an answer that is one: verdict, then distance, then depth; within the errors and the band.
+void judge(JudgedResponse& response, bool separated, const PairTruth& stored,
+           const AllowedErrors& relative) {
+    const double allowed = relative.distance * stored.band.scale + stored.band.band,
+                 allowed_depth = relative.depth * stored.band.scale + stored.band.band;
     const truth::JudgedAnswer answer{separated, response.distance.value_or(0)};
     const truth::Judgement judged = truth::judge(answer, stored.exact, stored.band, stored.depth);
     if (response.distance) response.error = judged.error;
@@ -164,7 +162,7 @@ JudgedResponse ask(const Respondent& respondent, const scene::Case& pair, const 
     const bool separated = d.status == Status::separated;
     if (!type.verdict_only) response.distance = d.distance;
     if (!separated && !type.is_peer) response.depth = answer.depth;
-    judge(response, separated, *held, allowed_error(type, held->band), allowed_depth_error(type, held->band));
+    judge(response, separated, *held, allowed_errors_of(respondent));
     response.of_given = std::abs((separated ? d.distance : 0) - truth.exact.distance);
     if (response.is == AnswerIs::right &&
         separated != (truth.exact.verdict == truth::ExactVerdict::separated))
@@ -188,8 +186,7 @@ JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const PairT
         response.depth = -*reported.distance;
         response.distance = 0;
     }
-    const double allowed = judged_error_peer * truth.band.scale + truth.band.band;
-    judge(response, separated, truth, allowed, allowed);
+    judge(response, separated, truth, {judged_error_peer, judged_error_peer});
     response.of_given = response.error;
     return response;
 }
