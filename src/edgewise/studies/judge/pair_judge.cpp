@@ -123,13 +123,16 @@ std::string Respondent::name() const {
     return contender_name(algorithm, type->name);
 }
 
-Result<PairTruth> truth_of(const scene::Case& pair) {
+Result<PairTruth> exact_truth_of(const scene::Case& pair) {
     for (const scene::CaseBody* body : {&pair.a, &pair.b}) {
         if (const auto made = scene::body_from_case(*body); !made)
             return Result<PairTruth>::failure(made.error);
     }
-    Result<PairTruth> truth =
-        exact_of({pair.a.vertices, pair.b.vertices, pair.pose_a, pair.pose_b}, Tolerance<double>::eps);
+    return exact_of({pair.a.vertices, pair.b.vertices, pair.pose_a, pair.pose_b}, Tolerance<double>::eps);
+}
+
+Result<PairTruth> truth_of(const scene::Case& pair) {
+    Result<PairTruth> truth = exact_truth_of(pair);
     if (truth) add_certificate(pair, *truth);
     return truth;
 }
