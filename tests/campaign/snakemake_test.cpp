@@ -12,11 +12,11 @@ using testing::HasSubstr;
 class Snakemake : public CampaignRun {
   protected:
     [[nodiscard]] Arguments command(const Arguments& options) const {
-        Arguments words = {"--snakefile", std::string(source_folder) + "/layouts/campaign/Snakefile", "--cores",
-                           "1", "--nocolor"};
+        Arguments words = {"--snakefile", std::string(source_folder) + "/layouts/campaign/Snakefile",
+                           "--cores", "1", "--nocolor"};
         words.insert(words.end(), options.begin(), options.end());
-        words.insert(words.end(), {"--config", "shards=3", std::string("program=") + program, "folder=" + parts_,
-                                   "sweep=--plan tiny.json"});
+        words.insert(words.end(), {"--config", "shards=3", std::string("program=") + program,
+                                   "folder=" + parts_, "sweep=--plan tiny.json"});
         return words;
     }
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // `edgewise advise`: its JSON, its exit codes, and that it says what it left out. How long anything takes is
-// not asked: a generous --time is never used up, and under a short one only what is said of gaps is looked at.
+// not asked: a generous --time is never used up, and under a short one only what is said of gaps is looked
+// at.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -95,9 +96,9 @@ TEST(Advise, TakesNothingWhereNothingMeetsTheError) {
 /// Too much for the time on any machine there is: what is null is named, and nothing is made up.
 TEST(Advise, SaysWhatItHadNoTimeFor) {
     const Folder folder;
-    const Outcome outcome = run({"advise", "--shape", "sphere386", "--bodies", "600", "--own-tables", "--time",
-                                 "5", "--json"},
-                                folder);
+    const Outcome outcome =
+        run({"advise", "--shape", "sphere386", "--bodies", "600", "--own-tables", "--time", "5", "--json"},
+            folder);
     ASSERT_THAT(outcome.exit_code, testing::AnyOf(0, 1)) << outcome.err;
     const json advice = json::parse(outcome.out);
     EXPECT_EQ(outcome.exit_code == 0, !advice["take"].is_null());

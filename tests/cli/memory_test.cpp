@@ -24,8 +24,8 @@ Outcome run_in_little_memory(const Arguments& arguments, const Folder& folder) {
 TEST(Memory, ThatTablesLackMakesTheirCellsUnavailable) {
     const Folder folder;
     const Outcome outcome = run_in_little_memory(
-        {"sweep", "--scenes", "cold", "--shapes", "cube8", "--layouts", "aos_f64", "--queries", "50", "--checked",
-         "10", "--rounds", "2", "--store", "s.db", "--json"},
+        {"sweep", "--scenes", "cold", "--shapes", "cube8", "--layouts", "aos_f64", "--queries", "50",
+         "--checked", "10", "--rounds", "2", "--store", "s.db", "--json"},
         folder);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("out of memory: ask for fewer or smaller bodies"));

@@ -99,9 +99,9 @@ std::vector<std::string> checked_in(const Folder& folder) {
 
 /// A cell whose answers were checked at 20 queries is not verified at 60; at 20 it is, once it is at 60.
 TEST_F(Resume, AfterFewerChecksThanAreAskedFor) {
-    Arguments arguments = {"sweep",     "--scenes",     "cold",   "--shapes",    "cube8",   "--layouts",
-                           "aos_f64",   "--queries",    "100",    "--rounds",    "2",       "--store",
-                           "s.db",      "--no-report", "--json", "--checked",   "20"};
+    Arguments arguments = {"sweep",   "--scenes",    "cold",   "--shapes",  "cube8", "--layouts",
+                           "aos_f64", "--queries",   "100",    "--rounds",  "2",     "--store",
+                           "s.db",    "--no-report", "--json", "--checked", "20"};
     ASSERT_EQ(run(arguments, folder_).exit_code, 0);
     const auto rounds = rounds_in(folder_ / "s.db");
     EXPECT_THAT(checked_in(folder_), ElementsAre("20.0", "20.0"));

@@ -55,8 +55,9 @@ int run_progress(const ProgressArguments& options, bool json) {
         return exit_done;
     }
     print_pieces(pieces);
-    fmt::print("from a tenth of the time on, progress was off by {:+.0f} % at most, at {:.0f} % of the time\n",
-               worst.relative * 100, worst.at * 100);
+    fmt::print(
+        "from a tenth of the time on, progress was off by {:+.0f} % at most, at {:.0f} % of the time\n",
+        worst.relative * 100, worst.at * 100);
     return exit_done;
 }
 

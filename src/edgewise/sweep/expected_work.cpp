@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The model: its constants were fitted by hand to the seconds of plan quick on a machine of two cores, group by
-// group (tests/unit/sweep/progress_model_test.cpp has them). A machine that is faster or slower in all of them
-// changes no ratio, and the seconds of groups that the store remembers take the place of the model's.
+// The model: its constants were fitted by hand to the seconds of plan quick on a machine of two cores, group
+// by group (tests/unit/sweep/progress_model_test.cpp has them). A machine that is faster or slower in all of
+// them changes no ratio, and the seconds of groups that the store remembers take the place of the model's.
 #include "edgewise/sweep/expected_work.hpp"
 
 #include <fmt/format.h>
@@ -28,15 +28,15 @@ constexpr PerQuery cold_query{300, 73};     ///< pairs that have not met before
 constexpr PerQuery still_query{130, 3};     ///< pairs that hardly moved
 constexpr PerQuery static_query{190, 152};  ///< of the scene static: half of its pairs overlap deeply
 
-constexpr double out_of_cache = 4.5;          ///< times as long a query takes whose tables are in memory
-constexpr double cached_vertices = 50'000;    ///< of tables of their own that together fit a cache
-constexpr double table_seconds = 0.55e-6;     ///< per vertex of a table that is built
-constexpr double exact_seconds = 0.4e-6;      ///< per vertex and checked query, of all storages of bodies
-constexpr double cell_seconds = 0.003;        ///< what probes take whatever the queries are
-constexpr double traced_passes = 9;           ///< of all queries, as long as a timed one
-constexpr double cached_query_least = 114e-6, ///< s per query and machine whose caches are modelled, and
-    cached_query_factor = 40;                 ///< of a timed one in cache beside that
-constexpr double fitted_processors = 2;       ///< that shared what is beside others
+constexpr double out_of_cache = 4.5;           ///< times as long a query takes whose tables are in memory
+constexpr double cached_vertices = 50'000;     ///< of tables of their own that together fit a cache
+constexpr double table_seconds = 0.55e-6;      ///< per vertex of a table that is built
+constexpr double exact_seconds = 0.4e-6;       ///< per vertex and checked query, of all storages of bodies
+constexpr double cell_seconds = 0.003;         ///< what probes take whatever the queries are
+constexpr double traced_passes = 9;            ///< of all queries, as long as a timed one
+constexpr double cached_query_least = 114e-6,  ///< s per query and machine whose caches are modelled, and
+    cached_query_factor = 40;                  ///< of a timed one in cache beside that
+constexpr double fitted_processors = 2;        ///< that shared what is beside others
 
 double parameter(const SceneWork& scene, const char* name, double standard) {
     const auto found = scene.choice.parameters.find(name);
@@ -53,13 +53,14 @@ double tables_of(const SceneWork& scene) {
     return own ? parameter(scene, "bodies", 1) : 1;
 }
 
-/// s per query that finds its tables in a cache. The more a body turns in a step, the less a pair's last answer
-/// helps: by the root of the angle, up to a rad.
+/// s per query that finds its tables in a cache. The more a body turns in a step, the less a pair's last
+/// answer helps: by the root of the angle, up to a rad.
 double query_seconds(const SceneWork& scene, double vertices) {
     const double cold = cold_query.seconds(vertices), still = still_query.seconds(vertices);
     if (kind_of(scene) == "static") return static_query.seconds(vertices);
     if (!scene.choice.parameters.contains("rotation_step")) return cold;
-    const double turn = parameter(scene, "random_orientation", 0) > 0 ? 1 : parameter(scene, "rotation_step", 0);
+    const double turn =
+        parameter(scene, "random_orientation", 0) > 0 ? 1 : parameter(scene, "rotation_step", 0);
     return still + std::sqrt(std::min(1.0, turn)) * (cold - still);
 }
 

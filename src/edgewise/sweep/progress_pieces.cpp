@@ -43,7 +43,8 @@ std::vector<ProgressPiece> progress_pieces(std::span<const std::pair<std::string
                 !piece[2].is_number())
                 continue;
             const std::size_t name = key.find(' ', key_start().size()) + 1;
-            pieces.push_back({key.substr(name) + ": " + piece[0].get<std::string>(), piece[1], piece[2]});
+            pieces.push_back({key.substr(name) + ": " + piece[0].get<std::string>(), piece[1].get<double>(),
+                              piece[2].get<double>()});
         }
     }
     return pieces;

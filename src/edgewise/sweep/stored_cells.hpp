@@ -35,7 +35,9 @@ class StoredCells {
         return store_.rounds(build_, cell.row().hash);
     }
 
-    [[nodiscard]] std::optional<double> took(const std::string& group) const { return took_in(store_, group); }
+    [[nodiscard]] std::optional<double> took(const std::string& group) const {
+        return took_in(store_, group);
+    }
 
     void put(const CellRun& cell) { store_.put_cell(build_, cell.row(), cell.figures()); }
     void put(std::span<const std::pair<std::string, measure::Round>> round) {

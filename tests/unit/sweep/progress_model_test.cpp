@@ -87,8 +87,8 @@ std::vector<ProgressPiece> modelled_pieces() {
                     recorded[i].seconds);
         pieces.push_back({recorded[i].scene, expected, recorded[i].seconds});
     }
-    pieces.push_back({"stability", stability_rows * stability_cases * studies::stability_case_seconds,
-                      stability_took});
+    pieces.push_back(
+        {"stability", stability_rows * stability_cases * studies::stability_case_seconds, stability_took});
     return pieces;
 }
 

@@ -65,7 +65,8 @@ TEST(ProgressPieces, AreAsWorstAsAWalkInSmallSteps) {
 }
 
 TEST(ProgressPieces, ComeBackFromAStore) {
-    const std::vector<ProgressPiece> first = {{"verify", 1.5, 3.25}, {"rounds", 2, 4}}, second = {{"run", 7, 8}};
+    const std::vector<ProgressPiece> first = {{"verify", 1.5, 3.25}, {"rounds", 2, 4}},
+                                     second = {{"run", 7, 8}};
     const std::vector<std::pair<std::string, std::string>> meta = {
         {"build", "x"},
         {progress_key(2, "cold cube8"), progress_value(first)},

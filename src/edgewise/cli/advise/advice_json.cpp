@@ -59,13 +59,12 @@ AdviceJson json_of(const studies::advise::ScreenedCell& cell) {
 
 AdviceJson advice_json(const Advice& advice) {
     const Finals& finals = advice.finals;
-    AdviceJson json = {
-        {"asked", asked_json(advice)},         {"take", nullptr},
-        {"next", AdviceJson::array()},         {"out", AdviceJson::array()},
-        {"changes_it", AdviceJson::array()},   {"held", or_null(finals.prediction_held())},
-        {"processes", finals.processes},       {"noise", nullptr},
-        {"latencies_ns", finals.latencies_ns}, {"seconds", advice.seconds},
-        {"not_asked", advice.not_asked},       {"command", advice.command}};
+    AdviceJson json = {{"asked", asked_json(advice)},         {"take", nullptr},
+                       {"next", AdviceJson::array()},         {"out", AdviceJson::array()},
+                       {"changes_it", AdviceJson::array()},   {"held", or_null(finals.prediction_held())},
+                       {"processes", finals.processes},       {"noise", nullptr},
+                       {"latencies_ns", finals.latencies_ns}, {"seconds", advice.seconds},
+                       {"not_asked", advice.not_asked},       {"command", advice.command}};
     for (const auto& cell : advice.screen.cells)
         if (!cell.is_in()) json["out"].push_back(json_of(cell));
     for (const Finalist& one : finals.over_limit) {

@@ -56,11 +56,11 @@ std::string taken_text(const Advice& advice) {
                                   ? "what that one differs by from process to process is not known"
                                   : fmt::format("that one beside itself: {:.2f} to {:.2f}",
                                                 advice.finals.noise_low, advice.finals.noise_high);
-    const std::string lines =
-        taken.lines ? fmt::format(" and {:.1f} lines of 64 bytes", *taken.lines) : "";
+    const std::string lines = taken.lines ? fmt::format(" and {:.1f} lines of 64 bytes", *taken.lines) : "";
     return labelled("take", bytes) +
-           labelled("time", fmt::format("{:.0f} ns per query here, {} of the paper's layout; processes: {}; {}",
-                                        taken.mid_ns(), ratio_text(taken), advice.finals.processes, noise)) +
+           labelled("time",
+                    fmt::format("{:.0f} ns per query here, {} of the paper's layout; processes: {}; {}",
+                                taken.mid_ns(), ratio_text(taken), advice.finals.processes, noise)) +
            labelled("error", fmt::format("{:.1e} of the pair's size (asked: {})", taken.error,
                                          advice.asked.error_limit)) +
            labelled("why", fmt::format("{:.1f} steps{} per query", taken.steps, lines));
@@ -115,9 +115,10 @@ std::string caches_text(const Advice& advice) {
             line += fmt::format("; the paper's layout: {}", misses_text(paper->misses.at(machine)));
         const Finalist* const best = advice.finals.fastest_predicted(machine);
         if (machine != studies::advise::this_machine && best)
-            line += fmt::format("; modelled, with every miss waited for as long as here, fastest is {}, "
-                                "{:.0f} ns{}; time there was not measured",
-                                best->name(), best->predicted_ns.at(machine), than_taken(*best, taken, machine));
+            line += fmt::format(
+                "; modelled, with every miss waited for as long as here, fastest is {}, "
+                "{:.0f} ns{}; time there was not measured",
+                best->name(), best->predicted_ns.at(machine), than_taken(*best, taken, machine));
         text += labelled("caches", line);
     }
     return text;

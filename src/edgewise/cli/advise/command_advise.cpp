@@ -13,6 +13,7 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/count_option.hpp"
 #include "edgewise/geometry/known_names.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/scene/mesh/mesh_shapes.hpp"
@@ -205,7 +206,8 @@ void add_advise(CLI::App& app, Context& context) {
         command->add_option("--shape", options.shape, "a built-in shape instead (edgewise list shapes)")
             ->excludes(mesh)
             ->excludes(scene);
-    add_count(*command, "--vertices", options.vertices, vertices_range, "a sphere of so many vertices instead")
+    add_count(*command, "--vertices", options.vertices, vertices_range,
+              "a sphere of so many vertices instead")
         ->excludes(mesh)
         ->excludes(scene)
         ->excludes(shape);

@@ -82,8 +82,7 @@ class Measuring {
     }
 
     void race(const std::vector<ScreenedCell>& finalists) {
-        advice_.finals =
-            run_race(advice_.asked, finalists, {advice_.machines, until(until_raced).left()});
+        advice_.finals = run_race(advice_.asked, finalists, {advice_.machines, until(until_raced).left()});
         const studies::advise::Finals& finals = advice_.finals;
         say_(fmt::format("raced {} of them in {} processes ({:.1f} s)", finals.ranked.size(),
                          finals.processes, elapsed()));
@@ -107,8 +106,8 @@ class Measuring {
             advice_.not_asked.push_back(no_time);
             return;
         }
-        const Screen screen = studies::advise::screen(
-            other, {.queries = 1000, .checked = 20, .passes = 3}, [&] { return !limit.begin_piece(); });
+        const Screen screen = studies::advise::screen(other, {.queries = 1000, .checked = 20, .passes = 3},
+                                                      [&] { return !limit.begin_piece(); });
         if (screen.left_out > 0) {
             advice_.not_asked.push_back(no_time);
             return;

@@ -71,9 +71,13 @@ RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& finalists) 
 std::vector<std::string> command_of(const RaceSweep& sweep, const CaseAsked& asked, const WorkFolder& folder,
                                     double seconds) {
     // coreutils' timeout ends it when the time is over; Ctrl-C still ends both.
-    std::vector<std::string> command = {"timeout", "--foreground", "--signal=KILL",
+    std::vector<std::string> command = {"timeout",
+                                        "--foreground",
+                                        "--signal=KILL",
                                         fmt::format("{:.3f}", seconds),
-                                        fs::read_symlink("/proc/self/exe").string(), "sweep", "--no-report"};
+                                        fs::read_symlink("/proc/self/exe").string(),
+                                        "sweep",
+                                        "--no-report"};
     const auto option = [&](const char* name, const std::string& value) {
         command.insert(command.end(), {name, value});
     };

@@ -92,12 +92,12 @@ Part stability_part(const sweep::SweepWork& work, store::Store& store, studies::
 }
 
 Part paging_part(const sweep::Plan& plan, store::Store& store) {
-    return {studies::paging_unit, studies::paging_rows(), studies::paging_row_seconds, [&](const OnRow& on_row) {
-                return studies::run_paging(
-                    paging_plan(plan), bench::this_build().id, store,
-                    [&](const store::CellRow& row) { on_row(row.shape + " " + row.table); },
-                    stop_on_signals());
-            }};
+    return {
+        studies::paging_unit, studies::paging_rows(), studies::paging_row_seconds, [&](const OnRow& on_row) {
+            return studies::run_paging(
+                paging_plan(plan), bench::this_build().id, store,
+                [&](const store::CellRow& row) { on_row(row.shape + " " + row.table); }, stop_on_signals());
+        }};
 }
 
 Part thrash_part(const studies::thrash::Levels& levels, store::Store& store) {
@@ -122,7 +122,8 @@ Part effort_part(const sweep::SweepWork& work, store::Store& store) {
 
 Part fields_part(const sweep::Plan& plan, store::Store& store) {
     const auto cells = studies::fields_cells(plan.fields, plan.seed);
-    return {studies::fields_unit, cells.size(), studies::fields_cell_seconds, [=, &store](const OnRow& on_row) {
+    return {studies::fields_unit, cells.size(), studies::fields_cell_seconds,
+            [=, &store](const OnRow& on_row) {
                 return studies::store_fields(
                     cells, bench::this_build().id, store,
                     [&](const store::CellRow& row) { on_row(row.algorithm + " " + row.table); },
@@ -169,7 +170,8 @@ void store_seconds(const Part& part, double seconds, std::size_t place, store::S
     const std::string took = fmt::format("{:.4g}", seconds);
     store.set_meta(store::took_key + part.key(), took);
     if (part.name != stability_part_name) store.set_meta(store::took_key + part.name, took);
-    const sweep::ProgressPiece piece[] = {{"all", part.seconds_each * static_cast<double>(part.rows), seconds}};
+    const sweep::ProgressPiece piece[] = {
+        {"all", part.seconds_each * static_cast<double>(part.rows), seconds}};
     store.set_meta(sweep::progress_key(place, part.name), sweep::progress_value(piece));
 }
 

@@ -29,7 +29,7 @@ std::string sentence_of(const CaseAsked& asked) {
     for (const char* name : {"bodies", "rotation_step"}) {
         if (complete && complete->contains(name)) numbers += fmt::format(", {} {}", name, complete->at(name));
     }
-    const std::string tables = !can_share(asked)   ? ""
+    const std::string tables = !can_share(asked)  ? ""
                                : asked.own_tables ? ", a table each"
                                                   : ", one table for all";
     return fmt::format("{}{}, {} vertices ({}){}, {}, error <= {}", asked.scene.name, numbers,

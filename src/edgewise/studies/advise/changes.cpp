@@ -13,10 +13,9 @@ namespace {
 std::string other_sharing(const CaseAsked& asked, const std::vector<ScreenedCell>& other_tables,
                           const Finalist& taken) {
     const ScreenedCell& best = other_tables.front();
-    const std::string text =
-        fmt::format("{}: {}, {:.0f} ns at a first look",
-                    asked.own_tables ? "one table for all bodies" : "a table for each body", best.name(),
-                    best.ns);
+    const std::string text = fmt::format(
+        "{}: {}, {:.0f} ns at a first look",
+        asked.own_tables ? "one table for all bodies" : "a table for each body", best.name(), best.ns);
     const auto then = std::ranges::find_if(
         other_tables, [&](const ScreenedCell& cell) { return taken.is(cell.algorithm, cell.type->name); });
     if (then == other_tables.begin()) return text;

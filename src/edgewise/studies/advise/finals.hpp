@@ -21,8 +21,8 @@ inline constexpr const char *baseline_algorithm = "vclip", *baseline_table = "ao
 inline constexpr const char* this_machine = "host";
 
 struct Finals {
-    std::vector<Finalist> ranked;      ///< as exact as was asked, fastest first
-    std::vector<Finalist> over_limit;  ///< not as exact: no advice, but the baseline may be one
+    std::vector<Finalist> ranked;          ///< as exact as was asked, fastest first
+    std::vector<Finalist> over_limit;      ///< not as exact: no advice, but the baseline may be one
     double noise_low = 1, noise_high = 1;  ///< the baseline beside itself, over the processes
     int processes = 0;                     ///< that came to their end
     std::vector<double> latencies_ns;      ///< here, beyond the first level: what predictions are of

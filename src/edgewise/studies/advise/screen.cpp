@@ -50,8 +50,7 @@ void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& op
     if (std::string wrong = sweep::what_is_wrong(shared, checked, cell.type->eps); !wrong.empty())
         leave_out(cell, OutFor::failure, std::move(wrong));
     else if (cell.error > asked.error_limit)
-        leave_out(cell, OutFor::error,
-                  fmt::format("error {:.1e} is over {}", cell.error, asked.error_limit));
+        leave_out(cell, OutFor::error, fmt::format("error {:.1e} is over {}", cell.error, asked.error_limit));
     cell.seconds = watch.elapsed_ns() * 1e-9;
     for (int pass = 0; pass < options.passes; ++pass) {
         const auto ns = runner->time(in_contact, clock_cost_ns).all();
@@ -59,8 +58,8 @@ void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& op
     }
 }
 
-/// The order of the first look, whose end a limit of time may cut off: the baseline, layouts of their own, and
-/// those that hardly differ from another.
+/// The order of the first look, whose end a limit of time may cut off: the baseline, layouts of their own,
+/// and those that hardly differ from another.
 std::vector<ScreenedCell> cells_to_look_at() {
     std::vector<ScreenedCell> cells;
     for (const bench::TableType& type : bench::table_types()) {

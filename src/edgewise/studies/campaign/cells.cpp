@@ -69,7 +69,8 @@ std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
     for (const std::string& algorithm : algorithms) {
         for (const bench::TableType* type : types) {
             if (!type->serves(algorithm)) continue;
-            cells.push_back({algorithm + " " + type->name, type->eps, allowed_errors(*type, algorithm).distance,
+            cells.push_back({algorithm + " " + type->name, type->eps,
+                             allowed_errors(*type, algorithm).distance,
                              [type, algorithm] { return std::make_unique<RunnerAsker>(*type, algorithm); }});
         }
     }

@@ -125,7 +125,9 @@ std::vector<CellChoice> fields_cells(std::size_t queries, std::uint64_t seed) {
     return cells;
 }
 
-store::CellRow fields_row(const CellChoice& choice) { return row_of(choice, asked_type(choice), fields_scene); }
+store::CellRow fields_row(const CellChoice& choice) {
+    return row_of(choice, asked_type(choice), fields_scene);
+}
 
 std::vector<store::FigureRow> fields_figures(const FieldsAdvice& advice) {
     return FieldsFigures(advice).take();

@@ -48,8 +48,7 @@ AllowedErrors allowed_errors_of(const Respondent& respondent) {
 }
 
 /// Of an answer that is one: verdict, then distance, then depth; within the errors and the band.
-void judge(JudgedResponse& response, bool separated, const PairTruth& stored,
-           const AllowedErrors& relative) {
+void judge(JudgedResponse& response, bool separated, const PairTruth& stored, const AllowedErrors& relative) {
     const double allowed = relative.distance * stored.band.scale + stored.band.band,
                  allowed_depth = relative.depth * stored.band.scale + stored.band.band;
     const truth::JudgedAnswer answer{separated, response.distance.value_or(0)};

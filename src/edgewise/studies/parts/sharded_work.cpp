@@ -65,8 +65,9 @@ std::vector<sweep::ShardUnit> units_of(const sweep::SweepWork& work) {
         units.push_back(
             {effort_unit, static_cast<double>(work.plan.effort) * subjects * effort_query_seconds});
     if (work.plan.fields > 0)
-        units.push_back({fields_unit, static_cast<double>(fields_cells(work.plan.fields, work.plan.seed).size()) *
-                                          fields_cell_seconds});
+        units.push_back(
+            {fields_unit, static_cast<double>(fields_cells(work.plan.fields, work.plan.seed).size()) *
+                              fields_cell_seconds});
     return units;
 }
 

@@ -13,8 +13,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-ScreenedCell looked_at(const std::string& table, double ns, double bytes = 10, OutFor out_for = OutFor::nothing,
-                       double error = 0) {
+ScreenedCell looked_at(const std::string& table, double ns, double bytes = 10,
+                       OutFor out_for = OutFor::nothing, double error = 0) {
     ScreenedCell cell;
     cell.type = &*std::ranges::find(bench::table_types(), table, &bench::TableType::name);
     cell.algorithm = "vclip";
@@ -34,7 +34,8 @@ Finalist taken_lean(double error = 0) {
     return taken;
 }
 
-const std::string one_table = "one table for all bodies: ", shared_best = "V-Clip on aos_f64, 290 ns at a first look";
+const std::string one_table = "one table for all bodies: ",
+                  shared_best = "V-Clip on aos_f64, 290 ns at a first look";
 
 TEST(AdviceChanges, AreNoneWhereNothingWould) {
     EXPECT_THAT(what_would_change({}, {}, {}, taken_lean()), IsEmpty());

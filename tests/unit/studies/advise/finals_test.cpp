@@ -54,9 +54,9 @@ TEST(Finals, DividesByTheBaselinesMedian) {
 }
 
 TEST(Finals, NeverTakesWhoIsOverTheLimit) {
-    const Finals finals = ranked_finals(
-        {raced("quantised_f64", {0.3}, 1e-5), raced("lean_f32", {0.6}, 1e-7), raced(baseline_table, {1}, 2e-7)},
-        1e-7);
+    const Finals finals = ranked_finals({raced("quantised_f64", {0.3}, 1e-5), raced("lean_f32", {0.6}, 1e-7),
+                                         raced(baseline_table, {1}, 2e-7)},
+                                        1e-7);
     EXPECT_EQ(tables_in_order(finals), "lean_f32 ");
     ASSERT_EQ(finals.over_limit.size(), 2U);
     ASSERT_NE(finals.baseline(), nullptr) << "compared with all the same";
@@ -64,12 +64,11 @@ TEST(Finals, NeverTakesWhoIsOverTheLimit) {
 }
 
 TEST(Finals, TieWhereIntervalsMeetOrTheBaselineDiffersAsMuchFromItself) {
-    const Finals finals = ranked_finals(beside_baseline(0.96, 1.05,
-                                                        {raced("first", {0.50, 0.51, 0.52}),
-                                                         raced("meets", {0.515, 0.56, 0.6}),
-                                                         raced("in_band", {0.525, 0.53, 0.535}),
-                                                         raced("beyond", {0.55, 0.56, 0.57})}),
-                                        1e-6);
+    const Finals finals = ranked_finals(
+        beside_baseline(0.96, 1.05,
+                        {raced("first", {0.50, 0.51, 0.52}), raced("meets", {0.515, 0.56, 0.6}),
+                         raced("in_band", {0.525, 0.53, 0.535}), raced("beyond", {0.55, 0.56, 0.57})}),
+        1e-6);
     EXPECT_TRUE(finals.ties(*finals.find("vclip", "first")));
     EXPECT_TRUE(finals.ties(*finals.find("vclip", "meets")));
     EXPECT_TRUE(finals.ties(*finals.find("vclip", "in_band"))) << "0.53 / 0.51 = 1.04 < 1.05";

@@ -67,9 +67,8 @@ TEST(Screen, LooksAtEachCellOnceAndSaysWhyItIsOut) {
 
 TEST(Screen, PutsWhoIsInFirstAndTheFastestBeforeOthers) {
     const Screen seen = look(1e-9);
-    EXPECT_TRUE(std::ranges::is_sorted(seen.cells, {}, [](const ScreenedCell& cell) {
-        return std::pair(!cell.is_in(), cell.ns);
-    }));
+    EXPECT_TRUE(std::ranges::is_sorted(
+        seen.cells, {}, [](const ScreenedCell& cell) { return std::pair(!cell.is_in(), cell.ns); }));
     EXPECT_TRUE(seen.cells.front().is_in());
 }
 
@@ -98,8 +97,7 @@ TEST(Screen, LeavesOutWhoIsSlowerThanAllowedButNotTheBaseline) {
 TEST(Screen, BeginsWithTheBaselineAndEndsWithVariantsWhereItIsStopped) {
     for (const std::size_t most : {std::size_t{0}, std::size_t{1}, std::size_t{9}}) {
         std::size_t asked = 0;
-        const Screen seen =
-            screen(three_spheres(1e-6), short_look, [&] { return asked++ == most; });
+        const Screen seen = screen(three_spheres(1e-6), short_look, [&] { return asked++ == most; });
         EXPECT_EQ(seen.cells.size(), most);
         EXPECT_EQ(seen.left_out, cells_of_program() - most);
         EXPECT_EQ(std::ranges::count_if(seen.cells, &ScreenedCell::is_baseline), most > 0 ? 1 : 0);
