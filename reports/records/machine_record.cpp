@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/ratio_interval.hpp"
 
 namespace edgewise::reports {
@@ -157,7 +158,8 @@ nlohmann::ordered_json to_json(const MachineRecord& record) {
 }
 
 MachineRecord parse_record(const std::string& text, const std::string& where) {
-    const nlohmann::json object = nlohmann::json::parse(text, nullptr, false);
+    const auto parsed = input::parse_json(text);
+    const nlohmann::json object = parsed ? *parsed : nlohmann::json();
     const int version = member<int>(object, "edgewise_machine_record", where);
     if (version != record_version)
         throw std::runtime_error(fmt::format("{}: a record of version {}, not {}; take a newer edgewise",

@@ -18,6 +18,7 @@ namespace edgewise::cli_test {
 namespace {
 
 using nlohmann::json;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
 
@@ -88,6 +89,30 @@ TEST_F(Resume, AfterCtrlC) {
     const bool any_cells = outcome.err.find("before the first cells") == outcome.err.npos;
     EXPECT_EQ(std::filesystem::exists(folder_ / "index.html"), any_cells) << "a report of what is there";
     expect_rest_is_completed(rounds_in(folder_ / "s.db"));
+}
+
+/// Of every cell.
+std::vector<std::string> checked_in(const Folder& folder) {
+    return rows_of(folder / "s.db",
+                   "select value from figure where probe = 'error' and name = 'checked' order by hash");
+}
+
+/// A cell whose answers were checked at 20 queries is not verified at 60; at 20 it is, once it is at 60.
+TEST_F(Resume, AfterFewerChecksThanAreAskedFor) {
+    Arguments arguments = {"sweep",   "--scenes",    "cold",   "--shapes",  "cube8", "--layouts",
+                           "aos_f64", "--queries",   "100",    "--rounds",  "2",     "--store",
+                           "s.db",    "--no-report", "--json", "--checked", "20"};
+    ASSERT_EQ(run(arguments, folder_).exit_code, 0);
+    const auto rounds = rounds_in(folder_ / "s.db");
+    EXPECT_THAT(checked_in(folder_), ElementsAre("20.0", "20.0"));
+    for (const char* checked : {"60", "20"}) {
+        arguments.back() = checked;
+        const Outcome outcome = run(arguments, folder_);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(json::parse(outcome.out)["verified"], 2);
+        EXPECT_THAT(checked_in(folder_), ElementsAre("60.0", "60.0")) << "after " << checked;
+        EXPECT_EQ(rounds_in(folder_ / "s.db"), rounds) << "times stay";
+    }
 }
 
 }  // namespace

@@ -143,6 +143,7 @@ TEST(Sweep, RecordsAFailingCellAndGoesOn) {
     const Outcome outcome = Process(crooked_program_path, arguments, folder).wait();
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_THAT(outcome.err, HasSubstr("crooked_f64"));
+    EXPECT_THAT(outcome.err, testing::Not(HasSubstr(".stl"))) << "no word on bodies that it does not use";
     const json summary = json::parse(outcome.out);
     EXPECT_EQ(summary["cells"], 2);
     EXPECT_EQ(summary["failed"], 1);

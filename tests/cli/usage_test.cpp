@@ -3,6 +3,8 @@
 // What goes wrong before any work begins: exit code 2, one line on stderr that says what, where and what to
 // do, and nothing on stdout. An unknown name's line lists the known ones.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+
 #include <sstream>
 
 #include "program.hpp"
@@ -29,6 +31,8 @@ TEST_P(Usage, IsOneLineAndExitCodeTwo) {
     folder.write("text.obj", "once upon a time\n");
     folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     folder.write("not_a_store.db", "something else\n");
+    folder.write("deep.json", R"({"note": )" + std::string(100'000, '['));
+    ASSERT_EQ(mkfifo((folder / "pipe.obj").c_str(), 0600), 0);
     folder.write("plan.json", R"({"rounds": "many"})");
     folder.write("misspelt.json", R"({"shaps": ["cube8"]})");
     folder.write("tumble.json", R"({"scene": "tumble", "shapes": ["cube8"]})");
@@ -128,6 +132,22 @@ const std::vector<Slip> bad_values = {
      {"stability", "--store", "no/such/x.db", "--layouts", "aos_f64"},
      {"there is no folder no"}},
     {"out_folder_of_a_slip", {"sweep", "--shapes", "cube8", "--out", "no/such"}, {"--out", "no/such"}},
+    {"advice_on_one_body", {"advise", "--bodies", "1"}, {"--bodies '1'", "bodies, 2 to 10000"}},
+    {"advice_on_hexadecimal", {"advise", "--bodies", "0x10"}, {"--bodies '0x10'"}},
+    {"advice_on_two_shapes", {"advise", "--shape", "cube8", "--vertices", "8"}, {"--shape", "--vertices"}},
+    {"advice_on_an_endless_turn", {"advise", "--turn", "inf"}, {"inf"}},
+    {"advice_without_error", {"advise", "--error", "0"}, {"--error"}},
+    {"advice_at_once", {"advise", "--time", "1"}, {"--time"}},
+    {"advice_on_nearness", {"advise", "--needs", "nearer"}, {"nearer", "distance"}},
+    {"advice_on_no_machine", {"advise", "--machines", "zen55"}, {"did you mean 'zen5'?"}},
+    {"advice_on_no_shape", {"advise", "--shape", "sphere385"}, {"sphere385", "sphere386"}},
+    {"judge_of_a_word", {"judge", "text.obj", "--said", "fcl=0x1p3"}, {"--said fcl=0x1p3"}},
+    {"folder_of_a_slip_in_merge", {"merge", "not_a_store.db", "--out", "no/such/x.db"}, {"--out", "no/such"}},
+    {"folder_of_a_slip_in_campaign",
+     {"campaign", "--pairs", "10", "--layouts", "aos_f64", "--state", "no/such/x.json"},
+     {"--state", "there is no folder no"}},
+    {"campaign_of_a_negative_seed", {"campaign", "--seed", "-1"}, {"--seed '-1'"}},
+    {"fields_of_few_rounds", {"fields", "--rounds", "8"}, {"--rounds '8'", "rounds, 9 to 1000"}},
     {"no_case_at_all", {"query", "-"}, {"-: no case in it", "--help"}},
 };
 
@@ -139,10 +159,22 @@ const std::vector<Slip> bad_files = {
     {"text_mesh", {"bytes", "--mesh", "text.obj"}, {"text.obj"}},
     {"flat_mesh", {"bytes", "--mesh", "flat.obj"}, {"flat.obj", "flat"}},
     {"folder_for_mesh", {"bytes", "--mesh", "."}, {"directory"}},
+    {"missing_mesh_of_advice", {"advise", "--mesh", "missing.stl"}, {"missing.stl"}},
+    {"no_scene_of_advice", {"advise", "--scene", "tumble"}, {"--scene tumble", "NAME.json"}},
     {"missing_cases", {"query", "missing.jsonl"}, {"missing.jsonl"}},
     {"folder_for_cases", {"query", "."}, {"directory"}},
     {"device_for_cases", {"query", "/dev/zero"}, {"/dev/zero", "no regular file", "standard input"}},
     {"device_for_mesh", {"bytes", "--mesh", "/dev/zero"}, {"/dev/zero", "no regular file"}},
+    {"device_for_a_pair", {"judge", "/dev/zero"}, {"/dev/zero", "no regular file"}},
+    {"device_for_bodies", {"judge", "--a", "/dev/zero", "--b", "text.obj"}, {"/dev/zero", "no regular file"}},
+    {"pipe_for_bodies", {"judge", "--a", "pipe.obj", "--b", "pipe.obj"}, {"pipe.obj", "no regular file"}},
+    {"device_for_records", {"compare", "/dev/zero"}, {"/dev/zero", "no regular file"}},
+    {"device_for_groups", {"fields", "--groups", "/dev/zero"}, {"/dev/zero", "no regular file"}},
+    {"device_for_a_campaign", {"campaign", "--add", "/dev/zero"}, {"/dev/zero", "no regular file"}},
+    {"nested_groups", {"fields", "--groups", "deep.json"}, {"deep.json", "nested deeper"}},
+    {"nested_record", {"compare", "deep.json"}, {"deep.json", "edgewise_machine_record"}},
+    {"nested_machine", {"caches", "--machines", "deep.json"}, {"deep.json", "nested deeper"}},
+    {"nested_plan", {"sweep", "--plan", "deep.json"}, {"deep.json", "nested deeper"}},
     {"device_for_plan", {"sweep", "--plan", "/dev/zero"}, {"/dev/zero", "no regular file"}},
     {"scene_file_called_as_a_kind", {"sweep", "--scenes", "tumble.json"}, {"tumble.json", "kind of scene"}},
     {"no_store", {"report", "missing.db"}, {"missing.db", "sweep"}},

@@ -11,11 +11,10 @@
 
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/cli/terminal/text_table.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/reports/additions.hpp"
-#include "edgewise/scene/mesh/mesh_file.hpp"
-#include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/table_memory_cost.hpp"
 
 namespace edgewise::cli {
@@ -28,13 +27,6 @@ struct BytesArguments {
     std::vector<std::string> layouts = {"all"};
     bool slopes = false, footnotes = false;
 };
-
-scene::MeshBody chosen_body(const BytesArguments& options) {
-    if (options.mesh.empty()) return {options.shape, scene::make_shape(options.shape).or_throw()};
-    auto bodies = scene::read_mesh_file(options.mesh, scene::MeshGrouping::one_hull);
-    if (bodies && !bodies.warning.empty()) warn(bodies.warning);
-    return std::move(bodies).or_throw().front();
-}
 
 const bench::Probe& bytes_probe() {
     for (const bench::Probe& probe : bench::registered_probes()) {
@@ -229,7 +221,7 @@ void print_footnotes() {
 }
 
 int run_bytes(const BytesArguments& options, bool json) {
-    const scene::MeshBody shape = chosen_body(options);
+    const scene::MeshBody shape = chosen_body(options.shape, options.mesh);
     const nlohmann::json rows = rows_of(options, shape);
     if (json) {
         nlohmann::json out;

@@ -8,9 +8,11 @@
 #include <iterator>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
 #include "edgewise/cli/parts/shard_options.hpp"
 #include "edgewise/cli/terminal/campaign_tables.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/studies/campaign/failing_case.hpp"
@@ -88,7 +90,6 @@ class FailureLog {
         const auto cell = std::ranges::find(cells_, failure.cell, &Cell::name);
         const std::string line = failing_line(source_, failure, *cell);
         fmt::print(stderr, "{}\n", line);
-        std::filesystem::create_directories(folder_of(path_));
         std::ofstream(path_, std::ios::app) << line << '\n';
     }
 
@@ -131,7 +132,8 @@ int run_campaign(const CampaignArguments& options, bool json) {
         return exit_done;
     }
     const std::vector<Cell> cells = chosen_cells(options);
-    std::filesystem::create_directories(folder_of(options.state));
+    make_folder_of(options.state, "--state");
+    make_folder_of(options.failures, "--failures");
     CampaignProgress progress = start_of(question_of(options, shard, source, cells), options.state);
     const std::uint64_t blocks = progress.question.blocks(), first = shard.first_of(blocks);
     const std::uint64_t resumed = std::max(progress.next_block, first) - first;
@@ -162,7 +164,7 @@ void add_campaign(CLI::App& app, Context& context) {
     command->add_option("--pairs", options.pairs, "pairs in all, as 1e9")
         ->check(CLI::Range(1.0, 1e15))
         ->capture_default_str();
-    command->add_option("--seed", options.seed, "seed of the generators")->capture_default_str();
+    add_count(*command, "--seed", options.seed, input::seed_range, "seed of the generators");
     add_shard_option(*command, options.shard);
     add_names(*command, "--families", options.families,
               "only these: random, or hard ones (edgewise list families)");
@@ -178,7 +180,7 @@ void add_campaign(CLI::App& app, Context& context) {
                      "file that failing pairs are added to, minimised, as cases")
         ->capture_default_str();
     command->add_option("--add", options.add, "no run: the state files of all shards added up into --state");
-    command->add_option("--pair", options.pair, "no run: this pair as a case for edgewise query");
+    add_count(*command, "--pair", options.pair, {}, "no run: this pair as a case for edgewise query");
 }
 
 }  // namespace edgewise::cli

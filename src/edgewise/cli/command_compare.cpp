@@ -3,10 +3,8 @@
 // `edgewise compare`: machine records of many machines beside each other: which layout wins where.
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "edgewise/cli/command.hpp"
+#include "edgewise/input/file_text.hpp"
 #include "edgewise/reports/records/compare_records.hpp"
 
 namespace edgewise::cli {
@@ -18,9 +16,7 @@ struct CompareArguments {
 };
 
 reports::MachineRecord record_in(const std::string& path) {
-    std::ifstream stream(path);
-    if (!stream) throw std::runtime_error(path + ": cannot be read; name machine records");
-    return reports::parse_record(std::string(std::istreambuf_iterator<char>(stream), {}), path);
+    return reports::parse_record(input::read_file_text(path).or_throw(), path);
 }
 
 int run_compare(const CompareArguments& options, bool json) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/reports/charts/co_access_picture.hpp"
 #include "edgewise/studies/fields/fields.hpp"
@@ -20,6 +21,9 @@ namespace {
 using studies::FieldsAdvice;
 using studies::FieldsContender;
 using Role = FieldsContender::Role;
+
+/// As many as an interval takes.
+constexpr input::CountRange interval_rounds{9, 1000, "rounds"};
 
 struct FieldsArguments {
     studies::FieldsPlan plan;
@@ -216,17 +220,15 @@ void add_fields(CLI::App& app, Context& context) {
         "Which fields of a table's records are read together, and where they should lie", run_fields);
     studies::FieldsPlan& plan = options.plan;
     add_cell_options(*command, plan.cell);
-    command->add_option("--checked", plan.cell.checked, "queries checked exactly, of each table")
-        ->capture_default_str();
+    add_count(*command, "--checked", plan.cell.checked, input::queries_range,
+              "queries checked exactly, of each table");
     add_names(*command, "--machines", plan.machines,
               "whose caches are modelled: names, or your own NAME.json");
     command->add_option("--beside", plan.beside, "a table type made by hand, timed beside [hot_cold]");
     command->add_option("--groups", plan.groups_file, "a file of groups to try, in place of advised ones");
     command->add_option("--write", options.write, "the advised groups as JSON, to this file");
     command->add_option("--svg", options.svg, "the matrix of fields as a picture, to this file");
-    command->add_option("--rounds", plan.rounds, "interleaved rounds of timing")
-        ->capture_default_str()
-        ->check(CLI::Range(9, 1000));
+    add_count(*command, "--rounds", plan.rounds, interval_rounds, "interleaved rounds of timing");
 }
 
 }  // namespace edgewise::cli

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <stdexcept>
 
 #include "edgewise/bench/trace/trace_names.hpp"
@@ -99,11 +98,9 @@ measure::LayoutLock lock_of(const LockArguments& options) {
 
 std::uint64_t number_in(const measure::LayoutLock& lock, const char* name, const std::string& file) {
     const std::string& text = lock.condition(name, file);
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        throw std::runtime_error(fmt::format("{}: of.{}: wants a whole number", file, name));
-    return value;
+    const auto value = input::parse_count(text, {});
+    if (!value) throw std::runtime_error(fmt::format("{}: of.{}: {}", file, name, value.error));
+    return *value;
 }
 
 /// The lock's own conditions as options.

@@ -3,10 +3,9 @@
 // `edgewise merge`: the stores of a campaign's parts as one.
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/parts/figures_of_merit.hpp"
+#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/store/merge.hpp"
 
 namespace edgewise::cli {
@@ -40,7 +39,7 @@ void print(const store::MergeSummary& summary, const std::string& out) {
 }
 
 int run_merge(const MergeArguments& options, bool json) {
-    std::filesystem::create_directories(folder_of(options.out));
+    make_folder_of(options.out, "--out");
     const store::MergeSummary summary = store::merge_stores(options.stores, options.out, options.mixed);
     for (const std::string& line : summary.missing) warn(line);
     if (json)

@@ -108,14 +108,14 @@ studies::StabilitySummary run_with_progress(const studies::StabilityPlan& plan, 
 }
 
 int run_stability(const StabilityArguments& options, bool json) {
-    check_folder_of_store(options.store);
+    check_folder_of(options.store, "--store");
     studies::StabilityPlan plan = chosen_plan(options);
     static_cast<void>(studies::stability_rows(plan));  // refuses unknown families before a store is made
     const sweep::Shard shard = chosen_shard(options.shard);
     const auto seconds =
         options.costs.empty() ? std::map<std::string, double>() : studies::seconds_in(options.costs);
     const bool any = studies::keep_shard(plan, shard, seconds);
-    make_folder_of_store(options.store);
+    make_folder_of(options.store, "--store");
     store::Store store(options.store);
     if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
     if (!json) print_heading();

@@ -194,13 +194,13 @@ bool names_store(const SweepArguments& options, const sweep::Shard& shard) {
 }
 
 void check_folders(const SweepArguments& options, const sweep::Shard& shard, const std::string& store) {
-    if (names_store(options, shard)) check_folder_of_store(store);
+    if (names_store(options, shard)) check_folder_of(store, "--store");
     if (!options.out.empty()) check_folder(options.out, "--out");
 }
 
 void make_folders(const SweepArguments& options, const sweep::Shard& shard, const std::string& store) {
     if (names_store(options, shard))
-        make_folder_of_store(store);
+        make_folder_of(store, "--store");
     else
         std::filesystem::create_directories(folder_of(store));
     if (!options.out.empty()) make_folder(options.out, "--out");
@@ -260,7 +260,8 @@ void add_sweep(CLI::App& app, Context& context) {
               "only these scenes: kinds, scene files, or your own NAME.json");
     add_names(*command, "--shapes", options.shapes, "these built-in shapes instead of the plan's bodies");
     add_names(*command, "--caches", options.caches, "model caches for cells of these shapes, or all");
-    add_names(*command, "--machines", options.machines, "whose caches: names, host, or your own NAME.json");
+    add_names(*command, "--machines", options.machines,
+              "whose caches: names, host, NAME.json, or sizes as in l2=256K,l3=8M");
     add_names(*command, "--probes", options.probes,
               "measure cells by these probes alone (edgewise list probes)");
     command->add_option("--mesh", options.meshes, "these mesh files instead of the plan's bodies");

@@ -4,22 +4,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <stdexcept>
 
+#include "edgewise/input/count.hpp"
 #include "edgewise/store/read_rows.hpp"
 #include "edgewise/store/schema.hpp"
 
 namespace edgewise::store {
 
 namespace {
-
-std::optional<std::size_t> number_from(std::string_view text) {
-    std::size_t value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
-}
 
 /// Throws unless all have one value; the line names a file for each of the first two.
 void check_one(const std::map<std::string, std::string>& file_of_value, const char* what) {
@@ -35,8 +28,8 @@ void check_one(const std::map<std::string, std::string>& file_of_value, const ch
 std::optional<PartOf> part_from(const std::string& text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos) return std::nullopt;
-    const auto index = number_from(std::string_view(text).substr(0, slash)),
-               count = number_from(std::string_view(text).substr(slash + 1));
+    const auto index = input::parse_count(std::string_view(text).substr(0, slash), {}),
+               count = input::parse_count(std::string_view(text).substr(slash + 1), {});
     if (!index || !count || *index >= *count) return std::nullopt;
     return PartOf{*index, *count};
 }

@@ -9,10 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/parallel.hpp"
-#include "edgewise/scene/scenes.hpp"
-#include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/vocabulary.hpp"
 #include "edgewise/studies/callgrind_pass.hpp"
 
@@ -21,30 +18,6 @@ namespace edgewise::studies {
 namespace {
 
 using Number = measure::Expected<double>;
-
-store::CellRow row_of(const EffortContender& contender) {
-    const CellChoice& choice = contender.choice;
-    const Polyhedron body = scene::make_shape(choice.shape).or_throw();
-    store::CellRow row;
-    row.scene = effort_scene + choice.scene;
-    row.scene_parameters =
-        bench::parameters_json(scene::complete_parameters(choice.scene, choice.parameters).or_throw());
-    if (choice.sub_distance != SubDistanceSolver::cofactors && choice.algorithm == "gjk")
-        row.axes = fmt::format("sub_distance={}", to_string(choice.sub_distance));
-    row.shape = choice.shape;
-    row.shape_source = "built-in";
-    row.algorithm = choice.algorithm;
-    row.layout = contender.type->layout;
-    row.precision = contender.type->precision;
-    row.table = contender.type->name;
-    row.vertices = body.vertex_count();
-    row.edges = body.edge_count();
-    row.faces = body.face_count();
-    row.seed = choice.seed;
-    row.queries = choice.queries;
-    bench::name_cell(row, body);
-    return row;
-}
 
 /// The quotient, or the reason of whichever is missing.
 Number over(const Number& above, const Number& below) {
@@ -156,7 +129,7 @@ bool run_effort(const EffortPlan& plan, const std::function<bool(const store::Ce
     const std::vector<EffortContender> all = contenders(plan);
     std::vector<Examined> examined;
     for (std::size_t place = 0; place < all.size() && !stop; ++place) {
-        store::CellRow row = row_of(all[place]);
+        store::CellRow row = row_of(all[place].choice, *all[place].type, effort_scene);
         if (wanted(row)) examined.push_back(examine_row(place, all[place], std::move(row)));
     }
     std::mutex one_at_a_time;

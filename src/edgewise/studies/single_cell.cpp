@@ -5,7 +5,9 @@
 
 #include <stdexcept>
 
+#include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
+#include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::studies {
@@ -55,6 +57,29 @@ SingleCell::SingleCell(const CellChoice& choice, const bench::TableOptions& plac
     runner_->configure(options);
     if (const std::string error = runner_->load(workload()); !error.empty())
         throw std::invalid_argument(error);
+}
+
+store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, const std::string& run) {
+    const Polyhedron body = scene::make_shape(choice.shape).or_throw();
+    store::CellRow row;
+    row.scene = run + choice.scene;
+    row.scene_parameters =
+        bench::parameters_json(scene::complete_parameters(choice.scene, choice.parameters).or_throw());
+    if (choice.sub_distance != SubDistanceSolver::cofactors && choice.algorithm == "gjk")
+        row.axes = fmt::format("sub_distance={}", to_string(choice.sub_distance));
+    row.shape = choice.shape;
+    row.shape_source = "built-in";
+    row.algorithm = choice.algorithm;
+    row.layout = type.layout;
+    row.precision = type.precision;
+    row.table = type.name;
+    row.vertices = static_cast<std::int64_t>(body.vertex_count());
+    row.edges = static_cast<std::int64_t>(body.edge_count());
+    row.faces = static_cast<std::int64_t>(body.face_count());
+    row.seed = choice.seed;
+    row.queries = static_cast<std::int64_t>(choice.queries);
+    bench::name_cell(row, body);
+    return row;
 }
 
 }  // namespace edgewise::studies

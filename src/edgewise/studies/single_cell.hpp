@@ -8,6 +8,7 @@
 #include <string>
 
 #include "edgewise/bench/registry.hpp"
+#include "edgewise/store/rows.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
 
 namespace edgewise::studies {
@@ -41,5 +42,9 @@ class SingleCell {
     std::unique_ptr<sweep::SharedQueries> shared_;
     std::unique_ptr<bench::Runner> runner_;
 };
+
+/// The row that a run of this name has of such a cell, named; its status is the run's to say.
+[[nodiscard]] store::CellRow row_of(const CellChoice& choice, const bench::TableType& type,
+                                    const std::string& run);
 
 }  // namespace edgewise::studies

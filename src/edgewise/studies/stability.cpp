@@ -11,7 +11,7 @@
 
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/geometry/known_names.hpp"
-#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/studies/parts/allowed_errors.hpp"
 #include "edgewise/studies/stability_subject.hpp"
 
 namespace edgewise::studies {
@@ -72,14 +72,6 @@ StabilityRow row_for(const StabilityPlan& plan, const scene::HardFamily& family,
     return row;
 }
 
-/// Where planes are stored in single and computed with in double, V-Clip is as good as the planes.
-StabilityTally tally_for(const bench::TableType& type, const std::string& algorithm) {
-    const bool single = type.eps > Tolerance<double>::eps;
-    const bool rounded_planes = type.rounded_planes && algorithm == "vclip";
-    return {single || rounded_planes ? verified_error_single : verified_error_double,
-            single ? verified_error_single : verified_depth_error_double};
-}
-
 /// By storage of the bodies: exact answers are shared.
 using SharedCases = std::map<std::string, StabilityCases>;
 
@@ -94,7 +86,8 @@ StabilityRow measured_row(const StabilityPlan& plan, const scene::HardFamily& fa
         return row;
     }
     const bench::TableType& type = *subject.type;
-    StabilityTally tally = tally_for(type, subject.algorithm);
+    const AllowedErrors allowed = allowed_errors(type, subject.algorithm);
+    StabilityTally tally(allowed.distance, allowed.depth);
     const auto of_storage =
         cases.try_emplace(type.storage, family, plan.count, plan.seed, type.single_storage, plan.real);
     StabilitySubject asked(type, subject.algorithm, family.warm, of_storage.first->second,

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <optional>
 #include <stdexcept>
 
 #include "edgewise/geometry/known_names.hpp"
+#include "edgewise/input/count.hpp"
 
 namespace edgewise::sweep {
 
@@ -20,11 +20,10 @@ namespace {
 
 /// A number in [0, below).
 double read_tolerance(std::string_view entry, std::string_view value, double below) {
-    double number = -1;
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-    if (error != std::errc{} || end != value.data() + value.size() || !(number >= 0 && number < below))
+    const auto number = input::parse_number(value);
+    if (!number || *number < 0 || *number >= below)
         refuse(entry, fmt::format("wants a number from 0 to below {}", below));
-    return number;
+    return *number;
 }
 
 constexpr std::string_view order_values = "given|bfs|spatial|rcm", sharing_values = "shared|per_instance",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The model: its constants are estimates of what parts of a group take beside each other, fitted to no
-// measurement. A machine that is faster or slower in all of them changes no ratio, and the seconds of groups
-// that the store remembers take the place of the model's.
+// The model: its constants were fitted by hand to the seconds of plan quick on a machine of two cores, group
+// by group (tests/unit/sweep/progress_model_test.cpp has them). A machine that is faster or slower in all of
+// them changes no ratio, and the seconds of groups that the store remembers take the place of the model's.
 #include "edgewise/sweep/expected_work.hpp"
 
 #include <fmt/format.h>
@@ -16,47 +16,75 @@ namespace edgewise::sweep {
 
 namespace {
 
-/// s per query of a warm pair, and of a cold one, which walks across the body.
-double query_seconds(const SceneWork& scene, double vertices) {
-    const bool cold = (scene.kind.empty() ? scene.choice.name : scene.kind) == "cold";
-    return (cold ? 150 + 90 * std::sqrt(vertices) : 100 + 20 * std::sqrt(vertices)) * 1e-9;
-}
+// ns per query by the square root of the body's vertices, of which a walk across the body meets so many.
+struct PerQuery {
+    double least, per_root;
 
-constexpr double exact_seconds = 3.2e-6;  ///< per vertex of a pair's body and checked query
-constexpr int storages = 4;  ///< bodies differ by how they are stored: given, f32, f64, quantised
-constexpr double table_seconds = 0.25e-6;  ///< per vertex of a table that is built
-constexpr double traced_over_timed = 60;   ///< a traced query with its lines and reuse distances
-constexpr double cached_over_timed = 60;   ///< and in the caches of each machine
-constexpr double counted_passes = 6;       ///< groups of counters, and what is measured alone
+    [[nodiscard]] double seconds(double vertices) const {
+        return (least + per_root * std::sqrt(vertices)) * 1e-9;
+    }
+};
+constexpr PerQuery cold_query{300, 73};     ///< pairs that have not met before
+constexpr PerQuery still_query{130, 3};     ///< pairs that hardly moved
+constexpr PerQuery static_query{190, 152};  ///< of the scene static: half of its pairs overlap deeply
+
+constexpr double out_of_cache = 4.5;           ///< times as long a query takes whose tables are in memory
+constexpr double cached_vertices = 50'000;     ///< of tables of their own that together fit a cache
+constexpr double table_seconds = 0.55e-6;      ///< per vertex of a table that is built
+constexpr double exact_seconds = 0.4e-6;       ///< per vertex and checked query, of all storages of bodies
+constexpr double cell_seconds = 0.003;         ///< what probes take whatever the queries are
+constexpr double traced_passes = 9;            ///< of all queries, as long as a timed one
+constexpr double cached_query_least = 114e-6,  ///< s per query and machine whose caches are modelled, and
+    cached_query_factor = 40;                  ///< of a timed one in cache beside that
+constexpr double fitted_processors = 2;        ///< that shared what is beside others
 
 double parameter(const SceneWork& scene, const char* name, double standard) {
     const auto found = scene.choice.parameters.find(name);
     return found == scene.choice.parameters.end() ? standard : found->second;
 }
 
+const std::string& kind_of(const SceneWork& scene) {
+    return scene.kind.empty() ? scene.choice.name : scene.kind;
+}
+
 /// Tables that a cell builds.
 double tables_of(const SceneWork& scene) {
-    const std::string& kind = scene.kind.empty() ? scene.choice.name : scene.kind;
-    const bool own = kind == "pressure" || parameter(scene, "own_tables", 0) > 0;
+    const bool own = kind_of(scene) == "pressure" || parameter(scene, "own_tables", 0) > 0;
     return own ? parameter(scene, "bodies", 1) : 1;
+}
+
+/// s per query that finds its tables in a cache. The more a body turns in a step, the less a pair's last
+/// answer helps: by the root of the angle, up to a rad.
+double query_seconds(const SceneWork& scene, double vertices) {
+    const double cold = cold_query.seconds(vertices), still = still_query.seconds(vertices);
+    if (kind_of(scene) == "static") return static_query.seconds(vertices);
+    if (!scene.choice.parameters.contains("rotation_step")) return cold;
+    const double turn =
+        parameter(scene, "random_orientation", 0) > 0 ? 1 : parameter(scene, "rotation_step", 0);
+    return still + std::sqrt(std::min(1.0, turn)) * (cold - still);
 }
 
 }  // namespace
 
 GroupWork modelled_work(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape,
-                        std::size_t cells) {
+                        std::size_t cells, unsigned processors) {
+    if (!shape.error.empty()) return {};
     const auto count = static_cast<double>(cells), queries = static_cast<double>(scene.queries);
     const auto vertices = static_cast<double>(shape.body.vertex_count());
-    const double each = query_seconds(scene, vertices);
+    const double tables = tables_of(scene), in_cache = query_seconds(scene, vertices);
+    const double each = tables * vertices > cached_vertices ? out_of_cache * in_cache : in_cache;
     const double traced = plan.traced > 0 ? std::min(queries, static_cast<double>(plan.traced)) : queries;
     GroupWork work;
-    work.verify = count * (queries * each + tables_of(scene) * vertices * table_seconds) +
-                  storages * static_cast<double>(plan.checked) * vertices * exact_seconds;
-    work.beside = count * queries * each * traced_over_timed;
+    // With the baseline's.
+    work.verify = count * queries * each + (count + 1) * tables * vertices * table_seconds +
+                  static_cast<double>(plan.checked) * vertices * exact_seconds;
+    work.beside = count * (cell_seconds + queries * in_cache * traced_passes);
     if (scene.models_caches(shape))
-        work.beside += count * traced * each * cached_over_timed * static_cast<double>(plan.machines.size());
+        work.beside += count * traced * static_cast<double>(plan.machines.size()) *
+                       (cached_query_least + cached_query_factor * in_cache);
+    work.beside *= fitted_processors / std::max(1U, processors);
     work.rounds = (count + 1) * plan.rounds * queries * each;
-    work.alone = count * queries * each * counted_passes;
+    work.alone = count * queries * each;
     return work;
 }
 
@@ -85,8 +113,9 @@ std::vector<GroupWork> expected_work(
     }
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const double missed = known > 0 && modelled > 0 ? known / modelled : 1;
-        const double factor = seconds[i] ? *seconds[i] / groups[i].all() : missed;
         GroupWork& group = groups[i];
+        if (group.all() == 0) continue;  // of a body that there is not
+        const double factor = seconds[i] ? *seconds[i] / group.all() : missed;
         group = {group.verify * factor, group.beside * factor, group.rounds * factor, group.alone * factor};
     }
     return groups;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "edgewise/sweep/work.hpp"
 
@@ -23,9 +24,11 @@ struct GroupWork {
     [[nodiscard]] double all() const { return verify + beside + rounds + alone; }
 };
 
-/// Of a group of this many cells, by the model.
+/// Of a group of this many cells, by the model; nothing of a body that there is not. What is beside others is
+/// shared by so many processors.
 [[nodiscard]] GroupWork modelled_work(const Plan& plan, const SceneWork& scene,
-                                      const scene::NamedShape& shape, std::size_t cells);
+                                      const scene::NamedShape& shape, std::size_t cells,
+                                      unsigned processors = std::thread::hardware_concurrency());
 
 /// Names a group in a store: scene, parameters, shape, queries, rounds, and how many cells.
 [[nodiscard]] std::string group_key(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape,

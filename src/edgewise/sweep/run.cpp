@@ -120,6 +120,29 @@ void count(const std::string& status, SweepSummary& summary) {
                             : summary.unavailable);
 }
 
+/// What is the same of all cells of a group.
+store::CellRow row_of(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape) {
+    store::CellRow row;
+    row.scene = scene.choice.name;
+    row.scene_kind = scene.kind;
+    row.scene_parameters = bench::parameters_json(scene.choice.parameters);
+    row.shape = shape.name;
+    row.shape_source = shape.source;
+    row.vertices = shape.body.vertex_count();
+    row.edges = shape.body.edge_count();
+    row.faces = shape.body.face_count();
+    row.seed = plan.seed;
+    row.queries = scene.queries;
+    return row;
+}
+
+/// Seconds until now; another lap begins.
+double lap(measure::Stopwatch& watch) {
+    const double seconds = watch.elapsed_ns() * 1e-9;
+    watch.restart();
+    return seconds;
+}
+
 class Sweep {
   public:
     Sweep(const SweepWork& work, store::Store& store, const std::string& build, const SweepListener& listener,
@@ -132,10 +155,9 @@ class Sweep {
         double all = 0;
         for (const GroupWork& group : expected) all += group.all();
         listener_.on_start(all, work_.cells());
-        auto group = expected.begin();
         for (const SceneWork& scene : work_.scenes) {
             for (const scene::NamedShape* shape : scene.shapes) {
-                if (!stop_) run_group(scene, *shape, *group++);
+                if (!stop_) run_group(scene, *shape, expected[place_++]);
             }
         }
         summary_.stopped = stop_;
@@ -149,28 +171,14 @@ class Sweep {
             listener_.on_resumed(expected.all(), cells.size());
             return;
         }
-        const measure::Stopwatch watch;
+        took_ = {};
+        watch_.restart();
         run_cells(scene, shape, cells, expected);
         if (stop_) return;
-        const double seconds = watch.elapsed_ns() * 1e-9;
-        stored_.put_seconds(group_key(work_.plan, scene, shape, cells.size()), seconds);
-        stored_.put_seconds(comparison_name(scene, shape), seconds);  // for shards to be weighed by
+        stored_.put_seconds(group_key(work_.plan, scene, shape, cells.size()), took_.all());
+        stored_.put_seconds(comparison_name(scene, shape), took_.all());  // for shards to be weighed by
+        stored_.put_progress(place_, comparison_name(scene, shape), expected, took_);
         listener_.on_done(0, cells.size(), scene.choice.name + " " + shape.name);
-    }
-
-    [[nodiscard]] store::CellRow row_for(const SceneWork& scene, const scene::NamedShape& shape) const {
-        store::CellRow row;
-        row.scene = scene.choice.name;
-        row.scene_kind = scene.kind;
-        row.scene_parameters = bench::parameters_json(scene.choice.parameters);
-        row.shape = shape.name;
-        row.shape_source = shape.source;
-        row.vertices = shape.body.vertex_count();
-        row.edges = shape.body.edge_count();
-        row.faces = shape.body.face_count();
-        row.seed = work_.plan.seed;
-        row.queries = scene.queries;
-        return row;
     }
 
     [[nodiscard]] std::vector<CellRun> cells_of(const SceneWork& scene,
@@ -178,7 +186,7 @@ class Sweep {
         std::vector<CellRun> cells;
         work_.each_cell(
             scene, [&](const bench::TableType& type, const std::string& algorithm, const Axes& axes) {
-                cells.emplace_back(type, algorithm, axes, row_for(scene, shape), shape.body);
+                cells.emplace_back(type, algorithm, axes, row_of(work_.plan, scene, shape), shape.body);
                 if (scene.models_caches(shape))
                     cells.back().model_caches({work_.machines, work_.plan.traced, work_.plan.traced_steps});
                 cells.back().measure_only(work_.plan.probes);
@@ -208,6 +216,7 @@ class Sweep {
             cell.verify(shared);
             listener_.on_done(expected.verify / count, 0, what);
         }
+        took_.verify = lap(watch_);
         // On all processors: nothing is timed meanwhile, and traces do not depend on what runs beside them.
         std::mutex telling;
         bench::for_each_index(cells.size(), [&](std::size_t i) {
@@ -216,6 +225,7 @@ class Sweep {
             const std::scoped_lock lock(telling);
             listener_.on_done(expected.beside / count, 0, what);
         });
+        took_.beside = lap(watch_);
     }
 
     void run_cells(const SceneWork& scene, const scene::NamedShape& shape, std::vector<CellRun>& cells,
@@ -234,7 +244,7 @@ class Sweep {
         SharedQueries shared(plan, made, shape);
         verify_and_trace(cells, shared, expected, what);
         const bench::TableType& type = baseline_type();
-        CellRun baseline(type, baseline_algorithm_on(type), {}, row_for(scene, shape), shape.body);
+        CellRun baseline(type, baseline_algorithm_on(type), {}, row_of(work_.plan, scene, shape), shape.body);
         baseline.verify(shared);
         if (!baseline.verified())
             listener_.on_warning(fmt::format(
@@ -243,11 +253,13 @@ class Sweep {
         time_rounds(plan, cells, baseline, stored_, stop_,
                     [&] { listener_.on_done(expected.rounds / plan.rounds, 0, what); });
         if (stop_) return;
+        took_.rounds = lap(watch_);
         for (CellRun& cell : cells) {
             cell.measure(CellRun::Stage::alone, stored_.rounds_of(cell));
             keep(cell);
             listener_.on_done(expected.alone / count, 0, what);
         }
+        took_.alone = lap(watch_);
     }
 
     void keep(const CellRun& cell) {
@@ -264,6 +276,9 @@ class Sweep {
     const SweepListener& listener_;
     const std::atomic<bool>& stop_;
     SweepSummary summary_;
+    std::size_t place_ = 0;  ///< of the group in hand, counted from 1
+    measure::Stopwatch watch_;
+    GroupWork took_;  ///< s, by the group in hand
 };
 
 }  // namespace

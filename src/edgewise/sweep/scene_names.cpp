@@ -17,8 +17,10 @@ namespace edgewise::sweep {
 
 namespace {
 
-/// Scenes of rows that no sweep makes (studies): the stability run, paging, what made figure 8, effort.
-constexpr std::string_view study_scenes[] = {"stability", "paging", "thrash", "thrash_realised", "effort"};
+/// Scenes of rows that no sweep makes (studies): the stability run, paging, what made figure 8, effort,
+/// fields; of the last two the name of a scene follows.
+constexpr std::string_view study_scenes[] = {"stability",       "paging", "thrash",
+                                             "thrash_realised", "effort", "fields"};
 
 bool is_path(const std::string& name) {
     const auto texts = scene::scene_texts();
@@ -45,7 +47,8 @@ std::string owner_of_scene_name(const std::string& name) {
         if (id == text.name) return fmt::format("the scene file '{}' that comes along", text.name);
     }
     for (const std::string_view study : study_scenes) {
-        if (id == study) return fmt::format("the rows '{}' of a store", study);
+        if (id == study || name.starts_with(std::string(study) + " "))
+            return fmt::format("the rows '{}' of a store", study);
     }
     return {};
 }

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "edgewise/input/count.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/vocabulary.hpp"
+#include "edgewise/sweep/progress_pieces.hpp"
 
 namespace edgewise::sweep {
 
@@ -46,13 +48,22 @@ std::set<int> StoredCells::rounds_missing(const CellRun& cell) const {
     return missing;
 }
 
-std::optional<double> StoredCells::took(const std::string& group) const {
-    const auto text = store_.meta(store::took_key + group);
-    return text ? std::optional(std::stod(*text)) : std::nullopt;
+std::optional<double> took_in(const store::Store& store, const std::string& what) {
+    const auto text = store.meta(store::took_key + what);
+    return text ? input::parse_number(*text).value : std::nullopt;
 }
 
 void StoredCells::put_seconds(const std::string& of, double seconds) {
     store_.set_meta(store::took_key + of, fmt::format("{:.3f}", seconds));
+}
+
+void StoredCells::put_progress(std::size_t place, const std::string& group, const GroupWork& expected,
+                               const GroupWork& took) {
+    const ProgressPiece pieces[] = {{"verify", expected.verify, took.verify},
+                                    {"beside others", expected.beside, took.beside},
+                                    {"rounds", expected.rounds, took.rounds},
+                                    {"alone", expected.alone, took.alone}};
+    store_.set_meta(progress_key(place, group), progress_value(pieces));
 }
 
 bool StoredCells::lacks_checks(const store::CellRow& row, StoredFigures stored) const {

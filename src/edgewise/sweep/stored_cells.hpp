@@ -12,9 +12,13 @@
 
 #include "edgewise/store/store.hpp"
 #include "edgewise/sweep/cell_run.hpp"
+#include "edgewise/sweep/expected_work.hpp"
 #include "edgewise/sweep/plan.hpp"
 
 namespace edgewise::sweep {
+
+/// Seconds that a group or another run took when it last ran, of any build; nothing where none are stored.
+[[nodiscard]] std::optional<double> took_in(const store::Store& store, const std::string& what);
 
 class StoredCells {
   public:
@@ -31,14 +35,18 @@ class StoredCells {
         return store_.rounds(build_, cell.row().hash);
     }
 
-    /// Seconds that a group took when it last ran, of this build or another.
-    [[nodiscard]] std::optional<double> took(const std::string& group) const;
+    [[nodiscard]] std::optional<double> took(const std::string& group) const {
+        return took_in(store_, group);
+    }
 
     void put(const CellRun& cell) { store_.put_cell(build_, cell.row(), cell.figures()); }
     void put(std::span<const std::pair<std::string, measure::Round>> round) {
         store_.put_round(build_, round);
     }
     void put_seconds(const std::string& of, double seconds);
+    /// What the group at that place was expected to take, and took.
+    void put_progress(std::size_t place, const std::string& group, const GroupWork& expected,
+                      const GroupWork& took);
 
   private:
     /// An earlier run may have checked fewer answers: the cell is not verified as it is asked to be now.

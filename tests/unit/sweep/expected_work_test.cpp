@@ -29,6 +29,17 @@ TEST(ExpectedWork, IsModelledWhereNothingIsRemembered) {
     EXPECT_GT(groups[1].all(), 2 * groups[0].all()) << "386 vertices against 4";
 }
 
+TEST(ExpectedWork, IsNoneOfABodyThatThereIsNot) {
+    SweepWork work = two_scenes();
+    const scene::NamedShape missing{"foot", "foot.stl", {}, "foot.stl: no such file"};
+    EXPECT_EQ(modelled_work(work.plan, work.scenes[0], missing, 100).all(), 0);
+    work.scenes[0].shapes.push_back(&missing);
+    const auto groups = expected_work(work, [](const std::string&) { return std::optional(3.0); });
+    ASSERT_EQ(groups.size(), 5U);
+    EXPECT_EQ(groups[2].all(), 0) << "whatever is remembered";
+    EXPECT_NEAR(groups[1].all(), 3, 1e-9);
+}
+
 TEST(ExpectedWork, IsWhatIsRemembered) {
     const SweepWork work = two_scenes();
     const auto modelled = expected_work(work, [](const std::string&) { return std::nullopt; });

@@ -47,7 +47,8 @@ TEST(SceneNames, OfWhatComesAlongAreTaken) {
         EXPECT_THAT(complaint({name + ".json"}), HasSubstr("'" + name + "' that comes along"));
         EXPECT_EQ(complaint({name}), "");
     }
-    for (const char* study : {"stability", "paging", "thrash", "thrash_realised", "effort"})
+    for (const char* study : {"stability", "paging", "thrash", "thrash_realised", "effort", "fields",
+                              "effort tumble", "fields of mine"})
         EXPECT_THAT(complaint({std::string("x/") + study + ".json"}), HasSubstr("of a store"));
 }
 

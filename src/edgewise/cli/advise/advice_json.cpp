@@ -2,27 +2,38 @@
 #include <fmt/format.h>
 
 #include "edgewise/cli/advise/advice.hpp"
+#include "edgewise/cli/command.hpp"
+#include "edgewise/studies/advise/changes.hpp"
 
 namespace edgewise::cli {
 
 namespace {
 
 using AdviceJson = nlohmann::json;
+using studies::advise::Finalist;
+using studies::advise::Finals;
+
+/// Null where it was not predicted.
+AdviceJson predicted_here(const Finalist& one) {
+    const auto found = one.predicted_ns.find(studies::advise::this_machine);
+    return found == one.predicted_ns.end() ? AdviceJson() : AdviceJson(found->second);
+}
 
 AdviceJson json_of(const Finalist& one, const Finals& finals) {
     return {{"algorithm", one.algorithm},
             {"table", one.table},
             {"time_ratio", {one.low(), one.mid(), one.high()}},
-            {"ns", one.ns},
+            {"ns", one.mid_ns()},
             {"bytes_per_edge", one.bytes_per_edge},
             {"table_bytes", one.table_bytes},
-            {"lines_per_query", one.lines},
+            {"lines_per_query", or_null(one.lines)},
             {"steps", one.steps},
             {"error", one.error},
             {"ties", finals.ties(one)},
             {"misses_per_query", one.misses},
-            {"in_cache_ns", one.in_cache_ns},
-            {"predicted_ns", one.predicted_ns > 0 ? AdviceJson(one.predicted_ns) : AdviceJson()}};
+            {"in_cache_ns", or_null(one.in_cache_ns)},
+            {"predicted_ns", predicted_here(one)},
+            {"predicted_ns_on", one.predicted_ns}};
 }
 
 AdviceJson asked_json(const Advice& advice) {
@@ -34,32 +45,44 @@ AdviceJson asked_json(const Advice& advice) {
             {"assumed", advice.assumed},      {"seed", asked.seed}};
 }
 
+/// Of a body that its tables cannot hold nothing is known.
+AdviceJson json_of(const studies::advise::ScreenedCell& cell) {
+    AdviceJson json = {{"algorithm", cell.algorithm}, {"table", cell.type->name}, {"reason", cell.out}};
+    const bool held = cell.table_bytes > 0;
+    json["ns"] = held ? AdviceJson(cell.ns) : AdviceJson();
+    json["error"] = held ? AdviceJson(cell.error) : AdviceJson();
+    json["bytes_per_edge"] = held ? AdviceJson(cell.bytes_per_edge) : AdviceJson();
+    return json;
+}
+
 }  // namespace
 
 AdviceJson advice_json(const Advice& advice) {
     const Finals& finals = advice.finals;
-    AdviceJson json = {
-        {"asked", asked_json(advice)},         {"take", nullptr},
-        {"next", AdviceJson::array()},         {"out", AdviceJson::array()},
-        {"changes_it", AdviceJson::array()},   {"held", nullptr},
-        {"processes", finals.processes},       {"noise", {finals.noise_low, finals.noise_high}},
-        {"latencies_ns", finals.latencies_ns}, {"seconds", advice.seconds},
-        {"not_asked", advice.not_asked},       {"command", advise_command(advice)}};
-    for (const auto& cell : advice.screen.cells) {
-        if (cell.out.empty()) continue;
-        json["out"].push_back({{"algorithm", cell.algorithm},
-                               {"table", cell.type->name},
-                               {"reason", cell.out},
-                               {"ns", cell.ns},
-                               {"error", cell.error},
-                               {"bytes_per_edge", cell.bytes_per_edge}});
+    AdviceJson json = {{"asked", asked_json(advice)},         {"take", nullptr},
+                       {"next", AdviceJson::array()},         {"out", AdviceJson::array()},
+                       {"changes_it", AdviceJson::array()},   {"held", or_null(finals.prediction_held())},
+                       {"processes", finals.processes},       {"noise", nullptr},
+                       {"latencies_ns", finals.latencies_ns}, {"seconds", advice.seconds},
+                       {"not_asked", advice.not_asked},       {"command", advice.command}};
+    for (const auto& cell : advice.screen.cells)
+        if (!cell.is_in()) json["out"].push_back(json_of(cell));
+    for (const Finalist& one : finals.over_limit) {
+        if (advice.screen.is_inexact(one.algorithm, one.table)) continue;
+        json["out"].push_back({{"algorithm", one.algorithm},
+                               {"table", one.table},
+                               {"reason", "its error, at a closer look"},
+                               {"ns", one.mid_ns()},
+                               {"error", one.error},
+                               {"bytes_per_edge", one.bytes_per_edge}});
     }
+    if (finals.processes > 1) json["noise"] = {finals.noise_low, finals.noise_high};
     if (finals.ranked.empty()) return json;
     json["take"] = json_of(finals.ranked.front(), finals);
     for (std::size_t i = 1; i < finals.ranked.size(); ++i)
         json["next"].push_back(json_of(finals.ranked[i], finals));
-    json["changes_it"] = what_would_change(advice);
-    if (const auto held = prediction_held(finals)) json["held"] = *held;
+    json["changes_it"] =
+        what_would_change(advice.asked, advice.screen, advice.other_tables, finals.ranked.front());
     return json;
 }
 

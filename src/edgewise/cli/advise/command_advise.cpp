@@ -4,17 +4,21 @@
 // cell looked at, the best raced in several processes, the caches of the asked machine modelled; how sure
 // that is, and what would change it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <optional>
 #include <stdexcept>
 
 #include "edgewise/cli/advise/advice.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/count_option.hpp"
 #include "edgewise/geometry/known_names.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/scene/mesh/mesh_shapes.hpp"
 #include "edgewise/scene/scene_file.hpp"
+#include "edgewise/scene/scenes.hpp"
 
 namespace edgewise::cli {
 
@@ -22,7 +26,7 @@ namespace {
 
 struct AdviseArguments {
     std::vector<std::string> meshes, machines;
-    std::string scene, store, needs = "distance";
+    std::string shape, scene, store, needs;
     std::optional<std::size_t> bodies, vertices;
     std::optional<double> turn;
     bool own = false, shared = false;
@@ -34,6 +38,15 @@ struct AdviseArguments {
 constexpr std::size_t usual_bodies = 100;
 constexpr double usual_turn = 0.1;
 constexpr const char* usual_shape = "sphere386";
+constexpr Needs usual_needs = Needs::distance;
+
+constexpr input::CountRange population_range{2, 10'000, "bodies"}, vertices_range{4, 100'000, "vertices"};
+
+/// Of the built-in body that is asked about, if it is one.
+std::string shape_name(const AdviseArguments& options) {
+    if (options.vertices) return fmt::format("sphere{}", *options.vertices);
+    return options.shape.empty() ? usual_shape : options.shape;
+}
 
 scene::NamedShape chosen_shape(const AdviseArguments& options) {
     if (!options.meshes.empty()) {
@@ -41,7 +54,7 @@ scene::NamedShape chosen_shape(const AdviseArguments& options) {
         if (!shapes.warning.empty()) warn(shapes.warning);
         return std::move(shapes).or_throw().front();
     }
-    const std::string name = options.vertices ? fmt::format("sphere{}", *options.vertices) : usual_shape;
+    const std::string name = shape_name(options);
     return {name, "built-in", scene::make_shape(name).or_throw(), {}};
 }
 
@@ -56,15 +69,21 @@ Needs chosen_needs(const std::string& name) {
 /// Each input that nobody gave, with what stands in its place.
 std::vector<std::string> assumptions(const AdviseArguments& options) {
     std::vector<std::string> assumed;
-    if (!options.scene.empty()) return assumed;
-    if (!options.own && !options.shared)
-        assumed.emplace_back(
-            "one table for all bodies (--own-tables: each has its own; the answer may flip)");
-    if (!options.bodies) assumed.push_back(fmt::format("{} bodies (--bodies)", usual_bodies));
-    if (!options.vertices && options.meshes.empty())
-        assumed.push_back(fmt::format("the body is {} (--mesh FILE, or --vertices)", usual_shape));
-    if (!options.turn) assumed.push_back(fmt::format("bodies turn by {} rad per step (--turn)", usual_turn));
-    if (options.machines.empty()) assumed.emplace_back("caches of this machine (--machine NAME, or l2=256K)");
+    if (options.scene.empty()) {
+        if (!options.own && !options.shared)
+            assumed.emplace_back(
+                "one table for all bodies (--own-tables: each has its own; the answer may flip)");
+        if (!options.bodies) assumed.push_back(fmt::format("{} bodies (--bodies)", usual_bodies));
+        if (!options.vertices && options.shape.empty() && options.meshes.empty())
+            assumed.push_back(
+                fmt::format("the body is {} (--mesh FILE, --shape NAME or --vertices)", usual_shape));
+        if (!options.turn)
+            assumed.push_back(fmt::format("bodies turn by {} rad per step (--turn)", usual_turn));
+        if (options.needs.empty())
+            assumed.push_back(fmt::format("answers give the {} (--needs)", to_string(usual_needs)));
+    }
+    if (options.machines.empty())
+        assumed.emplace_back("caches of this machine (--machines NAME, or l2=256K)");
     return assumed;
 }
 
@@ -81,6 +100,7 @@ void take_scene_file(const AdviseArguments& options, studies::advise::CaseAsked&
         throw std::invalid_argument("--scene " + options.scene +
                                     ": for a mesh write --mesh FILE, --bodies and --turn");
     asked.scene = {scene.kind, scene.points.front().parameters};
+    asked.needs = scene.needs;
     asked.own_tables =
         asked.scene.parameters.contains("own_tables") && asked.scene.parameters["own_tables"] > 0;
     if (scene.points.size() > 1)
@@ -90,6 +110,7 @@ void take_scene_file(const AdviseArguments& options, studies::advise::CaseAsked&
 
 studies::advise::CaseAsked case_asked(const AdviseArguments& options) {
     studies::advise::CaseAsked asked;
+    asked.needs = usual_needs;
     if (options.scene.empty()) {
         asked.shape = chosen_shape(options);
         if (!options.meshes.empty()) asked.mesh = options.meshes.front();
@@ -98,11 +119,35 @@ studies::advise::CaseAsked case_asked(const AdviseArguments& options) {
         asked.own_tables = options.own;
     } else {
         take_scene_file(options, asked);
+        if (options.own || options.shared) asked.own_tables = options.own;
     }
-    asked.needs = chosen_needs(options.needs);
+    static_cast<void>(scene::complete_parameters(asked.scene.name, asked.scene.parameters).or_throw());
+    if (!options.needs.empty()) asked.needs = chosen_needs(options.needs);
+    if (asked.needs == Needs::nearer)
+        throw std::invalid_argument(
+            fmt::format("--scene {}: it asks who is nearer than a margin, which no advice is about; write "
+                        "--needs distance",
+                        options.scene));
     asked.error_limit = options.error;
     asked.seed = options.seed;
     return asked;
+}
+
+/// The command that asks for exactly this, whatever is assumed elsewhere.
+std::string command_text(const AdviseArguments& options, const studies::advise::CaseAsked& asked) {
+    std::string text = "edgewise advise";
+    if (!options.scene.empty()) {
+        text += " --scene " + options.scene;
+    } else {
+        text += asked.mesh.empty() ? " --shape " + asked.shape.name : " --mesh " + asked.mesh;
+        text += fmt::format(" --bodies {} --turn {}", options.bodies.value_or(usual_bodies),
+                            options.turn.value_or(usual_turn));
+    }
+    if (options.scene.empty() || options.own || options.shared)
+        text += asked.own_tables ? " --own-tables" : " --shared-tables";
+    text += fmt::format(" --error {} --needs {}", asked.error_limit, to_string(asked.needs));
+    if (!options.machines.empty()) text += fmt::format(" --machines {}", fmt::join(options.machines, ","));
+    return text + fmt::format(" --seed {}", asked.seed);
 }
 
 /// What a store says already.
@@ -110,7 +155,7 @@ int answer_from_store(const AdviseArguments& options, bool json) {
     reports::Question question;
     question.error_limit = options.error;
     if (options.own || options.shared) question.own_tables = options.own;
-    if (options.vertices) question.shape = fmt::format("sphere{}", *options.vertices);
+    if (options.vertices || !options.shape.empty()) question.shape = shape_name(options);
     const reports::ReportData data = reports::read_report(options.store);
     const reports::Answer answer = reports::answer_of(data, question);
     if (answer.scenes().empty())
@@ -136,6 +181,7 @@ int run_advise(const AdviseArguments& options, bool json) {
     Advice advice;
     advice.asked = case_asked(options);
     advice.assumed = assumptions(options);
+    advice.command = command_text(options, advice.asked);
     advice.machines = options.machines;
     static_cast<void>(
         measure::choose_machines(options.machines));  // refuses unknown ones before anything runs
@@ -156,12 +202,16 @@ void add_advise(CLI::App& app, Context& context) {
     CLI::Option* const scene =
         command->add_option("--scene", options.scene, "a scene file, NAME.json, for all else")
             ->excludes(mesh);
-    command->add_option("--vertices", options.vertices, "a sphere of so many vertices instead")
+    CLI::Option* const shape =
+        command->add_option("--shape", options.shape, "a built-in shape instead (edgewise list shapes)")
+            ->excludes(mesh)
+            ->excludes(scene);
+    add_count(*command, "--vertices", options.vertices, vertices_range,
+              "a sphere of so many vertices instead")
         ->excludes(mesh)
-        ->excludes(scene);
-    command->add_option("--bodies", options.bodies, "how many bodies")
-        ->check(CLI::Range(2, 10000))
-        ->excludes(scene);
+        ->excludes(scene)
+        ->excludes(shape);
+    add_count(*command, "--bodies", options.bodies, population_range, "how many bodies")->excludes(scene);
     command->add_option("--turn", options.turn, "rad by which every body turns per step")
         ->check(CLI::NonNegativeNumber)
         ->excludes(scene);
@@ -171,14 +221,15 @@ void add_advise(CLI::App& app, Context& context) {
     command->add_option("--error", options.error, "largest error of a distance, over the size of the pair")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    command->add_option("--needs", options.needs, "what is asked of every answer")->capture_default_str();
-    add_names(*command, "--machine", options.machines,
-              "whose caches are modelled: a name, host, NAME.json, or sizes as in l2=256K,l3=8M");
-    command->add_option("--time", options.seconds, "seconds that it may take, about")
+    command->add_option("--needs", options.needs, "what is asked of every answer")
+        ->default_str(std::string(to_string(usual_needs)));
+    add_names(*command, "--machines,--machine", options.machines,
+              "whose caches are modelled: names, host, NAME.json, or sizes as in l2=256K,l3=8M");
+    command->add_option("--time", options.seconds, "seconds that it may take")
         ->check(CLI::Range(5.0, 3600.0))
         ->capture_default_str();
     command->add_option("--store", options.store, "answer from this store, and measure nothing");
-    command->add_option("--seed", options.seed, "seed of the scene")->capture_default_str();
+    add_count(*command, "--seed", options.seed, input::seed_range, "seed of the scene");
 }
 
 }  // namespace edgewise::cli

@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/cli/terminal/text_table.hpp"
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/studies/advise/body_cost.hpp"
 #include "edgewise/studies/advise/vertex_budget.hpp"
 
@@ -33,13 +33,6 @@ struct Row {
     BodyCost cost;
     bool of_tolerance = false;
 };
-
-scene::MeshBody budget_body(const BudgetArguments& options) {
-    if (options.mesh.empty()) return {options.shape, scene::make_shape(options.shape).or_throw()};
-    auto bodies = scene::read_mesh_file(options.mesh, scene::MeshGrouping::one_hull);
-    if (bodies && !bodies.warning.empty()) warn(bodies.warning);
-    return std::move(bodies).or_throw().front();
-}
 
 /// By vertices; the whole body last, with no error.
 std::vector<Row> rows_of(const BudgetArguments& options, const Polyhedron& body,
@@ -108,7 +101,7 @@ nlohmann::json json_of(const BudgetArguments& options, const scene::MeshBody& bo
 }
 
 int run_budget(const BudgetArguments& options, bool json) {
-    const scene::MeshBody body = budget_body(options);
+    const scene::MeshBody body = chosen_body(options.shape, options.mesh);
     const std::string names[] = {options.table};
     const auto types = bench::select_table_types(names);
     if (types.size() != 1 || !types.front()->serves(options.algorithm))

@@ -4,103 +4,130 @@
 #include <algorithm>
 
 #include "edgewise/cli/advise/advice.hpp"
+#include "edgewise/cli/advise/race.hpp"
 #include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/studies/advise/time_limit.hpp"
 
 namespace edgewise::cli {
 
 namespace {
 
+using studies::advise::OutFor;
+using studies::advise::Screen;
 using studies::advise::ScreenedCell;
+using studies::advise::TimeLimit;
 
-// Parts of the time that the steps may take together.
+// Parts of the time at which the first look and the race have to be over.
 constexpr double until_screened = 0.4, until_raced = 0.8;
 constexpr std::size_t most_finalists = 5;
 
-/// The fastest few, the paper's layout, and the best of the algorithm that is not among them.
-std::vector<ScreenedCell> finalists_of(const studies::advise::Screen& screen) {
+/// The fastest few, the baseline, and the best of the algorithm that is not among them.
+std::vector<ScreenedCell> finalists_of(const Screen& screen) {
     std::vector<ScreenedCell> finalists;
     const auto add_first = [&](const auto& wanted) {
-        for (const ScreenedCell& cell : screen.cells) {
-            if (!wanted(cell)) continue;
-            const auto known = std::ranges::find_if(finalists, [&](const ScreenedCell& other) {
-                return other.type == cell.type && other.algorithm == cell.algorithm;
-            });
-            if (known == finalists.end()) finalists.push_back(cell);
-            return;
-        }
+        const auto found = std::ranges::find_if(screen.cells, wanted);
+        if (found == screen.cells.end()) return;
+        const bool known = std::ranges::any_of(finalists, [&](const ScreenedCell& other) {
+            return other.type == found->type && other.algorithm == found->algorithm;
+        });
+        if (!known) finalists.push_back(*found);
     };
     for (const ScreenedCell& cell : screen.cells)
-        if (cell.out.empty() && finalists.size() < most_finalists) finalists.push_back(cell);
+        if (cell.is_in() && finalists.size() < most_finalists) finalists.push_back(cell);
     if (finalists.empty()) return finalists;
-    add_first(
-        [](const ScreenedCell& cell) { return cell.algorithm == "vclip" && cell.type->name == "aos_f64"; });
+    add_first([](const ScreenedCell& cell) { return cell.is_baseline() && cell.out_for != OutFor::failure; });
     for (const char* algorithm : {"gjk", "vclip"})
         add_first([&](const ScreenedCell& cell) {
-            return cell.algorithm == algorithm && (cell.out.empty() || cell.is_slow);
+            return cell.algorithm == algorithm && (cell.is_in() || cell.out_for == OutFor::time);
         });
     return finalists;
 }
 
-std::size_t count_out(const studies::advise::Screen& screen) {
+std::size_t count_out(const Screen& screen) {
     return static_cast<std::size_t>(
-        std::ranges::count_if(screen.cells, [](const ScreenedCell& cell) { return !cell.out.empty(); }));
+        std::ranges::count_if(screen.cells, [](const ScreenedCell& cell) { return !cell.is_in(); }));
 }
 
-/// Of the case with its tables the other way, shorter than the first look.
-void look_at_other_tables(Advice& advice, const std::function<bool()>& stop) {
-    studies::advise::CaseAsked other = advice.asked;
-    other.own_tables = !other.own_tables;
-    const studies::advise::Screen screen =
-        studies::advise::screen(other, {.queries = 1000, .checked = 20, .passes = 3}, stop);
-    if (screen.stopped) {
-        advice.not_asked.push_back(fmt::format("{}: no time was left for all of it (--time)",
-                                               other.own_tables ? "a table each" : "one table for all"));
-        return;
+/// The steps of an advice, one after the other.
+class Measuring {
+  public:
+    Measuring(Advice& advice, double seconds, const std::function<void(const std::string&)>& say)
+        : advice_(advice), seconds_(seconds), say_(say) {}
+
+    void run() {
+        look();
+        if (const auto finalists = finalists_of(advice_.screen); !finalists.empty()) race(finalists);
+        if (can_share(advice_.asked)) look_at_other_tables();
+        advice_.not_asked.emplace_back(
+            "other velocities, other bodies; hardware counters (edgewise machine says which there are)");
+        advice_.seconds = elapsed();
     }
-    for (const ScreenedCell& cell : screen.cells)
-        if (cell.out.empty()) advice.other_tables.push_back(cell);
-}
+
+  private:
+    [[nodiscard]] double elapsed() const { return watch_.elapsed_ns() * 1e-9; }
+    [[nodiscard]] TimeLimit until(double part) const {
+        return TimeLimit([this] { return elapsed(); }, part * seconds_);
+    }
+
+    void look() {
+        TimeLimit limit = until(until_screened);
+        advice_.screen = screen(advice_.asked, {}, [&] { return !limit.begin_piece(); });
+        say_(fmt::format("looked at {} cells, {} are out ({:.1f} s)", advice_.screen.cells.size(),
+                         count_out(advice_.screen), elapsed()));
+        looked_seconds_ = elapsed();
+        if (advice_.screen.left_out > 0)
+            advice_.not_asked.push_back(
+                fmt::format("{} of {} cells: no time was left to look at them (--time)",
+                            advice_.screen.left_out, advice_.screen.cells.size() + advice_.screen.left_out));
+    }
+
+    void race(const std::vector<ScreenedCell>& finalists) {
+        advice_.finals = run_race(advice_.asked, finalists, {advice_.machines, until(until_raced).left()});
+        const studies::advise::Finals& finals = advice_.finals;
+        say_(fmt::format("raced {} of them in {} processes ({:.1f} s)", finals.ranked.size(),
+                         finals.processes, elapsed()));
+        const int wanted = studies::advise::whole_race.processes;
+        if (finals.processes < wanted)
+            advice_.not_asked.push_back(fmt::format(
+                "{} of {} processes: {}", wanted - finals.processes, wanted,
+                finals.problem.empty() ? "too long for the time that was left (--time)" : finals.problem));
+        if (!finals.ranked.empty() && !finals.ranked.front().lines)
+            advice_.not_asked.emplace_back("lines, misses and a prediction: no time was left (--time)");
+    }
+
+    /// Of the case with its tables the other way, shorter than the first look; half of a look says nothing.
+    void look_at_other_tables() {
+        studies::advise::CaseAsked other = advice_.asked;
+        other.own_tables = !other.own_tables;
+        const char* const name = other.own_tables ? "a table each" : "one table for all";
+        TimeLimit limit = until(1);
+        const std::string no_time = fmt::format("{}: no time was left for all of it (--time)", name);
+        if (limit.left() < looked_seconds_ / 2) {
+            advice_.not_asked.push_back(no_time);
+            return;
+        }
+        const Screen screen = studies::advise::screen(other, {.queries = 1000, .checked = 20, .passes = 3},
+                                                      [&] { return !limit.begin_piece(); });
+        if (screen.left_out > 0) {
+            advice_.not_asked.push_back(no_time);
+            return;
+        }
+        std::ranges::copy_if(screen.cells, std::back_inserter(advice_.other_tables),
+                             [](const ScreenedCell& cell) { return cell.is_in(); });
+        say_(fmt::format("looked at the case with {} ({:.1f} s)", name, elapsed()));
+    }
+
+    Advice& advice_;
+    double seconds_;
+    const std::function<void(const std::string&)>& say_;
+    measure::Stopwatch watch_;
+    double looked_seconds_ = 0;
+};
 
 }  // namespace
 
 void measure_advice(Advice& advice, double seconds, const std::function<void(const std::string&)>& say) {
-    const measure::Stopwatch watch;
-    const auto elapsed = [&] { return watch.elapsed_ns() * 1e-9; };
-    const auto past = [&](double part) { return [&, part] { return elapsed() > part * seconds; }; };
-    advice.screen = studies::advise::screen(advice.asked, {}, past(until_screened));
-    say(fmt::format("looked at {} cells, {} are out ({:.1f} s)", advice.screen.cells.size(),
-                    count_out(advice.screen), elapsed()));
-    if (advice.screen.stopped) advice.not_asked.emplace_back("some table types: no time was left (--time)");
-    const std::vector<ScreenedCell> finalists = finalists_of(advice.screen);
-    if (!finalists.empty()) {
-        FinalsOptions options;
-        options.machines = advice.machines;
-        advice.finals = run_finals(advice.asked, finalists, options, past(until_raced));
-        say(fmt::format("raced {} of them in {} processes ({:.1f} s)", advice.finals.ranked.size(),
-                        advice.finals.processes, elapsed()));
-        if (advice.finals.processes < options.processes)
-            advice.not_asked.push_back(fmt::format("{} of {} processes: no time was left (--time)",
-                                                   options.processes - advice.finals.processes,
-                                                   options.processes));
-    }
-    if (can_share(advice.asked)) {
-        look_at_other_tables(advice, past(1));
-        say(fmt::format("looked at the case with {} ({:.1f} s)",
-                        advice.asked.own_tables ? "one table for all" : "a table each", elapsed()));
-    }
-    // A body over the limit is no finalist; and those that were raced to be compared with may be over it,
-    // too.
-    std::erase_if(advice.finals.ranked, [&](const Finalist& one) {
-        return one.error > advice.asked.error_limit && !(one.algorithm == "vclip" && one.table == "aos_f64");
-    });
-    advice.not_asked.emplace_back(
-        "other velocities, other bodies; hardware counters (edgewise machine says which there are)");
-    advice.seconds = elapsed();
-}
-
-std::optional<bool> prediction_held(const Finals& finals) {
-    if (finals.ranked.empty() || finals.fastest_predicted().predicted_ns == 0) return std::nullopt;
-    return finals.ties(finals.fastest_predicted());
+    Measuring(advice, seconds, say).run();
 }
 
 }  // namespace edgewise::cli

@@ -5,15 +5,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <fstream>
-#include <iostream>
-#include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/judge/judge_input.hpp"
 #include "edgewise/cli/terminal/text_table.hpp"
+#include "edgewise/input/count.hpp"
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/studies/judge/smaller_pair.hpp"
 
@@ -33,18 +32,13 @@ struct JudgeArguments {
 
 scene::ReportedAnswer said_answer(const std::string& text) {
     const std::size_t equals = text.find('=');
-    std::size_t used = 0;
-    double distance = 0;
-    try {
-        if (equals != text.npos && equals > 0) distance = std::stod(text.substr(equals + 1), &used);
-    } catch (const std::exception&) {
-        used = 0;
-    }
-    if (used == 0 || equals + 1 + used != text.size())
+    const bool named = equals != text.npos && equals > 0;
+    const auto distance = input::parse_number(named ? std::string_view(text).substr(equals + 1) : "");
+    if (!distance)
         throw std::invalid_argument(fmt::format(
             "--said {}: write LIBRARY=DISTANCE, a depth as a negative distance, as in --said fcl=3.1622",
             text));
-    return {text.substr(0, equals) + ", as reported", "", distance};
+    return {text.substr(0, equals) + ", as reported", "", *distance};
 }
 
 /// Those that are asked for; without a word those that there are.
@@ -64,6 +58,8 @@ struct Judged {
 };
 
 Judged judge(const JudgeArguments& options) {
+    std::vector<scene::ReportedAnswer> said;
+    for (const std::string& text : options.said) said.push_back(said_answer(text));
     Judged judged;
     judged.pasted = read_judge_input(options.input);
     const scene::Case& pair = judged.pasted.pair;
@@ -72,10 +68,9 @@ Judged judge(const JudgeArguments& options) {
         studies::respondents_of(bench::select_table_types(options.layouts),
                                 bench::select_algorithms(options.algorithms), chosen_peers(options.peers));
     judged.answers = studies::ask_all(respondents, pair, judged.truth);
-    if (judged.pasted.reported)
-        judged.answers.push_back(studies::judge_reported(*judged.pasted.reported, judged.truth));
-    for (const std::string& text : options.said)
-        judged.answers.push_back(studies::judge_reported(said_answer(text), judged.truth));
+    if (judged.pasted.reported) said.insert(said.begin(), *judged.pasted.reported);
+    for (const scene::ReportedAnswer& reported : said)
+        judged.answers.push_back(studies::judge_reported(reported, judged.truth));
     for (const auto& answer : judged.answers)
         if (answer.wrong()) judged.wrong.push_back(answer.who);
     if (options.as_given) return judged;

@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/input/file_text.hpp"
 #include "edgewise/scene/dumps/dump_text.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 
@@ -20,9 +20,10 @@ namespace edgewise::cli {
 
 namespace {
 
+constexpr std::uint64_t most_mesh_bytes = std::uint64_t{1} << 30;
+
 std::vector<Vec3d> obj_vertices(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) throw std::invalid_argument(fmt::format("{}: cannot be read", path));
+    std::istringstream file(input::read_file_text(path, most_mesh_bytes).or_throw());
     std::vector<Vec3d> vertices;
     for (std::string line; std::getline(file, line);) {
         if (!line.starts_with("v ") && !line.starts_with("v\t")) continue;
@@ -61,17 +62,8 @@ Pose pose_from(const std::string& text, const char* option) {
 }
 
 std::string text_from(const std::string& file) {
-    std::ostringstream text;
-    if (file == "-") {
-        text << std::cin.rdbuf();
-        return text.str();
-    }
-    std::ifstream stream;
-    if (!std::filesystem::is_directory(file)) stream.open(file);
-    if (!stream.is_open())
-        throw std::invalid_argument(fmt::format("cannot read {}: no such file, or a directory", file));
-    text << stream.rdbuf();
-    return text.str();
+    if (file != "-") return input::read_file_text(file).or_throw();
+    return {std::istreambuf_iterator<char>(std::cin), {}};
 }
 
 }  // namespace

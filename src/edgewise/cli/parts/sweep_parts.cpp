@@ -16,8 +16,11 @@
 #include "edgewise/studies/effort_rows.hpp"
 #include "edgewise/studies/fields/fields_rows.hpp"
 #include "edgewise/studies/paging_rows.hpp"
+#include "edgewise/studies/parts/expected_seconds.hpp"
 #include "edgewise/studies/parts/sharded_work.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
+#include "edgewise/sweep/progress_pieces.hpp"
+#include "edgewise/sweep/stored_cells.hpp"
 
 namespace edgewise::cli {
 
@@ -67,11 +70,8 @@ studies::EffortPlan effort_plan(const sweep::SweepWork& work) {
     return plan;
 }
 
-// Expected seconds of a row on two cores, where a store does not remember any: of a hard family's case, of
-// paging under its limits, of a scene that is traced for figure 8, of a Callgrind run's query.
 constexpr const char* stability_part_name = "stability";
-constexpr double stability_case = 0.0009, paging_row = 6, thrash_unit = 5, effort_query = 0.012,
-                 fields_cell = 10;
+constexpr std::size_t first_part_place = 500'000;  ///< in the order of a sweep: after all of its groups
 
 Part stability_part(const sweep::SweepWork& work, store::Store& store, studies::StabilitySummary& stability) {
     auto of = stability_plan(work);
@@ -82,7 +82,7 @@ Part stability_part(const sweep::SweepWork& work, store::Store& store, studies::
         return studies::StabilityRow{*std::move(row), store.figures(build, hash)};
     };
     return {stability_part_name, studies::stability_rows(of),
-            stability_case * static_cast<double>(work.plan.stability),
+            studies::stability_case_seconds * static_cast<double>(work.plan.stability),
             [=, &store, &stability](const OnRow& on_row) {
                 stability = store_stability(of, store, [&](const studies::StabilityRow& row) {
                     on_row(row.cell.shape + " " + row.cell.table);
@@ -92,16 +92,16 @@ Part stability_part(const sweep::SweepWork& work, store::Store& store, studies::
 }
 
 Part paging_part(const sweep::Plan& plan, store::Store& store) {
-    return {studies::paging_unit, studies::paging_rows(), paging_row, [&](const OnRow& on_row) {
-                return studies::run_paging(
-                    paging_plan(plan), bench::this_build().id, store,
-                    [&](const store::CellRow& row) { on_row(row.shape + " " + row.table); },
-                    stop_on_signals());
-            }};
+    return {
+        studies::paging_unit, studies::paging_rows(), studies::paging_row_seconds, [&](const OnRow& on_row) {
+            return studies::run_paging(
+                paging_plan(plan), bench::this_build().id, store,
+                [&](const store::CellRow& row) { on_row(row.shape + " " + row.table); }, stop_on_signals());
+        }};
 }
 
 Part thrash_part(const studies::thrash::Levels& levels, store::Store& store) {
-    return {studies::thrash_unit, studies::thrash::thrash_units(levels), thrash_unit,
+    return {studies::thrash_unit, studies::thrash::thrash_units(levels), studies::thrash_unit_seconds,
             [=, &store](const OnRow& on_row) {
                 return studies::thrash::run_thrash(
                     levels, bench::this_build().id, store, [&] { on_row("figure 8"); }, stop_on_signals());
@@ -110,7 +110,7 @@ Part thrash_part(const studies::thrash::Levels& levels, store::Store& store) {
 
 Part effort_part(const sweep::SweepWork& work, store::Store& store) {
     return {studies::effort_unit, studies::effort_rows(effort_plan(work)),
-            effort_query * static_cast<double>(work.plan.effort), [&](const OnRow& on_row) {
+            studies::effort_query_seconds * static_cast<double>(work.plan.effort), [&](const OnRow& on_row) {
                 return studies::store_effort(
                     effort_plan(work), bench::this_build().id, store,
                     [&](std::size_t, const studies::EffortRow& row) {
@@ -122,7 +122,8 @@ Part effort_part(const sweep::SweepWork& work, store::Store& store) {
 
 Part fields_part(const sweep::Plan& plan, store::Store& store) {
     const auto cells = studies::fields_cells(plan.fields, plan.seed);
-    return {studies::fields_unit, cells.size(), fields_cell, [=, &store](const OnRow& on_row) {
+    return {studies::fields_unit, cells.size(), studies::fields_cell_seconds,
+            [=, &store](const OnRow& on_row) {
                 return studies::store_fields(
                     cells, bench::this_build().id, store,
                     [&](const store::CellRow& row) { on_row(row.algorithm + " " + row.table); },
@@ -164,23 +165,29 @@ sweep::SweepListener listener_for(Progress& progress, const OnCells& on_cells) {
     return listener;
 }
 
+/// What the part took, for later sweeps and shards; and beside that what it was expected to.
+void store_seconds(const Part& part, double seconds, std::size_t place, store::Store& store) {
+    const std::string took = fmt::format("{:.4g}", seconds);
+    store.set_meta(store::took_key + part.key(), took);
+    if (part.name != stability_part_name) store.set_meta(store::took_key + part.name, took);
+    const sweep::ProgressPiece piece[] = {
+        {"all", part.seconds_each * static_cast<double>(part.rows), seconds}};
+    store.set_meta(sweep::progress_key(place, part.name), sweep::progress_value(piece));
+}
+
 /// Whether it came to its end. Rows that are there already are counted as resumed.
-bool run_part(const Part& part, double seconds_each, store::Store& store, Progress& progress) {
+bool run_part(const Part& part, std::size_t place, store::Store& store, Progress& progress) {
     const measure::Stopwatch watch;
     std::size_t done = 0;
     const bool ended = part.run([&](const std::string& what) {
         ++done;
-        progress.advance_work(seconds_each, what);
+        progress.advance_work(part.seconds_each, what);
         progress.advance(1, part.name + " " + what);
     });
     if (!ended) return false;
-    if (done == part.rows) {
-        const std::string took = fmt::format("{:.4g}", watch.elapsed_ns() * 1e-9);
-        store.set_meta(store::took_key + part.key(), took);
-        if (part.name != stability_part_name) store.set_meta(store::took_key + part.name, took);
-    }
+    if (done == part.rows) store_seconds(part, watch.elapsed_ns() * 1e-9, place, store);
     const std::size_t earlier = part.rows - std::min(done, part.rows);
-    progress.resume(earlier, seconds_each * static_cast<double>(earlier));
+    progress.resume(earlier, part.seconds_each * static_cast<double>(earlier));
     return true;
 }
 
@@ -193,14 +200,15 @@ PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store, const 
     for (const Part& part : parts) steps += part.rows;
     Progress progress("sweep", steps, 0, "cells");
     for (Part& part : parts) {
-        if (const auto took = store.meta(store::took_key + part.key()); took && part.rows > 0)
-            part.seconds_each = std::stod(*took) / static_cast<double>(part.rows);
+        if (const auto took = sweep::took_in(store, part.key()); took && part.rows > 0)
+            part.seconds_each = *took / static_cast<double>(part.rows);
         progress.expect(part.seconds_each * static_cast<double>(part.rows));
     }
     summary.sweep = sweep::run_sweep(work, store, listener_for(progress, on_cells), stop_on_signals());
     summary.stopped = summary.sweep.stopped;
+    std::size_t place = first_part_place;
     for (const Part& part : parts) {
-        if (!summary.stopped) summary.stopped = !run_part(part, part.seconds_each, store, progress);
+        if (!summary.stopped) summary.stopped = !run_part(part, place++, store, progress);
     }
     return summary;
 }

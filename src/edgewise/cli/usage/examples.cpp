@@ -23,7 +23,7 @@ constexpr const char* example_case =
 
 const std::map<std::string, Examples> examples = {
     {"advise",
-     {"advise --bodies 300 --vertices 386 --own-tables --error 1e-6 --machine l2=256K,l3=8M",
+     {"advise --shape sphere386 --bodies 300 --own-tables --error 1e-6 --machines l2=256K",
       "advise --mesh my_link.stl --bodies 50 --shared-tables"}},
     {"budget", {"budget --mesh my_link.stl --tolerance 0.0001", "budget --shape sphere386 --table lean_f32"}},
     {"bench", {"bench --queries 2000", "bench --gate mine.json --write"}},
@@ -53,6 +53,7 @@ const std::map<std::string, Examples> examples = {
     {"machine", {"machine", "machine --json"}},
     {"merge", {"merge 0.db 1.db 2.db --out all.db", "merge parts/0.db parts/1.db --out all.db --fom"}},
     {"paging", {"paging", "paging --bodies 200 --json"}},
+    {"progress", {"progress", "progress mine.db --json"}},
     {"query",
      {"query cases.jsonl --algorithm gjk --layout aos_f64", "query - --needs certificate < cases.jsonl",
       example_case}},

@@ -21,6 +21,8 @@ fs::path named_folder(const std::string& folder) {
     return path.has_filename() ? path : path.parent_path();
 }
 
+bool is_usual(const std::string& folder) { return folder == folder_of(default_store); }
+
 }  // namespace
 
 void check_folder(const std::string& folder, const std::string& option) {
@@ -31,8 +33,8 @@ void check_folder(const std::string& folder, const std::string& option) {
                                                 option, folder, above.string()));
 }
 
-void check_folder_of_store(const std::string& store) {
-    if (store != default_store) check_folder(folder_of(store), "--store");
+void check_folder_of(const std::string& file, const std::string& option) {
+    if (!is_usual(folder_of(file))) check_folder(folder_of(file), option);
 }
 
 void make_folder(const std::string& folder, const std::string& option) {
@@ -44,10 +46,10 @@ void make_folder(const std::string& folder, const std::string& option) {
             fmt::format("{} {}: the folder cannot be made: {}", option, folder, failed.message()));
 }
 
-void make_folder_of_store(const std::string& store) {
-    const std::string folder = folder_of(store);
-    if (store == default_store) fs::create_directories(folder);
-    make_folder(folder, "--store");
+void make_folder_of(const std::string& file, const std::string& option) {
+    const std::string folder = folder_of(file);
+    if (is_usual(folder)) fs::create_directories(folder);
+    make_folder(folder, option);
 }
 
 }  // namespace edgewise::cli

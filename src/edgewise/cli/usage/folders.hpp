@@ -11,13 +11,13 @@ namespace edgewise::cli {
 /// Throws std::invalid_argument where neither the folder nor the one above it exists. `option`: what the path
 /// was given as.
 void check_folder(const std::string& folder, const std::string& option);
-/// The same of a store's; that of the default store may always be made.
-void check_folder_of_store(const std::string& store);
+/// The same of a file's; the folder of the default store may always be made.
+void check_folder_of(const std::string& file, const std::string& option);
 
 /// Makes the folder unless it is there, after that check.
 void make_folder(const std::string& folder, const std::string& option);
 
-/// Likewise the folder of a store; that of the default store with those above it.
-void make_folder_of_store(const std::string& store);
+/// Likewise the folder of a file; that of the default store with those above it.
+void make_folder_of(const std::string& file, const std::string& option);
 
 }  // namespace edgewise::cli

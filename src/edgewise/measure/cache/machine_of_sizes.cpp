@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <sstream>
 #include <stdexcept>
+
+#include "edgewise/input/count.hpp"
 
 namespace edgewise::measure {
 
@@ -40,10 +41,10 @@ void add_level(int level, std::uint64_t bytes, CacheMachine& machine) {
 }  // namespace
 
 std::optional<std::uint64_t> bytes_of_size(std::string_view text) {
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || value == 0) return std::nullopt;
-    std::string_view unit = text.substr(static_cast<std::size_t>(end - text.data()));
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    const auto value = input::parse_count(text.substr(0, digits), {1, most_level});
+    if (!value) return std::nullopt;
+    std::string_view unit = text.substr(digits);
     if (unit.ends_with("iB")) unit.remove_suffix(2);
     constexpr std::string_view units = "KMG";
     int shift = 0;
@@ -51,8 +52,8 @@ std::optional<std::uint64_t> bytes_of_size(std::string_view text) {
         shift = 10 * static_cast<int>(units.find(static_cast<char>(unit[0] & ~0x20)) + 1);
     else if (!unit.empty())
         return std::nullopt;
-    if (value > (most_level >> shift)) return std::nullopt;
-    return value << shift;
+    if (*value > (most_level >> shift)) return std::nullopt;
+    return *value << shift;
 }
 
 bool is_level_size(std::string_view name) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -36,12 +37,8 @@ std::string head_of(const std::string& path) {
 std::optional<std::uint64_t> count_in(const std::string& word) {
     if (word.empty() || word.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
     std::uint64_t value = 0;
-    for (const char digit : word) {
-        if (value > std::numeric_limits<std::uint64_t>::max() / 10 - 1)
-            return std::numeric_limits<std::uint64_t>::max();
-        value = 10 * value + static_cast<std::uint64_t>(digit - '0');
-    }
-    return value;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return error == std::errc::result_out_of_range ? std::numeric_limits<std::uint64_t>::max() : value;
 }
 
 /// Bytes of a PLY scalar; 1 of an unknown one.

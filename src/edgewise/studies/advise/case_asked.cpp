@@ -29,9 +29,11 @@ std::string sentence_of(const CaseAsked& asked) {
     for (const char* name : {"bodies", "rotation_step"}) {
         if (complete && complete->contains(name)) numbers += fmt::format(", {} {}", name, complete->at(name));
     }
-    return fmt::format("{}{}, {} vertices ({}), {}, {}, error <= {:.0e}", asked.scene.name, numbers,
-                       asked.shape.body.vertex_count(), asked.shape.name,
-                       asked.own_tables ? "a table each" : "one table for all", to_string(asked.needs),
+    const std::string tables = !can_share(asked)  ? ""
+                               : asked.own_tables ? ", a table each"
+                                                  : ", one table for all";
+    return fmt::format("{}{}, {} vertices ({}){}, {}, error <= {}", asked.scene.name, numbers,
+                       asked.shape.body.vertex_count(), asked.shape.name, tables, to_string(asked.needs),
                        asked.error_limit);
 }
 

@@ -11,7 +11,7 @@
 namespace edgewise::studies::advise {
 
 /// ns beyond a load that the first level answers: of each further level of the machine, then of memory; some
-/// milliseconds each. Zero at least.
+/// milliseconds each, of memory up to a second. Zero at least.
 [[nodiscard]] std::vector<double> latencies_beyond_first(const measure::CacheMachine& host);
 
 }  // namespace edgewise::studies::advise

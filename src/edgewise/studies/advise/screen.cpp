@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/studies/advise/finals.hpp"
+#include "edgewise/studies/parts/contender_name.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
 #include "edgewise/sweep/verify.hpp"
 
@@ -13,20 +15,24 @@ namespace edgewise::studies::advise {
 
 namespace {
 
-bool is_baseline(const ScreenedCell& cell) {
-    return cell.algorithm == "vclip" && cell.type->name == "aos_f64";
+void leave_out(ScreenedCell& cell, OutFor out_for, std::string why) {
+    cell.out_for = out_for;
+    cell.out = std::move(why);
 }
 
 /// Bytes of one table, and whether the answers are right and exact enough; then the shortest of some passes.
 void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& options,
              sweep::SharedQueries& shared, double clock_cost_ns) {
+    const measure::Stopwatch watch;
     const scene::Workload& workload = shared.workload();
     const auto runner = cell.type->make_runner(cell.algorithm);
     bench::RunnerOptions query;
     query.set_needs(asked.needs);
     runner->configure(query);
-    cell.out = runner->load(workload);
-    if (!cell.out.empty()) return;
+    if (std::string problem = runner->load(workload); !problem.empty()) {
+        leave_out(cell, OutFor::failure, std::move(problem));
+        return;
+    }
     cell.table_bytes = static_cast<double>(runner->ledger().total());
     cell.bytes_per_edge = cell.table_bytes / static_cast<double>(asked.shape.body.edge_count());
     const std::vector<Distance> answers = runner->answer();
@@ -41,30 +47,58 @@ void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& op
         sweep::check_answers(shared, runner->stored_bodies(), answers, cell.type->eps, query.query);
     for (const measure::CheckedAnswer& answer : checked)
         cell.error = std::max(cell.error, answer.error_given);
-    cell.out = sweep::what_is_wrong(shared, checked, cell.type->eps);
-    if (cell.out.empty() && cell.error > asked.error_limit)
-        cell.out = fmt::format("error {:.1e} is over {:.0e}", cell.error, asked.error_limit);
+    if (std::string wrong = sweep::what_is_wrong(shared, checked, cell.type->eps); !wrong.empty())
+        leave_out(cell, OutFor::failure, std::move(wrong));
+    else if (cell.error > asked.error_limit)
+        leave_out(cell, OutFor::error, fmt::format("error {:.1e} is over {}", cell.error, asked.error_limit));
+    cell.seconds = watch.elapsed_ns() * 1e-9;
     for (int pass = 0; pass < options.passes; ++pass) {
         const auto ns = runner->time(in_contact, clock_cost_ns).all();
         if (ns && (pass == 0 || *ns < cell.ns)) cell.ns = *ns;
     }
 }
 
+/// The order of the first look, whose end a limit of time may cut off: the baseline, layouts of their own,
+/// and those that hardly differ from another.
+std::vector<ScreenedCell> cells_to_look_at() {
+    std::vector<ScreenedCell> cells;
+    for (const bench::TableType& type : bench::table_types()) {
+        for (const std::string& algorithm : type.algorithms) {
+            ScreenedCell& cell = cells.emplace_back();
+            cell.type = &type;
+            cell.algorithm = algorithm;
+        }
+    }
+    std::ranges::stable_sort(cells, {}, [](const ScreenedCell& cell) {
+        return std::pair(!cell.is_baseline(), !cell.type->variant_of.empty());
+    });
+    return cells;
+}
+
 /// Who takes longer than the fastest by more than the options allow.
 void leave_out_slow_ones(std::vector<ScreenedCell>& cells, double slowest) {
     double fastest = 0;
     for (const ScreenedCell& cell : cells)
-        if (cell.out.empty() && (fastest == 0 || cell.ns < fastest)) fastest = cell.ns;
+        if (cell.is_in() && (fastest == 0 || cell.ns < fastest)) fastest = cell.ns;
     for (ScreenedCell& cell : cells) {
-        cell.is_slow = cell.out.empty() && cell.ns > slowest * fastest && !is_baseline(cell);
-        if (cell.is_slow) cell.out = fmt::format("{:.2f} times as long as the fastest", cell.ns / fastest);
+        if (cell.is_in() && cell.ns > slowest * fastest && !cell.is_baseline())
+            leave_out(cell, OutFor::time,
+                      fmt::format("{:.2f} times as long as the fastest", cell.ns / fastest));
     }
 }
 
 }  // namespace
 
-std::string ScreenedCell::name() const {
-    return fmt::format("{} on {}", algorithm == "vclip" ? "V-Clip" : "GJK", type->name);
+bool ScreenedCell::is_baseline() const {
+    return algorithm == baseline_algorithm && type->name == baseline_table;
+}
+
+std::string ScreenedCell::name() const { return contender_name(algorithm, type->name); }
+
+bool Screen::is_inexact(const std::string& algorithm, const std::string& table) const {
+    return std::ranges::any_of(cells, [&](const ScreenedCell& cell) {
+        return cell.algorithm == algorithm && cell.type->name == table && cell.out_for == OutFor::error;
+    });
 }
 
 Screen screen(const CaseAsked& asked, const ScreenOptions& options, const std::function<bool()>& stop) {
@@ -75,20 +109,17 @@ Screen screen(const CaseAsked& asked, const ScreenOptions& options, const std::f
     sweep::SharedQueries shared(plan, scene_of(asked), asked.shape);
     const double clock_cost_ns = measure::calibrate();
     Screen result;
-    for (const bench::TableType& type : bench::table_types()) {
-        for (const std::string& algorithm : type.algorithms) {
-            result.stopped = result.stopped || stop();
-            if (result.stopped) continue;
-            ScreenedCell cell;
-            cell.type = &type;
-            cell.algorithm = algorithm;
-            look_at(cell, asked, options, shared, clock_cost_ns);
-            result.cells.push_back(std::move(cell));
+    for (ScreenedCell& cell : cells_to_look_at()) {
+        if (result.left_out > 0 || stop()) {
+            ++result.left_out;
+            continue;
         }
+        look_at(cell, asked, options, shared, clock_cost_ns);
+        result.cells.push_back(std::move(cell));
     }
     leave_out_slow_ones(result.cells, options.slowest);
     std::ranges::stable_sort(result.cells, [](const ScreenedCell& a, const ScreenedCell& b) {
-        return std::pair(!a.out.empty(), a.ns) < std::pair(!b.out.empty(), b.ns);
+        return std::pair(!a.is_in(), a.ns) < std::pair(!b.is_in(), b.ns);
     });
     return result;
 }

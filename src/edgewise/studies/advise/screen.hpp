@@ -15,16 +15,27 @@
 
 namespace edgewise::studies::advise {
 
+/// What a cell is out of question for; the first that applies.
+enum class OutFor {
+    nothing,
+    failure,  ///< its tables cannot hold the body, or an answer is wrong
+    error,    ///< right, and not as exact as was asked
+    time,     ///< and slow is all that is wrong with it
+};
+
 struct ScreenedCell {
     const bench::TableType* type = nullptr;
     std::string algorithm;
     double bytes_per_edge = 0, table_bytes = 0;
-    double error = 0;      ///< worst of the checked answers against the bodies as given, divided by the scale
-    double ns = 0;         ///< per query, the shortest pass
-    double steps = 0;      ///< per query
-    std::string out;       ///< why it is out of question; empty: it is not
-    bool is_slow = false;  ///< and that is all that is wrong with it
+    double error = 0;    ///< worst of the checked answers against the bodies as given, divided by the scale
+    double ns = 0;       ///< per query, the shortest pass
+    double steps = 0;    ///< per query
+    double seconds = 0;  ///< that the look took, without its passes: tables, answers, checks
+    OutFor out_for = OutFor::nothing;
+    std::string out;  ///< why, in words; empty: it is not out
 
+    [[nodiscard]] bool is_in() const { return out_for == OutFor::nothing; }
+    [[nodiscard]] bool is_baseline() const;
     [[nodiscard]] std::string name() const;  ///< "V-Clip on lean_f32"
 };
 
@@ -36,10 +47,13 @@ struct ScreenOptions {
 
 struct Screen {
     std::vector<ScreenedCell> cells;  ///< fastest first; those that are out last
-    bool stopped = false;             ///< `stop` said so: cells are missing
+    std::size_t left_out = 0;         ///< cells that are missing, since `stop` said so
+
+    /// Whether it is among the cells and out for its error.
+    [[nodiscard]] bool is_inexact(const std::string& algorithm, const std::string& table) const;
 };
 
-/// `stop` is asked before each cell. The paper's algorithm on the paper's layout is never out for its time.
+/// `stop` is asked before each cell; the baseline, which is never out for its time, is the first.
 [[nodiscard]] Screen screen(const CaseAsked& asked, const ScreenOptions& options,
                             const std::function<bool()>& stop);
 

@@ -4,9 +4,9 @@
 #include <map>
 
 #include "edgewise/bench/cell.hpp"
-#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/studies/campaign/pair_source.hpp"
 #include "edgewise/studies/campaign/workload_of.hpp"
+#include "edgewise/studies/parts/allowed_errors.hpp"
 
 namespace edgewise::studies::campaign {
 
@@ -28,12 +28,6 @@ class RunnerAsker final : public Asker {
   private:
     std::unique_ptr<bench::Runner> runner_;
 };
-
-/// Where planes are stored in single and computed with in double, V-Clip is as good as the planes.
-double error_allowed(const bench::TableType& type, const std::string& algorithm) {
-    const bool single = type.eps > Tolerance<double>::eps || (type.rounded_planes && algorithm == "vclip");
-    return single ? verified_error_single : verified_error_double;
-}
 
 void add(bench::Fingerprint& print, const Vec3d& v) { print.add(v.x()).add(v.y()).add(v.z()); }
 
@@ -75,7 +69,8 @@ std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
     for (const std::string& algorithm : algorithms) {
         for (const bench::TableType* type : types) {
             if (!type->serves(algorithm)) continue;
-            cells.push_back({algorithm + " " + type->name, type->eps, error_allowed(*type, algorithm),
+            cells.push_back({algorithm + " " + type->name, type->eps,
+                             allowed_errors(*type, algorithm).distance,
                              [type, algorithm] { return std::make_unique<RunnerAsker>(*type, algorithm); }});
         }
     }

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "edgewise/input/file_text.hpp"
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/studies/campaign/pair_source.hpp"
 
 namespace edgewise::studies::campaign {
@@ -79,10 +81,10 @@ void write_progress(const CampaignProgress& progress, const std::string& path) {
 }
 
 std::optional<CampaignProgress> read_progress(const std::string& path) {
-    std::ifstream stream(path);
-    if (!stream) return std::nullopt;
+    if (!std::filesystem::exists(path)) return std::nullopt;
+    const std::string text = input::read_file_text(path).or_throw();
     try {
-        return progress_of(nlohmann::json::parse(stream));
+        return progress_of(input::parse_json(text).or_throw());
     } catch (const std::exception&) {
         throw std::invalid_argument(
             fmt::format("{}: no progress of a campaign; name another file with --state, or remove it", path));

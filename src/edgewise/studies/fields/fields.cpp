@@ -31,16 +31,12 @@ struct Standing {
     std::unique_ptr<SingleCell> cell;
 };
 
-bool has_type(const std::string& name) {
-    const auto types = bench::table_types();
-    return std::any_of(types.begin(), types.end(),
-                       [&](const bench::TableType& type) { return type.name == name; });
-}
+bool holds_nodes(const bench::TableType& type) { return type.layout == "linked"; }
 
 /// Fewer lines by hand than the table that is asked about: what it would be compared with.
 std::string usual_beside(const bench::TableType& type) {
     const std::string name = "hot_cold_" + type.precision;
-    const bool none = type.layout == "linked" || type.layout == "hot_cold" || !has_type(name);
+    const bool none = holds_nodes(type) || type.layout == "hot_cold" || !has_table_type(name);
     return none ? "" : name;
 }
 
@@ -104,8 +100,8 @@ class FieldsRun {
         const FieldTrace trace =
             trace_fields(original().runner(), bench::TraceExtent::everything(), type().name);
         advice_.table = type().name;
-        advice_.builder = (is_of_nodes() ? "grouped_nodes_" : "grouped_") + type().precision;
-        if (!has_type(advice_.builder))
+        advice_.builder = builder_of(type());
+        if (!has_table_type(advice_.builder))
             throw std::invalid_argument(fmt::format(
                 "{}, which builds what is advised, is not in this program: name it in EDGEWISE_LAYOUTS",
                 advice_.builder));
@@ -120,7 +116,7 @@ class FieldsRun {
         look_at_unseen(trace.queries);
     }
 
-    [[nodiscard]] bool is_of_nodes() const { return type().layout == "linked"; }
+    [[nodiscard]] bool is_of_nodes() const { return holds_nodes(type()); }
 
     /// The groups of the table, if such records give it again: as many lines and bytes.
     [[nodiscard]] std::optional<FieldGroups> own_groups(const FieldTrace& trace) const {
@@ -182,6 +178,15 @@ class FieldsRun {
 };
 
 }  // namespace
+
+bool has_table_type(const std::string& name) {
+    return std::ranges::find(bench::table_types(), name, &bench::TableType::name) !=
+           bench::table_types().end();
+}
+
+std::string builder_of(const bench::TableType& type) {
+    return (holds_nodes(type) ? "grouped_nodes_" : "grouped_") + type.precision;
+}
 
 FieldsAdvice advise_fields(const FieldsPlan& plan, const std::function<void()>& on_round) {
     return FieldsRun(plan).run(on_round);

@@ -88,6 +88,11 @@ struct FieldsAdvice {
     [[nodiscard]] Held time_held() const;
 };
 
+[[nodiscard]] bool has_table_type(const std::string& name);
+
+/// The table type that builds what is advised for this one.
+[[nodiscard]] std::string builder_of(const bench::TableType& type);
+
 /// on_round is called after each round. Throws std::invalid_argument for a cell that cannot be made, a layout
 /// without places of fields, or a program that was built without what takes groups.
 [[nodiscard]] FieldsAdvice advise_fields(const FieldsPlan& plan, const std::function<void()>& on_round);

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "edgewise/bench/cell.hpp"
-#include "edgewise/scene/scenes.hpp"
-#include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::studies {
@@ -102,13 +99,13 @@ class FieldsFigures {
     std::vector<store::FigureRow> figures_;
 };
 
+const bench::TableType& asked_type(const CellChoice& choice) {
+    const std::string names[] = {choice.table};
+    return *bench::select_table_types(names).front();
+}
+
 bool can_build(const CellChoice& choice) {
-    const auto types = bench::table_types();
-    const auto has = [&](const std::string& name) {
-        return std::any_of(types.begin(), types.end(),
-                           [&](const bench::TableType& type) { return type.name == name; });
-    };
-    return has(choice.table) && has(choice.table.starts_with("linked") ? "grouped_nodes_f64" : "grouped_f64");
+    return has_table_type(choice.table) && has_table_type(builder_of(asked_type(choice)));
 }
 
 }  // namespace
@@ -129,26 +126,7 @@ std::vector<CellChoice> fields_cells(std::size_t queries, std::uint64_t seed) {
 }
 
 store::CellRow fields_row(const CellChoice& choice) {
-    const Polyhedron body = scene::make_shape(choice.shape).or_throw();
-    const std::string names[] = {choice.table};
-    const bench::TableType& type = *bench::select_table_types(names).front();
-    store::CellRow row;
-    row.scene = fields_scene + choice.scene;
-    row.scene_parameters =
-        bench::parameters_json(scene::complete_parameters(choice.scene, choice.parameters).or_throw());
-    row.shape = choice.shape;
-    row.shape_source = "built-in";
-    row.algorithm = choice.algorithm;
-    row.layout = type.layout;
-    row.precision = type.precision;
-    row.table = type.name;
-    row.vertices = static_cast<std::int64_t>(body.vertex_count());
-    row.edges = static_cast<std::int64_t>(body.edge_count());
-    row.faces = static_cast<std::int64_t>(body.face_count());
-    row.seed = choice.seed;
-    row.queries = static_cast<std::int64_t>(choice.queries);
-    bench::name_cell(row, body);
-    return row;
+    return row_of(choice, asked_type(choice), fields_scene);
 }
 
 std::vector<store::FigureRow> fields_figures(const FieldsAdvice& advice) {

@@ -5,10 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
+
+#include "edgewise/input/file_text.hpp"
+#include "edgewise/input/json_text.hpp"
 
 namespace edgewise::studies {
 
@@ -26,15 +28,15 @@ Names names_of(const FieldGroups& groups, std::span<const RecordField> fields) {
 }
 
 Names read_names(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) throw std::invalid_argument(file + ": cannot be read");
+    const auto json = input::parse_json(input::read_file_text(file).or_throw());
+    std::string problem = json.error;
     try {
-        return nlohmann::json::parse(stream).at("groups").get<Names>();
-    } catch (const nlohmann::json::exception& problem) {
-        throw std::invalid_argument(
-            fmt::format(R"({}: {}; wanted: {{"groups": [["tail_plane", "head_plane"], ["direction"]]}})",
-                        file, problem.what()));
+        if (json) return json->at("groups").get<Names>();
+    } catch (const nlohmann::json::exception& wrong) {
+        problem = wrong.what();
     }
+    throw std::invalid_argument(fmt::format(
+        R"({}: {}; wanted: {{"groups": [["tail_plane", "head_plane"], ["direction"]]}})", file, problem));
 }
 
 std::string all_names(std::span<const RecordField> fields) {

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/studies/parts/allowed_errors.hpp"
+#include "edgewise/studies/parts/contender_name.hpp"
 #include "edgewise/truth/depth/exact_depth.hpp"
 
 namespace edgewise::studies {
@@ -37,21 +40,17 @@ Result<PairTruth> exact_of(const Posed& posed, double eps) {
     return Truth::success(truth);
 }
 
-/// What a distance may be wrong by: rounding, and of a library what it aims at by itself.
-double allowed_error(const bench::TableType& type, const truth::AccuracyBand& band) {
-    const bool single = type.eps > Tolerance<double>::eps;
-    const double own = single ? verified_error_single : verified_error_double;
-    return (type.is_peer ? std::max(own, judged_error_peer) : own) * band.scale + band.band;
+/// Of a library what it aims at by itself, too. Its depths are not asked for.
+AllowedErrors allowed_errors_of(const Respondent& respondent) {
+    AllowedErrors allowed = allowed_errors(*respondent.type, respondent.algorithm);
+    if (respondent.type->is_peer) allowed.distance = std::max(allowed.distance, judged_error_peer);
+    return allowed;
 }
 
-double allowed_depth_error(const bench::TableType& type, const truth::AccuracyBand& band) {
-    const bool single = type.eps > Tolerance<double>::eps;
-    return (single ? verified_error_single : verified_depth_error_double) * band.scale + band.band;
-}
-
-/// Of an answer that is one: verdict, then distance, then depth.
-void judge(JudgedResponse& response, bool separated, const PairTruth& stored, double allowed,
-           double allowed_depth) {
+/// Of an answer that is one: verdict, then distance, then depth; within the errors and the band.
+void judge(JudgedResponse& response, bool separated, const PairTruth& stored, const AllowedErrors& relative) {
+    const double allowed = relative.distance * stored.band.scale + stored.band.band,
+                 allowed_depth = relative.depth * stored.band.scale + stored.band.band;
     const truth::JudgedAnswer answer{separated, response.distance.value_or(0)};
     const truth::Judgement judged = truth::judge(answer, stored.exact, stored.band, stored.depth);
     if (response.distance) response.error = judged.error;
@@ -120,20 +119,19 @@ std::string_view to_string(AnswerIs answer) {
 
 std::string Respondent::name() const {
     if (type->is_peer) return type->name;
-    return fmt::format("{} on {}",
-                       algorithm == "vclip" ? "V-Clip"
-                       : algorithm == "gjk" ? "GJK"
-                                            : algorithm,
-                       type->name);
+    return contender_name(algorithm, type->name);
 }
 
-Result<PairTruth> truth_of(const scene::Case& pair) {
+Result<PairTruth> exact_truth_of(const scene::Case& pair) {
     for (const scene::CaseBody* body : {&pair.a, &pair.b}) {
         if (const auto made = scene::body_from_case(*body); !made)
             return Result<PairTruth>::failure(made.error);
     }
-    Result<PairTruth> truth =
-        exact_of({pair.a.vertices, pair.b.vertices, pair.pose_a, pair.pose_b}, Tolerance<double>::eps);
+    return exact_of({pair.a.vertices, pair.b.vertices, pair.pose_a, pair.pose_b}, Tolerance<double>::eps);
+}
+
+Result<PairTruth> truth_of(const scene::Case& pair) {
+    Result<PairTruth> truth = exact_truth_of(pair);
     if (truth) add_certificate(pair, *truth);
     return truth;
 }
@@ -166,7 +164,7 @@ JudgedResponse ask(const Respondent& respondent, const scene::Case& pair, const 
     const bool separated = d.status == Status::separated;
     if (!type.verdict_only) response.distance = d.distance;
     if (!separated && !type.is_peer) response.depth = answer.depth;
-    judge(response, separated, *held, allowed_error(type, held->band), allowed_depth_error(type, held->band));
+    judge(response, separated, *held, allowed_errors_of(respondent));
     response.of_given = std::abs((separated ? d.distance : 0) - truth.exact.distance);
     if (response.is == AnswerIs::right &&
         separated != (truth.exact.verdict == truth::ExactVerdict::separated))
@@ -190,8 +188,7 @@ JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const PairT
         response.depth = -*reported.distance;
         response.distance = 0;
     }
-    const double allowed = judged_error_peer * truth.band.scale + truth.band.band;
-    judge(response, separated, truth, allowed, allowed);
+    judge(response, separated, truth, {judged_error_peer, judged_error_peer});
     response.of_given = response.error;
     return response;
 }
@@ -199,16 +196,16 @@ JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const PairT
 std::vector<JudgedResponse> ask_all(std::span<const Respondent> respondents, const scene::Case& pair,
                                     const PairTruth& truth) {
     std::vector<JudgedResponse> answers;
+    std::map<std::string, std::size_t> places;  // of the first answers, by algorithm and answer
     for (const Respondent& respondent : respondents) {
         JudgedResponse response = ask(respondent, pair, truth);
-        const auto same = std::ranges::find_if(answers, [&](const JudgedResponse& other) {
-            return !respondent.type->is_peer && other.who.substr(0, 4) == response.who.substr(0, 4) &&
-                   answer_key(other) == answer_key(response);
-        });
-        if (same == answers.end()) {
+        const std::string key =
+            (respondent.type->is_peer ? response.who : respondent.algorithm) + " " + answer_key(response);
+        const auto [place, is_new] = places.try_emplace(key, answers.size());
+        if (is_new) {
             answers.push_back(std::move(response));
         } else {
-            same->same.push_back(respondent.type->name);
+            answers[place->second].same.push_back(respondent.type->name);
         }
     }
     return answers;

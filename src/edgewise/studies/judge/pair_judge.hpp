@@ -66,6 +66,8 @@ struct JudgedResponse {
 
 /// Fails where the bodies are none, or no exact answer is to be had: one line.
 [[nodiscard]] Result<PairTruth> truth_of(const scene::Case& pair);
+/// Likewise without a certificate, for those who ask often.
+[[nodiscard]] Result<PairTruth> exact_truth_of(const scene::Case& pair);
 
 /// The tables are built for this.
 [[nodiscard]] JudgedResponse ask(const Respondent& respondent, const scene::Case& pair,

@@ -23,14 +23,14 @@ double over_scale(const JudgedResponse& answer, const PairTruth& truth) {
 }  // namespace
 
 std::optional<SmallerPair> smaller_pair(const Respondent& respondent, const scene::Case& pair) {
-    const auto given = truth_of(pair);
+    const auto given = exact_truth_of(pair);
     if (!given) return std::nullopt;
     const JudgedResponse first = ask(respondent, pair, *given);
     if (!first.wrong()) return std::nullopt;
     const bool solid_a = is_solid(pair.a), solid_b = is_solid(pair.b);
     const auto still_fails = [&](const scene::Case& candidate) {
         if (is_solid(candidate.a) != solid_a || is_solid(candidate.b) != solid_b) return false;
-        const auto truth = truth_of(candidate);
+        const auto truth = exact_truth_of(candidate);
         if (!truth) return false;
         const JudgedResponse answer = ask(respondent, candidate, *truth);
         return answer.is == first.is && over_scale(answer, *truth) >= least_part * over_scale(first, *given);

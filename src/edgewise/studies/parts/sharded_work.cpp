@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Costs without an earlier run are edges x queries x cells; those of the other runs in the same unit, by what
-// they took beside a sweep on one machine. They decide how even shards are, and nothing else.
+// Without an earlier run a unit costs what its progress is expected to take. Costs decide how even shards
+// are, and nothing else.
 #include "edgewise/studies/parts/sharded_work.hpp"
 
 #include <algorithm>
@@ -11,19 +11,18 @@
 #include "edgewise/scene/hard/families.hpp"
 #include "edgewise/store/merge_source.hpp"
 #include "edgewise/store/schema.hpp"
+#include "edgewise/studies/fields/fields_rows.hpp"
+#include "edgewise/studies/paging_rows.hpp"
+#include "edgewise/studies/parts/expected_seconds.hpp"
+#include "edgewise/studies/thrash/thrash_rows.hpp"
+#include "edgewise/sweep/expected_work.hpp"
 
 namespace edgewise::studies {
 
 namespace {
 
-constexpr double cost_of_case = 2000;     ///< per hard case and table type: exact depth and certificate
-constexpr double cost_of_body = 500'000;  ///< of the paging run: seconds of waiting for a disk
-constexpr double cost_of_thrash = 5e9;    ///< some ten minutes
-constexpr double cost_of_fields = 4e8;    ///< some fifty seconds
-constexpr double cost_of_counted = 5e5;   ///< per query and table type under Callgrind
-
-double cells_of(const sweep::SweepWork& work, const sweep::SceneWork& scene) {
-    double cells = 0;
+std::size_t cells_of(const sweep::SweepWork& work, const sweep::SceneWork& scene) {
+    std::size_t cells = 0;
     work.each_cell(scene, [&](const bench::TableType&, const std::string&, const sweep::Axes&) { ++cells; });
     return cells;
 }
@@ -50,21 +49,25 @@ std::vector<sweep::ShardUnit> units_of(const sweep::SweepWork& work) {
     for (const sweep::SceneWork& scene : work.scenes) {
         for (const scene::NamedShape* shape : scene.shapes)
             units.push_back({sweep::comparison_name(scene, *shape),
-                             static_cast<double>(shape->body.edge_count() + 1) *
-                                 static_cast<double>(scene.queries) * cells_of(work, scene)});
+                             modelled_work(work.plan, scene, *shape, cells_of(work, scene)).all()});
     }
     const double subjects = subjects_of(work.types, work.algorithms);
     if (work.plan.stability > 0) {
+        const double seconds = static_cast<double>(work.plan.stability) * subjects * stability_case_seconds;
         for (const std::string& family : families_of(work.families))
-            units.push_back(
-                {stability_unit(family), static_cast<double>(work.plan.stability) * subjects * cost_of_case});
+            units.push_back({stability_unit(family), seconds});
     }
     if (work.plan.paging > 0)
-        units.push_back({paging_unit, static_cast<double>(work.plan.paging) * cost_of_body});
-    if (work.plan.thrash) units.push_back({thrash_unit, cost_of_thrash});
+        units.push_back({paging_unit, static_cast<double>(paging_rows()) * paging_row_seconds});
+    if (work.plan.thrash)
+        units.push_back({thrash_unit, static_cast<double>(thrash::thrash_units({})) * thrash_unit_seconds});
     if (work.plan.effort > 0)
-        units.push_back({effort_unit, static_cast<double>(work.plan.effort) * subjects * cost_of_counted});
-    if (work.plan.fields > 0) units.push_back({fields_unit, cost_of_fields});
+        units.push_back(
+            {effort_unit, static_cast<double>(work.plan.effort) * subjects * effort_query_seconds});
+    if (work.plan.fields > 0)
+        units.push_back(
+            {fields_unit, static_cast<double>(fields_cells(work.plan.fields, work.plan.seed).size()) *
+                              fields_cell_seconds});
     return units;
 }
 

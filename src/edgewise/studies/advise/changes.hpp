@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// What another question would change in an advice: the tables shared the other way, a larger error allowed, a
+// smaller one asked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/studies/advise/finalist.hpp"
+#include "edgewise/studies/advise/screen.hpp"
+
+namespace edgewise::studies::advise {
+
+/// A sentence each. `other_tables`: those that are in with the tables shared the other way, fastest first;
+/// none: that was not looked at.
+[[nodiscard]] std::vector<std::string> what_would_change(const CaseAsked& asked, const Screen& screen,
+                                                         const std::vector<ScreenedCell>& other_tables,
+                                                         const Finalist& taken);
+
+}  // namespace edgewise::studies::advise

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// What the runs beside a sweep are expected to take where no store remembers it: s on two cores of one
+// machine. Progress and the weights of shards are of these, and nothing else is; a sweep's own groups:
+// sweep/expected_work.hpp.
+#pragma once
+
+namespace edgewise::studies {
+
+inline constexpr double stability_case_seconds = 0.00044,  ///< of a row, per hard case of its family
+    paging_row_seconds = 6,                                ///< mostly of waiting for a disk
+    thrash_unit_seconds = 5,                               ///< a scene traced for figure 8
+    effort_query_seconds = 0.012,                          ///< of a row, per query under Callgrind
+    fields_cell_seconds = 10;
+
+}  // namespace edgewise::studies

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise advise`: its JSON, its exit codes, and that it says what it left out. How long anything takes is
+// not asked: a generous --time is never used up, and under a short one only what is said of gaps is looked
+// at.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli_paths.hpp"
+#include "program.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const Arguments enough_time = {"--time", "600"};
+
+Arguments few_cubes(Arguments more) {
+    Arguments arguments = {"advise", "--shape", "cube8", "--bodies", "3", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    arguments.insert(arguments.end(), enough_time.begin(), enough_time.end());
+    return arguments;
+}
+
+bool is_named(const json& cells, const json& cell) {
+    return std::ranges::any_of(cells, [&](const json& other) {
+        return other["algorithm"] == cell["algorithm"] && other["table"] == cell["table"];
+    });
+}
+
+void expect_finalist(const json& one, double error_limit) {
+    ASSERT_EQ(one["time_ratio"].size(), 3U) << one;
+    EXPECT_LE(one["time_ratio"][0], one["time_ratio"][1]);
+    EXPECT_LE(one["time_ratio"][1], one["time_ratio"][2]);
+    EXPECT_LE(one["error"], error_limit);
+    for (const char* key : {"ns", "bytes_per_edge", "table_bytes", "steps", "lines_per_query", "in_cache_ns"})
+        EXPECT_GT(one[key], 0) << key;
+    EXPECT_TRUE(one["misses_per_query"].contains("l2_256K")) << one;
+    EXPECT_TRUE(one["predicted_ns_on"].contains("l2_256K")) << one;
+}
+
+/// As a shell would hand it over: read by the program, and not run.
+void expect_can_be_typed(const std::string& command, const Folder& folder) {
+    Arguments words = {"--parse-only"};
+    std::istringstream text(command.substr(std::string("edgewise ").size()));
+    for (std::string word; text >> word;) words.push_back(word);
+    EXPECT_EQ(run(words, folder).exit_code, 0) << command;
+}
+
+TEST(Advise, TakesNamesAndExplains) {
+    const Folder folder;
+    const Outcome outcome = run(few_cubes({"--error", "1.5e-6", "--machines", "l2=256K"}), folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "") << "steps are for people";
+    const json advice = json::parse(outcome.out);
+    EXPECT_EQ(advice["asked"]["shape"], "cube8");
+    EXPECT_EQ(advice["asked"]["parameters"]["bodies"], 3);
+    EXPECT_EQ(advice["asked"]["error"], 1.5e-6);
+    EXPECT_EQ(advice["asked"]["own_tables"], false);
+    EXPECT_THAT(advice["asked"]["assumed"].dump(), HasSubstr("--own-tables"));
+    expect_finalist(advice["take"], 1.5e-6);
+    EXPECT_TRUE(advice["take"]["ties"]) << "with itself";
+    for (const json& next : advice["next"]) expect_finalist(next, 1.5e-6);
+    EXPECT_GE(advice["next"].size(), 1U);
+    EXPECT_FALSE(is_named(advice["out"], advice["take"]));
+    for (const json& out : advice["out"]) EXPECT_FALSE(out["reason"].get<std::string>().empty()) << out;
+    EXPECT_EQ(advice["processes"], 3);
+    ASSERT_EQ(advice["noise"].size(), 2U);
+    EXPECT_LE(advice["noise"][0], 1);
+    EXPECT_GE(advice["noise"][1], 1);
+    EXPECT_TRUE(advice["held"].is_boolean() || advice["latencies_ns"].empty()) << advice["held"];
+    EXPECT_THAT(advice["changes_it"].dump(), HasSubstr("a table for each body"));
+    EXPECT_EQ(advice["not_asked"].size(), 1U) << advice["not_asked"] << ": there was time for all";
+    const std::string command = advice["command"];
+    EXPECT_THAT(command, HasSubstr("--shape cube8 --bodies 3 --turn 0.1 --shared-tables --error 1.5e-06"));
+    EXPECT_THAT(command, HasSubstr("--machines l2=256K"));
+    expect_can_be_typed(command, folder);
+}
+
+TEST(Advise, TakesNothingWhereNothingMeetsTheError) {
+    const Folder folder;
+    const Outcome outcome = run(few_cubes({"--error", "1e-300"}), folder);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    const json advice = json::parse(outcome.out);
+    EXPECT_TRUE(advice["take"].is_null());
+    EXPECT_TRUE(advice["held"].is_null());
+    EXPECT_TRUE(advice["noise"].is_null());
+    EXPECT_GT(advice["out"].size(), 20U);
+    for (const json& out : advice["out"]) EXPECT_GT(out["error"], 1e-300) << out;
+}
+
+/// Too much for the time on any machine there is: what is null is named, and nothing is made up.
+TEST(Advise, SaysWhatItHadNoTimeFor) {
+    const Folder folder;
+    const Outcome outcome =
+        run({"advise", "--shape", "sphere386", "--bodies", "600", "--own-tables", "--time", "5", "--json"},
+            folder);
+    ASSERT_THAT(outcome.exit_code, testing::AnyOf(0, 1)) << outcome.err;
+    const json advice = json::parse(outcome.out);
+    EXPECT_EQ(outcome.exit_code == 0, !advice["take"].is_null());
+    EXPECT_THAT(advice["not_asked"].dump(), HasSubstr("no time was left"));
+    EXPECT_LE(advice["processes"], 3);
+    if (advice["processes"] < 3) EXPECT_THAT(advice["not_asked"].dump(), HasSubstr("of 3 processes"));
+}
+
+/// The program with a wrong layout linked in (crooked.hpp) beside a right one, and no baseline.
+TEST(Advise, LeavesOutWhoIsWrong) {
+    const Folder folder;
+    const Outcome outcome = Process(crooked_program_path, few_cubes({}), folder).wait();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json advice = json::parse(outcome.out);
+    EXPECT_EQ(advice["take"]["table"], "straight_f64");
+    ASSERT_EQ(advice["out"].size(), 1U);
+    EXPECT_EQ(advice["out"][0]["table"], "crooked_f64");
+}
+
+TEST(Advise, AsksASceneFileAndRepeatsIt) {
+    const Folder folder;
+    folder.write("mine.json", R"({"scene": "static", "shapes": ["cube8"], "needs": "witnesses"})");
+    Arguments arguments = {"advise", "--scene", "mine.json", "--error", "1e-300"};
+    arguments.insert(arguments.end(), enough_time.begin(), enough_time.end());
+    const Outcome outcome = run(arguments, folder);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("witnesses"));
+    EXPECT_THAT(outcome.out, HasSubstr("nothing meets the error"));
+    EXPECT_THAT(outcome.out, HasSubstr("edgewise advise --scene mine.json --error 1e-300 --needs witnesses"));
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// What another question would change in an advice: each sentence where it is true, and only there.
+#include "edgewise/studies/advise/changes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace edgewise::studies::advise {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+ScreenedCell looked_at(const std::string& table, double ns, double bytes = 10,
+                       OutFor out_for = OutFor::nothing, double error = 0) {
+    ScreenedCell cell;
+    cell.type = &*std::ranges::find(bench::table_types(), table, &bench::TableType::name);
+    cell.algorithm = "vclip";
+    cell.ns = ns;
+    cell.bytes_per_edge = bytes;
+    cell.error = error;
+    cell.out_for = out_for;
+    return cell;
+}
+
+Finalist taken_lean(double error = 0) {
+    Finalist taken;
+    taken.algorithm = "vclip";
+    taken.table = "lean_f64";
+    taken.bytes_per_edge = 12.8;
+    taken.error = error;
+    return taken;
+}
+
+const std::string one_table = "one table for all bodies: ",
+                  shared_best = "V-Clip on aos_f64, 290 ns at a first look";
+
+TEST(AdviceChanges, AreNoneWhereNothingWould) {
+    EXPECT_THAT(what_would_change({}, {}, {}, taken_lean()), IsEmpty());
+}
+
+TEST(AdviceChanges, NameWhoIsFastestWithTablesSharedTheOtherWay) {
+    CaseAsked asked;
+    asked.own_tables = true;
+    const ScreenedCell aos = looked_at("aos_f64", 290), lean = looked_at("lean_f64", 600),
+                       soa = looked_at("soa_f64", 300);
+    EXPECT_THAT(what_would_change(asked, {}, {aos, lean}, taken_lean()),
+                ElementsAre(one_table + shared_best + "; V-Clip on lean_f64 then takes 600 ns"));
+    EXPECT_THAT(what_would_change(asked, {}, {aos, soa}, taken_lean()),
+                ElementsAre(one_table + shared_best + "; V-Clip on lean_f64 is then out"));
+    EXPECT_THAT(what_would_change(asked, {}, {lean, aos}, taken_lean()),
+                ElementsAre(one_table + "V-Clip on lean_f64, 600 ns at a first look"));
+    asked.own_tables = false;
+    EXPECT_THAT(what_would_change(asked, {}, {aos, soa}, taken_lean()),
+                ElementsAre("a table for each body: " + shared_best + "; V-Clip on lean_f64 is then out"));
+}
+
+TEST(AdviceChanges, NameWhoALargerErrorAllows) {
+    Screen screen;
+    screen.cells = {looked_at("lean_f64", 700, 12.8), looked_at("aos_f32", 500, 138, OutFor::error, 1e-7),
+                    looked_at("points_soa_f64", 600, 5, OutFor::failure, 1),
+                    looked_at("lean_f32", 650, 5, OutFor::time, 1e-17),
+                    looked_at("quantised_f64", 819, 6.8, OutFor::error, 1.1e-5)};
+    EXPECT_THAT(
+        what_would_change({}, screen, {}, taken_lean()),
+        ElementsAre("an error of 1.1e-05 allowed: V-Clip on quantised_f64 becomes possible (6.8 bytes per "
+                    "edge, 819 ns)"))
+        << "not who is larger, wrong or slow";
+}
+
+TEST(AdviceChanges, NameTheErrorBelowWhichTheTakenGoes) {
+    EXPECT_THAT(what_would_change({}, {}, {}, taken_lean(8.2e-8)),
+                ElementsAre("an error below 8.2e-08 asked for: V-Clip on lean_f64 goes out"));
+}
+
+}  // namespace
+}  // namespace edgewise::studies::advise
