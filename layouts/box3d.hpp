@@ -13,13 +13,13 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
+#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/layout_parts/half_edge_table.hpp"
 #include "edgewise/layout_parts/lane_scan.hpp"
 #include "edgewise/layout_parts/planes_of_faces.hpp"
@@ -34,7 +34,7 @@ struct BoxHalfEdge {
 template <class Stored>
 struct BoxPlaces {
     static constexpr std::size_t lanes = 4;
-    using Axes = std::array<std::uint32_t, 3>;
+    using Axes = SmallArray<std::uint32_t, 3>;
 
     std::uint32_t vertices = 0, points = 0, edges = 0, planes = 0, faces = 0;
     Axes point_axes{}, normal_axes{};  ///< full lanes
@@ -145,7 +145,7 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
 
     /// The vertex farthest along the direction, the first of equals; every bit as a scan one by one finds it.
     [[nodiscard]] Farthest scan_support(const Vec3<Compute>& direction) const {
-        const std::array<Stored*, 3> axes = {axis(places_.point_axes, 0), axis(places_.point_axes, 1),
+        const SmallArray<Stored*, 3> axes = {axis(places_.point_axes, 0), axis(places_.point_axes, 1),
                                              axis(places_.point_axes, 2)};
         const Index first = farthest_in_lanes<lanes>(
             Places::groups(facts_.vertex_count), direction, [&](int k, std::size_t group, std::size_t lane) {
@@ -186,7 +186,7 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
             std::fill(axis(axes, k) + i, axis(axes, k) + end, static_cast<Stored>(numbers[k]));
     }
     [[nodiscard]] Stored* axis(const typename Places::Axes& axes, int k) const {
-        return array<Stored>(axes[static_cast<std::size_t>(k)]);
+        return array<Stored>(axes[k]);
     }
     template <class Element>
     [[nodiscard]] Element* array(std::uint32_t at) const {

@@ -72,7 +72,8 @@ class Lazy : public Table {
     /// Edges made so far, of all views of this table.
     [[nodiscard]] std::size_t made() const {
         std::size_t sum = 0;
-        for (std::size_t i = 0; i < word_count(); ++i) sum += std::popcount(words_[i]);
+        for (std::size_t i = 0; i < word_count(); ++i)
+            sum += static_cast<std::size_t>(std::popcount(words_[i]));
         return sum;
     }
     /// The part of the table's bytes that stands: all but the planes and the geometry of edges not made.

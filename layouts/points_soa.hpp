@@ -7,7 +7,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "edgewise/geometry/pack.hpp"
+#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/layout_parts/block_table.hpp"
 #include "edgewise/table/loader.hpp"
 
@@ -24,7 +24,7 @@ namespace edgewise {
 /// One array each of x, y and z: where they start, in bytes from the block's start.
 template <class Stored>
 struct PointArrays {
-    std::array<std::uint32_t, 3> at{};
+    SmallArray<std::uint32_t, 3> at{};
 
     void place(BlockPlan& plan, const BodyFacts& n) {
         for (std::uint32_t& start : at)

@@ -11,13 +11,13 @@
 // his backup, and his care for flat tetrahedra, are needed then.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cstdint>
 
 #include "edgewise/algorithms/johnson.hpp"
 #include "edgewise/algorithms/subset.hpp"
+#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/geometry/vec.hpp"
 
 namespace edgewise {
@@ -45,11 +45,11 @@ template <class Number, int count, class Points, class Known>
 /// the whole are the corners' times the whole's. `Number` may have lanes.
 template <class Number>
 struct CornersOfWhole {
-    std::array<Number, 4> corner;
+    SmallArray<Number, 4> corner;
     Number whole;
 
     template <class Vector>
-    [[gnu::always_inline]] explicit CornersOfWhole(const std::array<Vector, 4>& w) {
+    [[gnu::always_inline]] explicit CornersOfWhole(const SmallArray<Vector, 4>& w) {
         const Vector p = w[1] - w[0], q = w[2] - w[0], r = w[3] - w[0];
         const Vector across = cross(p, q);
         whole = dot(r, across);
@@ -65,7 +65,7 @@ struct CornersOfWhole {
 template <class Scalar, int count, bool newest_belongs>
 class Cofactors {
   public:
-    using Points = std::array<Vec3<Scalar>, 4>;
+    using Points = SimplexPoints<Scalar>;
 
     [[gnu::always_inline]] explicit Cofactors(const Points& w) {
 #pragma GCC unroll 16
@@ -100,7 +100,7 @@ class Cofactors {
     }
 
     /// Of the points of a subset other than the whole; 0 for the others.
-    [[nodiscard]] const std::array<Scalar, 4>& of(PointMask subset) const { return of_[subset]; }
+    [[nodiscard]] const SmallArray<Scalar, 4>& of(PointMask subset) const { return of_[subset]; }
 
   private:
     static constexpr int subsets = 1 << count;
@@ -131,13 +131,13 @@ class Cofactors {
         }
     }
 
-    std::array<std::array<Scalar, 4>, proper_end> of_;
+    SmallArray<SmallArray<Scalar, 4>, proper_end> of_;
     std::uint64_t positive_ = 0;
 };
 
 /// Weighs the subset that passes by its signs; false if none does, or rounding has it wrong.
 template <int count, bool newest_belongs, class Scalar>
-[[nodiscard]] [[gnu::always_inline]] inline bool weigh_passing(const std::array<Vec3<Scalar>, 4>& w,
+[[nodiscard]] [[gnu::always_inline]] inline bool weigh_passing(const SimplexPoints<Scalar>& w,
                                                                ClosestOfSimplex<Scalar>& found) {
     const Cofactors<Scalar, count, newest_belongs> cofactors(w);
     const unsigned passing = cofactors.passing();
@@ -165,8 +165,7 @@ template <int count, bool newest_belongs, class Scalar>
 
 /// The same for any count above one.
 template <bool newest_belongs, class Scalar>
-[[nodiscard]] [[gnu::always_inline]] inline bool weigh_passing_of(const std::array<Vec3<Scalar>, 4>& w,
-                                                                  int count,
+[[nodiscard]] [[gnu::always_inline]] inline bool weigh_passing_of(const SimplexPoints<Scalar>& w, int count,
                                                                   ClosestOfSimplex<Scalar>& found) {
     if (count == 3) return weigh_passing<3, newest_belongs>(w, found);
     if (count == 4) return weigh_passing<4, newest_belongs>(w, found);
@@ -175,7 +174,7 @@ template <bool newest_belongs, class Scalar>
 
 /// Where no subset passes by its signs.
 template <class Scalar>
-[[gnu::noinline]] void search_closest(const std::array<Vec3<Scalar>, 4>& w, int count,
+[[gnu::noinline]] void search_closest(const SimplexPoints<Scalar>& w, int count,
                                       ClosestOfSimplex<Scalar>& found) {
     Johnson<Scalar> johnson(w, count);
     found = johnson.holds_origin() ? johnson.inside() : johnson.closest();
@@ -185,19 +184,19 @@ template <class Scalar>
 /// go different ways.
 template <class Scalar>
 __attribute__((noinline, no_sanitize("address", "undefined", "thread"))) void find_closest_of_any(
-    const std::array<Vec3<Scalar>, 4>& w, int count, ClosestOfSimplex<Scalar>& found) {
+    const SimplexPoints<Scalar>& w, int count, ClosestOfSimplex<Scalar>& found) {
     if (!weigh_passing_of<false>(w, count, found)) search_closest(w, count, found);
 }
 template <class Scalar>
 __attribute__((noinline, no_sanitize("address", "undefined", "thread"))) void find_closest_with_newest(
-    const std::array<Vec3<Scalar>, 4>& w, int count, ClosestOfSimplex<Scalar>& found) {
+    const SimplexPoints<Scalar>& w, int count, ClosestOfSimplex<Scalar>& found) {
     if (!weigh_passing_of<true>(w, count, found)) search_closest(w, count, found);
 }
 
 /// The point of w[0 .. count-1], 1 <= count <= 4, closest to the origin. `newest_belongs`: it is known to
 /// rest on the last of them, in exact arithmetic.
 template <class Scalar>
-void find_closest(const std::array<Vec3<Scalar>, 4>& w, int count, bool newest_belongs,
+void find_closest(const SimplexPoints<Scalar>& w, int count, bool newest_belongs,
                   ClosestOfSimplex<Scalar>& found) {
     assert(count >= 1 && count <= 4);
     if (count == 1) {

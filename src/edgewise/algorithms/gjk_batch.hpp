@@ -6,7 +6,6 @@
 // solve by cofactors: where another solver is asked for, all are asked one after the other.
 #pragma once
 
-#include <array>
 #include <cassert>
 #include <concepts>
 #include <cstddef>
@@ -21,6 +20,7 @@
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/sub_distance.hpp"
 #include "edgewise/algorithms/support.hpp"
+#include "edgewise/geometry/small_array.hpp"
 
 namespace edgewise {
 
@@ -153,7 +153,7 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     std::span<Distance> answers_;
     QueryOptions options_;
     std::size_t next_ = 0, asked_singly_ = 0;
-    std::array<InLane, most_lanes> in_lane_;
+    SmallArray<InLane, most_lanes> in_lane_;
 };
 
 }  // namespace edgewise

@@ -22,11 +22,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
 #include "edgewise/algorithms/subset.hpp"
+#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
 
@@ -47,10 +47,10 @@ template <class Scalar>
 /// Signed volumes of the origin with each face of a tetrahedron: the cofactors of its four points.
 template <class Scalar>
 struct CornerVolumes {
-    std::array<Scalar, 4> volume;
+    SmallArray<Scalar, 4> volume;
     bool hold_origin;  ///< all of one sign, beyond their rounding
 
-    explicit CornerVolumes(const std::array<Vec3<Scalar>, 4>& w) {
+    explicit CornerVolumes(const SimplexPoints<Scalar>& w) {
         bool positive = true, negative = true;
         for (int k = 0; k < 4; ++k) {
             const auto &a = w[(k + 1) & 3], &b = w[(k + 2) & 3], &c = w[(k + 3) & 3];
@@ -72,7 +72,7 @@ class Johnson {
     static constexpr Mask whole = 15;
 
     /// Points are w[0 .. count-1], 1 <= count <= 4.
-    Johnson(const std::array<Vec3<Scalar>, 4>& w, int count) : w_(w), count_(count) {
+    Johnson(const SimplexPoints<Scalar>& w, int count) : w_(w), count_(count) {
         assert(count >= 1 && count <= 4);
     }
 
@@ -176,9 +176,9 @@ class Johnson {
         return best;
     }
 
-    const std::array<Vec3<Scalar>, 4>& w_;
+    const SimplexPoints<Scalar>& w_;
     int count_;
-    std::array<std::array<Scalar, 4>, 16> cofactor_;
+    SmallArray<SmallArray<Scalar, 4>, 16> cofactor_;
 };
 
 }  // namespace edgewise

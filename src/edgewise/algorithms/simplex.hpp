@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "edgewise/algorithms/subset.hpp"
+#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/table/contract.hpp"
 
 namespace edgewise {
@@ -22,7 +23,7 @@ class Simplex {
     using Scalar = ComputeOf<TableA>;
 
     int count = 0;
-    std::array<Vec3<Scalar>, 4> difference;
+    SimplexPoints<Scalar> difference;
     Scalar size = 0;  ///< longest coordinate of all points pushed so far: what rounding is relative to
 
     [[nodiscard]] typename TableA::Vertex vertex_a(int i) const { return vertex_a_[place_[i]]; }
@@ -77,7 +78,7 @@ class Simplex {
         unsigned taken = 0;
 #pragma GCC unroll 4
         for (int i = 0; i < 4; ++i) {
-            const unsigned stays = closest.members >> i & 1U;
+            const unsigned stays = unsigned{closest.members} >> i & 1U;
             const std::uint8_t place = place_[i];
             taken |= stays << place;
             place_[kept] = place;
@@ -91,7 +92,7 @@ class Simplex {
     }
 
   private:
-    std::array<std::uint8_t, 4> place_{};  ///< of each point in the following
+    SmallArray<std::uint8_t, 4> place_{};  ///< of each point in the following
     std::array<typename TableA::Vertex, 4> vertex_a_{};
     std::array<typename TableB::Vertex, 4> vertex_b_{};
     std::array<Vec3<Scalar>, 4> on_a_, on_b_;

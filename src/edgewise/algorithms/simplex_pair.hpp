@@ -46,7 +46,7 @@ class PackedCorners {
   public:
     [[nodiscard]] std::uint32_t note() const {
         std::uint64_t note = 0;
-        for (int i = 0; i < 4; ++i) note |= words_[i] >> note_at << 8 * i;
+        for (std::uint32_t i = 0; i < 4; ++i) note |= words_[i] >> note_at << 8 * i;
         return static_cast<std::uint32_t>(note);
     }
     [[nodiscard]] VertexPair<TableA, TableB> corner(std::uint32_t i) const {
@@ -57,7 +57,7 @@ class PackedCorners {
         return corner.a <= handle && corner.b <= handle;
     }
     void set_note(std::uint32_t note) {
-        for (int i = 0; i < 4; ++i)
+        for (std::uint32_t i = 0; i < 4; ++i)
             words_[i] = (words_[i] & both_handles) | std::uint64_t{note >> 8 * i & 0xff} << note_at;
     }
     void set(std::uint32_t i, const VertexPair<TableA, TableB>& corner) {

@@ -5,7 +5,6 @@
 // simplices are solved in wider arithmetic, and so is every one from where rounding hides a gain on.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "edgewise/algorithms/cofactors.hpp"
@@ -122,7 +121,7 @@ class SubDistance {
     /// chosen and the distance grows. So the same in wider arithmetic. The points stay as they are; their
     /// rounding costs the distance no more than itself. Returns the squared distance, unrounded.
     [[gnu::noinline]] Wider<Scalar> solve_wide() {
-        std::array<Vec3<Wider<Scalar>>, 4> points;
+        SimplexPoints<Wider<Scalar>> points;
         for (int i = 0; i < simplex_.count; ++i) points[i] = cast<Wider<Scalar>>(simplex_.difference[i]);
         const auto wide = Johnson<Wider<Scalar>>(points, simplex_.count).closest();
         closest_.members = wide.members;

@@ -4,16 +4,20 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 
+#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
 
 namespace edgewise {
+
+/// Points of a simplex: of four places the first ones.
+template <class Scalar>
+using SimplexPoints = SmallArray<Vec3<Scalar>, 4>;
 
 /// A subset of a simplex's points; bit i: point i belongs to it.
 using PointMask = std::uint8_t;
@@ -25,7 +29,7 @@ using PointMask = std::uint8_t;
 }
 
 /// Johnson's order, without the whole: smaller subsets first.
-inline constexpr std::array<PointMask, 14> ascending_subsets = {1, 2,  4,  8, 3,  5,  6,
+inline constexpr SmallArray<PointMask, 14> ascending_subsets = {1, 2,  4,  8, 3,  5,  6,
                                                                 9, 10, 12, 7, 11, 13, 14};
 
 [[nodiscard]] constexpr int lowest_point(PointMask mask) {
@@ -67,7 +71,7 @@ struct TriangleSides {
 
 /// The sides of the triangle that `mask` makes of these points.
 template <class Scalar>
-[[nodiscard]] TriangleSides<Scalar> triangle_sides(const std::array<Vec3<Scalar>, 4>& w, PointMask mask) {
+[[nodiscard]] TriangleSides<Scalar> triangle_sides(const SimplexPoints<Scalar>& w, PointMask mask) {
     assert(is_triangle(mask));
     const int i = lowest_point(mask);
     const int j = lowest_point(static_cast<PointMask>(mask & (mask - 1)));
@@ -81,11 +85,11 @@ struct ClosestOfSimplex {
     PointMask members = 0;
     bool backup = false;  ///< no subset passed: the nearest of all
     bool thin = false;    ///< a triangle too long and low for `point` to be as good as its corners are
-    std::array<Scalar, 4> weight{};  ///< of members; they sum to one
+    SmallArray<Scalar, 4> weight{};  ///< of members; they sum to one
     Vec3<Scalar> point;
 
     /// From the sum of the members, weighted.
-    void rest_on(PointMask subset, const std::array<Vec3<Scalar>, 4>& w, const Vec3<Scalar>& weighted) {
+    void rest_on(PointMask subset, const SimplexPoints<Scalar>& w, const Vec3<Scalar>& weighted) {
         members = subset;
         backup = false;
         thin = false;

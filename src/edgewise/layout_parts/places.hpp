@@ -45,7 +45,10 @@ void write_vector(Vec3<Stored>& to, const Vec3d& v) {
 }
 template <class Stored>
 void write_vector(const Strided<Stored>& to, const Vec3d& v) {
-    for (int k = 0; k < 3; ++k) to[k] = static_cast<Stored>(v[k]);
+    const Vec3<Stored> stored = cast<Stored>(v);
+    to[0] = stored.x();
+    to[1] = stored.y();
+    to[2] = stored.z();
 }
 
 template <class To, class Loader, class Stored>

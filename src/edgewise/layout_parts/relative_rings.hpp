@@ -118,8 +118,7 @@ class RelativeRingPlaces {
     /// Chooses the shorter of both forms.
     void prepare(const Polyhedron& body) {
         std::size_t far = 0;
-        for (const HalfEdge h : body.vertex_ring)
-            far += fits_a_byte(difference(body.tail(h), body.head(h))) ? 0 : 1;
+        for (const HalfEdge h : body.vertex_ring) far += !fits_a_byte(difference(body.tail(h), body.head(h)));
         const std::size_t entries = body.vertex_ring.size(), plain = narrow_width(body.vertex_count() - 1);
         block_.is_relative = entries + far * (narrow_width(entries) + plain) < entries * plain;
         block_.far_count = block_.is_relative ? static_cast<std::uint32_t>(far) : 0;

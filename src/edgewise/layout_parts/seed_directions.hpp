@@ -13,11 +13,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/geometry/small_array.hpp"
 
 namespace edgewise {
 
@@ -84,7 +84,7 @@ class RingDirections {
     static constexpr int quarter = (Rings + 1) / 2;
 
     /// sin(k pi / 32).
-    static constexpr std::array<double, 17> sines = {0,
+    static constexpr SmallArray<double, 17> sines = {0,
                                                      0.098017140329560604,
                                                      0.19509032201612825,
                                                      0.29028467725446233,

@@ -18,7 +18,7 @@
 namespace edgewise {
 namespace {
 
-using Corners = std::array<Vec3d, 4>;
+using Corners = SimplexPoints<double>;
 
 Corners at_random(scene::Rng& rng) {
     const Vec3d shift = rng.in_cube(1.5);
@@ -107,7 +107,7 @@ double exact_from_origin(const Corners& w, int count) {
 struct BySearch {
     static constexpr const char* name = "johnson";
     template <class Scalar>
-    static ClosestOfSimplex<Scalar> closest(const std::array<Vec3<Scalar>, 4>& w, int count) {
+    static ClosestOfSimplex<Scalar> closest(const SimplexPoints<Scalar>& w, int count) {
         return Johnson<Scalar>(w, count).closest();
     }
 };
@@ -116,7 +116,7 @@ struct BySearch {
 struct BySigns {
     static constexpr const char* name = "cofactors";
     template <class Scalar>
-    static ClosestOfSimplex<Scalar> closest(const std::array<Vec3<Scalar>, 4>& w, int count) {
+    static ClosestOfSimplex<Scalar> closest(const SimplexPoints<Scalar>& w, int count) {
         ClosestOfSimplex<Scalar> found;
         find_closest(w, count, false, found);
         return found;
@@ -125,7 +125,7 @@ struct BySigns {
 
 template <class Solver, class Scalar>
 void ask(Corners w, int count, Seen& seen) {
-    std::array<Vec3<Scalar>, 4> stored;
+    SimplexPoints<Scalar> stored;
     double size = 0;
     for (int i = 0; i < 4; ++i) {
         if (sizeof(Scalar) == sizeof(float)) w[i] = to_single(w[i]);

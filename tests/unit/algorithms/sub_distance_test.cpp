@@ -22,9 +22,9 @@ namespace {
 /// Points of the difference, a little beside those of a lattice: the origin's nearest point often lies on the
 /// border between two subsets.
 template <class Scalar>
-std::array<Vec3<Scalar>, 4> beside_a_lattice(scene::Rng& rng) {
+SimplexPoints<Scalar> beside_a_lattice(scene::Rng& rng) {
     const auto third = static_cast<Scalar>(1.0 / 3);
-    std::array<Vec3<Scalar>, 4> points;
+    SimplexPoints<Scalar> points;
     for (auto& point : points) {
         const Vec3<Scalar> place = rng.in_cube(3).array().round().cast<Scalar>();
         point = place * third + Vec3<Scalar>::Constant(Scalar(2));
@@ -34,7 +34,7 @@ std::array<Vec3<Scalar>, 4> beside_a_lattice(scene::Rng& rng) {
 }
 
 template <class Scalar>
-bool is_sure(const ClosestOfSimplex<Scalar>& closest, const std::array<Vec3<Scalar>, 4>& points, int count) {
+bool is_sure(const ClosestOfSimplex<Scalar>& closest, const SimplexPoints<Scalar>& points, int count) {
     if (closest.members == 15) return true;
     Scalar size = 0;
     for (int i = 0; i < count; ++i) size = std::max(size, max_abs(points[i]));
@@ -43,8 +43,7 @@ bool is_sure(const ClosestOfSimplex<Scalar>& closest, const std::array<Vec3<Scal
 }
 
 template <class Scalar>
-ClosestOfSimplex<Scalar> by_itself(SubDistanceSolver solver, const std::array<Vec3<Scalar>, 4>& points,
-                                   int count) {
+ClosestOfSimplex<Scalar> by_itself(SubDistanceSolver solver, const SimplexPoints<Scalar>& points, int count) {
     Johnson<Scalar> johnson(points, count);
     if (solver == SubDistanceSolver::johnson) return johnson.closest();
     if (johnson.holds_origin()) return johnson.inside();

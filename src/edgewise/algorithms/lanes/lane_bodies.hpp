@@ -4,11 +4,11 @@
 // bodies are scanned anyway (support.hpp), and side by side a scan has no branch.
 #pragma once
 
-#include <array>
 #include <cassert>
 
 #include "edgewise/algorithms/lanes/lane_source.hpp"
 #include "edgewise/algorithms/lanes/lane_vector.hpp"
+#include "edgewise/geometry/small_array.hpp"
 
 namespace edgewise {
 
@@ -55,9 +55,9 @@ class LaneBodies {
     }
 
   private:
-    std::array<Vector, most_lane_vertices> vertices_{};
-    std::array<const void*, n> tables_{};
-    std::array<int, n> written_{};
+    SmallArray<Vector, most_lane_vertices> vertices_{};
+    SmallArray<const void*, n> tables_{};
+    SmallArray<int, n> written_{};
     int used_ = 1;  ///< most vertices that any lane had
 };
 

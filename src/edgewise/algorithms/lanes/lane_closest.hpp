@@ -6,13 +6,13 @@
 // by itself.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstddef>
 
 #include "edgewise/algorithms/cofactors.hpp"
 #include "edgewise/algorithms/lanes/lane_vector.hpp"
 #include "edgewise/algorithms/subset.hpp"
+#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise {
@@ -24,8 +24,9 @@ class LaneClosest {
   public:
     using Number = Numbers<Scalar, n>;
     using Mask = Masks<Scalar, n>;
+    using Word = typename LaneTypes<Scalar, n>::Word;
     using Vector = LaneVec<Scalar, n>;
-    using Points = std::array<Vector, 4>;
+    using Points = SmallArray<Vector, 4>;
 
     /// older: how many points per lane there are beside the newest: the first of w, 0 to 3.
     [[gnu::always_inline]] LaneClosest(const Points& w, const Mask& older) {
@@ -42,7 +43,9 @@ class LaneClosest {
     [[nodiscard]] const Vector& point() const { return point_; }
     [[nodiscard]] const Number& weight(int k) const { return weight_[k]; }
     /// Whether the closest point rests on point k.
-    [[nodiscard]] [[gnu::always_inline]] Mask rests_on(int k) const { return (subset_ & (1 << k)) != 0; }
+    [[nodiscard]] [[gnu::always_inline]] Mask rests_on(int k) const {
+        return (subset_ & (Mask{} + (Word{1} << k))) != 0;
+    }
     [[nodiscard]] const Mask& sure() const { return sure_; }
 
   private:
@@ -147,10 +150,10 @@ class LaneClosest {
         }
     }
 
-    std::array<Mask, 3> absent_;  ///< of the older points
-    std::array<std::array<Number, 4>, 15> of_;
-    std::array<std::array<Mask, 4>, 16> positive_;
-    std::array<Number, 4> weight_;
+    SmallArray<Mask, 3> absent_;  ///< of the older points
+    SmallArray<SmallArray<Number, 4>, 15> of_;
+    SmallArray<SmallArray<Mask, 4>, 16> positive_;
+    SmallArray<Number, 4> weight_;
     Mask subset_, sure_;
     Vector point_;
 };

@@ -4,11 +4,12 @@
 // that the loop over lanes is compiled once, not per table type.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/pose.hpp"
+#include "edgewise/geometry/small_array.hpp"
 
 namespace edgewise {
 
@@ -25,9 +26,9 @@ struct LaneQuery {
     int vertices_a = 0, vertices_b = 0;
     /// The simplex of the pair's last query, solved; count 0: cold.
     int count = 0;
-    std::array<std::uint32_t, 4> vertex_a, vertex_b;
-    std::array<Vec3<Scalar>, 4> difference;
-    std::array<Scalar, 4> weight;
+    SmallArray<std::uint32_t, 4> vertex_a, vertex_b;
+    SimplexPoints<Scalar> difference;
+    SmallArray<Scalar, 4> weight;
     Vec3<Scalar> closest;
     Scalar size = 0;  ///< Simplex::size
 };
@@ -36,8 +37,8 @@ struct LaneQuery {
 template <class Scalar>
 struct LaneAnswer {
     int count = 0;
-    std::array<std::uint32_t, 4> vertex_a, vertex_b;
-    std::array<Scalar, 4> weight;
+    SmallArray<std::uint32_t, 4> vertex_a, vertex_b;
+    SmallArray<Scalar, 4> weight;
     Vec3<Scalar> closest;
     int steps = 0;
 };

@@ -3,12 +3,12 @@
 // What GJK knows of the query in each lane: bodies, pose, simplex.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "edgewise/algorithms/lanes/lane_bodies.hpp"
 #include "edgewise/algorithms/lanes/lane_source.hpp"
 #include "edgewise/algorithms/lanes/lane_vector.hpp"
+#include "edgewise/geometry/small_array.hpp"
 
 namespace edgewise {
 
@@ -17,14 +17,15 @@ struct LaneState {
     using Number = Numbers<Scalar, n>;
     using Mask = Masks<Scalar, n>;
     using Vector = LaneVec<Scalar, n>;
+    using Word = typename LaneTypes<Scalar, n>::Word;
 
     LaneBodies<Scalar, n> a, b;
-    std::array<Number, 9> rotation{};  ///< of a_from_b, row by row
+    SmallArray<Number, 9> rotation{};  ///< of a_from_b, row by row
     Vector translation{}, closest{};
     /// The first `count`, up to three; the newest, while it is taken in, is the last.
-    std::array<Mask, 4> vertices{};  ///< A's and B's as one word
-    std::array<Vector, 4> difference{};
-    std::array<Number, 4> weight{};
+    SmallArray<Mask, 4> vertices{};  ///< A's and B's as one word
+    SmallArray<Vector, 4> difference{};
+    SmallArray<Number, 4> weight{};
     Number size{};
     Mask count{}, steps{}, is_cold{};
     Mask starts{};     ///< cold, without a point so far
@@ -51,7 +52,7 @@ struct LaneState {
         size[lane] = query.size;
         steps[lane] = 0;
         for (int k = 0; k < query.count; ++k) {
-            vertices[k][lane] = query.vertex_a[k] << 16 | query.vertex_b[k];
+            vertices[k][lane] = static_cast<Word>(query.vertex_a[k] << 16 | query.vertex_b[k]);
             set(difference[k], lane, query.difference[k]);
             weight[k][lane] = query.weight[k];
         }

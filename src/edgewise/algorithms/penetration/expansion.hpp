@@ -5,10 +5,10 @@
 // as no digit of a product leaves the range of double: see smallest_coordinate.
 #pragma once
 
-#include <array>
 #include <cassert>
 
 #include "edgewise/geometry/double_double.hpp"
+#include "edgewise/geometry/small_array.hpp"
 
 namespace edgewise::epa {
 
@@ -72,7 +72,7 @@ class Expansion {
   private:
     static constexpr int determinant_terms = 6 * 8 * 4;  ///< products, choices of parts, parts of each
 
-    std::array<double, determinant_terms> term_;
+    SmallArray<double, determinant_terms> term_;
     int count_ = 0;
 };
 

@@ -11,7 +11,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -20,14 +19,15 @@
 
 #include "edgewise/algorithms/penetration/exact_side.hpp"
 #include "edgewise/algorithms/penetration/triangle_normal.hpp"
+#include "edgewise/geometry/small_array.hpp"
 
 namespace edgewise::epa {
 
 using Id = std::uint32_t;
 
 struct Face {
-    std::array<Id, 3> vertex;     ///< counter-clockwise from outside
-    std::array<Id, 3> neighbour;  ///< across the edge from vertex[i] to the next
+    SmallArray<Id, 3> vertex;     ///< counter-clockwise from outside
+    SmallArray<Id, 3> neighbour;  ///< across the edge from vertex[i] to the next
     Vec3d normal;                 ///< unit, outward
     double distance;              ///< of its plane from the origin; negative if the origin is outside
     bool live = true;             ///< on the surface still
@@ -45,10 +45,10 @@ class Polytope {
     }
 
     /// A tetrahedron whose fourth corner is below the triangle of the first three.
-    void start(const std::array<Vec3d, 4>& corner) {
+    void start(const SmallArray<Vec3d, 4>& corner) {
         assert(side(corner[0], corner[1], corner[2], corner[3]) < 0);
-        constexpr std::array<std::array<Id, 3>, 4> vertex{{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
-        constexpr std::array<std::array<Id, 3>, 4> neighbour{{{1, 2, 3}, {3, 2, 0}, {1, 3, 0}, {2, 1, 0}}};
+        constexpr SmallArray<SmallArray<Id, 3>, 4> vertex{{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
+        constexpr SmallArray<SmallArray<Id, 3>, 4> neighbour{{{1, 2, 3}, {3, 2, 0}, {1, 3, 0}, {2, 1, 0}}};
         points_.assign(corner.begin(), corner.end());
         rim_face_.assign(4, 0);
         faces_.clear();
@@ -140,7 +140,7 @@ class Polytope {
         }
     }
 
-    Id add_face(const std::array<Id, 3>& vertex) {
+    Id add_face(const SmallArray<Id, 3>& vertex) {
         const Id id = static_cast<Id>(faces_.size());
         const Vec3d &a = points_[vertex[0]], &b = points_[vertex[1]], &c = points_[vertex[2]];
         const Vec3d normal = triangle_normal(a, b, c);

@@ -5,10 +5,10 @@
 // negative distance, and is expanded first.
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "edgewise/algorithms/penetration/difference.hpp"
+#include "edgewise/geometry/small_array.hpp"
 
 namespace edgewise::epa {
 
@@ -22,8 +22,8 @@ class Tetrahedron {
     [[nodiscard]] int count() const { return count_; }
 
     /// The fourth point is below the triangle of the first three.
-    [[nodiscard]] const std::array<Vec3d, 4>& points() const { return point_; }
-    [[nodiscard]] const std::array<Corner, 4>& corners() const { return corner_; }
+    [[nodiscard]] const SmallArray<Vec3d, 4>& points() const { return point_; }
+    [[nodiscard]] const SmallArray<Corner, 4>& corners() const { return corner_; }
 
     /// Power of two that brings the bodies to a size of about 1 (within some 2^100, which is all that exact
     /// products ask for). Points are times this.
@@ -43,8 +43,8 @@ class Tetrahedron {
     [[nodiscard]] Vec3d across(int i) const;
 
     const Difference& difference_;
-    std::array<Corner, 4> corner_;
-    std::array<Vec3d, 4> point_;
+    SmallArray<Corner, 4> corner_;
+    SmallArray<Vec3d, 4> point_;
     int count_ = 0;
     double scale_ = 1;
 };

@@ -8,19 +8,19 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <limits>
 
 #include "edgewise/algorithms/penetration/polytope.hpp"
 #include "edgewise/geometry/double_double.hpp"
+#include "edgewise/geometry/small_array.hpp"
 
 namespace edgewise::epa {
 
 /// A point of the polytope's surface.
 struct Witness {
-    std::array<Id, 3> vertex{};
-    std::array<double, 3> weight{};                             ///< none negative; they sum to one
+    SmallArray<Id, 3> vertex{};
+    SmallArray<double, 3> weight{};                             ///< none negative; they sum to one
     double distance = std::numeric_limits<double>::infinity();  ///< from the foot
 };
 
@@ -32,7 +32,7 @@ class WitnessSearch {
 
     /// The point of the face closest to the foot, if that is closer than the best so far.
     void consider(const Face& face) {
-        const std::array<double, 3> area = corner_areas(face);
+        const SmallArray<double, 3> area = corner_areas(face);
         const double sum = area[0] + area[1] + area[2];
         if (area[0] >= 0 && area[1] >= 0 && area[2] >= 0 && sum > 0) {
             keep_if_closer(face, {area[0] / sum, area[1] / sum, area[2] / sum});
@@ -42,7 +42,7 @@ class WitnessSearch {
             const int j = (i + 1) % 3;
             const Vec3d from = polytope_.point(face.vertex[i]);
             const Vec3d edge = polytope_.point(face.vertex[j]) - from;
-            std::array<double, 3> weight{};
+            SmallArray<double, 3> weight{};
             weight[j] = std::clamp(dot(Vec3d(foot_ - from), edge) / squared_norm(edge), 0.0, 1.0);
             weight[i] = 1 - weight[j];
             keep_if_closer(face, weight);
@@ -51,17 +51,17 @@ class WitnessSearch {
 
   private:
     /// Of the triangles that the foot makes with the edge opposite each corner, seen along the normal.
-    [[nodiscard]] std::array<double, 3> corner_areas(const Face& face) const {
-        std::array<DoubleDoubleVec, 3> spoke;
+    [[nodiscard]] SmallArray<double, 3> corner_areas(const Face& face) const {
+        SmallArray<DoubleDoubleVec, 3> spoke;
         for (int i = 0; i < 3; ++i) spoke[i] = exact_difference(polytope_.point(face.vertex[i]), foot_, 1);
-        std::array<double, 3> area;
+        SmallArray<double, 3> area;
         for (int i = 0; i < 3; ++i) {
             area[i] = dot(face.normal, cast<double>(cross(spoke[(i + 1) % 3], spoke[(i + 2) % 3])));
         }
         return area;
     }
 
-    void keep_if_closer(const Face& face, const std::array<double, 3>& weight) {
+    void keep_if_closer(const Face& face, const SmallArray<double, 3>& weight) {
         Vec3d offset = -foot_;
         for (int i = 0; i < 3; ++i) offset += weight[i] * polytope_.point(face.vertex[i]);
         const double distance = norm(offset);

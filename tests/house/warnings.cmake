@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# The library's headers warn of nothing where an engine includes them by -I, as part of its own tree: every layout with
+# every algorithm, checked but not compiled to code, with the warnings that engines turn into errors. With clang++ too,
+# where there is one: it knows other conversions.
+file(GLOB layouts CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/layouts ${PROJECT_SOURCE_DIR}/layouts/*.hpp)
+list(LENGTH layouts count)
+if(count LESS 20)
+    message(FATAL_ERROR "house: only ${count} layouts found below ${PROJECT_SOURCE_DIR}/layouts")
+endif()
+set(INCLUDES)
+set(USES)
+foreach(layout IN LISTS layouts)
+    string(REPLACE ".hpp" "" name ${layout})
+    string(APPEND INCLUDES "#include \"edgewise/layouts/${layout}\"\n")
+    foreach(precision f32 mixed)
+        string(APPEND USES "    use<${name}<${precision}>>(body);\n")
+    endforeach()
+endforeach()
+set(unit ${CMAKE_CURRENT_BINARY_DIR}/use_layouts.cpp)
+configure_file(use_layouts.cpp.in ${unit} @ONLY)
+
+get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+find_program(HOUSE_CLANG NAMES clang++ clang++-14 clang++-15 clang++-16)
+foreach(compiler ${CMAKE_CXX_COMPILER} ${HOUSE_CLANG})
+    get_filename_component(name ${compiler} NAME)
+    add_test(NAME house.no_warnings_of_${name} COMMAND ${compiler} -std=c++20 -fsyntax-only -I${EDGEWISE_INCLUDE}
+        -isystem ${eigen} -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Wno-unknown-attributes -Wno-psabi -Werror ${unit})
+    set_tests_properties(house.no_warnings_of_${name} PROPERTIES TIMEOUT 300)
+endforeach()
