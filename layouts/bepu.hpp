@@ -140,21 +140,13 @@ class bepu : public BlockTable<P, Loader> {
         });
     }
 
-    struct Farthest {
-        Vertex vertex;
-        Vec3<Compute> point;
-        Compute along;  ///< <point, direction>
-    };
-
-    /// The vertex farthest along the direction, the first of equals; every bit as a scan one by one finds it.
-    [[nodiscard]] Farthest scan_support(const Vec3<Compute>& direction) const {
+    /// The vertex farthest along the direction, the first of equals.
+    [[nodiscard]] Vertex scan_support(const Vec3<Compute>& direction) const {
         const std::size_t bundles = (facts_.vertex_count + lanes - 1) / lanes;
-        const Index first =
-            farthest_in_lanes<lanes>(bundles, direction, [this](int k, std::size_t bundle, std::size_t lane) {
-                return read(points()[bundle].row[k][lane]);
-            });
-        const Vec3<Compute> point = vertex(first);
-        return {first, point, dot(point, direction)};
+        return farthest_in_lanes<lanes>(bundles, direction,
+                                        [this](int k, std::size_t bundle, std::size_t lane) {
+                                            return read(points()[bundle].row[k][lane]);
+                                        });
     }
 
   private:

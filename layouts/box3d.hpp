@@ -137,22 +137,14 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
         return cast<Compute>(load(planes()[f], Field::face_plane));
     }
 
-    struct Farthest {
-        Vertex vertex;
-        Vec3<Compute> point;
-        Compute along;  ///< <point, direction>
-    };
-
-    /// The vertex farthest along the direction, the first of equals; every bit as a scan one by one finds it.
-    [[nodiscard]] Farthest scan_support(const Vec3<Compute>& direction) const {
+    /// The vertex farthest along the direction, the first of equals.
+    [[nodiscard]] Vertex scan_support(const Vec3<Compute>& direction) const {
         const SmallArray<Stored*, 3> axes = {axis(places_.point_axes, 0), axis(places_.point_axes, 1),
                                              axis(places_.point_axes, 2)};
-        const Index first = farthest_in_lanes<lanes>(
+        return farthest_in_lanes<lanes>(
             Places::groups(facts_.vertex_count), direction, [&](int k, std::size_t group, std::size_t lane) {
                 return static_cast<Compute>(load(axes[k][group * lanes + lane], Field::vertex));
             });
-        const Vec3<Compute> point = vertex(first);
-        return {first, point, dot(point, direction)};
     }
 
   private:

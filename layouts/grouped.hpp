@@ -6,8 +6,8 @@
 // or loses is the list's own. What that costs: the place of a field is a start and a stride, 16 bytes that
 // the table holds and reads before it reads the field, where a struct has a constant.
 //
-// The usual groups, where nobody chose, are what `edgewise fields` advised for `aos_f64`
-// and V-Clip in the scene `tumble`: at 386 vertices 27.0 lines per query in place of 32.3.
+// The usual groups, where nobody chose, are what `edgewise fields` advised for `aos_f64` and V-Clip in the
+// scene `tumble`: at 386 vertices 27.0 lines per query in place of 32.3.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ struct GroupedArrays : RingsAt<GroupedArrays<Stored>> {
     std::array<Column, stored_field_count> columns{};
 
     void place(BlockPlan& plan, const BodyFacts& n) {
-        const auto sized = sized_fields();
+        const auto sized = sized_stored_fields<Stored>();
         place_groups(
             plan, groups, sized,
             [&](std::uint8_t field) { return record_count(static_cast<StoredField>(field), n); },
@@ -89,14 +89,6 @@ struct GroupedArrays : RingsAt<GroupedArrays<Stored>> {
     }
     friend void write_ends(const Ends& to, const PolyhedronEdge& ends) {
         for (std::size_t k = 0; k < ends_in_order.size(); ++k) end_at(to, k) = edgewise::end_at(ends, k);
-    }
-
-    /// By number.
-    [[nodiscard]] static std::array<RecordField, stored_field_count> sized_fields() {
-        std::array<RecordField, stored_field_count> sized;
-        for (std::size_t i = 0; i < sized.size(); ++i)
-            sized[i] = stored_field_infos[i].template sized<Stored>();
-        return sized;
     }
 
   private:

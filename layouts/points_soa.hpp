@@ -73,21 +73,11 @@ class points_soa : public BlockTable<P, Loader> {
         return {coordinate(0, v), coordinate(1, v), coordinate(2, v)};
     }
 
-    struct Farthest {
-        Vertex vertex;
-        Vec3<Compute> point;
-        Compute along;  ///< <point, direction>
-    };
-
-    /// The vertex farthest along the direction, the first of equals; every bit as a scan one by one finds it.
-    [[nodiscard]] Farthest scan_support(const Vec3<Compute>& direction) const {
-        const Vertex best = [&] {
-            if constexpr (std::is_same_v<Loader, Direct>)
-                if (this->vertex_count() >= Pack<Compute>::size) return scan_packs(direction);
-            return scan_one_by_one(direction);
-        }();
-        const Vec3<Compute> point = vertex(best);
-        return {best, point, dot(point, direction)};
+    /// The vertex farthest along the direction, the first of equals.
+    [[nodiscard]] Vertex scan_support(const Vec3<Compute>& direction) const {
+        if constexpr (std::is_same_v<Loader, Direct>)
+            if (this->vertex_count() >= Pack<Compute>::size) return scan_packs(direction);
+        return scan_one_by_one(direction);
     }
 
   private:

@@ -105,7 +105,6 @@ class Cofactors {
   private:
     static constexpr int subsets = 1 << count;
     static constexpr int proper_end = count == 4 ? 15 : subsets;  ///< without the whole of four
-
     static constexpr int newest = 1 << (count - 1);
 
     /// The closest point may rest on this subset.

@@ -111,12 +111,13 @@ template <SupportTable Table>
     }
 }
 
-/// The same. A layout that can scan faster defines a member of this name, with the same answer to the bit.
+/// The same. A layout that can scan faster defines a member of this name, which gives the vertex: the same one.
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> scan_support(const Table& table, const Vec3<ComputeOf<Table>>& direction) {
     if constexpr (requires { table.scan_support(direction); }) {
-        const auto [vertex, point, along] = table.scan_support(direction);
-        return {vertex, point, along};
+        const auto vertex = table.scan_support(direction);
+        const auto point = table.vertex(vertex);
+        return {vertex, point, dot(point, direction)};
     } else {
         return scan_any(table, direction);
     }

@@ -21,6 +21,11 @@
 
 namespace edgewise {
 
+/// The next whole multiple of `to`.
+[[nodiscard]] constexpr std::size_t rounded_up(std::size_t bytes, std::size_t to) {
+    return (bytes + to - 1) / to * to;
+}
+
 /// Arrays one after another, in the order in which they are named.
 class BlockPlan {
   public:
@@ -61,7 +66,7 @@ class BlockPlan {
     std::size_t records_at(const RecordSize& record, std::size_t count, const Shares& shares) {
         assert(record.alignment <= alignment && record.bytes % record.alignment == 0);
         const std::size_t to = count * record.bytes < alignment ? record.alignment : alignment;
-        const std::size_t start = (size_ + to - 1) / to * to;
+        const std::size_t start = rounded_up(size_, to);
         add_piece(1, start - size_, {});
         add_piece(record.bytes, count, shares);
         element_alignment_ = std::max(element_alignment_, record.alignment);

@@ -75,16 +75,13 @@ struct GroupRecord {
         std::copy(group.begin(), group.end(), fields.begin());
         for (std::size_t i = 0; i < count; ++i) {
             const RecordField& field = sized[fields[i]];
-            size.bytes = padded(size.bytes, field.alignment);
+            size.bytes = rounded_up(size.bytes, field.alignment);
             offset[i] = static_cast<std::uint32_t>(size.bytes);
             size.bytes += field.bytes;
             size.alignment = std::max<std::size_t>(size.alignment, field.alignment);
         }
-        size.bytes = padded(size.bytes, size.alignment);
+        size.bytes = rounded_up(size.bytes, size.alignment);
     }
-
-  private:
-    static std::size_t padded(std::size_t bytes, std::size_t to) { return (bytes + to - 1) / to * to; }
 };
 
 /// What the bytes of a record are for, field by field in memory order.

@@ -83,7 +83,7 @@ struct NodeRecords {
     }
     static BlockPlan::RecordSize padded(std::size_t bytes) {
         constexpr std::size_t to = sizeof(void*);
-        return {(bytes + to - 1) / to * to, to};
+        return {rounded_up(bytes, to), to};
     }
 };
 

@@ -60,7 +60,7 @@ struct NodeStructs {
             for (std::size_t i = 0; i < node_field_count; ++i) {
                 if (node_field_infos[i].kind != kind_of<Stored, Node>()) continue;
                 if (end + sized[i].bytes > sizeof(Node)) break;  // a spoke ends before the cone's fields
-                end = (end + sized[i].alignment - 1) / sized[i].alignment * sized[i].alignment;
+                end = rounded_up(end, sized[i].alignment);
                 runs.pad_to(end);
                 runs.add(node_field_infos[i].component, sized[i].bytes);
                 end += sized[i].bytes;

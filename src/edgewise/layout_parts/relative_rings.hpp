@@ -32,9 +32,8 @@ struct RelativeRingBlock {
     bool is_relative = false;  ///< else entries are plain indices
     std::uint8_t offset_width = 1, entry_width = 1, far_width = 1;
     std::uint32_t offset_at = 0, entry_at = 0;
-    std::uint32_t position_at = 0,
-                  far_at = 0;  ///< of neighbours whose differences do not fit: where, and who
-    std::uint32_t far_count = 0;
+    /// Of neighbours whose differences do not fit: where they stand, who they are, and how many.
+    std::uint32_t position_at = 0, far_at = 0, far_count = 0;
 
     [[nodiscard]] NarrowArray offsets(std::byte* base) const { return {base + offset_at, offset_width}; }
     [[nodiscard]] NarrowArray plain(std::byte* base) const { return {base + entry_at, entry_width}; }

@@ -76,6 +76,15 @@ inline constexpr std::array<StoredFieldInfo, stored_field_count> stored_field_in
     return stored_field_infos[static_cast<std::size_t>(field)];
 }
 
+/// By number.
+template <class Stored>
+[[nodiscard]] std::array<RecordField, stored_field_count> sized_stored_fields() {
+    std::array<RecordField, stored_field_count> sized;
+    for (std::size_t i = 0; i < sized.size(); ++i)
+        sized[i] = stored_field_infos[i].template sized<Stored>();
+    return sized;
+}
+
 /// How many records of a table have the field; 0: the table does without it.
 [[nodiscard]] inline std::size_t record_count(StoredField field, const BodyFacts& n) {
     using enum StoredField;
@@ -96,8 +105,8 @@ class FieldMapper {
     template <class Stored>
     static FieldMapper of(const std::byte* base) {
         FieldMapper mapper(base);
-        for (const StoredFieldInfo& info : stored_field_infos)
-            mapper.map_.fields.push_back(info.sized<Stored>());
+        const auto sized = sized_stored_fields<Stored>();
+        mapper.map_.fields.assign(sized.begin(), sized.end());
         return mapper;
     }
 

@@ -15,7 +15,7 @@ GroupedPlaces::GroupedPlaces(const std::vector<TableFields>& tables, const Field
             [&](std::uint8_t field, std::size_t start, std::size_t stride) {
                 columns[field] = {start, stride};
             });
-        const std::uint64_t align = plan.block_alignment(), base = (taken_ + align - 1) / align * align;
+        const std::uint64_t base = rounded_up(taken_, plan.block_alignment());
         for (Column& column : columns) column.first += base;
         taken_ = base + plan.size();
     }

@@ -37,7 +37,7 @@ GroupedNodePlaces::GroupedNodePlaces(const std::vector<FieldMap>& maps, const Fi
 }
 
 std::uint64_t GroupedNodePlaces::take(std::uint64_t bytes, std::uint64_t alignment) {
-    const std::uint64_t start = (taken_ + alignment - 1) / alignment * alignment;
+    const std::uint64_t start = rounded_up(taken_, alignment);
     taken_ = start + bytes;
     return start;
 }
