@@ -196,4 +196,8 @@ inline constexpr double verified_error_single = 1e-5;
 /// Likewise for depths in double, judged less sharply: a normal is worse than a foot.
 inline constexpr double verified_depth_error_double = 1e-9;
 
+/// Of other libraries, relative to the scale of a pair, distances and depths: what they aim at by themselves
+/// (1e-6 is FCL's distance_tolerance and Coal's). An error below it is by their design.
+inline constexpr double judged_error_peer = 1e-6;
+
 }  // namespace edgewise

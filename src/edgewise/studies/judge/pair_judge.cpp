@@ -17,10 +17,6 @@ namespace edgewise::studies {
 
 namespace {
 
-/// Other libraries, relative to the scale of the pair, distances and depths: what they aim at by themselves
-/// (1e-6 is FCL's distance_tolerance and Coal's). An error below it is by their design.
-constexpr double judged_error_peer = 1e-6;
-
 struct Posed {
     std::span<const Vec3d> a, b;
     const Pose &pose_a, &pose_b;
