@@ -38,12 +38,6 @@ std::string title_of(const Answer& answer) {
                        limit_text(answer.question.error_limit));
 }
 
-std::string meta_of(const ReportData& data, const std::string& wanted) {
-    for (const auto& [key, value] : data.meta)
-        if (key == wanted) return value;
-    return {};
-}
-
 std::string runs_text(const std::vector<SweepRun>& runs) {
     std::string text;
     for (const SweepRun& run : runs) {
@@ -58,7 +52,8 @@ std::string runs_text(const std::vector<SweepRun>& runs) {
 std::string provenance(const Answer& answer, const ReportData& data) {
     return fmt::format("{} · {} {} · revision {} · plan {}, seed {} · {}", machine_text(data),
                        data.build.compiler, data.build.build_type, data.build.git_revision.substr(0, 12),
-                       meta_of(data, "plan"), meta_of(data, "seed"), runs_text(answer.runs));
+                       data.meta_value("plan").value_or(""), data.meta_value("seed").value_or(""),
+                       runs_text(answer.runs));
 }
 
 std::string select(const std::string& id, const std::string& label, const std::string& options) {
