@@ -89,7 +89,7 @@ std::vector<const SceneAnswer*> Answer::scenes() const {
     return all;
 }
 
-Answer answer_of(const ReportData& data, const Question& question) {
+Answer answer_of_scenes(const ReportData& data, const Question& question) {
     Answer answer;
     answer.question = question;
     answer.baseline = baseline_of(data);
@@ -107,6 +107,11 @@ Answer answer_of(const ReportData& data, const Question& question) {
     answer.noise = noise_of(answer.scenes());
     for (auto* group : {&answer.shared, &answer.own})
         for (SceneAnswer& scene : *group) judge_against_noise(scene, answer.noise);
+    return answer;
+}
+
+Answer answer_of(const ReportData& data, const Question& question) {
+    Answer answer = answer_of_scenes(data, question);
     answer.counts = counts_of(data);
     answer.runs = sweep_runs(data);
     answer.gaps = gaps_of(data);

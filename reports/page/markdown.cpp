@@ -8,6 +8,7 @@
 
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/answer/break_even_text.hpp"
 #include "edgewise/reports/answer/findings.hpp"
 #include "edgewise/reports/page/first_screen/answer_rows.hpp"
 #include "edgewise/reports/page/page.hpp"
@@ -73,6 +74,15 @@ std::string fronts_markdown(const Answer& answer) {
     return out + "\n";
 }
 
+/// The map as a table of a few bodies.
+std::string break_even_markdown(const ReportData& data, const Answer& answer) {
+    constexpr std::size_t few_bodies = 4;
+    const BreakEvenMap map = break_even_map(data, answer.question.error_limit);
+    if (map.measured() == 0) return {};
+    return headed("Who wins where") + markdown_text(break_even_sentence(map)) + "\n\n" +
+           grid_markdown(break_even_grid(map, few_bodies));
+}
+
 std::string problems_markdown(const ReportData& data) {
     TextGrid problems = problems_grid(data);
     if (problems.rows.empty()) return {};
@@ -105,6 +115,7 @@ std::string report_markdown(const ReportData& data, const Answer& answer, const 
     if (!answer.scenes().empty()) out += "![Time against bytes](figures/answer.svg)\n\n";
     if (!pictures.note.empty()) out += markdown_text(pictures.note) + "\n\n";
     out += headed("On the front of time and bytes") + fronts_markdown(answer);
+    out += break_even_markdown(data, answer);
     out += headed("Bytes") + bytes_markdown(data, answer);
     out += headed("What to look at") + list(what_to_look_at(answer));
     out += headed("What passed") + list(what_passed(answer));

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/reports/page/break_even_chapter.hpp"
 #include "edgewise/reports/page/chapters.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/html.hpp"
@@ -147,7 +148,8 @@ std::string page_html(const ReportData& data, const Answer& answer, const std::v
     out += cells_html(data);
     const std::string packed = packed_element("charts", bundles.empty() ? "{}" : charts_data(charts)) +
                                writer.packed() + packed_element("cells", cells_data(data)) +
-                               packed_element("answers", answers_data(data)) + bundles;
+                               packed_element("answers", answers_data(data)) +
+                               packed_element("maps", break_even_data(data)) + bundles;
     return fmt::format(fmt::runtime(report_text("page.html")), fmt::arg("hashes", script_hashes()),
                        fmt::arg("style", report_text("page.css")), fmt::arg("chapters", out),
                        fmt::arg("scripts", packed + script_elements()));

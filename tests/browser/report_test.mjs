@@ -48,6 +48,7 @@ async function looksRight(browser) {
     const complaints = page.complaints.filter(complaint => !complaint.startsWith('WARN'));
     check('no error on the console', complaints.length === 0, complaints.join(' | '));
     await labelsAreRight(page);
+    await mapIsRight(page);
     await legendAndTooltip(page);
     await foldsAndCells(page);
     await question(page);
@@ -69,6 +70,21 @@ async function labelsAreRight(page) {
                !wanted.some(row => Math.abs(row.value / ns - 1) < 1e-3);
     });
     check('and what they say is in the store', wrong.length === 0, wrong.slice(0, 2).join(' | '));
+}
+
+/// Each place of the map says what it has, and the times in its words are the store's.
+async function mapIsRight(page) {
+    const places = await page.value(`[...document.querySelectorAll('#break-even svg > g')].map(place => ({
+        title: place.querySelector('title').textContent, text: [...place.querySelectorAll('text')].map(one => one.textContent) }))`);
+    check('the map has places, and none is blank', places.length > 0 && places.every(place => place.text.join('').trim()), places.length);
+    const times = query(`select table_type, value from cell join figure using (build, hash)
+        where probe = 'time' and name = 'all_ns' and value is not null`);
+    const won = places.map(place => place.title.match(/ on (\S+): .* of the baseline's time, (\S+) ns/)).filter(Boolean);
+    const wrong = won.filter(([, table, ns]) => !times.some(
+        row => row.table_type === table && Math.abs(row.value / Number(ns) - 1) < 2e-2));
+    check('and its times are the store\'s', won.length > 0 && wrong.length === 0, `${won.length} read, ${wrong.length} differ`);
+    const missing = places.filter(place => place.title.startsWith('Not measured: '));
+    check('a place that was not measured says so', missing.every(place => place.text.join() === 'not measured'), missing.length);
 }
 
 async function legendAndTooltip(page) {
@@ -173,6 +189,7 @@ async function withoutScripts(browser) {
     check('without scripts the answer is there', await all('.lead') > 0 && await all('.answer tbody tr') > 0);
     const [charts, stills] = [await all('[data-chart]'), await all('[data-chart] svg, [data-chart] table')];
     check('and a picture or a table in place of each chart', charts > 0 && stills >= charts, `${stills} of ${charts}`);
+    check('and the map of who wins where', await all('#break-even svg > g') > 0);
     const bar = await all('#ask[hidden]');
     check('and nothing that would need them', bar === 1);
 }
