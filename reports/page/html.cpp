@@ -7,8 +7,12 @@
 
 namespace edgewise::reports {
 
+std::string html_element(const std::string& name, const std::string& html, const std::string& style) {
+    return fmt::format("<{0}{1}>{2}</{0}>\n", name, style.empty() ? "" : " class=\"" + style + "\"", html);
+}
+
 std::string html_paragraph(const std::string& text, const std::string& style) {
-    return fmt::format("<p{}>{}</p>\n", style.empty() ? "" : " class=\"" + style + "\"", html_text(text));
+    return html_element("p", html_text(text), style);
 }
 
 std::string html_heading(const std::string& id, const std::string& text) {

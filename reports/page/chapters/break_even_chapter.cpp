@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/page/break_even_chapter.hpp"
+#include "edgewise/reports/page/chapters/break_even_chapter.hpp"
 
 #include <fmt/core.h>
 
