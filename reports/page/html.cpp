@@ -26,4 +26,13 @@ std::string html_list(const std::vector<std::string>& items, const std::string& 
     return out + "</ul>\n";
 }
 
+std::string html_select(const std::string& id, const std::string& label, const std::string& options) {
+    return fmt::format("<label>{} <select id=\"{}\">{}</select></label>", label, id, options);
+}
+
+std::string html_option(const std::string& value, const std::string& text, bool chosen) {
+    return fmt::format("<option value=\"{}\"{}>{}</option>", html_text(value), chosen ? " selected" : "",
+                       html_text(text));
+}
+
 }  // namespace edgewise::reports

@@ -17,4 +17,9 @@ namespace edgewise::reports {
 [[nodiscard]] std::string html_heading(const std::string& id, const std::string& text);
 [[nodiscard]] std::string html_list(const std::vector<std::string>& items, const std::string& style);
 
+/// A choice with a name; `options` is HTML, of html_option.
+[[nodiscard]] std::string html_select(const std::string& id, const std::string& label,
+                                      const std::string& options);
+[[nodiscard]] std::string html_option(const std::string& value, const std::string& text, bool chosen = false);
+
 }  // namespace edgewise::reports

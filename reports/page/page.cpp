@@ -13,6 +13,7 @@
 
 #include "edgewise/reports/page/chapters/break_even_chapter.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"
+#include "edgewise/reports/page/first_screen/filter_bar.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/chapters/glossary.hpp"
 #include "edgewise/reports/page/html.hpp"
@@ -26,7 +27,8 @@ namespace edgewise::reports {
 namespace {
 
 /// In the order in which they need each other.
-constexpr const char* page_scripts[] = {"page.tables.js", "page.cells.js", "page.question.js", "page.js"};
+constexpr const char* page_scripts[] = {"page.tables.js", "page.filter.js", "page.cells.js", "page.question.js",
+                                         "page.js"};
 
 /// Writes chapters, and keeps aside what is made when it is opened.
 class ChapterWriter {
@@ -154,7 +156,7 @@ std::string page_html(const ReportData& data, const Answer& answer, const std::v
     const std::vector<Chapter> chapters = report_chapters(answer, data, charts);
     const Glossary glossary(data);
     ChapterWriter writer(charts, pictures, glossary);
-    std::string out = first_screen_html(answer, data) + contents(chapters);
+    std::string out = first_screen_html(answer, data) + contents(chapters) + filter_bar_html(data);
     if (bundles.empty()) out += html_paragraph(prose("no_bundles.md"), "verdict part");
     if (!pictures.note.empty()) out += html_paragraph(pictures.note, "note");
     for (const Chapter& chapter : chapters) out += writer.chapter(chapter);

@@ -48,9 +48,12 @@ std::string map_ratio(const MapCell& cell) {
     return cell.ties.empty() ? ratio : fmt::format("{}, {} tie", ratio, cell.ties.size() + 1);
 }
 
-std::string map_cell_svg(const MapCell& cell, double x, double y) {
+std::string map_cell_svg(const MapCell& cell, const std::string& shape, double x, double y) {
     const double width = map_cell_width - map_gap, height = map_cell_height - map_gap;
-    std::string svg = fmt::format("<g><title>{}</title>", html_text(cell_text(cell)));
+    const std::string scene =
+        cell.scene ? fmt::format(" data-scene=\"{}\"", html_text(cell.scene->label)) : std::string();
+    std::string svg = fmt::format("<g data-shape=\"{}\"{}><title>{}</title>", html_text(shape), scene,
+                                  html_text(cell_text(cell)));
     const std::string box = fmt::format("<path d=\"M{:.0f} {:.0f}h{}v{}h-{}z\"", x, y, width, height, width);
     if (!cell.best)
         return svg + box + " class=\"unmeasured\"/>" +
@@ -94,7 +97,8 @@ std::string break_even_svg(const BreakEvenMap& map) {
         for (const MapRow& row : panel.rows) {
             body += map_text(0, y + map_cell_height / 2 + 2, map_left - 6, row.coherence, "");
             for (std::size_t i = 0; i < row.cells.size(); ++i)
-                body += map_cell_svg(row.cells[i], map_left + map_cell_width * static_cast<double>(i), y);
+                body += map_cell_svg(row.cells[i], map.columns[i].shape,
+                                     map_left + map_cell_width * static_cast<double>(i), y);
             y += map_cell_height;
         }
     }

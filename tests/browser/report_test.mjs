@@ -53,6 +53,7 @@ async function looksRight(browser) {
     await wordsAreExplained(page);
     await foldsAndCells(page);
     await question(page);
+    await filterBar(page);
     await accessible(page);
 }
 
@@ -163,6 +164,32 @@ async function question(page) {
     check('the question bar answers as the page without it', before === after);
     check('and names the command', (await page.value(`document.getElementById('ask-command').textContent`))
         .startsWith('edgewise advise --vertices'));
+}
+
+/// Charts, tables and the map show what the bar says, and all of it again afterwards.
+async function filterBar(page) {
+    const choose = (name, value) => page.value(`(() => { const one = document.getElementById('filter-${name}');
+        one.value = ${JSON.stringify(value)}; one.dispatchEvent(new Event('change', { bubbles: true })); })()`);
+    const marks = `[...document.querySelectorAll('[data-chart=time] [aria-roledescription=point]')].map(mark => mark.getAttribute('aria-label'))`;
+    const drawn = `${charts}.every(place => !place.turn || place.dataset.drawn !== undefined)`;
+    const before = (await page.value(marks)).length;
+    await choose('algorithm', 'gjk');
+    await choose('shape', 'cube8');
+    await page.until(drawn);
+    const labels = await page.value(marks);
+    check('the bar filters charts', labels.length > 0 && labels.length < before && labels.every(
+        label => /algorithm: gjk(;|$)/.test(label) && /shape: cube8(;|$)/.test(label)), `${labels.length} of ${before}`);
+    const rows = await page.value(`[...document.querySelectorAll('main section table')].filter(table => !table.closest('#answer')).flatMap(
+        table => { const place = [...table.querySelectorAll('thead th')].findIndex(head => head.textContent === 'algorithm');
+                   return place < 0 ? [] : [...table.querySelectorAll('tbody tr:not(.gap, .none)')].filter(row => !row.hidden)
+                       .map(row => row.cells[place].textContent); })`);
+    check('and tables', rows.length > 0 && rows.every(text => text === 'gjk'), rows.length);
+    const bright = await page.value(`[...document.querySelectorAll('#break-even svg > g:not(.dim)')].map(place => place.dataset.shape)`);
+    check('and the map', bright.length > 0 && bright.every(shape => shape === 'cube8'), bright.length);
+    await page.value(`document.querySelector('#filter button').click()`);
+    await page.until(`document.getElementById('filter-algorithm').value === '' && ${drawn}`);
+    await page.until(`document.querySelectorAll('[data-chart=time] [aria-roledescription=point]').length === ${before}`);
+    check('and lets go of them', await page.value(`document.querySelectorAll('.dim').length`) === 0);
 }
 
 /// Names for what can be focused, one heading per level step, pictures with labels; axe's rules where it is there.

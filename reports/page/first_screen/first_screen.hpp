@@ -4,7 +4,10 @@
 // time against bytes, and what failed or is missing. No script is needed for it.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "edgewise/reports/answer/answer.hpp"
 
@@ -18,6 +21,9 @@ namespace edgewise::reports {
 
 /// The answers to the questions that the bar offers, as JSON: {"SHAPE LIMIT": html}.
 [[nodiscard]] std::string answers_data(const ReportData& data);
+
+/// The bodies of the sweep's cells, with their vertices, by these.
+[[nodiscard]] std::vector<std::pair<std::int64_t, std::string>> shapes_by_vertices(const ReportData& data);
 
 /// The limits that the bar offers.
 inline constexpr double offered_limits[] = {1e-4, 1e-6, 1e-8, 1e-12};

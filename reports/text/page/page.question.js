@@ -11,6 +11,7 @@ async function askAgain() {
     place.innerHTML = answer.html;
     place.dataset.tables = tables;
     document.getElementById('break-even').innerHTML = (await unpackJson('maps'))[limit];
+    filterMap();
     showCommand(answer.command, tables);
 }
 
