@@ -108,10 +108,25 @@ std::string repeat_markdown(const ReportData& data, const Answer& answer) {
 
 }  // namespace
 
-std::string report_markdown(const ReportData& data, const Answer& answer, const StaticPictures& pictures) {
+std::string changes_markdown(const Chapter& chapter) {
+    std::string out = headed(markdown_text(chapter.title)) + markdown_text(chapter.sentence) + "\n\n";
+    for (const ChapterBlock& block : chapter.blocks) {
+        for (TextGrid grid : block.grids) {
+            if (grid.rows.size() > few_rows && grid.rows.size() > grid.shown_rows) {
+                grid.caption += fmt::format(", the first {} of {}", few_rows, grid.rows.size());
+                grid.rows.resize(few_rows);
+            }
+            out += grid_markdown(grid);
+        }
+    }
+    return out;
+}
+
+std::string report_markdown(const ReportData& data, const Answer& answer, const StaticPictures& pictures,
+                            const std::string& changes) {
     const AnswerText text = answer_text(answer, data);
     std::string out = "# Which layout, and what does it cost?\n\n" + advice_markdown(text);
-    out += grid_markdown(answer_grid(answer)) + problems_markdown(data);
+    out += grid_markdown(answer_grid(answer)) + problems_markdown(data) + changes;
     if (!answer.scenes().empty()) out += "![Time against bytes](figures/answer.svg)\n\n";
     if (!pictures.note.empty()) out += markdown_text(pictures.note) + "\n\n";
     out += headed("On the front of time and bytes") + fronts_markdown(answer);

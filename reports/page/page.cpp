@@ -151,9 +151,9 @@ std::string script_hashes() {
 
 }  // namespace
 
-std::string page_html(const ReportData& data, const Answer& answer, const std::vector<Chart>& charts,
-                      const StaticPictures& pictures, const std::string& bundles) {
-    const std::vector<Chapter> chapters = report_chapters(answer, data, charts);
+std::string page_html(const ReportData& data, const Answer& answer, const std::vector<Chapter>& chapters,
+                      const std::vector<Chart>& charts, const StaticPictures& pictures,
+                      const std::string& bundles) {
     const Glossary glossary(data);
     ChapterWriter writer(charts, pictures, glossary);
     std::string out = first_screen_html(answer, data) + contents(chapters) + filter_bar_html(data);

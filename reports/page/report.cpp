@@ -11,6 +11,7 @@
 
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/page/bundles.hpp"
+#include "edgewise/reports/page/chapters/compare_chapter.hpp"
 #include "edgewise/reports/page/files.hpp"
 #include "edgewise/reports/page/page.hpp"
 #include "edgewise/reports/page/paper_figures.hpp"
@@ -76,7 +77,11 @@ void write_picture(const std::string& name, const std::string& svg, const std::f
 
 ReportSummary write_report(const std::string& store, const std::string& out_directory,
                            const std::string& bundle_directory) {
-    const ReportData data = read_report(store);
+    return write_report(read_report(store), out_directory, bundle_directory);
+}
+
+ReportSummary write_report(const ReportData& data, const std::string& out_directory,
+                           const std::string& bundle_directory, const std::optional<ReportBeside>& beside) {
     const std::filesystem::path out = out_directory;
     make_directory(out);
     const Answer answer = answer_of(data);
@@ -87,8 +92,15 @@ ReportSummary write_report(const std::string& store, const std::string& out_dire
     write_results(data, out);
     write_picture("answer", answer_picture(answer), out);
     write_picture("break_even", break_even_svg(break_even_map(data, answer.question.error_limit)), out);
-    write_file(out / "report.md", report_markdown(data, answer, pictures));
-    write_file(out / "index.html", page_html(data, answer, charts, pictures, bundles));
+    std::vector<Chapter> chapters = report_chapters(answer, data, charts);
+    std::string changes;
+    if (beside) {
+        chapters.insert(chapters.begin(),
+                        compare_chapter(*beside->comparison, beside->slack, beside->name));
+        changes = changes_markdown(chapters.front());
+    }
+    write_file(out / "report.md", report_markdown(data, answer, pictures, changes));
+    write_file(out / "index.html", page_html(data, answer, chapters, charts, pictures, bundles));
     ReportSummary made = summary(data, pictures, !bundles.empty(), no_pdf, out / "index.html");
     made.answer = answer_paragraph(answer, data);
     return made;
