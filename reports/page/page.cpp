@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "edgewise/reports/body/body_picture.hpp"
 #include "edgewise/reports/page/chapters/break_even_chapter.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/page/first_screen/filter_bar.hpp"
@@ -27,8 +28,8 @@ namespace edgewise::reports {
 namespace {
 
 /// In the order in which they need each other.
-constexpr const char* page_scripts[] = {"page.tables.js", "page.filter.js", "page.cells.js", "page.question.js",
-                                         "page.js"};
+constexpr const char* page_scripts[] = {"page.tables.js", "page.filter.js",   "page.cells.js",
+                                        "page.body.js",   "page.question.js", "page.js"};
 
 /// Writes chapters, and keeps aside what is made when it is opened.
 class ChapterWriter {
@@ -164,7 +165,8 @@ std::string page_html(const ReportData& data, const Answer& answer, const std::v
     const std::string packed = packed_element("charts", bundles.empty() ? "{}" : charts_data(charts)) +
                                writer.packed() + packed_element("cells", cells_data(data)) +
                                packed_element("answers", answers_data(data)) +
-                               packed_element("maps", break_even_data(data)) + bundles;
+                               packed_element("maps", break_even_data(data)) +
+                               packed_element("bodies", bodies_data(heat_on_bodies(data))) + bundles;
     return fmt::format(fmt::runtime(report_text("page.html")), fmt::arg("hashes", script_hashes()),
                        fmt::arg("style", report_text("page.css")), fmt::arg("chapters", out),
                        fmt::arg("scripts", packed + script_elements()));

@@ -51,6 +51,7 @@ async function looksRight(browser) {
     await mapIsRight(page);
     await legendAndTooltip(page);
     await wordsAreExplained(page);
+    await bodyTurns(page);
     await foldsAndCells(page);
     await question(page);
     await filterBar(page);
@@ -106,6 +107,36 @@ async function legendAndTooltip(page) {
     await click('[data-chart=time] [aria-roledescription=point]', ['mouseMoved']);
     const shown = await page.until(`document.querySelector('#vg-tooltip-element.visible')`, 4).catch(() => false);
     check('a point has a tooltip', shown === true);
+}
+
+/// The body is drawn by the page and turned by keys and by hand; another cell's heat is another picture.
+async function bodyTurns(page) {
+    await page.until(`!document.getElementById('body-choice').hidden`);
+    const paths = `[...document.querySelectorAll('#body-picture path')].map(path => path.getAttribute('class') + path.getAttribute('d')).join('|')`;
+    const still = await page.value(paths);
+    await page.value(`drawBody()`);
+    const again = await page.value(paths);
+    const numbers = text => text.match(/-?\d+/g).map(Number);
+    const apart = numbers(still).map((number, i) => Math.abs(number - numbers(again)[i]));
+    check('the script draws the body as the page has it', again.length === still.length && Math.max(...apart) <= 1, apart.length + ' numbers');
+    await page.value(`document.getElementById('body-view').focus()`);
+    await page.send('Input.dispatchKeyEvent', { type: 'keyDown', key: 'ArrowRight', code: 'ArrowRight', windowsVirtualKeyCode: 39 });
+    const turned = await page.value(paths);
+    check('a key turns it', turned !== again);
+    await page.value(`document.getElementById('body-view').scrollIntoView()`);
+    const box = await page.value(`(() => { const box = document.getElementById('body-view').getBoundingClientRect(); return [box.x + 150, box.y + 150]; })()`);
+    for (const [type, dx] of [['mousePressed', 0], ['mouseMoved', 40], ['mouseReleased', 40]])
+        await page.send('Input.dispatchMouseEvent', { type, x: box[0] + dx, y: box[1], button: 'left', buttons: 1, clickCount: 1 });
+    const dragged = await page.value(paths);
+    check('and so does a drag', dragged !== turned);
+    const said = await page.value(`document.getElementById('body-said').textContent`);
+    await page.value(`(() => { const one = document.getElementById('body-cell'); one.selectedIndex = one.options.length - 1;
+        one.dispatchEvent(new Event('change', { bubbles: true })); })()`);
+    check('another cell has another heat', await page.value(`document.getElementById('body-said').textContent`) !== said &&
+        await page.value(paths) !== dragged);
+    const heats = await page.value(`bodyView.data.heats.map(heat => heat.title)`);
+    const kept = query(`select count(*) as heats from meta where key like 'heat %'`)[0].heats;
+    check('the store has as many heats', heats.length === Math.min(kept, 24) && kept > 1, kept);
 }
 
 /// Each linked term has its explanation, and each layout of the store the line that the store has of it.
@@ -233,6 +264,7 @@ async function withoutScripts(browser) {
     check('without scripts the answer is there', await all('.lead') > 0 && await all('.answer tbody tr') > 0);
     const [charts, stills] = [await all('[data-chart]'), await all('[data-chart] svg, [data-chart] table')];
     check('and a picture or a table in place of each chart', charts > 0 && stills >= charts, `${stills} of ${charts}`);
+    check('and the body with its heat', await all('#body-picture path') > 0 && await all('#body-choice[hidden]') === 1);
     check('and the map of who wins where', await all('#break-even svg > g') > 0);
     const bar = await all('#ask[hidden]');
     check('and nothing that would need them', bar === 1);

@@ -12,6 +12,7 @@
 
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/page/chapters/body_chapter.hpp"
 #include "edgewise/reports/page/chapters/break_even_chapter.hpp"
 #include "edgewise/reports/page/chapters/fields_chapter.hpp"
 #include "edgewise/reports/page/chapters/glossary.hpp"
@@ -255,7 +256,8 @@ std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& dat
     const auto add = [&](std::initializer_list<Chapter (*)(const Answer&, const ReportData&)> made) {
         for (const auto chapter : made) chapters.push_back(chapter(answer, data));
     };
-    add({fronts_chapter, break_even_chapter, bytes_chapter, caches_chapter, times_chapter, stability_chapter});
+    add({fronts_chapter, break_even_chapter, bytes_chapter, caches_chapter, body_chapter, times_chapter,
+         stability_chapter});
     for (const Addition& addition : additions())
         for (Chapter& chapter : addition.chapters(data, charts)) chapters.push_back(std::move(chapter));
     if (auto chapter = peers_chapter(answer, data)) chapters.push_back(std::move(*chapter));

@@ -112,6 +112,7 @@ function startPage() {
     startFolds();
     startQuestion();
     startFilter();
+    startBody();
     startCells();
 }
 

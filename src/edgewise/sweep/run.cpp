@@ -246,6 +246,7 @@ class Sweep {
         if (stop_) return;
         for (CellRun& cell : cells) {
             cell.measure(CellRun::Stage::alone, stored_.rounds_of(cell));
+            stored_.put_heat(cell, shape.body);
             keep(cell);
             listener_.on_done(expected.alone / count, 0, what);
         }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "edgewise/store/schema.hpp"
+#include "edgewise/sweep/body_heat.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::sweep {
@@ -49,6 +50,13 @@ std::set<int> StoredCells::rounds_missing(const CellRun& cell) const {
 std::optional<double> StoredCells::took(const std::string& group) const {
     const auto text = store_.meta(store::took_key + group);
     return text ? std::optional(std::stod(*text)) : std::nullopt;
+}
+
+void StoredCells::put_heat(const CellRun& cell, const Polyhedron& body) {
+    const std::string heat = cell.heat_on_body();
+    if (heat.empty()) return;
+    store_.set_meta(store::body_key + cell.row().shape, body_json(body));
+    store_.set_meta(store::heat_key + cell.row().hash, heat);
 }
 
 void StoredCells::put_seconds(const std::string& of, double seconds) {
