@@ -3,11 +3,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <set>
 
 #include "edgewise/reports/answer/candidate.hpp"
-#include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
@@ -16,13 +14,9 @@ namespace edgewise::reports {
 
 namespace {
 
-/// The scenes of all cells, in their order.
 std::string scene_options(const ReportData& data) {
-    std::vector<std::string> labels;
-    for (const ReportCell* cell : data.swept())
-        if (std::ranges::find(labels, cell->scene_label) == labels.end()) labels.push_back(cell->scene_label);
     std::string options = html_option("", "all", true);
-    for (const std::string& label : labels) options += html_option(label, label);
+    for (const std::string& label : scene_labels(data)) options += html_option(label, label);
     return options;
 }
 

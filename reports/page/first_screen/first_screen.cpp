@@ -106,14 +106,6 @@ std::string counts_html(const Answer& answer, const AnswerText& text, const Repo
 
 }  // namespace
 
-std::vector<std::pair<std::int64_t, std::string>> shapes_by_vertices(const ReportData& data) {
-    std::vector<std::pair<std::int64_t, std::string>> shapes;
-    for (const ReportCell* cell : data.swept()) shapes.emplace_back(cell->vertices, cell->shape);
-    std::sort(shapes.begin(), shapes.end());
-    shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
-    return shapes;
-}
-
 std::string answer_html(const Answer& answer, const ReportData& data) {
     const AnswerText text = answer_text(answer, data);
     std::string html;

@@ -4,10 +4,7 @@
 // time against bytes, and what failed or is missing. No script is needed for it.
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "edgewise/reports/answer/answer.hpp"
 
@@ -19,11 +16,8 @@ namespace edgewise::reports {
 /// The parts that follow the question: title, paragraph, table and pictures.
 [[nodiscard]] std::string answer_html(const Answer& answer, const ReportData& data);
 
-/// The answers to the questions that the bar offers, as JSON: {"SHAPE LIMIT": html}.
+/// The answers to the questions that the bar offers, as JSON: {"SHAPE LIMIT": {"title", "command", "html"}}.
 [[nodiscard]] std::string answers_data(const ReportData& data);
-
-/// The bodies of the sweep's cells, with their vertices, by these.
-[[nodiscard]] std::vector<std::pair<std::int64_t, std::string>> shapes_by_vertices(const ReportData& data);
 
 /// The limits that the bar offers.
 inline constexpr double offered_limits[] = {1e-4, 1e-6, 1e-8, 1e-12};

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "edgewise/reports/compare/comparison_grids.hpp"
 
 namespace edgewise::reports {
