@@ -23,9 +23,10 @@ struct Tolerance {
     /// single on nearly parallel cubes, 8 is 8e-6.
     static constexpr Scalar towards_plane = 8 * eps;
 
-    /// V-Clip, in lengths of the edge: the derivative of the distance from an edge to a vertex counts as zero
-    /// inside this band, else parallel edges bounce between edge-edge and vertex-edge.
-    static constexpr Scalar vertex_derivative = 8 * eps;
+    /// V-Clip, relative slope (pure number): the derivative of the distance from an edge to a vertex counts
+    /// as zero inside this band, since the directions of parallel edges are rounded. It costs the distance as
+    /// much times the edge's length.
+    static constexpr Scalar vertex_derivative = 4 * eps;
 
     /// Edge-edge closest points, squared sine of the angle: edges that cross at more than 1/16 rad lose at
     /// most four binary digits of a parameter, which the distance does not feel; flatter ones take the

@@ -94,19 +94,11 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
     }
     [[nodiscard]] AnchoredPlane<Compute> unscaled_face_plane(const Face& f) const {
         assert(!(f == no_face));
+        if (!this->all_triangles()) return polygon_plane(f);
         const Vec3<Compute> base = vertex(f.vertex);
-        if (this->all_triangles()) {
-            const auto corners = this->corners_of(f);
-            const Vec3<Compute> to_second = vertex(corners.second) - base;
-            return {cross(to_second, Vec3<Compute>(vertex(corners.third) - base)), base};
-        }
-        Vec3<Compute> normal = Vec3<Compute>::Zero(), before = Vec3<Compute>::Zero();
-        const auto corner_at = [&](const HalfEdgeAt& h) { return Vec3<Compute>(vertex(h.vertex) - base); };
-        for (const Vec3<Compute> corner : this->around(f, corner_at)) {
-            normal += cross(before, corner);
-            before = corner;
-        }
-        return {normal, base};
+        const auto corners = this->corners_of(f);
+        const Vec3<Compute> to_second = vertex(corners.second) - base;
+        return {cross(to_second, Vec3<Compute>(vertex(corners.third) - base)), base};
     }
 
   protected:
@@ -115,6 +107,17 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
     using Base::loader_;
     using Base::rings;
     [[no_unique_address]] Points points_;
+
+    [[nodiscard]] [[gnu::noinline]] AnchoredPlane<Compute> polygon_plane(const Face& f) const {
+        const Vec3<Compute> base = vertex(f.vertex);
+        Vec3<Compute> normal = Vec3<Compute>::Zero(), before = Vec3<Compute>::Zero();
+        const auto corner_at = [&](const HalfEdgeAt& h) { return Vec3<Compute>(vertex(h.vertex) - base); };
+        for (const Vec3<Compute> corner : this->around(f, corner_at)) {
+            normal += cross(before, corner);
+            before = corner;
+        }
+        return {normal, base};
+    }
 
     /// Perpendicular to the edge from base to end, towards the other corner.
     [[nodiscard]] static AnchoredPlane<Compute> across(const Vec3<Compute>& base, const Vec3<Compute>& end,

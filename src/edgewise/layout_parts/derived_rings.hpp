@@ -104,7 +104,7 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
     DerivedRings(const DerivedRings<P, OtherLoader, RingPlaces>& other, Loader loader)
         : Base(other, loader) {}
 
-    [[nodiscard]] Face face_beside(const Edge& e, Side side) const {
+    [[nodiscard]] [[gnu::noinline]] Face face_beside(const Edge& e, Side side) const {
         if (facts_.face_count == 0) return no_face;
         if (!all_triangles()) return face_of(side == Side::left ? from_tail(e) : from_head(e));
         const HalfEdgeAt here = half_edge_of(e);
@@ -114,7 +114,11 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
 
     /// The face on the left of a half-edge: its smallest half-edge, as in the body.
     [[nodiscard]] Face face_of(const HalfEdgeAt& h) const {
-        if (all_triangles()) return triangle_of(corners_of(h), h);
+        return all_triangles() ? triangle_of(corners_of(h), h) : polygon_of(h);
+    }
+    /// Of any face. Not inlined, like all ways around a whole face: in a run of V-Clip, which inlines what it
+    /// may, each of their dozens of places would be hundreds of instructions.
+    [[nodiscard]] [[gnu::noinline]] Face polygon_of(const HalfEdgeAt& h) const {
         return first_of_face(
             h, [this](const HalfEdgeAt& at) { return rings().neighbour(loader_, at.vertex, at.at); },
             [this](const HalfEdgeAt& at) { return next(at); });

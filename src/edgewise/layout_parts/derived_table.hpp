@@ -51,14 +51,20 @@ class DerivedTable : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     [[nodiscard]] Compute slope_along(const Edge& e, const Vec3<Compute>& normal) const {
         return slope_of(Vec3<Compute>(vertex(e.head) - vertex(e.tail)), normal);
     }
-    [[nodiscard]] auto steepest_descent(Vertex v, const Vec3<Compute>& normal) const {
+    /// First whether any edge descends at all, without a division: where V-Clip ends, none does.
+    [[nodiscard]] Descent<Edge, Compute> steepest_descent(Vertex v, const Vec3<Compute>& normal) const {
         const Vec3<Compute> base = vertex(v);
         const Index first = rings().first(loader_, v), last = rings().last(loader_, v);
+        const auto along = [&](Index at) -> Vec3<Compute> {
+            return vertex(rings().neighbour(loader_, v, at)) - base;
+        };
+        bool descends = false;
+        for (Index at = first; at < last; ++at) descends |= dot(along(at), normal) < 0;
+        if (!descends) return {};
         Descent<Edge, Compute> result;
         Index worst = last;
         for (Index at = first; at < last; ++at) {
-            const Vec3<Compute> along = vertex(rings().neighbour(loader_, v, at)) - base;
-            const Compute slope = slope_of(along, normal);
+            const Compute slope = slope_of(along(at), normal);
             result.steepest = std::max(result.steepest, std::abs(slope));
             worst = slope < result.slope ? at : worst;
             result.slope = std::min(result.slope, slope);
@@ -107,12 +113,13 @@ class DerivedTable : public DerivedPlanes<Points, P, Loader, RingPlaces> {
         return squared_slope(dot(along, normal)) / squared_norm(along);
     }
     template <class Visit>
-    void visit_ring_of_face(const Face& f, Visit visit) const {
+    [[gnu::noinline]] void visit_ring_of_face(const Face& f, Visit visit) const {
         for (const auto [edge, flipped] : this->ring_of_face(f)) {
             if (!visit(edge, this->edge_face_plane(edge, flipped ? Side::right : Side::left))) return;
         }
     }
-    [[nodiscard]] std::optional<Edge> violated_side_of_ring(const Face& f, const Vec3<Compute>& p) const {
+    [[nodiscard]] [[gnu::noinline]] std::optional<Edge> violated_side_of_ring(const Face& f,
+                                                                              const Vec3<Compute>& p) const {
         return most_violated<DerivedTable>(this->ring_of_face(f), [&](const Edge& edge, bool flipped) {
             return this->edge_face_plane(edge, flipped ? Side::right : Side::left).distance(p);
         });

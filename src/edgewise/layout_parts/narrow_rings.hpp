@@ -15,7 +15,8 @@
 
 namespace edgewise {
 
-/// Whole numbers below some limit, each in 1, 2 or 4 bytes.
+/// Whole numbers below some limit, each in 1, 2 or 4 bytes. Never the first of its block
+/// (Loader::load_narrow).
 class NarrowArray {
   public:
     NarrowArray(std::byte* data, std::uint32_t width) : data_(data), width_(width) {}
@@ -34,9 +35,7 @@ class NarrowArray {
 
     template <class Loader>
     [[nodiscard]] Index read(const Loader& loader, Index i, Field field) const {
-        if (width_ == 2) return loader.load(reinterpret_cast<const std::uint16_t*>(data_)[i], field);
-        if (width_ == 1) return std::to_integer<Index>(loader.load(data_[i], field));
-        return loader.load(reinterpret_cast<const std::uint32_t*>(data_)[i], field);
+        return loader.load_narrow(data_ + (std::size_t{i} << (width_ >> 1)), width_, field);
     }
 
   private:

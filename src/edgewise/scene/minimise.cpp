@@ -80,7 +80,7 @@ class Search {
 
     /// One pose the identity, the other what it is seen from there; else parts of them the identity.
     bool simpler_poses() {
-        bool simpler = false;
+        bool simpler = seen_from_a();
         for (Pose Case::*pose : {&Case::pose_a, &Case::pose_b}) {
             Case candidate = best_;
             if (!(best_.*pose).rotation.isIdentity(0)) {
@@ -98,6 +98,15 @@ class Search {
         candidate.pose_a.translation.setZero();
         if (!best_.pose_a.translation.isZero(0)) simpler = take_if_failing(std::move(candidate)) || simpler;
         return simpler;
+    }
+
+    bool seen_from_a() {
+        if (best_.pose_a.rotation.isIdentity(0) && best_.pose_a.translation.isZero(0)) return false;
+        const Transform<double> b_in_a = relative_pose(best_.pose_a, best_.pose_b);
+        Case candidate = best_;
+        candidate.pose_a = {};
+        candidate.pose_b = {b_in_a.rotation, b_in_a.translation};
+        return take_if_failing(std::move(candidate));
     }
 
     /// ddmin: ever smaller runs of vertices left out. Not of a body with faces.

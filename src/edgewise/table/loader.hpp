@@ -4,9 +4,11 @@
 // field to a sink and returns the same value. No algorithm and no layout holds a counter.
 #pragma once
 
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace edgewise {
 
@@ -28,6 +30,14 @@ struct Direct {
     static const Value& load(const Value& location, Field) {
         return location;
     }
+    /// A whole number of 1, 2 or 4 bytes, which at least 3 readable bytes precede: without a branch on its
+    /// width, it is the upper end of the four bytes that end with it.
+    static std::uint32_t load_narrow(const std::byte* location, std::uint32_t width, Field) {
+        static_assert(std::endian::native == std::endian::little);
+        std::uint32_t last_four = 0;
+        std::memcpy(&last_four, location + width - sizeof last_four, sizeof last_four);
+        return last_four >> (8 * (sizeof last_four - width));
+    }
 };
 
 /// Sink: void read(const void* address, std::size_t bytes, Field field).
@@ -41,6 +51,11 @@ struct Traced {
         // Where nodes hold pointers, a pointer is what is read. NOLINTNEXTLINE(bugprone-sizeof-expression)
         sink->read(&location, sizeof(Value), field);
         return location;
+    }
+    std::uint32_t load_narrow(const std::byte* location, std::uint32_t width, Field field) const {
+        assert(sink);
+        sink->read(location, width, field);
+        return Direct::load_narrow(location, width, field);
     }
 };
 

@@ -11,12 +11,16 @@ namespace {
 
 TEST(IndexWidth, IndicesWidenAtTheirLimits) {
     for (const auto& [largest, width] : {std::pair{255U, 1U}, {256U, 2U}, {65535U, 2U}, {65536U, 4U}}) {
-        std::uint32_t stored_width = 0;
-        const Block block(
-            [&, &largest = largest](BlockPlan& plan) { stored_width = NarrowPlace(plan, 2, largest).width; });
+        std::uint32_t stored_width = 0, at = 0;
+        const Block block([&, &largest = largest](BlockPlan& plan) {
+            plan.array_at<std::uint32_t>(1, {});
+            const NarrowPlace place(plan, 2, largest);
+            stored_width = place.width;
+            at = place.at;
+        });
         EXPECT_EQ(stored_width, width);
-        NarrowArray array(block.base(), width);
-        EXPECT_EQ(block.size(), 2 * width);
+        EXPECT_EQ(block.size(), at + 2 * width);
+        NarrowArray array(block.base() + at, width);
         array.fill(2, [&, &largest = largest](Index i) { return i == 0 ? largest : 7; });
         EXPECT_EQ(array.read(Direct{}, 0, Field::neighbour), largest);
         EXPECT_EQ(array.read(Direct{}, 1, Field::neighbour), 7U);

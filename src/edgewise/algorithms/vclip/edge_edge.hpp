@@ -42,8 +42,9 @@ class EdgeClipping {
 
     [[nodiscard]] bool clip_by_end(End end) {
         const auto vertex = end == End::tail ? Neighbour::tail : Neighbour::head;
-        return clip_by(mine_.table.vertex_edge_plane(edge_, end), vertex) == Clipped::simply_excluded &&
-               move_to(vertex);
+        const auto& plane = mine_.table.vertex_edge_plane(edge_, end);
+        end_normal_ = plane.normal;
+        return clip_by(plane, vertex) == Clipped::simply_excluded && move_to(vertex);
     }
 
     template <class Plane>
@@ -86,16 +87,12 @@ class EdgeClipping {
         return n == Neighbour::left ? mine_.table.left(edge_) : mine_.table.right(edge_);
     }
 
-    /// Derivative tests (TR-97-05, Algorithm 2) against a vertex: the distance falls until the projection.
-    [[nodiscard]] bool past_low_vertex() const {
-        return clip_.low - projection_of(*clip_.at_low) > Tolerance<Scalar>::vertex_derivative;
-    }
-    [[nodiscard]] bool past_high_vertex() const {
-        return projection_of(*clip_.at_high) - clip_.high > Tolerance<Scalar>::vertex_derivative;
-    }
-    [[nodiscard]] Scalar projection_of(Neighbour vertex) const {
-        const Vec3<Scalar> along = segment_.head - segment_.tail;
-        return projection(segment_.tail, along, mine_.table.vertex(vertex_of(vertex)));
+    /// Derivative tests against a vertex: the distance falls until it is past.
+    [[nodiscard]] bool past_low_vertex() const { return slope_at(*clip_.at_low, clip_.low) > 0; }
+    [[nodiscard]] bool past_high_vertex() const { return slope_at(*clip_.at_high, clip_.high) < 0; }
+    [[nodiscard]] Scalar slope_at(Neighbour vertex, Scalar lambda) const {
+        return slope_where_clipped(Vec3<Scalar>(segment_.head - segment_.tail), end_normal_,
+                                   Vec3<Scalar>(segment_.at(lambda) - mine_.table.vertex(vertex_of(vertex))));
     }
 
     /// Derivative tests against a face: the sign of the height times the slope of the edge over the plane.
@@ -121,6 +118,7 @@ class EdgeClipping {
     typename Mine::Edge edge_;
     Segment<Scalar> segment_;  // the other edge, in this body's frame
     Clip<Scalar, Neighbour> clip_;
+    Vec3<Scalar> end_normal_;  // of the vertex-edge planes, which are parallel
 };
 
 template <class TableA, class TableB>

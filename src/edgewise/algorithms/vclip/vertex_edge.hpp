@@ -35,36 +35,60 @@ template <class Table>
     return true;
 }
 
+/// What clips at a vertex: the plane between its region and that of an edge.
+template <class Table>
+struct VertexSide {
+    typename RingNameOf<Table>::Type edge;
+    Vec3<ComputeOf<Table>> normal;
+};
+
+/// The other body's edge, clipped to the region of a vertex.
+template <class Table>
+struct ClippedByVertex {
+    std::optional<VertexSide<Table>> excluding;  ///< nothing is left on this side of it
+    Clip<ComputeOf<Table>, VertexSide<Table>> rest;
+};
+
+template <class Table>
+[[nodiscard]] ClippedByVertex<Table> clip_to_vertex_region(const Body<Table>& body,
+                                                           const Segment<ComputeOf<Table>>& segment) {
+    ClippedByVertex<Table> clipped;
+    visit_vertex_planes(body.table, body.feature.vertex(), [&](const auto& edge, const auto& plane) {
+        const VertexSide<Table> side{edge, plane.normal};
+        const auto left =
+            clipped.rest.against(plane.distance(segment.tail), plane.distance(segment.head), side);
+        if (left == Clipped::simply_excluded) clipped.excluding = side;
+        return !clipped.excluding;
+    });
+    return clipped;
+}
+
 /// Moves `mine` from its vertex when the other body's edge, which holds the vertex in its region, leaves the
 /// vertex's own region before it comes closest.
 template <class Mine, class Theirs>
 [[nodiscard]] bool leave_vertex_by_clipping(Body<Mine>& mine, const Body<Theirs>& theirs) {
     using Scalar = ComputeOf<Mine>;
-    const auto vertex = mine.feature.vertex();
+    const auto name = mine.feature.vertex();
     const auto segment = segment_seen_by(mine, theirs.table, theirs.feature.edge());
-    using Name = typename RingNameOf<Mine>::Type;
-    Clip<Scalar, Name> clip;
-    std::optional<Name> excluding;
-    visit_vertex_planes(mine.table, vertex, [&](const Name& name, const auto& plane) {
-        const auto clipped = clip.against(plane.distance(segment.tail), plane.distance(segment.head), name);
-        if (clipped == Clipped::simply_excluded) excluding = name;
-        return !excluding;
-    });
-    const auto move_to = [&](const Name& name) {
-        mine.move_to_edge(edge_in_ring(mine.table, vertex, name));
+    const auto [excluding, clip] = clip_to_vertex_region(mine, segment);
+    const auto move_to = [&](const VertexSide<Mine>& side) {
+        mine.move_to_edge(edge_in_ring(mine.table, name, side.edge));
         return true;
     };
     if (excluding) return move_to(*excluding);
     if (!clip.at_low && !clip.at_high) return false;
     assert((clip.low <= clip.high || (clip.at_low && clip.at_high)) && "two planes leave nothing, not one");
 
-    const Vec3<Scalar> along = segment.head - segment.tail;
-    const Scalar closest = projection(segment.tail, along, mine.table.vertex(vertex));
-    const Scalar short_of_low = clip.low - closest, past_high = closest - clip.high;
-    if (clip.low > clip.high)  // nothing is left: it must go, to the worse side
-        return move_to(short_of_low >= past_high ? *clip.at_low : *clip.at_high);
-    if (clip.at_low && short_of_low > Tolerance<Scalar>::vertex_derivative) return move_to(*clip.at_low);
-    if (clip.at_high && past_high > Tolerance<Scalar>::vertex_derivative) return move_to(*clip.at_high);
+    const Vec3<Scalar> vertex = mine.table.vertex(name), along = segment.head - segment.tail;
+    if (clip.low > clip.high) {  // nothing is left: it must go, to the worse side
+        const Scalar closest = projection(segment.tail, along, vertex);
+        return move_to(clip.low - closest >= closest - clip.high ? *clip.at_low : *clip.at_high);
+    }
+    const auto slope_at = [&](Scalar lambda, const VertexSide<Mine>& side) {
+        return slope_where_clipped(along, side.normal, Vec3<Scalar>(segment.at(lambda) - vertex));
+    };
+    if (clip.at_low && slope_at(clip.low, *clip.at_low) > 0) return move_to(*clip.at_low);
+    if (clip.at_high && slope_at(clip.high, *clip.at_high) < 0) return move_to(*clip.at_high);
     return false;
 }
 
