@@ -34,7 +34,8 @@ std::string scene_key(const ReportCell& cell) { return cell.scene + '\n' + cell.
 /// Fewest vertices first; of too many bodies those of the most scenes.
 std::vector<MapColumn> columns_of_data(const ReportData& data, std::size_t& left_out) {
     std::map<std::pair<std::int64_t, std::string>, std::set<std::string>> scenes;
-    for (const ReportCell* cell : data.swept()) scenes[{cell->vertices, cell->shape}].insert(scene_key(*cell));
+    for (const ReportCell* cell : data.swept())
+        scenes[{cell->vertices, cell->shape}].insert(scene_key(*cell));
     std::vector<std::pair<std::size_t, MapColumn>> columns;
     for (const auto& [body, of] : scenes) columns.push_back({of.size(), {body.second, body.first}});
     std::ranges::stable_sort(columns, [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -170,8 +171,7 @@ BreakEvenMap break_even_map(const ReportData& data, double error_limit) {
     map.error_limit = error_limit;
     map.columns = columns_of_data(data, map.columns_left_out);
     for (const MapColumn& column : map.columns)
-        map.answers.push_back(
-            answer_of_scenes(data, {.error_limit = error_limit, .shape = column.shape}));
+        map.answers.push_back(answer_of_scenes(data, {.error_limit = error_limit, .shape = column.shape}));
     const PlacedCells placed = placed_cells(data);
     map.scenes_left_out = placed.scenes_without_place;
     fill_map_panels(placed, map);

@@ -17,12 +17,12 @@
 namespace edgewise::reports {
 
 struct MapCell {
-    const SceneAnswer* scene = nullptr;          ///< the one that stands here; null: none
-    const Candidate* best = nullptr;             ///< the fastest within the error; null: none is
-    std::vector<const Candidate*> ties = {};     ///< the fastest of each other algorithm and layout that ties
-    const Candidate* best_of_others = nullptr;   ///< the fastest of another algorithm; null: none
-    std::size_t further_scenes = 0;              ///< of the same place, which are not shown
-    std::string why = {};                        ///< of a cell without a best
+    const SceneAnswer* scene = nullptr;         ///< the one that stands here; null: none
+    const Candidate* best = nullptr;            ///< the fastest within the error; null: none is
+    std::vector<const Candidate*> ties = {};    ///< the fastest of each other algorithm and layout that ties
+    const Candidate* best_of_others = nullptr;  ///< the fastest of another algorithm; null: none
+    std::size_t further_scenes = 0;             ///< of the same place, which are not shown
+    std::string why = {};                       ///< of a cell without a best
 
     /// One algorithm and layout is ahead of all others.
     [[nodiscard]] bool is_won() const { return best && ties.empty() && !scene->too_noisy; }
@@ -39,7 +39,7 @@ struct MapRow {
 };
 
 struct MapPanel {
-    std::string tables;  ///< "one shared table", "100 to 999 tables"
+    std::string tables;        ///< "one shared table", "100 to 999 tables"
     std::vector<MapRow> rows;  ///< the most coherent first
 
     /// "V-Clip", where no other algorithm was timed in any of its cells; else empty.
@@ -51,9 +51,9 @@ struct BreakEvenMap {
     BreakEvenMap(BreakEvenMap&&) = default;  ///< and no copy: cells point into the answers
 
     double error_limit = 0;
-    std::vector<Answer> answers;  ///< one for each column
-    std::vector<MapColumn> columns;  ///< fewest vertices first
-    std::vector<MapPanel> panels;    ///< fewest tables first
+    std::vector<Answer> answers;                            ///< one for each column
+    std::vector<MapColumn> columns;                         ///< fewest vertices first
+    std::vector<MapPanel> panels;                           ///< fewest tables first
     std::size_t columns_left_out = 0, scenes_left_out = 0;  ///< too many bodies; scenes that have no place
 
     [[nodiscard]] std::size_t measured() const;  ///< cells with a scene

@@ -65,7 +65,7 @@ std::string map_line_of(const MapRow& row, const std::vector<MapColumn>& columns
 std::vector<std::size_t> fullest_columns(const BreakEvenMap& map, std::size_t most) {
     std::vector<std::size_t> counts(map.columns.size()), places(map.columns.size());
     each_cell(map, [&](const MapCell& cell, std::size_t i) { counts[i] += cell.scene != nullptr; });
-    std::iota(places.begin(), places.end(), 0);
+    std::iota(places.begin(), places.end(), std::size_t{0});
     std::ranges::stable_sort(places, [&](std::size_t a, std::size_t b) { return counts[a] > counts[b]; });
     if (places.size() > most) places.resize(most);
     std::ranges::sort(places);

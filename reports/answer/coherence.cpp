@@ -30,7 +30,8 @@ std::string Coherence::text() const {
 
 std::optional<Coherence> coherence_of(const ReportCell& cell) {
     const std::string kind = scene_kind(cell);
-    if (kind == "static" || kind == "cold" || kind == "gap") return Coherence{Coherence::Start::fresh, 0, kind};
+    if (kind == "static" || kind == "cold" || kind == "gap")
+        return Coherence{Coherence::Start::fresh, 0, kind};
     if (parameter_of(cell, "random_orientation") == 1) return Coherence{Coherence::Start::random, 0, kind};
     const auto turn = parameter_of(cell, "rotation_step");
     if (!turn || !(*turn >= 0)) return std::nullopt;

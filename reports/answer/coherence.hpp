@@ -17,7 +17,7 @@ struct Coherence {
     enum class Start { turned, random, fresh };  ///< by an angle; at random; a pair that was never asked
 
     Start start = Start::fresh;
-    double turn = 0;  ///< radians per step: 0, or a power of the root of ten
+    double turn = 0;   ///< radians per step: 0, or a power of the root of ten
     std::string kind;  ///< of scene
 
     auto operator<=>(const Coherence&) const = default;

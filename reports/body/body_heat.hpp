@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Heat on the body itself: how often a cell's scene reads each vertex, edge and face of its body, as the sweep
-// keeps it in the store.
+// Heat on the body itself: how often a cell's scene reads each vertex, edge and face of its body, as the
+// sweep keeps it in the store.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ struct BodyHeat {
 
 struct HeatOnBodies {
     std::map<std::string, HeatBody> bodies;  ///< by shape
-    std::vector<BodyHeat> heats;             ///< of bodies that are there; the reference shape's baseline first
+    std::vector<BodyHeat> heats;  ///< of bodies that are there; the reference shape's baseline first
 };
 
 /// The most heats that a page carries.

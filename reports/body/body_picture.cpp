@@ -112,7 +112,8 @@ std::string body_svg(const HeatBody& body, const BodyHeat& heat) {
                                           points[head].x, points[head].y)
                             : "");
     for (std::size_t i = 0; i < points.size(); ++i)
-        vertices.push_back(sight.vertices[i] ? fmt::format("M{:.0f} {:.0f}h0", points[i].x, points[i].y) : "");
+        vertices.push_back(sight.vertices[i] ? fmt::format("M{:.0f} {:.0f}h0", points[i].x, points[i].y)
+                                             : "");
     return fmt::format(
         "<svg id=\"body-picture\" class=\"body\" viewBox=\"0 0 {0} {0}\" role=\"img\" aria-label=\"{1}\">{2}{3}{4}"
         "</svg>",

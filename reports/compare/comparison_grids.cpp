@@ -17,10 +17,9 @@ TextGrid exact_grid(const char* title, const Comparison& comparison, const Wante
     TextGrid grid{title, columns_of("figure|#before|#after|#after / before|unit|cell"), {}};
     for (const ExactChange& change : comparison.exact)
         if (wanted(change))
-            grid.rows.push_back(grid_row(change.figure, fmt::format("{:.6g}", change.before),
-                                         fmt::format("{:.6g}", change.after),
-                                         change.before > 0 ? fmt::format("{:.3f}", change.ratio()) : "new",
-                                         change.unit, change.cell));
+            grid.rows.push_back(grid_row(
+                change.figure, fmt::format("{:.6g}", change.before), fmt::format("{:.6g}", change.after),
+                change.before > 0 ? fmt::format("{:.3f}", change.ratio()) : "new", change.unit, change.cell));
     return grid;
 }
 

@@ -95,8 +95,7 @@ ReportSummary write_report(const ReportData& data, const std::string& out_direct
     std::vector<Chapter> chapters = report_chapters(answer, data, charts);
     std::string changes;
     if (beside) {
-        chapters.insert(chapters.begin(),
-                        compare_chapter(*beside->comparison, beside->slack, beside->name));
+        chapters.insert(chapters.begin(), compare_chapter(*beside->comparison, beside->slack, beside->name));
         changes = changes_markdown(chapters.front());
     }
     write_file(out / "report.md", report_markdown(data, answer, pictures, changes));

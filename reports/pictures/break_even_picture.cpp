@@ -20,10 +20,10 @@ constexpr double map_left = 132, map_cell_width = 84, map_cell_height = 32, map_
 /// Text of a given class, squeezed where it would not fit.
 std::string map_text(double x, double y, double room, const std::string& text, const char* style) {
     const bool long_one = static_cast<double>(text.size()) * map_letter > room;
-    return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" class=\"{}\"{}>{}</text>", x, y, style,
-                       long_one ? fmt::format(" textLength=\"{:.0f}\" lengthAdjust=\"spacingAndGlyphs\"", room)
-                                : "",
-                       html_text(text));
+    return fmt::format(
+        "<text x=\"{:.0f}\" y=\"{:.0f}\" class=\"{}\"{}>{}</text>", x, y, style,
+        long_one ? fmt::format(" textLength=\"{:.0f}\" lengthAdjust=\"spacingAndGlyphs\"", room) : "",
+        html_text(text));
 }
 
 /// At the left end: a part for each layout that wins or ties, at most four.

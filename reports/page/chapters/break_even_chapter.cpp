@@ -34,7 +34,8 @@ std::string left_out_text(const BreakEvenMap& map) {
     if (map.columns_left_out > 0)
         append(text, plural(map.columns_left_out, "body", "bodies") + " of fewer scenes are left out", "; ");
     if (map.scenes_left_out > 0)
-        append(text, plural(map.scenes_left_out, "scene") + " without turn or number of tables as well", "; ");
+        append(text, plural(map.scenes_left_out, "scene") + " without turn or number of tables as well",
+               "; ");
     return text.empty() ? text : text + ".";
 }
 

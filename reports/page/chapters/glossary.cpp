@@ -48,10 +48,10 @@ std::vector<Term> layout_terms(const ReportData& data) {
 }
 
 std::string definition_html(const Term& term) {
-    const std::string colour =
-        term.is_layout ? fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>",
-                                     store::layout_colour(term.name))
-                       : std::string();
+    const std::string colour = term.is_layout
+                                   ? fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>",
+                                                 store::layout_colour(term.name))
+                                   : std::string();
     return fmt::format("<dt id=\"{}\">{}<dfn>{}</dfn></dt><dd>{}</dd>\n", term.id(), colour,
                        html_text(term.name), html_text(term.meaning));
 }
@@ -69,7 +69,8 @@ std::vector<Term> glossary_words() {
     std::istringstream lines{std::string(report_text("glossary.md"))};
     for (std::string line; std::getline(lines, line);) {
         const std::size_t first = line.find('|'), second = line.find('|', first + 1);
-        terms.push_back({trimmed(line.substr(0, first)), parts_of(line.substr(first + 1, second - first - 1), ','),
+        terms.push_back({trimmed(line.substr(0, first)),
+                         parts_of(line.substr(first + 1, second - first - 1), ','),
                          trimmed(line.substr(second + 1))});
     }
     return terms;
@@ -82,8 +83,8 @@ Glossary::Glossary(const ReportData& data) : terms_(glossary_words()) {
         forms.push_back({lower_case(terms_[i].name), i});
         for (const std::string& form : terms_[i].also) forms.push_back({lower_case(form), i});
     }
-    std::ranges::stable_sort(
-        words_, [](const Form& a, const Form& b) { return a.text.size() > b.text.size(); });
+    std::ranges::stable_sort(words_,
+                             [](const Form& a, const Form& b) { return a.text.size() > b.text.size(); });
 }
 
 const Glossary::Form* Glossary::word_at(const std::string& lower, std::size_t at) const {
@@ -105,8 +106,8 @@ const Glossary::Form* Glossary::layout_in(const std::string& word) const {
 }
 
 std::string Glossary::link(const Term& term, const std::string& text) const {
-    return fmt::format("<a class=\"term\" href=\"#{}\" title=\"{}\">{}</a>", term.id(), html_text(term.meaning),
-                       html_text(text));
+    return fmt::format("<a class=\"term\" href=\"#{}\" title=\"{}\">{}</a>", term.id(),
+                       html_text(term.meaning), html_text(text));
 }
 
 std::string Glossary::html(const std::string& text, std::set<std::string>& linked) const {

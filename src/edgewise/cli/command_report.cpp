@@ -44,8 +44,8 @@ int run_compare(const ReportArguments& options, bool json) {
         line["report"] = summary.page;
         fmt::print("{}\n", line.dump());
     } else {
-        fmt::print("{}report: {}\n",
-                   reports::comparison_text(comparison, options.slack, options.explain), summary.page);
+        fmt::print("{}report: {}\n", reports::comparison_text(comparison, options.slack, options.explain),
+                   summary.page);
     }
     return options.gate && comparison.regressions(options.slack) > 0 ? exit_check_failed : exit_done;
 }

@@ -98,7 +98,8 @@ void CellRun::measure(Stage stage, std::span<const measure::Round> rounds) {
 
 std::string CellRun::heat_on_body() const {
     const bool traced = !caches_.machines.empty() && runner_->table_allocator().base();
-    if (!verified() || !shared_ || !row_.axes.empty() || !traced || !shows_heat(type_, row_.vertices)) return {};
+    if (!verified() || !shared_ || !row_.axes.empty() || !traced || !shows_heat(type_, row_.vertices))
+        return {};
     bench::FeatureHeat heat(runner_->memory_maps());
     static_cast<void>(runner_->trace(caches_.queries > 0 ? bench::TraceExtent(caches_.queries, caches_.steps)
                                                          : bench::TraceExtent::everything(),

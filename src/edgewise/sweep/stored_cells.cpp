@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "edgewise/store/schema.hpp"
-#include "edgewise/sweep/body_heat.hpp"
 #include "edgewise/store/vocabulary.hpp"
+#include "edgewise/sweep/body_heat.hpp"
 
 namespace edgewise::sweep {
 

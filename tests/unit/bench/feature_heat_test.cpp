@@ -35,12 +35,13 @@ measure::TracedAccess heat_read(std::uint64_t address,
 TEST(FeatureHeat, CountsReadsOfEachFeatureOverAllTables) {
     const std::vector<TableMap> maps = {heat_table_at(0), heat_table_at(1000)};
     FeatureHeat heat(maps);
-    for (const std::uint64_t address : {0, 8, 1000, 24, 96, 1000 + 96 + 32}) heat.on_access(heat_read(address));
-    heat.on_access(heat_read(96 + 16));                                // topology: of no feature alone
-    heat.on_access(heat_read(96 + 24));                                // padding
-    heat.on_access(heat_read(500));                                    // between the tables
-    heat.on_access(heat_read(5000));                                   // behind them
-    heat.on_access(heat_read(0, measure::TraceSide::scene));           // not of a table
+    for (const std::uint64_t address : {0, 8, 1000, 24, 96, 1000 + 96 + 32})
+        heat.on_access(heat_read(address));
+    heat.on_access(heat_read(96 + 16));                       // topology: of no feature alone
+    heat.on_access(heat_read(96 + 24));                       // padding
+    heat.on_access(heat_read(500));                           // between the tables
+    heat.on_access(heat_read(5000));                          // behind them
+    heat.on_access(heat_read(0, measure::TraceSide::scene));  // not of a table
     heat.on_query_end(true);
     EXPECT_EQ(heat.reads(FeatureKind::vertex), (Reads{3, 1, 0, 0}));
     EXPECT_EQ(heat.reads(FeatureKind::edge), (Reads{1, 1}));
@@ -83,7 +84,8 @@ TEST(FeatureHeat, IsTheReadsOfTheFieldsThatFeaturesHave) {
                 << table << algorithm;
             if (const auto& reads = heat.reads(FeatureKind::face))
                 EXPECT_EQ(sum_of(reads), of(Field::face_plane)) << table << algorithm;
-            vertices += sum_of(heat.reads(FeatureKind::vertex)), edges += sum_of(heat.reads(FeatureKind::edge)),
+            vertices += sum_of(heat.reads(FeatureKind::vertex)),
+                edges += sum_of(heat.reads(FeatureKind::edge)),
                 faces += sum_of(heat.reads(FeatureKind::face));
         }
     }
@@ -96,7 +98,8 @@ TEST(FeatureHeat, IsTheReadsOfTheFieldsThatFeaturesHave) {
 TEST(FeatureHeat, NumbersFeaturesAsTheBodyDoes) {
     std::size_t named = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        const studies::SingleCell cell({"aos_f64", "vclip", "cold", "sphere386", {{"overlapping", 0}}, 1, seed});
+        const studies::SingleCell cell(
+            {"aos_f64", "vclip", "cold", "sphere386", {{"overlapping", 0}}, 1, seed});
         FeatureHeat heat(cell.runner().memory_maps());
         static_cast<void>(cell.runner().trace(1, heat));
         const Reads& reads = heat.reads(FeatureKind::vertex).value();

@@ -103,8 +103,7 @@ TEST_F(Report, WhatChangedIsTheFirstChapter) {
             if (figure.name == "topology") figure.value = 41;
     const Comparison changed = compare(before, after);
     ASSERT_EQ(changed.exact.size(), 2U);
-    (void)write_report(after, (directory_ / "out").string(), "",
-                       ReportBeside{&changed, 0.05, "old<1>.db"});
+    (void)write_report(after, (directory_ / "out").string(), "", ReportBeside{&changed, 0.05, "old<1>.db"});
     const std::string page = text("out/index.html"), markdown = text("out/report.md");
     const auto chapter = page.find("<h2 id=\"changes\">What changed since old&lt;1&gt;.db?</h2>");
     ASSERT_NE(chapter, std::string::npos);

@@ -84,7 +84,8 @@ MapOracle oracle(const std::vector<const ReportCell*>& cells, double limit, doub
     return found;
 }
 
-/// Random times of three layouts, both algorithms and precisions at most places; a fifth of the places have none.
+/// Random times of three layouts, both algorithms and precisions at most places; a fifth of the places have
+/// none.
 ReportData random_map_data(unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> middle(0.5, 2), spread(0.001, 0.05);
@@ -96,7 +97,8 @@ ReportData random_map_data(unsigned seed) {
             for (const char* algorithm : {"vclip", "gjk"}) {
                 for (const char* layout : {"aos", "lean", "quantised"}) {
                     for (const char* precision : {"f64", "f32"}) {
-                        const bool baseline = layout == std::string("aos") && precision == std::string("f64") &&
+                        const bool baseline = layout == std::string("aos") &&
+                                              precision == std::string("f64") &&
                                               algorithm == std::string("vclip");
                         const double ratio = baseline ? 1 + spread(random) : middle(random);
                         const double half = ratio * spread(random);

@@ -51,10 +51,10 @@ TEST(BodyHeat, WhatFitsNoBodyIsLeftOut) {
                              R"({"queries":1,"vertices":[1]})", R"({"queries":1,"vertices":["<script>"]})",
                              R"({"queries":1,"vertices":null,"edges":null,"faces":null})"})
         EXPECT_TRUE(heat_on_bodies(body_data(heat)).heats.empty()) << heat;
-    for (const char* body :
-         {"", "7", R"({"vertices":[0,0],"edges":[],"faces":[]})",
-          R"({"vertices":[0,0,0],"edges":[0,1],"faces":[]})", R"({"vertices":[0,0,0],"edges":[0,-1],"faces":[]})",
-          R"({"vertices":[0,0,0],"edges":[],"faces":[[0,0]]})"})
+    for (const char* body : {"", "7", R"({"vertices":[0,0],"edges":[],"faces":[]})",
+                             R"({"vertices":[0,0,0],"edges":[0,1],"faces":[]})",
+                             R"({"vertices":[0,0,0],"edges":[0,-1],"faces":[]})",
+                             R"({"vertices":[0,0,0],"edges":[],"faces":[[0,0]]})"})
         EXPECT_TRUE(heat_on_bodies(body_data(heat_text, body)).heats.empty()) << body;
 }
 
@@ -77,7 +77,9 @@ TEST(BodyHeat, ThePictureHasWhatIsInSightInItsColour) {
         const auto from = svg.find(" d=\"", at) + 4;
         return svg.substr(from, svg.find('"', from) - from);
     };
-    const auto count = [](const std::string& text, char c) { return std::count(text.begin(), text.end(), c); };
+    const auto count = [](const std::string& text, char c) {
+        return std::count(text.begin(), text.end(), c);
+    };
     long faces = 0, vertices = 0;
     for (int level = 0; level < 6; ++level) {
         faces += count(part("face h" + std::to_string(level)), 'z');
