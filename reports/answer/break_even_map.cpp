@@ -31,16 +31,19 @@ std::optional<MapPlace> place_of(const ReportCell& cell) {
 
 std::string scene_key(const ReportCell& cell) { return cell.scene + '\n' + cell.scene_parameters; }
 
-/// Fewest vertices first; of too many bodies those of the most scenes.
-std::vector<MapColumn> columns_of_data(const ReportData& data, std::size_t& left_out) {
+/// The bodies of which anything was timed, fewest vertices first; of too many those of the most scenes.
+std::vector<MapColumn> columns_of_data(const ReportData& data, BreakEvenMap& map) {
     std::map<std::pair<std::int64_t, std::string>, std::set<std::string>> scenes;
-    for (const ReportCell* cell : data.swept())
-        scenes[{cell->vertices, cell->shape}].insert(scene_key(*cell));
+    for (const ReportCell* cell : data.swept()) {
+        std::set<std::string>& of = scenes[{cell->vertices, cell->shape}];
+        if (cell->is_timed()) of.insert(scene_key(*cell));
+    }
+    map.bodies_not_timed = std::erase_if(scenes, [](const auto& body) { return body.second.empty(); });
     std::vector<std::pair<std::size_t, MapColumn>> columns;
     for (const auto& [body, of] : scenes) columns.push_back({of.size(), {body.second, body.first}});
     std::ranges::stable_sort(columns, [](const auto& a, const auto& b) { return a.first > b.first; });
-    left_out = columns.size() > most_map_columns ? columns.size() - most_map_columns : 0;
-    columns.resize(columns.size() - left_out);
+    map.columns_left_out = columns.size() > most_map_columns ? columns.size() - most_map_columns : 0;
+    columns.resize(columns.size() - map.columns_left_out);
     std::vector<MapColumn> kept;
     for (auto& [count, column] : columns) kept.push_back(std::move(column));
     std::ranges::sort(kept, {}, [](const MapColumn& one) { return std::tie(one.vertices, one.shape); });
@@ -169,7 +172,7 @@ std::size_t BreakEvenMap::measured() const {
 BreakEvenMap break_even_map(const ReportData& data, double error_limit) {
     BreakEvenMap map;
     map.error_limit = error_limit;
-    map.columns = columns_of_data(data, map.columns_left_out);
+    map.columns = columns_of_data(data, map);
     for (const MapColumn& column : map.columns)
         map.answers.push_back(answer_of_scenes(data, {.error_limit = error_limit, .shape = column.shape}));
     const PlacedCells placed = placed_cells(data);

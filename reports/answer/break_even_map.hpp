@@ -51,10 +51,11 @@ struct BreakEvenMap {
     BreakEvenMap(BreakEvenMap&&) = default;  ///< and no copy: cells point into the answers
 
     double error_limit = 0;
-    std::vector<Answer> answers;                            ///< one for each column
-    std::vector<MapColumn> columns;                         ///< fewest vertices first
-    std::vector<MapPanel> panels;                           ///< fewest tables first
-    std::size_t columns_left_out = 0, scenes_left_out = 0;  ///< too many bodies; scenes that have no place
+    std::vector<Answer> answers;     ///< one for each column
+    std::vector<MapColumn> columns;  ///< fewest vertices first
+    std::vector<MapPanel> panels;    ///< fewest tables first
+    /// Too many bodies; bodies of which nothing was timed; scenes that have no place.
+    std::size_t columns_left_out = 0, bodies_not_timed = 0, scenes_left_out = 0;
 
     [[nodiscard]] std::size_t measured() const;  ///< cells with a scene
 };

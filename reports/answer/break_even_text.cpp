@@ -82,19 +82,26 @@ GridCell grid_cell_of(const MapCell& cell) {
 }  // namespace
 
 std::string break_even_sentence(const BreakEvenMap& map) {
-    std::size_t won = 0, tied = 0;
+    if (map.measured() == 0) return {};
+    std::size_t won = 0, tied = 0, noisy = 0;
     std::map<std::string, std::size_t> winners;
     each_cell(map, [&](const MapCell& cell, std::size_t) {
-        if (cell.is_won()) ++won, ++winners[contender_name(*cell.best)];
-        tied += cell.best && !cell.ties.empty() && !cell.scene->too_noisy;
+        if (!cell.best) return;
+        if (cell.scene->too_noisy)
+            ++noisy;
+        else if (cell.is_won())
+            ++won, ++winners[contender_name(*cell.best)];
+        else
+            ++tied;
     });
-    if (map.measured() == 0) return {};
     std::vector<std::pair<std::string, std::size_t>> most(winners.begin(), winners.end());
     std::ranges::stable_sort(most, [](const auto& a, const auto& b) { return a.second > b.second; });
     std::string names;
     for (const auto& [name, count] : most) append(names, fmt::format("{} {}", name, count));
-    return fmt::format("Of {} that were measured, one algorithm and layout wins in {}{}; in {} several tie.",
-                       plural(map.measured(), "place"), won, names.empty() ? "" : " (" + names + ")", tied);
+    return fmt::format(
+        "Of {} that were measured, one algorithm and layout wins in {}{}; several tie in {}, and {} are too "
+        "noisy to tell.",
+        plural(map.measured(), "place"), won, names.empty() ? "" : " (" + names + ")", tied, noisy);
 }
 
 std::vector<std::string> break_even_lines(const BreakEvenMap& map) {

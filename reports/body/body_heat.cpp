@@ -90,6 +90,21 @@ std::string reads_text(const char* one, const char* many, const FeatureReads& re
                        plural(reads->size(), one, many), most - reads->begin(), number_text(*most));
 }
 
+/// The reference shape's baseline first.
+std::vector<const ReportCell*> cells_with_heat(const ReportData& data) {
+    const std::string reference = reference_shape(data);
+    const Baseline baseline = baseline_of(data);
+    std::vector<const ReportCell*> cells;
+    for (const ReportCell* cell : data.swept())
+        if (data.meta_value(store::heat_key + cell->hash) && data.meta_value(store::body_key + cell->shape))
+            cells.push_back(cell);
+    std::ranges::stable_sort(cells, {}, [&](const ReportCell* cell) {
+        return std::make_tuple(cell->shape != reference, cell->table != baseline.table,
+                               cell->algorithm != baseline.algorithm);
+    });
+    return cells;
+}
+
 }  // namespace
 
 std::string BodyHeat::title() const {
@@ -104,24 +119,16 @@ std::string BodyHeat::sentence() const {
 
 HeatOnBodies heat_on_bodies(const ReportData& data) {
     HeatOnBodies found;
-    const std::string reference = reference_shape(data);
-    const Baseline baseline = baseline_of(data);
-    for (const ReportCell* cell : data.swept()) {
-        const auto text = data.meta_value(store::heat_key + cell->hash),
-                   shape = data.meta_value(store::body_key + cell->shape);
-        if (!text || !shape) continue;
+    for (const ReportCell* cell : cells_with_heat(data)) {
+        if (found.heats.size() == most_heats) break;
         if (!found.bodies.contains(cell->shape))
-            if (auto body = heat_body(*shape)) found.bodies.emplace(cell->shape, std::move(*body));
+            if (auto body = heat_body(*data.meta_value(store::body_key + cell->shape)))
+                found.bodies.emplace(cell->shape, std::move(*body));
         const auto body = found.bodies.find(cell->shape);
         if (body == found.bodies.end()) continue;
-        if (auto heat = heat_of_cell(*cell, *text, body->second)) found.heats.push_back(std::move(*heat));
+        auto heat = heat_of_cell(*cell, *data.meta_value(store::heat_key + cell->hash), body->second);
+        if (heat) found.heats.push_back(std::move(*heat));
     }
-    std::ranges::stable_sort(found.heats, {}, [&](const BodyHeat& heat) {
-        const ReportCell& cell = *heat.cell;
-        return std::make_tuple(cell.shape != reference, cell.table != baseline.table,
-                               cell.algorithm != baseline.algorithm);
-    });
-    if (found.heats.size() > most_heats) found.heats.resize(most_heats);
     return found;
 }
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "edgewise/reports/answer/answer.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
 
 namespace edgewise::reports {
 
@@ -95,16 +95,10 @@ void widen_noise(const ReportData& data, Comparison& comparison) {
     }
 }
 
-std::string processor_of(const ReportData& data) {
-    const auto machine = nlohmann::json::parse(data.build.machine_json, nullptr, false);
-    if (machine.is_discarded() || !machine.contains("cpu")) return "?";
-    return machine["cpu"].value("name", "?");
-}
-
 std::vector<Condition> conditions_of(const ReportData& before, const ReportData& after, bool same_bodies) {
     return {{"seed", before.meta_value("seed").value_or("?"), after.meta_value("seed").value_or("?")},
             {"bodies", "as they are", same_bodies ? "as they are" : "others"},
-            {"processor", processor_of(before), processor_of(after)},
+            {"processor", processor_text(before), processor_text(after)},
             {"compiler", before.build.compiler, after.build.compiler},
             {"flags", before.build.flags, after.build.flags},
             {"build type", before.build.build_type, after.build.build_type},

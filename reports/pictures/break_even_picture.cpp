@@ -15,7 +15,7 @@ namespace edgewise::reports {
 namespace {
 
 constexpr double map_left = 132, map_cell_width = 84, map_cell_height = 32, map_gap = 3, map_head = 30,
-                 map_panel_head = 24, map_bar = 6, map_letter = 5.4;
+                 map_panel_head = 24, map_bar = 6, map_letter = 5;
 
 /// Text of a given class, squeezed where it would not fit.
 std::string map_text(double x, double y, double room, const std::string& text, const char* style) {

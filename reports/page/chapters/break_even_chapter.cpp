@@ -33,6 +33,9 @@ std::string left_out_text(const BreakEvenMap& map) {
     std::string text;
     if (map.columns_left_out > 0)
         append(text, plural(map.columns_left_out, "body", "bodies") + " of fewer scenes are left out", "; ");
+    if (map.bodies_not_timed > 0)
+        append(text, fmt::format("of {} nothing was timed", plural(map.bodies_not_timed, "body", "bodies")),
+               "; ");
     if (map.scenes_left_out > 0)
         append(text, plural(map.scenes_left_out, "scene") + " without turn or number of tables as well",
                "; ");

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 #include "edgewise/store/palette.hpp"
@@ -143,8 +144,8 @@ std::string Glossary::list_html() const {
     std::string words, layouts;
     for (const Term& term : terms_) (term.is_layout ? layouts : words) += definition_html(term);
     std::string html = "<dl class=\"glossary\">\n" + words + "</dl>\n";
-    if (!layouts.empty()) html += "<h3>Layouts</h3>\n<dl class=\"glossary\">\n" + layouts + "</dl>\n";
-    return html;
+    if (layouts.empty()) return html + html_paragraph(prose("no_layouts.md"), "note");
+    return html + "<h3>Layouts</h3>\n<dl class=\"glossary\">\n" + layouts + "</dl>\n";
 }
 
 }  // namespace edgewise::reports

@@ -168,7 +168,7 @@ TEST(BreakEvenMap, EveryPlaceIsWhatItsCellsSay) {
             for (std::size_t i = 0; i < map.columns.size(); ++i) check_place(data, scene, map, i, seen);
     }
     EXPECT_GT(seen.won, 100U) << "places that one wins";
-    EXPECT_GT(seen.tied, 100U) << "places where several tie";
+    EXPECT_GT(seen.tied, 50U) << "places where several tie";
     EXPECT_GT(seen.empty, 100U) << "places without a cell";
     std::cout << seen.won << " won, " << seen.tied << " tied, " << seen.empty << " not measured\n";
 }
@@ -218,7 +218,7 @@ TEST(BreakEvenMap, SaysFromHowManyVerticesOnWhoWins) {
                             "386 vertices V-Clip on lean."));
     EXPECT_EQ(break_even_sentence(map),
               "Of 3 places that were measured, one algorithm and layout wins in 3 (GJK on points_soa 2, "
-              "V-Clip on lean 1); in 0 several tie.");
+              "V-Clip on lean 1); several tie in 0, and 0 are too noisy to tell.");
     const MapCell& small = map.panels[0].rows[0].cells[0];
     ASSERT_TRUE(small.best_of_others);
     EXPECT_THAT(cell_text(small), HasSubstr("V-Clip on lean_f64 takes 1.61 times as long"));
@@ -234,8 +234,12 @@ TEST(BreakEvenMap, APlaceWithoutAnswerSaysWhy) {
     MadeCandidate rough = map_lean;
     rough.error = 1e-3;
     data.cells.push_back(map_cell(map_scenes[0], map_shapes[2], rough));
+    data.cells.push_back(map_cell(map_scenes[1], map_shapes[1], map_paper));
     data.cells.push_back(map_cell(map_scenes[1], map_shapes[2], map_paper));
+    data.cells.push_back(map_cell(map_scenes[1], {"never_timed", 20}, failed));
     const BreakEvenMap map = break_even_map(data, 1e-6);
+    EXPECT_EQ(map.columns.size(), 3U) << "of one body nothing was timed";
+    EXPECT_EQ(map.bodies_not_timed, 1U);
     const MapRow *cold = row_at(map, "one shared table", "cold, every pair new"),
                  *slow = row_at(map, "one shared table", "tumble, 0.001 rad");
     ASSERT_TRUE(cold && slow);
