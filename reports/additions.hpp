@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "edgewise/reports/charts/charts.hpp"
-#include "edgewise/reports/page/chapters.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 namespace edgewise::reports {
 

@@ -103,6 +103,12 @@ std::size_t ReportData::count(const std::string& status) const {
                                     std::count_if(from_files.begin(), from_files.end(), has_it));
 }
 
+std::optional<std::string> ReportData::meta_value(std::string_view key) const {
+    for (const auto& [name, value] : meta)
+        if (name == key) return value;
+    return std::nullopt;
+}
+
 bool ReportData::any_failed() const {
     const auto failed = [](const ReportCell& row) { return row.status == "failed"; };
     return count("failed") > 0 || std::any_of(stability.begin(), stability.end(), failed) ||

@@ -45,6 +45,8 @@ struct ReportData {
     [[nodiscard]] std::size_t cell_count() const { return cells.size() + from_files.size(); }
     [[nodiscard]] std::size_t count(const std::string& status) const;  ///< of all cells
     [[nodiscard]] bool any_failed() const;                             ///< cell or stability row
+    /// What `meta` has under a key; null where it has none.
+    [[nodiscard]] std::optional<std::string> meta_value(std::string_view key) const;
 };
 
 /// Reads one build as store::read_build does.

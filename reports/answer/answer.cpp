@@ -44,16 +44,6 @@ const std::vector<const ReportCell*>* chosen_shape(const ByShape& shapes, const 
             })->second;
 }
 
-/// "vclip x aos_f64" in the store's meta.
-Baseline baseline_of(const ReportData& data) {
-    for (const auto& [key, value] : data.meta) {
-        const std::size_t cross = value.find(" x ");
-        if (key == "baseline" && cross != value.npos)
-            return {value.substr(0, cross), value.substr(cross + 3)};
-    }
-    return {};
-}
-
 NoiseBand noise_of(const std::vector<const SceneAnswer*>& scenes) {
     NoiseBand band;
     for (const SceneAnswer* scene : scenes) {
@@ -85,6 +75,13 @@ struct Tally {
 
 }  // namespace
 
+Baseline baseline_of(const ReportData& data) {
+    const std::string pair = data.meta_value("baseline").value_or("");
+    const std::size_t cross = pair.find(" x ");
+    if (cross == pair.npos) return {};
+    return {pair.substr(0, cross), pair.substr(cross + 3)};
+}
+
 std::vector<const SceneAnswer*> Answer::scenes() const {
     std::vector<const SceneAnswer*> all;
     for (const auto* from : {&shared, &own})
@@ -92,7 +89,7 @@ std::vector<const SceneAnswer*> Answer::scenes() const {
     return all;
 }
 
-Answer answer_of(const ReportData& data, const Question& question) {
+Answer answer_of_scenes(const ReportData& data, const Question& question) {
     Answer answer;
     answer.question = question;
     answer.baseline = baseline_of(data);
@@ -110,6 +107,11 @@ Answer answer_of(const ReportData& data, const Question& question) {
     answer.noise = noise_of(answer.scenes());
     for (auto* group : {&answer.shared, &answer.own})
         for (SceneAnswer& scene : *group) judge_against_noise(scene, answer.noise);
+    return answer;
+}
+
+Answer answer_of(const ReportData& data, const Question& question) {
+    Answer answer = answer_of_scenes(data, question);
     answer.counts = counts_of(data);
     answer.runs = sweep_runs(data);
     answer.gaps = gaps_of(data);

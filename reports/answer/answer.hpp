@@ -39,9 +39,14 @@ struct Answer {
     [[nodiscard]] std::vector<const SceneAnswer*> scenes() const;  ///< shared, then own
 };
 
+/// "vclip x aos_f64" in the store's meta; where it is silent, that.
+[[nodiscard]] Baseline baseline_of(const ReportData& data);
+
 /// The data must outlive the answer. Of scenes without the asked shape none; without an asked shape each
 /// scene answers for the reference shape if it has it, else for its largest.
 [[nodiscard]] Answer answer_of(const ReportData& data, const Question& question = {});
+/// Its scenes and noise alone: counts, runs and gaps are the same whatever is asked.
+[[nodiscard]] Answer answer_of_scenes(const ReportData& data, const Question& question);
 
 /// One algorithm and table type for several scenes.
 struct Take {

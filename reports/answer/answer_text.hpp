@@ -48,6 +48,8 @@ struct AnswerText {
 [[nodiscard]] std::string ratio_text(const Candidate& candidate);
 /// "5.8 MiB"
 [[nodiscard]] std::string size_text(double bytes);
+/// The processor's name, or that the store does not name it.
+[[nodiscard]] std::string processor_text(const ReportData& data);
 /// Processor and data caches: "AMD EPYC, 32 KiB / 1 MiB / 32 MiB of cache".
 [[nodiscard]] std::string machine_text(const ReportData& data);
 

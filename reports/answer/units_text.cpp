@@ -54,6 +54,10 @@ std::string size_text(double bytes) {
     return number_text(bytes, "B") + " B";
 }
 
+std::string processor_text(const ReportData& data) {
+    return cpu_name(UnitsJson::parse(data.build.machine_json, nullptr, false));
+}
+
 std::string machine_text(const ReportData& data) {
     const UnitsJson machine = UnitsJson::parse(data.build.machine_json, nullptr, false);
     const std::vector<std::string> caches = data_caches(machine);

@@ -49,10 +49,8 @@ std::vector<std::string> ordered_values(const ChartJson& values, const char* mem
 
 /// By vertices, then name.
 std::vector<std::string> shapes_by_size(const ReportData& data) {
-    std::set<std::pair<std::int64_t, std::string>> shapes;
-    for (const ReportCell* cell : data.swept()) shapes.emplace(cell->vertices, cell->shape);
     std::vector<std::string> names;
-    for (const auto& [vertices, name] : shapes)
+    for (const auto& [vertices, name] : shapes_by_vertices(data))
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     return names;
 }

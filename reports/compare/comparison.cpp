@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "edgewise/reports/answer/candidate.hpp"
+#include "edgewise/reports/answer/answer.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
 
 namespace edgewise::reports {
 
@@ -84,8 +85,9 @@ std::optional<TimeChange> time_change(const ReportCell& before, const ReportCell
 
 /// The baseline's own cells are timed beside the baseline: what they differ by is noise.
 void widen_noise(const ReportData& data, Comparison& comparison) {
+    const Baseline baseline = baseline_of(data);
     for (const ReportCell* cell : data.swept()) {
-        if (cell->algorithm != "vclip" || cell->table != "aos_f64") continue;
+        if (cell->algorithm != baseline.algorithm || cell->table != baseline.table) continue;
         const auto itself = candidate_of(*cell, 1);
         if (!itself) continue;
         comparison.noise_low = std::min(comparison.noise_low, itself->ratio);
@@ -93,22 +95,10 @@ void widen_noise(const ReportData& data, Comparison& comparison) {
     }
 }
 
-std::string meta_in(const ReportData& data, const std::string& key) {
-    for (const auto& [name, value] : data.meta)
-        if (name == key) return value;
-    return "?";
-}
-
-std::string processor_of(const ReportData& data) {
-    const auto machine = nlohmann::json::parse(data.build.machine_json, nullptr, false);
-    if (machine.is_discarded() || !machine.contains("cpu")) return "?";
-    return machine["cpu"].value("name", "?");
-}
-
 std::vector<Condition> conditions_of(const ReportData& before, const ReportData& after, bool same_bodies) {
-    return {{"seed", meta_in(before, "seed"), meta_in(after, "seed")},
+    return {{"seed", before.meta_value("seed").value_or("?"), after.meta_value("seed").value_or("?")},
             {"bodies", "as they are", same_bodies ? "as they are" : "others"},
-            {"processor", processor_of(before), processor_of(after)},
+            {"processor", processor_text(before), processor_text(after)},
             {"compiler", before.build.compiler, after.build.compiler},
             {"flags", before.build.flags, after.build.flags},
             {"build type", before.build.build_type, after.build.build_type},

@@ -5,7 +5,7 @@
 // table type and axes; what else the stores differ in is said beside them, since it may be the cause.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -8,6 +8,7 @@
 
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/answer/break_even_text.hpp"
 #include "edgewise/reports/answer/findings.hpp"
 #include "edgewise/reports/page/first_screen/answer_rows.hpp"
 #include "edgewise/reports/page/page.hpp"
@@ -73,6 +74,15 @@ std::string fronts_markdown(const Answer& answer) {
     return out + "\n";
 }
 
+/// The map as a table of a few bodies.
+std::string break_even_markdown(const ReportData& data, const Answer& answer) {
+    constexpr std::size_t few_bodies = 4;
+    const BreakEvenMap map = break_even_map(data, answer.question.error_limit);
+    if (map.measured() == 0) return {};
+    return headed("Who wins where") + markdown_text(break_even_sentence(map)) + "\n\n" +
+           grid_markdown(break_even_grid(map, few_bodies));
+}
+
 std::string problems_markdown(const ReportData& data) {
     TextGrid problems = problems_grid(data);
     if (problems.rows.empty()) return {};
@@ -98,13 +108,29 @@ std::string repeat_markdown(const ReportData& data, const Answer& answer) {
 
 }  // namespace
 
-std::string report_markdown(const ReportData& data, const Answer& answer, const StaticPictures& pictures) {
+std::string changes_markdown(const Chapter& chapter) {
+    std::string out = headed(markdown_text(chapter.title)) + markdown_text(chapter.sentence) + "\n\n";
+    for (const ChapterBlock& block : chapter.blocks) {
+        for (TextGrid grid : block.grids) {
+            if (grid.rows.size() > few_rows && grid.rows.size() > grid.shown_rows) {
+                grid.caption += fmt::format(", the first {} of {}", few_rows, grid.rows.size());
+                grid.rows.resize(few_rows);
+            }
+            out += grid_markdown(grid);
+        }
+    }
+    return out;
+}
+
+std::string report_markdown(const ReportData& data, const Answer& answer, const StaticPictures& pictures,
+                            const std::string& changes) {
     const AnswerText text = answer_text(answer, data);
     std::string out = "# Which layout, and what does it cost?\n\n" + advice_markdown(text);
-    out += grid_markdown(answer_grid(answer)) + problems_markdown(data);
+    out += grid_markdown(answer_grid(answer)) + problems_markdown(data) + changes;
     if (!answer.scenes().empty()) out += "![Time against bytes](figures/answer.svg)\n\n";
     if (!pictures.note.empty()) out += markdown_text(pictures.note) + "\n\n";
     out += headed("On the front of time and bytes") + fronts_markdown(answer);
+    out += break_even_markdown(data, answer);
     out += headed("Bytes") + bytes_markdown(data, answer);
     out += headed("What to look at") + list(what_to_look_at(answer));
     out += headed("What passed") + list(what_passed(answer));

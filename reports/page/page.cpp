@@ -9,8 +9,13 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
-#include "edgewise/reports/page/chapters.hpp"
+#include "edgewise/reports/body/body_picture.hpp"
+#include "edgewise/reports/page/chapters/break_even_chapter.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
+#include "edgewise/reports/page/chapters/glossary.hpp"
+#include "edgewise/reports/page/first_screen/filter_bar.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/page/packing.hpp"
@@ -23,19 +28,21 @@ namespace edgewise::reports {
 namespace {
 
 /// In the order in which they need each other.
-constexpr const char* page_scripts[] = {"page.tables.js", "page.cells.js", "page.question.js", "page.js"};
+constexpr const char* page_scripts[] = {"page.tables.js", "page.filter.js",   "page.cells.js",
+                                        "page.body.js",   "page.question.js", "page.js"};
 
 /// Writes chapters, and keeps aside what is made when it is opened.
 class ChapterWriter {
   public:
-    ChapterWriter(const std::vector<Chart>& charts, const StaticPictures& pictures)
-        : charts_(charts), pictures_(pictures) {}
+    ChapterWriter(const std::vector<Chart>& charts, const StaticPictures& pictures, const Glossary& glossary)
+        : charts_(charts), pictures_(pictures), glossary_(glossary) {}
 
     std::string chapter(const Chapter& chapter) {
+        linked_.clear();
         std::string out = "<section>\n" + html_heading(chapter.id, chapter.title);
-        if (!chapter.sentence.empty()) out += html_paragraph(chapter.sentence, "sentence");
+        if (!chapter.sentence.empty()) out += paragraph(chapter.sentence, "sentence");
         for (const ChapterBlock& block : chapter.blocks) out += this->block(block);
-        if (!chapter.paragraph.empty()) out += html_paragraph(chapter.paragraph, "note");
+        if (!chapter.paragraph.empty()) out += paragraph(chapter.paragraph, "note");
         return out + "</section>\n";
     }
 
@@ -46,9 +53,16 @@ class ChapterWriter {
     }
 
   private:
+    /// The first use of each term in a chapter is a link.
+    std::string paragraph(const std::string& text, const std::string& style = {}) {
+        return html_element("p", glossary_.html(text, linked_), style);
+    }
+
     std::string block(const ChapterBlock& block) {
         std::string out = block.title.empty() ? "" : "<h3>" + html_text(block.title) + "</h3>\n";
-        if (!block.paragraph.empty()) out += html_paragraph(block.paragraph);
+        // In a fold, which few open, no term is used for the first time.
+        if (!block.paragraph.empty())
+            out += block.fold.empty() ? paragraph(block.paragraph) : html_paragraph(block.paragraph);
         if (!block.section.empty()) out += section(block.section);
         out += block.elements;
         if (!block.fold.empty()) return fold(block.fold, out, block.grids);
@@ -95,13 +109,15 @@ class ChapterWriter {
             "id=\"chart-{1}\" data-chart=\"{1}\" data-label=\"{0}\">\n{2}</div></div>\n",
             html_text(chart.title), html_text(chart.name),
             still != pictures_.still.end() ? still->second : grid_html(chart.fallback, 6));
-        out += html_paragraph(chart.how_to_read, "note");
+        out += paragraph(chart.how_to_read, "note");
         for (const std::string& note : chart.notes) out += html_paragraph(note, "note");
         return out;
     }
 
     const std::vector<Chart>& charts_;
     const StaticPictures& pictures_;
+    const Glossary& glossary_;
+    std::set<std::string> linked_;  ///< terms of the chapter at hand
     std::vector<TextGrid> grids_;
     nlohmann::json folds_ = nlohmann::json::array();
 };
@@ -136,18 +152,21 @@ std::string script_hashes() {
 
 }  // namespace
 
-std::string page_html(const ReportData& data, const Answer& answer, const std::vector<Chart>& charts,
-                      const StaticPictures& pictures, const std::string& bundles) {
-    const std::vector<Chapter> chapters = report_chapters(answer, data, charts);
-    ChapterWriter writer(charts, pictures);
-    std::string out = first_screen_html(answer, data) + contents(chapters);
+std::string page_html(const ReportData& data, const Answer& answer, const std::vector<Chapter>& chapters,
+                      const std::vector<Chart>& charts, const StaticPictures& pictures,
+                      const std::string& bundles) {
+    const Glossary glossary(data);
+    ChapterWriter writer(charts, pictures, glossary);
+    std::string out = first_screen_html(answer, data) + contents(chapters) + filter_bar_html(data);
     if (bundles.empty()) out += html_paragraph(prose("no_bundles.md"), "verdict part");
     if (!pictures.note.empty()) out += html_paragraph(pictures.note, "note");
     for (const Chapter& chapter : chapters) out += writer.chapter(chapter);
     out += cells_html(data);
     const std::string packed = packed_element("charts", bundles.empty() ? "{}" : charts_data(charts)) +
                                writer.packed() + packed_element("cells", cells_data(data)) +
-                               packed_element("answers", answers_data(data)) + bundles;
+                               packed_element("answers", answers_data(data)) +
+                               packed_element("maps", break_even_data(data)) +
+                               packed_element("bodies", bodies_data(heat_on_bodies(data))) + bundles;
     return fmt::format(fmt::runtime(report_text("page.html")), fmt::arg("hashes", script_hashes()),
                        fmt::arg("style", report_text("page.css")), fmt::arg("chapters", out),
                        fmt::arg("scripts", packed + script_elements()));

@@ -9,16 +9,20 @@
 
 #include "edgewise/reports/answer/answer.hpp"
 #include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/page/pictures.hpp"
 
 namespace edgewise::reports {
 
 /// `bundles`: what bundle_elements gives, or empty when they were not available.
 [[nodiscard]] std::string page_html(const ReportData& data, const Answer& answer,
-                                    const std::vector<Chart>& charts, const StaticPictures& pictures,
-                                    const std::string& bundles);
+                                    const std::vector<Chapter>& chapters, const std::vector<Chart>& charts,
+                                    const StaticPictures& pictures, const std::string& bundles);
 
+/// `changes`: what changes_markdown gives, or empty where nothing is compared.
 [[nodiscard]] std::string report_markdown(const ReportData& data, const Answer& answer,
-                                          const StaticPictures& pictures);
+                                          const StaticPictures& pictures, const std::string& changes = {});
+/// The chapter on what changed, its first rows.
+[[nodiscard]] std::string changes_markdown(const Chapter& chapter);
 
 }  // namespace edgewise::reports

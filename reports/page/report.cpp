@@ -11,9 +11,11 @@
 
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/page/bundles.hpp"
+#include "edgewise/reports/page/chapters/compare_chapter.hpp"
 #include "edgewise/reports/page/files.hpp"
 #include "edgewise/reports/page/page.hpp"
 #include "edgewise/reports/page/paper_figures.hpp"
+#include "edgewise/reports/pictures/break_even_picture.hpp"
 #include "edgewise/reports/pictures/time_bytes.hpp"
 #include "edgewise/reports/results/wide_results.hpp"
 
@@ -56,23 +58,30 @@ std::set<std::string> few_tables(const Answer& answer) {
     return tables;
 }
 
-/// figures/answer.svg, which the Markdown shows.
-void write_answer_picture(const Answer& answer, const std::filesystem::path& out) {
+/// The first scene's of which there is one.
+std::string answer_picture(const Answer& answer) {
+    for (const SceneAnswer* scene : answer.scenes())
+        if (std::string svg = time_bytes_svg(*scene, answer.noise); !svg.empty()) return svg;
+    return {};
+}
+
+/// figures/NAME.svg; an old one is removed where there is none now.
+void write_picture(const std::string& name, const std::string& svg, const std::filesystem::path& out) {
+    const std::filesystem::path file = out / "figures" / (name + ".svg");
     std::error_code ignored;
-    std::filesystem::remove(out / "figures" / "answer.svg", ignored);
-    for (const SceneAnswer* scene : answer.scenes()) {
-        const std::string svg = time_bytes_svg(*scene, answer.noise);
-        if (svg.empty()) continue;
-        write_file(out / "figures" / "answer.svg", standalone(svg));
-        return;
-    }
+    std::filesystem::remove(file, ignored);
+    if (!svg.empty()) write_file(file, standalone(svg));
 }
 
 }  // namespace
 
 ReportSummary write_report(const std::string& store, const std::string& out_directory,
                            const std::string& bundle_directory) {
-    const ReportData data = read_report(store);
+    return write_report(read_report(store), out_directory, bundle_directory);
+}
+
+ReportSummary write_report(const ReportData& data, const std::string& out_directory,
+                           const std::string& bundle_directory, const std::optional<ReportBeside>& beside) {
     const std::filesystem::path out = out_directory;
     make_directory(out);
     const Answer answer = answer_of(data);
@@ -81,9 +90,16 @@ ReportSummary write_report(const std::string& store, const std::string& out_dire
     const StaticPictures pictures = write_pictures(charts, few_tables(answer), out, bundle_directory);
     const std::string no_pdf = write_paper_figures(data, charts, pictures, out);
     write_results(data, out);
-    write_answer_picture(answer, out);
-    write_file(out / "report.md", report_markdown(data, answer, pictures));
-    write_file(out / "index.html", page_html(data, answer, charts, pictures, bundles));
+    write_picture("answer", answer_picture(answer), out);
+    write_picture("break_even", break_even_svg(break_even_map(data, answer.question.error_limit)), out);
+    std::vector<Chapter> chapters = report_chapters(answer, data, charts);
+    std::string changes;
+    if (beside) {
+        chapters.insert(chapters.begin(), compare_chapter(*beside->comparison, beside->slack, beside->name));
+        changes = changes_markdown(chapters.front());
+    }
+    write_file(out / "report.md", report_markdown(data, answer, pictures, changes));
+    write_file(out / "index.html", page_html(data, answer, chapters, charts, pictures, bundles));
     ReportSummary made = summary(data, pictures, !bundles.empty(), no_pdf, out / "index.html");
     made.answer = answer_paragraph(answer, data);
     return made;

@@ -4,9 +4,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace edgewise::reports {
+
+struct Comparison;
+struct ReportData;
 
 struct ReportSummary {
     std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
@@ -18,10 +22,22 @@ struct ReportSummary {
     std::string note = {};     ///< what is missing and what to do; empty when nothing is
 };
 
+/// Another store that the report is held against.
+struct ReportBeside {
+    const Comparison* comparison;  ///< what changed since it
+    double slack;                  ///< a time may become longer by this part of itself
+    std::string name;
+};
+
 /// Reads `store` and writes index.html, report.md, results/ and figures/ into `out_directory`.
 /// `bundle_directory` holds the chart bundles and render_svg.mjs; it may be missing. The same store gives the
 /// same bytes. Throws std::runtime_error with one line: what, where, what to do.
 ReportSummary write_report(const std::string& store, const std::string& out_directory,
                            const std::string& bundle_directory);
+
+/// The same of what was read; with a chapter on what changed where it stands beside another.
+ReportSummary write_report(const ReportData& data, const std::string& out_directory,
+                           const std::string& bundle_directory,
+                           const std::optional<ReportBeside>& beside = {});
 
 }  // namespace edgewise::reports

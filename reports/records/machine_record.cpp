@@ -4,11 +4,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
+<<<<<<< HEAD
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/ratio_interval.hpp"
+=======
+#include "edgewise/reports/answer/candidate.hpp"
+>>>>>>> 28276346cb7579c41917a7b6b860b51d04ed8dea
 
 namespace edgewise::reports {
 
@@ -94,16 +99,12 @@ MachineRecord measured_record(const ReportData& data) {
     take_facts(data.build.machine_json, record);
     for (const ReportCell& cell : data.cells) {
         if (!is_common(cell)) continue;
-        std::vector<double> ratios;
-        for (const measure::Round& round : cell.rounds)
-            if (const auto ratio = round.ratio(&measure::Timing::all)) ratios.push_back(*ratio);
-        const auto median = cell.figure(store::all_time.ratio).value;
-        const auto interval = median_interval(std::move(ratios));
-        if (!median || !interval) continue;
+        const auto timed = candidate_of(cell, std::numeric_limits<double>::infinity());
+        if (!timed || !timed->interval) continue;
         RecordRow row = row_of(cell);
-        row.ratio = *median;
-        row.low = std::min(interval->low, *median);
-        row.high = std::max(interval->high, *median);
+        row.ratio = timed->ratio;
+        row.low = std::min(timed->low(), timed->ratio);
+        row.high = std::max(timed->high(), timed->ratio);
         record.rows.push_back(std::move(row));
     }
     if (record.rows.empty())

@@ -73,6 +73,12 @@ std::vector<std::string> scene_labels(const ReportData& data) {
     return labels;
 }
 
+std::vector<std::pair<std::int64_t, std::string>> shapes_by_vertices(const ReportData& data) {
+    std::set<std::pair<std::int64_t, std::string>> shapes;
+    for (const ReportCell* cell : data.swept()) shapes.emplace(cell->vertices, cell->shape);
+    return {shapes.begin(), shapes.end()};
+}
+
 TextGrid scenes_grid(const ReportData& data) {
     TextGrid grid{"", columns_of("scene|parameters|#cells|#queries per cell"), {}};
     for (const std::string& label : scene_labels(data)) {

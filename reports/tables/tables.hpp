@@ -4,7 +4,9 @@
 // page.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "edgewise/reports/reader.hpp"
@@ -100,5 +102,7 @@ struct Drawing {
 
 /// Scene labels in order.
 [[nodiscard]] std::vector<std::string> scene_labels(const ReportData& data);
+/// The sweep's bodies with their vertices: by these, then by name.
+[[nodiscard]] std::vector<std::pair<std::int64_t, std::string>> shapes_by_vertices(const ReportData& data);
 
 }  // namespace edgewise::reports

@@ -18,6 +18,7 @@ namespace {
 using nlohmann::json;
 using reports::CsvTable;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Modelled caches, stability rows: the cells with the most figures.
 const Arguments rich = {
@@ -134,6 +135,23 @@ TEST(Claims, AreComparedBetweenStores) {
     EXPECT_EQ(bad.out, "");
     EXPECT_EQ(lines_of(bad.err).size(), 1u) << bad.err;
     EXPECT_THAT(bad.err, HasSubstr("missing.db"));
+}
+
+/// A store has changed in nothing since itself, and its report says so.
+TEST(ReportCompare, PrintsAndWritesWhatChanged) {
+    const Folder folder;
+    ASSERT_EQ(run(rich, folder).exit_code, 0);
+    EXPECT_THAT(text_of(folder / "index.html"), Not(HasSubstr("id=\"changes\"")));
+    const Outcome same = run({"report", "s.db", "--compare", "s.db", "--gate"}, folder);
+    ASSERT_EQ(same.exit_code, 0) << same.out << same.err;
+    EXPECT_THAT(same.out, HasSubstr("no regression"));
+    EXPECT_EQ(lines_of(same.out).back(), "report: index.html");
+    EXPECT_THAT(text_of(folder / "index.html"), HasSubstr("What changed since s.db?"));
+    const Outcome elsewhere = run({"report", "s.db", "--compare", "s.db", "--out", "o", "--json"}, folder);
+    ASSERT_EQ(elsewhere.exit_code, 0) << elsewhere.err;
+    EXPECT_EQ(json::parse(elsewhere.out)["regressions"], 0);
+    EXPECT_THAT(text_of(folder / "o/report.md"), HasSubstr("## What changed since s.db?"));
+    EXPECT_EQ(run({"report", "s.db", "--compare", "missing.db"}, folder).exit_code, 2);
 }
 
 }  // namespace

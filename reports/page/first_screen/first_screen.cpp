@@ -22,26 +22,11 @@ namespace edgewise::reports {
 
 namespace {
 
-/// Shapes by vertices, with these.
-std::vector<std::pair<std::int64_t, std::string>> shapes_of(const ReportData& data) {
-    std::vector<std::pair<std::int64_t, std::string>> shapes;
-    for (const ReportCell* cell : data.swept()) shapes.emplace_back(cell->vertices, cell->shape);
-    std::sort(shapes.begin(), shapes.end());
-    shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
-    return shapes;
-}
-
 std::string title_of(const Answer& answer) {
     const std::string bodies =
         answer.vertices > 0 ? fmt::format("bodies of {} vertices", answer.vertices) : std::string("bodies");
     return fmt::format("Which layout, and what does it cost? — {}, error at most {} of their size", bodies,
                        limit_text(answer.question.error_limit));
-}
-
-std::string meta_of(const ReportData& data, const std::string& wanted) {
-    for (const auto& [key, value] : data.meta)
-        if (key == wanted) return value;
-    return {};
 }
 
 std::string runs_text(const std::vector<SweepRun>& runs) {
@@ -58,31 +43,23 @@ std::string runs_text(const std::vector<SweepRun>& runs) {
 std::string provenance(const Answer& answer, const ReportData& data) {
     return fmt::format("{} · {} {} · revision {} · plan {}, seed {} · {}", machine_text(data),
                        data.build.compiler, data.build.build_type, data.build.git_revision.substr(0, 12),
-                       meta_of(data, "plan"), meta_of(data, "seed"), runs_text(answer.runs));
-}
-
-std::string select(const std::string& id, const std::string& label, const std::string& options) {
-    return fmt::format("<label>{} <select id=\"{}\">{}</select></label>", label, id, options);
-}
-
-std::string option(const std::string& value, const std::string& text, bool chosen) {
-    return fmt::format("<option value=\"{}\"{}>{}</option>", html_text(value), chosen ? " selected" : "",
-                       html_text(text));
+                       data.meta_value("plan").value_or(""), data.meta_value("seed").value_or(""),
+                       runs_text(answer.runs));
 }
 
 /// Hidden until the scripts run: without them it could not answer.
 std::string question_bar(const Answer& answer, const ReportData& data) {
     std::string shapes, limits;
-    for (const auto& [vertices, shape] : shapes_of(data))
-        shapes += option(shape, fmt::format("{} ({})", vertices, shape), shape == answer.shape);
+    for (const auto& [vertices, shape] : shapes_by_vertices(data))
+        shapes += html_option(shape, fmt::format("{} ({})", vertices, shape), shape == answer.shape);
     for (const double limit : offered_limits)
-        limits += option(limit_text(limit), limit_text(limit), limit == answer.question.error_limit);
+        limits += html_option(limit_text(limit), limit_text(limit), limit == answer.question.error_limit);
     const std::string tables =
-        option("both", "either", true) + option("own", "yes", false) + option("shared", "no", false);
+        html_option("both", "either", true) + html_option("own", "yes") + html_option("shared", "no");
     return fmt::format(fmt::runtime(report_text("page.question.html")),
-                       fmt::arg("shape", select("ask-shape", "vertices", shapes)),
-                       fmt::arg("tables", select("ask-tables", "a table each", tables)),
-                       fmt::arg("limit", select("ask-limit", "error at most", limits)));
+                       fmt::arg("shape", html_select("ask-shape", "vertices", shapes)),
+                       fmt::arg("tables", html_select("ask-tables", "a table each", tables)),
+                       fmt::arg("limit", html_select("ask-limit", "error at most", limits)));
 }
 
 /// Where the choice of each group is shown: its first scene in which something is on the front.
@@ -152,7 +129,7 @@ std::string first_screen_html(const Answer& answer, const ReportData& data) {
 
 std::string answers_data(const ReportData& data) {
     nlohmann::ordered_json answers = nlohmann::ordered_json::object();
-    for (const auto& [vertices, shape] : shapes_of(data)) {
+    for (const auto& [vertices, shape] : shapes_by_vertices(data)) {
         for (const double limit : offered_limits) {
             const Answer answer = answer_of(data, {.error_limit = limit, .shape = shape});
             answers[shape + " " + limit_text(limit)] = {

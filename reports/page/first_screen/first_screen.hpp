@@ -16,7 +16,7 @@ namespace edgewise::reports {
 /// The parts that follow the question: title, paragraph, table and pictures.
 [[nodiscard]] std::string answer_html(const Answer& answer, const ReportData& data);
 
-/// The answers to the questions that the bar offers, as JSON: {"SHAPE LIMIT": html}.
+/// The answers to the questions that the bar offers, as JSON: {"SHAPE LIMIT": {"title", "command", "html"}}.
 [[nodiscard]] std::string answers_data(const ReportData& data);
 
 /// The limits that the bar offers.

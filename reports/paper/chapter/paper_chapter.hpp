@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "edgewise/reports/page/chapters.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 namespace edgewise::reports {
 

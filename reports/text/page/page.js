@@ -55,15 +55,25 @@ function rowsOf(values) {
     });
 }
 
+// Anew whenever the bar over the chapters changes: only the last time counts.
 async function drawChart(place) {
-    const still = place.innerHTML;
+    const still = place.innerHTML, turn = place.turn = (place.turn ?? 0) + 1;
+    delete place.dataset.drawn;
     try {
         const [charts] = await Promise.all([unpackJson('charts'), loadBundles()]);
-        const spec = charts[place.dataset.chart];
-        if (spec.data?.values?.columns) spec.data.values = rowsOf(spec.data.values);
+        if (turn !== place.turn) return;
+        const whole = charts[place.dataset.chart];
+        if (whole.data?.values?.columns) whole.data.values = rowsOf(whole.data.values);
+        const spec = Array.isArray(whole.data?.values) ? filteredSpec(whole, whole.data.values) : whole;
+        place.view?.finalize();
+        if (!spec) {
+            place.replaceChildren(element('p', 'No point of this chart is of what is shown.', 'note'));
+            place.dataset.drawn = '';
+            return;
+        }
         const options = { mode: 'vega-lite', renderer: 'svg', ast: true, tooltip: { theme: 'custom', disableDefaultStyle: true },
                           actions: { export: true, source: false, compiled: false, editor: false } };
-        await vegaEmbed(place, spec, options);
+        place.view = (await vegaEmbed(place, spec, options)).view;
         place.querySelectorAll('summary').forEach(menu => menu.setAttribute('aria-label', 'Save this chart'));
         place.querySelector('svg')?.setAttribute('aria-label', place.dataset.label);
         place.dataset.drawn = '';
@@ -101,6 +111,8 @@ function startPage() {
     startCharts();
     startFolds();
     startQuestion();
+    startFilter();
+    startBody();
     startCells();
 }
 

@@ -10,6 +10,8 @@ async function askAgain() {
     const place = document.getElementById('answer');
     place.innerHTML = answer.html;
     place.dataset.tables = tables;
+    document.getElementById('break-even').innerHTML = (await unpackJson('maps'))[limit];
+    filterMap();
     showCommand(answer.command, tables);
 }
 

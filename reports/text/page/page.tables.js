@@ -23,10 +23,13 @@ function cellElement(cell, isNumber) {
 }
 
 class LongTable {
+    static all = [];
+
     constructor(grid, onRow) {
         this.grid = grid;
         this.onRow = onRow;
-        this.order = Array.from({ length: grid.cells[0]?.length ?? 0 }, (_, i) => i);
+        this.words = [];
+        this.places = placesOfFields(grid.columns.map(([title]) => title));
         this.body = element('tbody');
         this.box = element('div', undefined, 'long');
         this.box.tabIndex = 0;
@@ -37,7 +40,8 @@ class LongTable {
         this.box.append(table);
         this.box.addEventListener('scroll', () => this.draw());
         this.count = element('span', '', 'note');
-        this.draw();
+        this.search();
+        LongTable.all.push(this);
     }
 
     head() {
@@ -65,12 +69,14 @@ class LongTable {
         this.draw();
     }
 
+    /// The rows with all these words, of those that the bar over the chapters lets through; without words the last ones.
     search(words) {
-        const wanted = words.toLowerCase().split(/\s+/).filter(Boolean);
+        if (words !== undefined) this.words = words.toLowerCase().split(/\s+/).filter(Boolean);
         const rows = this.grid.cells[0]?.length ?? 0;
         const text = i => this.grid.cells.map(column => textOf(column[i])).join(' ').toLowerCase();
         this.order = Array.from({ length: rows }, (_, i) => i)
-            .filter(i => wanted.every(word => text(i).includes(word)));
+            .filter(i => keepsCells(this.places, place => textOf(this.grid.cells[place][i])))
+            .filter(i => this.words.length === 0 || this.words.every(word => text(i).includes(word)));
         this.box.scrollTop = 0;
         this.draw();
     }
@@ -111,7 +117,7 @@ function gridElement(grid) {
     const figure = element('div', undefined, 'grid');
     if (grid.caption) figure.append(element('p', grid.caption, 'note'));
     const table = new LongTable(grid);
-    if (table.order.length > 12) figure.append(searchBox(table, grid.caption || 'this table'), table.count);
+    if ((grid.cells[0]?.length ?? 0) > 12) figure.append(searchBox(table, grid.caption || 'this table'), table.count);
     figure.append(table.box);
     return figure;
 }

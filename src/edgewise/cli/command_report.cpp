@@ -21,23 +21,39 @@ struct ReportArguments {
     double slack = 0.05;
 };
 
-/// What changed from the other store to this one; no page is written.
+/// The folder that the report is written to, which is there then.
+std::string out_of(const ReportArguments& options) {
+    if (!options.out.empty() && std::filesystem::exists(options.store)) make_folder(options.out, "--out");
+    return options.out.empty() ? folder_of(options.store) : options.out;
+}
+
+/// What changed from the other store to this one, here and in the pages.
 int run_compare(const ReportArguments& options, bool json) {
-    const reports::Comparison comparison =
-        reports::compare(reports::read_report(options.compare), reports::read_report(options.store));
+    const reports::ReportData data = reports::read_report(options.store);
+    const reports::Comparison comparison = reports::compare(reports::read_report(options.compare), data);
     if (comparison.paired == 0)
         throw std::invalid_argument(fmt::format("{} and {} have no cell in common: nothing to compare",
                                                 options.store, options.compare));
-    fmt::print("{}", json ? reports::comparison_json(comparison, options.slack).dump() + "\n"
-                          : reports::comparison_text(comparison, options.slack, options.explain));
+    const reports::ReportSummary summary = reports::write_report(
+        data, out_of(options), bench::charts_folder(),
+        reports::ReportBeside{&comparison, options.slack,
+                              std::filesystem::path(options.compare).filename().string()});
+    if (!summary.note.empty()) warn(summary.note);
+    if (json) {
+        nlohmann::json line = reports::comparison_json(comparison, options.slack);
+        line["report"] = summary.page;
+        fmt::print("{}\n", line.dump());
+    } else {
+        fmt::print("{}report: {}\n", reports::comparison_text(comparison, options.slack, options.explain),
+                   summary.page);
+    }
     return options.gate && comparison.regressions(options.slack) > 0 ? exit_check_failed : exit_done;
 }
 
 int run_report(const ReportArguments& options, bool json) {
     if (!options.compare.empty()) return run_compare(options, json);
-    const std::string out = options.out.empty() ? folder_of(options.store) : options.out;
-    if (!options.out.empty() && std::filesystem::exists(options.store)) make_folder(options.out, "--out");
-    const reports::ReportSummary summary = reports::write_report(options.store, out, bench::charts_folder());
+    const reports::ReportSummary summary =
+        reports::write_report(options.store, out_of(options), bench::charts_folder());
     if (!summary.note.empty()) warn(summary.note);
     if (json) {
         const nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
@@ -55,13 +71,10 @@ int run_report(const ReportArguments& options, bool json) {
 void add_report(CLI::App& app, Context& context) {
     auto [command, options] = add_command(app, context, "report", "Writes the report of a store", run_report);
     command->add_option("store", options.store, "store of a sweep")->capture_default_str();
-    CLI::Option* const out =
-        command->add_option("--out", options.out, "folder for the report; beside the store if not given");
-    CLI::Option* const compare =
-        command
-            ->add_option("--compare", options.compare,
-                         "instead of pages: what changed since this other store, regressions first")
-            ->excludes(out);
+    command->add_option("--out", options.out, "folder for the report; beside the store if not given");
+    CLI::Option* const compare = command->add_option(
+        "--compare", options.compare,
+        "what changed since this other store, regressions first: printed, and a chapter of the report");
     command
         ->add_flag("--explain", options.explain, "what each change is made of, and which causes are excluded")
         ->needs(compare);

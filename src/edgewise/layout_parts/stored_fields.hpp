@@ -80,8 +80,7 @@ inline constexpr std::array<StoredFieldInfo, stored_field_count> stored_field_in
 template <class Stored>
 [[nodiscard]] std::array<RecordField, stored_field_count> sized_stored_fields() {
     std::array<RecordField, stored_field_count> sized;
-    for (std::size_t i = 0; i < sized.size(); ++i)
-        sized[i] = stored_field_infos[i].template sized<Stored>();
+    for (std::size_t i = 0; i < sized.size(); ++i) sized[i] = stored_field_infos[i].template sized<Stored>();
     return sized;
 }
 

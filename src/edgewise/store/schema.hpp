@@ -12,6 +12,13 @@ inline constexpr int store_application_id = 0x45644765;  ///< "EdGe", so that an
 /// Keys of meta: this and a table type's name hold the picture of that table, as SVG.
 inline constexpr const char* drawing_key = "drawing ";
 
+/// Likewise this and a layout's name: what it stores and what it derives, in one line.
+inline constexpr const char* layout_key = "layout ";
+
+/// Likewise this and a shape's name: the body whose heat is shown, and this and a cell's hash: how often its
+/// scene reads each feature of it, both as JSON (sweep/body_heat.hpp).
+inline constexpr const char *body_key = "body ", *heat_key = "heat ";
+
 /// Likewise this and a scene file's name: its text, as JSON in one line.
 inline constexpr const char* scene_file_key = "scene ";
 

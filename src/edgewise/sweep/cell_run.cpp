@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "edgewise/bench/cell.hpp"
+#include "edgewise/sweep/body_heat.hpp"
 #include "edgewise/sweep/verify.hpp"
 
 namespace edgewise::sweep {
@@ -93,6 +94,17 @@ void CellRun::measure(Stage stage, std::span<const measure::Round> rounds) {
         for (measure::Figure& figure : found.figures)
             figures_.push_back({std::move(figure), std::string(probe.name)});
     }
+}
+
+std::string CellRun::heat_on_body() const {
+    const bool traced = !caches_.machines.empty() && runner_->table_allocator().base();
+    if (!verified() || !shared_ || !row_.axes.empty() || !traced || !shows_heat(type_, row_.vertices))
+        return {};
+    bench::FeatureHeat heat(runner_->memory_maps());
+    static_cast<void>(runner_->trace(caches_.queries > 0 ? bench::TraceExtent(caches_.queries, caches_.steps)
+                                                         : bench::TraceExtent::everything(),
+                                     heat));
+    return heat_json(heat);
 }
 
 void CellRun::hold_against_answers(const bench::PassSum& sum, std::string_view probe) {

@@ -49,6 +49,10 @@ class CellRun {
     /// or the others. A pass whose answers differ from the first fails the cell.
     void measure(Stage stage, std::span<const measure::Round> rounds);
 
+    /// How often the queries whose caches are modelled read each feature of the body, as body_heat.hpp has
+    /// it; empty of other cells, and of those that it does not show.
+    [[nodiscard]] std::string heat_on_body() const;
+
     /// What the probes have measured.
     [[nodiscard]] const std::vector<store::FigureRow>& figures() const { return figures_; }
 

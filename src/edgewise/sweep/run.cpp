@@ -43,13 +43,14 @@ std::string baseline_algorithm_on(const bench::TableType& type) {
     return type.serves(baseline_algorithm) ? baseline_algorithm : type.algorithms.front();
 }
 
-/// One picture per layout, of its first precision.
-void store_drawings(const SweepWork& work, store::Store& store) {
+/// Its line and one picture per layout, of its first precision.
+void store_layouts(const SweepWork& work, store::Store& store) {
     const Polyhedron body = scene::make_shape(drawn_shape).or_throw();
     std::string last;
     for (const bench::TableType* type : work.types) {
         if (type->layout == last) continue;
         last = type->layout;
+        store.set_meta(store::layout_key + type->layout, type->stores + "; " + type->derives);
         store.set_meta(store::drawing_key + type->name, bench::draw_layout(*type, drawn_shape, body));
     }
 }
@@ -70,7 +71,7 @@ void store_sweep(const SweepWork& work, const store::BuildRow& build, store::Sto
     }
     for (const bench::TableType* peer : work.peers)
         store.set_meta(store::peer_key + peer->name, peer->stores + "; " + peer->derives);
-    store_drawings(work, store);
+    store_layouts(work, store);
 }
 
 using StoredRound = std::vector<std::pair<std::string, measure::Round>>;
@@ -256,6 +257,7 @@ class Sweep {
         took_.rounds = lap(watch_);
         for (CellRun& cell : cells) {
             cell.measure(CellRun::Stage::alone, stored_.rounds_of(cell));
+            stored_.put_heat(cell, shape.body);
             keep(cell);
             listener_.on_done(expected.alone / count, 0, what);
         }

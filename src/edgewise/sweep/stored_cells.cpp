@@ -8,6 +8,7 @@
 #include "edgewise/input/count.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/vocabulary.hpp"
+#include "edgewise/sweep/body_heat.hpp"
 #include "edgewise/sweep/progress_pieces.hpp"
 
 namespace edgewise::sweep {
@@ -51,6 +52,13 @@ std::set<int> StoredCells::rounds_missing(const CellRun& cell) const {
 std::optional<double> took_in(const store::Store& store, const std::string& what) {
     const auto text = store.meta(store::took_key + what);
     return text ? input::parse_number(*text).value : std::nullopt;
+}
+
+void StoredCells::put_heat(const CellRun& cell, const Polyhedron& body) {
+    const std::string heat = cell.heat_on_body();
+    if (heat.empty()) return;
+    store_.set_meta(store::body_key + cell.row().shape, body_json(body));
+    store_.set_meta(store::heat_key + cell.row().hash, heat);
 }
 
 void StoredCells::put_seconds(const std::string& of, double seconds) {

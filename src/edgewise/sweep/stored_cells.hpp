@@ -43,6 +43,8 @@ class StoredCells {
     void put(std::span<const std::pair<std::string, measure::Round>> round) {
         store_.put_round(build_, round);
     }
+    /// Its heat on the body, and the body; of a cell that has none nothing.
+    void put_heat(const CellRun& cell, const Polyhedron& body);
     void put_seconds(const std::string& of, double seconds);
     /// What the group at that place was expected to take, and took.
     void put_progress(std::size_t place, const std::string& group, const GroupWork& expected,

@@ -4,7 +4,7 @@
 // misses, and the chapter that they stand in.
 #include <gmock/gmock.h>
 
-#include "edgewise/reports/page/chapters.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {

@@ -10,6 +10,7 @@
 #include <regex>
 
 #include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/reports/page/safe_svg.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "report_store.hpp"
@@ -93,6 +94,28 @@ TEST_F(Report, FailedCellsStandBeforeTheChaptersWithTheirReasons) {
     EXPECT_LT(markdown.find("3 wrong verdicts"), markdown.find("## Method"));
 }
 
+/// Held against another store, the report begins with what changed since; in a page and in short.
+TEST_F(Report, WhatChangedIsTheFirstChapter) {
+    const ReportData before = read_report(make_store());
+    ReportData after = before;
+    for (ReportCell& cell : after.cells)
+        for (store::FigureRow& figure : cell.figures)
+            if (figure.name == "topology") figure.value = 41;
+    const Comparison changed = compare(before, after);
+    ASSERT_EQ(changed.exact.size(), 2U);
+    (void)write_report(after, (directory_ / "out").string(), "", ReportBeside{&changed, 0.05, "old<1>.db"});
+    const std::string page = text("out/index.html"), markdown = text("out/report.md");
+    const auto chapter = page.find("<h2 id=\"changes\">What changed since old&lt;1&gt;.db?</h2>");
+    ASSERT_NE(chapter, std::string::npos);
+    EXPECT_LT(chapter, page.find("<h2 id=\"fronts\">"));
+    EXPECT_NE(page.find("2 exact figures and 0 times became worse"), std::string::npos);
+    EXPECT_NE(page.find("<td>bytes.topology</td><td class=\"number\">40</td><td class=\"number\">41</td>"),
+              std::string::npos);
+    EXPECT_NE(markdown.find("| bytes.topology | 40 | 41 |"), std::string::npos);
+    (void)write_report(before, (directory_ / "out").string(), "");
+    EXPECT_EQ(text("out/index.html").find("id=\"changes\""), std::string::npos);
+}
+
 TEST_F(Report, FactsNameMachineBuildSeedPlanAndCounters) {
     (void)write_report(make_store(), (directory_ / "out").string(), "");
     for (const std::string fact : {"Test CPU", "r2", "-O3", "quick", "18446744073709551615",
@@ -158,7 +181,7 @@ TEST_F(Report, ScriptElementsOpenAndCloseInPairs) {
         for (auto at = page.find(word); at != std::string::npos; at = page.find(word, at + 1)) ++n;
         return n;
     };
-    EXPECT_EQ(count("<script"), 5u + 3u + 4u);  // what is packed, bundles, the page's own
+    EXPECT_EQ(count("<script"), 7u + 3u + 6u);  // what is packed, bundles, the page's own
     EXPECT_EQ(count("</script>"), count("<script"));
     EXPECT_EQ(count("<!--"), 0u);
 }

@@ -34,20 +34,10 @@ void add_shares(const MappedPiece& piece, const measure::TouchedBytes& touched, 
     }
 }
 
-bool belongs_to(FeatureKind kind, Component component) {
-    if (kind == FeatureKind::vertex) return component == Component::vertex_coordinates;
-    if (kind == FeatureKind::face) return component == Component::face_planes;
-    return component == Component::voronoi_planes || component == Component::edge_geometry;
-}
-
 bool serves(const MappedPiece& piece, FeatureKind kind) {
     return piece.count > 0 && std::any_of(piece.shares.begin(), piece.shares.end(), [&](const Share& share) {
-               return share.bytes > 0 && belongs_to(kind, share.component);
+               return share.bytes > 0 && kind_of(share.component) == kind;
            });
-}
-
-std::size_t features_of(const TableMap& map, FeatureKind kind) {
-    return kind == FeatureKind::vertex ? map.vertices : kind == FeatureKind::edge ? map.edges : map.faces;
 }
 
 /// Marks the features whose elements in the piece were touched: element i is of feature i mod n.
@@ -72,24 +62,40 @@ std::optional<double> fraction_of(std::span<const TableMap> maps, const measure:
 
 }  // namespace
 
+std::optional<FeatureKind> kind_of(Component component) {
+    if (component == Component::vertex_coordinates) return FeatureKind::vertex;
+    if (component == Component::face_planes) return FeatureKind::face;
+    if (component == Component::voronoi_planes || component == Component::edge_geometry)
+        return FeatureKind::edge;
+    return std::nullopt;
+}
+
+std::size_t features_of(const TableMap& map, FeatureKind kind) {
+    return kind == FeatureKind::vertex ? map.vertices : kind == FeatureKind::edge ? map.edges : map.faces;
+}
+
 /// Pieces of exactly one element a feature are believed first: others may be lists of something else (the
 /// planes of `linked`).
-std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map,
-                                                           const measure::TouchedBytes& touched,
-                                                           FeatureKind kind) {
+std::vector<const MappedPiece*> feature_pieces(const TableMap& map, FeatureKind kind) {
     const std::size_t count = features_of(map, kind);
     std::vector<const MappedPiece*> single, several;
     for (const MappedPiece& piece : map.pieces) {
         if (!serves(piece, kind)) continue;
-        if (count == 0 || piece.count % count != 0) return std::nullopt;
+        if (count == 0 || piece.count % count != 0) return {};
         (piece.count == count ? single : several).push_back(&piece);
     }
-    const auto& chosen = single.empty() ? several : single;
-    if (chosen.empty()) return std::nullopt;
-    std::vector<bool> is_touched(count, false);
-    for (const MappedPiece* piece : chosen) mark(*piece, touched, is_touched);
+    return single.empty() ? several : single;
+}
+
+std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map,
+                                                           const measure::TouchedBytes& touched,
+                                                           FeatureKind kind) {
+    const std::vector<const MappedPiece*> pieces = feature_pieces(map, kind);
+    if (pieces.empty()) return std::nullopt;
+    std::vector<bool> is_touched(features_of(map, kind), false);
+    for (const MappedPiece* piece : pieces) mark(*piece, touched, is_touched);
     std::vector<std::uint32_t> features;
-    for (std::uint32_t i = 0; i < count; ++i)
+    for (std::uint32_t i = 0; i < is_touched.size(); ++i)
         if (is_touched[i]) features.push_back(i);
     return features;
 }

@@ -27,4 +27,11 @@ namespace edgewise::bench {
                                                                          const measure::TouchedBytes& touched,
                                                                          FeatureKind kind);
 
+/// What an element's bytes of this component belong to; nothing: to no feature alone.
+[[nodiscard]] std::optional<FeatureKind> kind_of(Component component);
+[[nodiscard]] std::size_t features_of(const TableMap& map, FeatureKind kind);
+/// The pieces that tell a table's features of a kind one from another: element i of such a piece is of
+/// feature i mod n. None where no piece does.
+[[nodiscard]] std::vector<const MappedPiece*> feature_pieces(const TableMap& map, FeatureKind kind);
+
 }  // namespace edgewise::bench

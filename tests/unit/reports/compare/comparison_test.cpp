@@ -5,6 +5,10 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
+#include "edgewise/reports/compare/comparison_grids.hpp"
+
 namespace edgewise::reports {
 namespace {
 
@@ -116,6 +120,42 @@ TEST(Comparison, SaysWhatAChangeIsMadeOf) {
     EXPECT_NEAR(change.by_lines, 1, 1e-12);
     EXPECT_NEAR(change.by_cost, 1, 1e-12);
     EXPECT_NEAR(change.by_steps * change.by_lines * change.by_cost, change.mid, 1e-12);
+}
+
+/// The tables have what the comparison has, what became worse first, each once.
+TEST(Comparison, AsTables) {
+    ReportData after = data();
+    replace(after.cells[1], "bytes.total_bytes_per_edge", 150);
+    replace(after.cells[1], "lines.lines_per_query", 10);
+    set_time(after.cells[1], 1.2);
+    const Comparison found = compare(data(), after);
+    const std::vector<TextGrid> grids = change_grids(found, 0.05);
+    ASSERT_EQ(grids.size(), 3U) << "nothing is faster";
+    EXPECT_EQ(grids[0].caption, "Worse, exactly");
+    ASSERT_EQ(grids[0].rows.size(), 1U);
+    EXPECT_EQ(grids[0].rows[0][0].text, "bytes.total_bytes_per_edge");
+    EXPECT_EQ(grids[0].rows[0][3].text, "1.500");
+    EXPECT_EQ(grids[1].caption, "Slower");
+    EXPECT_EQ(grids[1].rows[0][0].text, "1.500");
+    EXPECT_EQ(grids[2].caption, "Better, exactly");
+    EXPECT_EQ(comparison_sentence(found, 0.05),
+              "1 exact figure and 1 time became worse, 1 and 0 better, of 2 cells in both stores; 0 only "
+              "before, 0 only after.");
+    EXPECT_TRUE(change_grids(compare(data(), data()), 0.05).empty());
+    EXPECT_EQ(conditions_grid(found).rows.size(), found.conditions.size());
+}
+
+/// What is not known of a change is said so, and never 1 or 0.
+TEST(Comparison, TablesSayWhatIsNotKnown) {
+    ReportData before = data(), after = data();
+    set_time(after.cells[1], 1.2);
+    for (ReportData* one : {&before, &after})
+        std::erase_if(one->cells[1].figures,
+                      [](const store::FigureRow& row) { return row.probe == "error"; });
+    const std::vector<TextGrid> grids = change_grids(compare(before, after), 0.05);
+    ASSERT_EQ(grids.size(), 1U);
+    EXPECT_EQ(grids[0].rows[0][2].text, "not measured");
+    EXPECT_FALSE(grids[0].rows[0][2].why.empty());
 }
 
 TEST(Comparison, NamesCausesThatAreNotExcluded) {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/charts/co_access_picture.hpp"
-#include "edgewise/reports/page/fields_chapter.hpp"
+#include "edgewise/reports/page/chapters/fields_chapter.hpp"
 #include "edgewise/reports/tables/field_tables.hpp"
 
 namespace edgewise::reports {

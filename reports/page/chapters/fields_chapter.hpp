@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "edgewise/reports/page/chapters.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 namespace edgewise::reports {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/page/fields_chapter.hpp"
+#include "edgewise/reports/page/chapters/fields_chapter.hpp"
 
 #include "edgewise/reports/tables/field_tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"

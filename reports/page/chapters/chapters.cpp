@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // One function a chapter; what is long is made when it is opened.
-#include "edgewise/reports/page/chapters.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 #include <fmt/core.h>
 
@@ -12,10 +12,13 @@
 
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/page/fields_chapter.hpp"
+#include "edgewise/reports/page/chapters/body_chapter.hpp"
+#include "edgewise/reports/page/chapters/break_even_chapter.hpp"
+#include "edgewise/reports/page/chapters/fields_chapter.hpp"
+#include "edgewise/reports/page/chapters/glossary.hpp"
+#include "edgewise/reports/page/chapters/sentences.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/page/safe_svg.hpp"
-#include "edgewise/reports/page/sentences.hpp"
 #include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/scale_tables.hpp"
@@ -238,6 +241,13 @@ Chapter method_chapter(const Answer&, const ReportData& data) {
         .link = "Method"};
 }
 
+Chapter words_chapter(const Answer&, const ReportData& data) {
+    return {.id = "words",
+            .title = "What do the words mean, and what is each layout?",
+            .blocks = {{.elements = Glossary(data).list_html()}},
+            .link = "Words"};
+}
+
 }  // namespace
 
 std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& data,
@@ -246,12 +256,13 @@ std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& dat
     const auto add = [&](std::initializer_list<Chapter (*)(const Answer&, const ReportData&)> made) {
         for (const auto chapter : made) chapters.push_back(chapter(answer, data));
     };
-    add({fronts_chapter, bytes_chapter, caches_chapter, times_chapter, stability_chapter});
+    add({fronts_chapter, break_even_chapter, bytes_chapter, caches_chapter, body_chapter, times_chapter,
+         stability_chapter});
     for (const Addition& addition : additions())
         for (Chapter& chapter : addition.chapters(data, charts)) chapters.push_back(std::move(chapter));
     if (auto chapter = peers_chapter(answer, data)) chapters.push_back(std::move(*chapter));
     if (auto chapter = fields_chapter(data)) chapters.push_back(std::move(*chapter));
-    add({layouts_chapter, errors_chapter, counters_chapter, missing_chapter, method_chapter});
+    add({layouts_chapter, errors_chapter, counters_chapter, missing_chapter, method_chapter, words_chapter});
     return chapters;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/page/sentences.hpp"
+#include "edgewise/reports/page/chapters/sentences.hpp"
 
 #include <fmt/core.h>
 

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/answer/break_even_map.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/answer/coherence.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+struct MapPlace {
+    int tables = 0;
+    Coherence coherence;
+
+    auto operator<=>(const MapPlace&) const = default;
+};
+
+std::optional<MapPlace> place_of(const ReportCell& cell) {
+    const auto coherence = coherence_of(cell);
+    const auto tables = tables_class(cell);
+    if (!coherence || !tables) return std::nullopt;
+    return MapPlace{*tables, *coherence};
+}
+
+std::string scene_key(const ReportCell& cell) { return cell.scene + '\n' + cell.scene_parameters; }
+
+/// The bodies of which anything was timed, fewest vertices first; of too many those of the most scenes.
+std::vector<MapColumn> columns_of_data(const ReportData& data, BreakEvenMap& map) {
+    std::map<std::pair<std::int64_t, std::string>, std::set<std::string>> scenes;
+    for (const ReportCell* cell : data.swept()) {
+        std::set<std::string>& of = scenes[{cell->vertices, cell->shape}];
+        if (cell->is_timed()) of.insert(scene_key(*cell));
+    }
+    map.bodies_not_timed = std::erase_if(scenes, [](const auto& body) { return body.second.empty(); });
+    std::vector<std::pair<std::size_t, MapColumn>> columns;
+    for (const auto& [body, of] : scenes) columns.push_back({of.size(), {body.second, body.first}});
+    std::ranges::stable_sort(columns, [](const auto& a, const auto& b) { return a.first > b.first; });
+    map.columns_left_out = columns.size() > most_map_columns ? columns.size() - most_map_columns : 0;
+    columns.resize(columns.size() - map.columns_left_out);
+    std::vector<MapColumn> kept;
+    for (auto& [count, column] : columns) kept.push_back(std::move(column));
+    std::ranges::sort(kept, {}, [](const MapColumn& one) { return std::tie(one.vertices, one.shape); });
+    return kept;
+}
+
+/// Of two scenes at one place the one that is nearer to what stands for it; then those that come along, then
+/// the shorter name.
+auto preference(const SceneAnswer& scene, const MapPlace& place) {
+    const ReportCell& cell = *scene.candidates.front().cell;
+    return std::make_tuple(distance_from_class(cell, place.coherence), !cell.scene_kind.empty(),
+                           scene.label.size(), scene.label);
+}
+
+/// How much longer one may take than another without being told apart.
+double width_of(const NoiseBand& noise) { return noise.cells > 0 ? noise.high / noise.low : 1; }
+
+void judge_place(MapCell& cell, const NoiseBand& noise, double error_limit) {
+    cell.best = cell.scene->winner();
+    if (!cell.best) {
+        cell.why = fmt::format("no table type is known to be within an error of {}", limit_text(error_limit));
+        return;
+    }
+    const auto contender = [](const Candidate& one) {
+        return std::pair(one.cell->algorithm, one.cell->layout);
+    };
+    std::set<std::pair<std::string, std::string>> seen = {contender(*cell.best)};
+    for (const Candidate& one : cell.scene->candidates) {
+        if (!one.meets_error) continue;
+        if (!cell.best_of_others && one.cell->algorithm != cell.best->cell->algorithm)
+            cell.best_of_others = &one;
+        if (!seen.insert(contender(one)).second) continue;
+        if (one.low() <= cell.best->high() || one.ratio <= cell.best->ratio * width_of(noise))
+            cell.ties.push_back(&one);
+    }
+}
+
+/// The scenes of one column at their places.
+std::map<MapPlace, MapCell> map_cells_of(const Answer& answer) {
+    std::map<MapPlace, MapCell> cells;
+    for (const SceneAnswer* scene : answer.scenes()) {
+        const auto place = place_of(*scene->candidates.front().cell);
+        if (!place) continue;
+        MapCell& cell = cells[*place];
+        if (cell.scene) ++cell.further_scenes;
+        if (!cell.scene || preference(*scene, *place) < preference(*cell.scene, *place)) cell.scene = scene;
+    }
+    for (auto& [place, cell] : cells) judge_place(cell, answer.noise, answer.question.error_limit);
+    return cells;
+}
+
+/// The sweep's cells at their places.
+struct PlacedCells {
+    std::multimap<MapPlace, const ReportCell*> cells;
+    std::size_t scenes_without_place = 0;
+};
+
+PlacedCells placed_cells(const ReportData& data) {
+    PlacedCells placed;
+    std::map<std::string, std::optional<MapPlace>> of_scenes;
+    for (const ReportCell* cell : data.swept()) {
+        const auto [scene, fresh] = of_scenes.try_emplace(scene_key(*cell));
+        if (fresh) {
+            scene->second = place_of(*cell);
+            placed.scenes_without_place += !scene->second;
+        }
+        if (scene->second) placed.cells.emplace(*scene->second, cell);
+    }
+    return placed;
+}
+
+/// Why there is nothing at a place: what the store says of a cell of it, else that it has none.
+std::string why_nothing(const PlacedCells& placed, const MapPlace& place, const std::string& shape) {
+    const auto [first, last] = placed.cells.equal_range(place);
+    for (auto at = first; at != last; ++at) {
+        const ReportCell& cell = *at->second;
+        if (cell.shape != shape) continue;
+        return cell.reason.empty() ? "not timed beside the baseline" : cell.status + ": " + cell.reason;
+    }
+    return "no scene of this store is of such bodies there";
+}
+
+/// Those of the map's bodies.
+std::set<MapPlace> places_of(const PlacedCells& placed, const std::vector<MapColumn>& columns) {
+    std::set<MapPlace> places;
+    for (const auto& [place, cell] : placed.cells)
+        if (std::ranges::find(columns, cell->shape, &MapColumn::shape) != columns.end()) places.insert(place);
+    return places;
+}
+
+void fill_map_panels(const PlacedCells& placed, BreakEvenMap& map) {
+    std::vector<std::map<MapPlace, MapCell>> columns;
+    for (const Answer& answer : map.answers) columns.push_back(map_cells_of(answer));
+    for (const MapPlace& place : places_of(placed, map.columns)) {
+        const std::string tables = tables_class_text(place.tables);
+        if (map.panels.empty() || map.panels.back().tables != tables) map.panels.push_back({tables, {}});
+        MapRow row{place.coherence.text(), {}};
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            MapCell& cell = row.cells.emplace_back(columns[i][place]);
+            if (!cell.scene) cell.why = why_nothing(placed, place, map.columns[i].shape);
+        }
+        map.panels.back().rows.push_back(std::move(row));
+    }
+}
+
+}  // namespace
+
+std::string MapPanel::only_algorithm() const {
+    std::set<std::string> algorithms;
+    for (const MapRow& row : rows)
+        for (const MapCell& cell : row.cells)
+            if (cell.scene)
+                for (const Candidate& one : cell.scene->candidates) algorithms.insert(one.cell->algorithm);
+    return algorithms.size() == 1 ? algorithm_title(*algorithms.begin()) : std::string();
+}
+
+std::size_t BreakEvenMap::measured() const {
+    std::size_t count = 0;
+    for (const MapPanel& panel : panels)
+        for (const MapRow& row : panel.rows)
+            count += static_cast<std::size_t>(
+                std::ranges::count_if(row.cells, [](const MapCell& cell) { return cell.scene != nullptr; }));
+    return count;
+}
+
+BreakEvenMap break_even_map(const ReportData& data, double error_limit) {
+    BreakEvenMap map;
+    map.error_limit = error_limit;
+    map.columns = columns_of_data(data, map);
+    for (const MapColumn& column : map.columns)
+        map.answers.push_back(answer_of_scenes(data, {.error_limit = error_limit, .shape = column.shape}));
+    const PlacedCells placed = placed_cells(data);
+    map.scenes_left_out = placed.scenes_without_place;
+    fill_map_panels(placed, map);
+    return map;
+}
+
+std::string contender_name(const Candidate& candidate) {
+    return fmt::format("{} on {}", algorithm_title(candidate.cell->algorithm), candidate.cell->layout);
+}
+
+}  // namespace edgewise::reports

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// Which algorithm and layout is fastest within the error, by vertices, coherence and number of tables: the
+// answers for all bodies of a store, each put in its place. A place has the algorithm and layout of the
+// fastest table type, and those that tie with it: their interval reaches its own, or they are slower by no
+// more than two ratios can differ that are one (the widest that the baseline beside itself allows). A place
+// of which nothing was measured says so.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/answer/answer.hpp"
+
+namespace edgewise::reports {
+
+struct MapCell {
+    const SceneAnswer* scene = nullptr;         ///< the one that stands here; null: none
+    const Candidate* best = nullptr;            ///< the fastest within the error; null: none is
+    std::vector<const Candidate*> ties = {};    ///< the fastest of each other algorithm and layout that ties
+    const Candidate* best_of_others = nullptr;  ///< the fastest of another algorithm; null: none
+    std::size_t further_scenes = 0;             ///< of the same place, which are not shown
+    std::string why = {};                       ///< of a cell without a best
+
+    /// One algorithm and layout is ahead of all others.
+    [[nodiscard]] bool is_won() const { return best && ties.empty() && !scene->too_noisy; }
+};
+
+struct MapColumn {
+    std::string shape;
+    std::int64_t vertices = 0;
+};
+
+struct MapRow {
+    std::string coherence;
+    std::vector<MapCell> cells;  ///< one for each column
+};
+
+struct MapPanel {
+    std::string tables;        ///< "one shared table", "100 to 999 tables"
+    std::vector<MapRow> rows;  ///< the most coherent first
+
+    /// "V-Clip", where no other algorithm was timed in any of its cells; else empty.
+    [[nodiscard]] std::string only_algorithm() const;
+};
+
+struct BreakEvenMap {
+    BreakEvenMap() = default;
+    BreakEvenMap(BreakEvenMap&&) = default;  ///< and no copy: cells point into the answers
+
+    double error_limit = 0;
+    std::vector<Answer> answers;     ///< one for each column
+    std::vector<MapColumn> columns;  ///< fewest vertices first
+    std::vector<MapPanel> panels;    ///< fewest tables first
+    /// Too many bodies; bodies of which nothing was timed; scenes that have no place.
+    std::size_t columns_left_out = 0, bodies_not_timed = 0, scenes_left_out = 0;
+
+    [[nodiscard]] std::size_t measured() const;  ///< cells with a scene
+};
+
+/// The most bodies that a map has room for; those of the most scenes stay.
+inline constexpr std::size_t most_map_columns = 12;
+
+/// The data must outlive the map.
+[[nodiscard]] BreakEvenMap break_even_map(const ReportData& data, double error_limit);
+
+/// "V-Clip on lean": without the precision, which seldom decides.
+[[nodiscard]] std::string contender_name(const Candidate& candidate);
+
+}  // namespace edgewise::reports

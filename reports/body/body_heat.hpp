@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// Heat on the body itself: how often a cell's scene reads each vertex, edge and face of its body, as the
+// sweep keeps it in the store.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/reader.hpp"
+
+namespace edgewise::reports {
+
+struct HeatBody {
+    std::vector<std::array<double, 3>> vertices;
+    std::vector<std::array<std::uint32_t, 2>> edges;  ///< tail and head
+    std::vector<std::vector<std::uint32_t>> faces;    ///< counter-clockwise from outside
+};
+
+/// Reads of each feature of a kind per query; null where the layout stores nothing for these alone.
+using FeatureReads = std::optional<std::vector<double>>;
+
+struct BodyHeat {
+    const ReportCell* cell = nullptr;
+    FeatureReads vertices, edges, faces;
+
+    /// "V-Clip on aos_f64, tumble (rotation_step 1), sphere386"
+    [[nodiscard]] std::string title() const;
+    /// Of each kind how many were read at all, and how often the hottest.
+    [[nodiscard]] std::string sentence() const;
+};
+
+struct HeatOnBodies {
+    std::map<std::string, HeatBody> bodies;  ///< by shape
+    std::vector<BodyHeat> heats;  ///< of bodies that are there; the reference shape's baseline first
+};
+
+/// The most heats that a page carries.
+inline constexpr std::size_t most_heats = 24;
+
+/// What is no such body or heat, or does not fit its body, is left out. The data must outlive it.
+[[nodiscard]] HeatOnBodies heat_on_bodies(const ReportData& data);
+
+/// From 0, never read, to 5, logarithmic up to the hottest of its kind.
+inline constexpr std::size_t heat_levels = 6;
+[[nodiscard]] std::size_t heat_level(double reads, double most);
+
+}  // namespace edgewise::reports

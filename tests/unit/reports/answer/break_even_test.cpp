@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+//
+// The break-even map of made stores. The oracle looks at the store's cells alone, one by one: who is fastest
+// at a place, who reaches it, and whether there is anything.
+#include "edgewise/reports/answer/break_even_map.hpp"
+
+#include <gmock/gmock.h>
+
+#include <iostream>
+#include <map>
+#include <random>
+#include <set>
+
+#include "answer_cells.hpp"
+#include "edgewise/reports/answer/break_even_text.hpp"
+#include "edgewise/reports/answer/coherence.hpp"
+#include "edgewise/reports/pictures/break_even_picture.hpp"
+
+namespace edgewise::reports {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+struct MapScene {
+    const char *scene, *parameters, *coherence, *tables;
+};
+constexpr MapScene map_scenes[] = {
+    {"cold", R"({"distance":1})", "cold, every pair new", "one shared table"},
+    {"tumble", R"({"rotation_step":0.001,"bodies":12})", "tumble, 0.001 rad", "one shared table"},
+    {"tumble", R"({"rotation_step":0.3,"bodies":12})", "tumble, 0.3 rad", "one shared table"},
+    {"tumble", R"({"rotation_step":0.01,"random_orientation":1})", "tumble, random turns",
+     "one shared table"},
+    {"pressure", R"({"bodies":600,"rotation_step":0.1})", "pressure, 0.1 rad", "100 to 999 tables"},
+    {"tumble", R"({"bodies":12,"own_tables":1,"rotation_step":0})", "tumble, no turn", "10 to 99 tables"}};
+
+struct MapShape {
+    const char* name;
+    int vertices;
+};
+constexpr MapShape map_shapes[] = {{"cube8", 8}, {"sphere38", 38}, {"sphere386", 386}};
+
+ReportCell map_cell(const MapScene& scene, const MapShape& shape, const MadeCandidate& made) {
+    ReportCell cell = answer_cell(made, scene.parameters, shape.name);
+    cell.scene = scene.scene;
+    cell.scene_label = std::string(scene.scene) + scene.parameters;
+    cell.vertices = shape.vertices;
+    return cell;
+}
+
+const MapRow* row_at(const BreakEvenMap& map, const std::string& tables, const std::string& coherence) {
+    for (const MapPanel& panel : map.panels)
+        for (const MapRow& row : panel.rows)
+            if (panel.tables == tables && row.coherence == coherence) return &row;
+    return nullptr;
+}
+
+/// What a place should have, from its cells alone; `width`: by how much one can differ from itself.
+struct MapOracle {
+    std::string best;
+    std::set<std::string> ties;
+};
+MapOracle oracle(const std::vector<const ReportCell*>& cells, double limit, double width) {
+    std::vector<Candidate> within;
+    for (const ReportCell* cell : cells) {
+        const auto one = candidate_of(*cell, limit);
+        if (one && one->worst_error && *one->worst_error <= limit) within.push_back(*one);
+    }
+    MapOracle found;
+    const Candidate* best = nullptr;
+    for (const Candidate& one : within)
+        if (!best || one.ratio < best->ratio) best = &one;
+    if (!best) return found;
+    found.best = contender_name(*best);
+    std::map<std::string, const Candidate*> fastest;
+    for (const Candidate& one : within) {
+        const Candidate*& known = fastest[contender_name(one)];
+        if (!known || one.ratio < known->ratio) known = &one;
+    }
+    for (const auto& [name, one] : fastest) {
+        const bool meets = one->interval->low <= best->interval->high;
+        if (name != found.best && (meets || one->ratio / best->ratio <= width)) found.ties.insert(name);
+    }
+    return found;
+}
+
+/// Random times of three layouts, both algorithms and precisions at most places; a fifth of the places have
+/// none.
+ReportData random_map_data(unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> middle(0.5, 2), spread(0.001, 0.05);
+    std::bernoulli_distribution is_there(0.8);
+    ReportData data;
+    for (const MapScene& scene : map_scenes) {
+        for (const MapShape& shape : map_shapes) {
+            if (!is_there(random)) continue;
+            for (const char* algorithm : {"vclip", "gjk"}) {
+                for (const char* layout : {"aos", "lean", "quantised"}) {
+                    for (const char* precision : {"f64", "f32"}) {
+                        const bool baseline = layout == std::string("aos") &&
+                                              precision == std::string("f64") &&
+                                              algorithm == std::string("vclip");
+                        const double ratio = baseline ? 1 + spread(random) : middle(random);
+                        const double half = ratio * spread(random);
+                        const double error = layout == std::string("quantised") ? 1e-5 : 1e-8;
+                        data.cells.push_back(map_cell(
+                            scene, shape,
+                            {algorithm, layout, precision, {ratio - half, ratio, ratio + half}, error}));
+                    }
+                }
+            }
+        }
+    }
+    return data;
+}
+
+/// The cells of a scene and shape, and by how much the baseline of that shape differs from itself.
+struct PlaceCells {
+    std::vector<const ReportCell*> cells;
+    double low = 10, high = 0;
+};
+PlaceCells cells_at(const ReportData& data, const MapScene& scene, const std::string& shape) {
+    PlaceCells at;
+    for (const ReportCell& cell : data.cells) {
+        if (cell.shape != shape) continue;
+        if (cell.table == "aos_f64" && cell.algorithm == "vclip") {
+            const double ratio = cell.figure(store::all_time.ratio).value.value();
+            at.low = std::min(at.low, ratio), at.high = std::max(at.high, ratio);
+        }
+        if (cell.scene_parameters == scene.parameters) at.cells.push_back(&cell);
+    }
+    return at;
+}
+
+struct PlacesSeen {
+    std::size_t won = 0, tied = 0, empty = 0;
+};
+
+void check_place(const ReportData& data, const MapScene& scene, const BreakEvenMap& map, std::size_t column,
+                 PlacesSeen& seen) {
+    const MapRow* row = row_at(map, scene.tables, scene.coherence);
+    const PlaceCells at = cells_at(data, scene, map.columns[column].shape);
+    if (at.cells.empty()) {
+        ++seen.empty;
+        if (!row) return;
+        EXPECT_EQ(row->cells[column].scene, nullptr);
+        EXPECT_FALSE(row->cells[column].why.empty()) << "never blank without a word";
+        return;
+    }
+    ASSERT_TRUE(row) << scene.coherence;
+    const MapCell& cell = row->cells[column];
+    const MapOracle wanted = oracle(at.cells, 1e-6, at.high / at.low);
+    ASSERT_TRUE(cell.best);
+    EXPECT_EQ(contender_name(*cell.best), wanted.best);
+    std::set<std::string> ties;
+    for (const Candidate* one : cell.ties) ties.insert(contender_name(*one));
+    EXPECT_EQ(ties, wanted.ties) << scene.coherence << " " << map.columns[column].shape;
+    EXPECT_EQ(cell.is_won(), wanted.ties.empty());
+    ++(wanted.ties.empty() ? seen.won : seen.tied);
+}
+
+TEST(BreakEvenMap, EveryPlaceIsWhatItsCellsSay) {
+    PlacesSeen seen;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        const ReportData data = random_map_data(seed);
+        const BreakEvenMap map = break_even_map(data, 1e-6);
+        for (const MapScene& scene : map_scenes)
+            for (std::size_t i = 0; i < map.columns.size(); ++i) check_place(data, scene, map, i, seen);
+    }
+    EXPECT_GT(seen.won, 100U) << "places that one wins";
+    EXPECT_GT(seen.tied, 50U) << "places where several tie";
+    EXPECT_GT(seen.empty, 100U) << "places without a cell";
+    std::cout << seen.won << " won, " << seen.tied << " tied, " << seen.empty << " not measured\n";
+}
+
+const MadeCandidate map_paper{"vclip", "aos", "f64", {0.99, 1, 1.01}},
+    map_lean{"vclip", "lean", "f64", {0.49, 0.5, 0.51}, 1e-15, 12.8},
+    map_lean_single{"vclip", "lean", "f32", {0.5, 0.51, 0.52}, 1e-8, 8.8},
+    map_gjk{"gjk", "points_soa", "f64", {0.3, 0.31, 0.32}, 1e-15, 8.1};
+
+TEST(BreakEvenMap, AnotherPrecisionIsNoTie) {
+    ReportData data;
+    for (const MadeCandidate& made : {map_paper, map_lean, map_lean_single})
+        data.cells.push_back(map_cell(map_scenes[0], map_shapes[2], made));
+    const BreakEvenMap map = break_even_map(data, 1e-6);
+    ASSERT_EQ(map.panels.size(), 1U);
+    const MapCell& cell = map.panels[0].rows.at(0).cells.at(0);
+    EXPECT_TRUE(cell.is_won());
+    EXPECT_EQ(cell.best_of_others, nullptr);
+    EXPECT_EQ(map.panels[0].only_algorithm(), "V-Clip");
+}
+
+/// Two that are one can differ by a half here: a third is no difference.
+TEST(BreakEvenMap, ADifferenceWithinWhatTheBaselineDiffersFromItselfIsATie) {
+    ReportData data;
+    const MadeCandidate slow_paper{"vclip", "aos", "f64", {1.49, 1.5, 1.51}},
+        ahead{"vclip", "lean", "f64", {0.59, 0.6, 0.61}}, behind{"vclip", "soa", "f64", {0.79, 0.8, 0.81}};
+    for (const MadeCandidate& made : {map_paper, ahead, behind})
+        data.cells.push_back(map_cell(map_scenes[0], map_shapes[2], made));
+    EXPECT_TRUE(break_even_map(data, 1e-6).panels[0].rows[0].cells[0].is_won());
+    data.cells.push_back(map_cell(map_scenes[1], map_shapes[2], slow_paper));
+    const BreakEvenMap map = break_even_map(data, 1e-6);
+    const MapCell& cell = row_at(map, "one shared table", "cold, every pair new")->cells[0];
+    ASSERT_EQ(cell.ties.size(), 1U);
+    EXPECT_EQ(contender_name(*cell.ties[0]), "V-Clip on soa");
+}
+
+TEST(BreakEvenMap, SaysFromHowManyVerticesOnWhoWins) {
+    ReportData data;
+    for (const MapShape& shape : map_shapes) {
+        data.cells.push_back(map_cell(map_scenes[0], shape, map_paper));
+        data.cells.push_back(map_cell(map_scenes[0], shape, map_lean));
+        if (shape.vertices < 100) data.cells.push_back(map_cell(map_scenes[0], shape, map_gjk));
+    }
+    const BreakEvenMap map = break_even_map(data, 1e-6);
+    EXPECT_THAT(break_even_lines(map),
+                ElementsAre("cold, every pair new, one shared table: 8 to 38 vertices GJK on points_soa; "
+                            "386 vertices V-Clip on lean."));
+    EXPECT_EQ(break_even_sentence(map),
+              "Of 3 places that were measured, one algorithm and layout wins in 3 (GJK on points_soa 2, "
+              "V-Clip on lean 1); several tie in 0, and 0 are too noisy to tell.");
+    const MapCell& small = map.panels[0].rows[0].cells[0];
+    ASSERT_TRUE(small.best_of_others);
+    EXPECT_THAT(cell_text(small), HasSubstr("V-Clip on lean_f64 takes 1.61 times as long"));
+}
+
+TEST(BreakEvenMap, APlaceWithoutAnswerSaysWhy) {
+    ReportData data;
+    MadeCandidate failed = map_lean;
+    failed.status = "failed";
+    data.cells.push_back(map_cell(map_scenes[0], map_shapes[0], map_paper));
+    data.cells.push_back(map_cell(map_scenes[0], map_shapes[1], failed));
+    data.cells.back().reason = "3 wrong verdicts";
+    MadeCandidate rough = map_lean;
+    rough.error = 1e-3;
+    data.cells.push_back(map_cell(map_scenes[0], map_shapes[2], rough));
+    data.cells.push_back(map_cell(map_scenes[1], map_shapes[1], map_paper));
+    data.cells.push_back(map_cell(map_scenes[1], map_shapes[2], map_paper));
+    data.cells.push_back(map_cell(map_scenes[1], {"never_timed", 20}, failed));
+    const BreakEvenMap map = break_even_map(data, 1e-6);
+    EXPECT_EQ(map.columns.size(), 3U) << "of one body nothing was timed";
+    EXPECT_EQ(map.bodies_not_timed, 1U);
+    const MapRow *cold = row_at(map, "one shared table", "cold, every pair new"),
+                 *slow = row_at(map, "one shared table", "tumble, 0.001 rad");
+    ASSERT_TRUE(cold && slow);
+    EXPECT_TRUE(cold->cells[0].best);
+    EXPECT_EQ(cold->cells[1].why, "failed: 3 wrong verdicts");
+    EXPECT_EQ(cold->cells[2].why, "no table type is known to be within an error of 1e-6");
+    EXPECT_EQ(slow->cells[0].why, "no scene of this store is of such bodies there");
+    const std::string picture = break_even_svg(map);
+    for (const char* words : {"not measured", "none within error", "failed: 3 wrong verdicts"})
+        EXPECT_THAT(picture, HasSubstr(words));
+    const TextGrid grid = break_even_grid(map, 2);
+    EXPECT_EQ(grid.columns.size(), 4U);
+    EXPECT_THAT(grid.caption, HasSubstr("2 of 3 bodies"));
+}
+
+/// Of scenes at one place the nearest to its turn stands there, and the others are counted.
+TEST(BreakEvenMap, OneSceneAPlace) {
+    ReportData data;
+    const MapScene near{"tumble", R"({"rotation_step":0.11})", "", ""},
+        nearer{"tumble", R"({"rotation_step":0.1,"bodies":100})", "", ""};
+    data.cells.push_back(map_cell(near, map_shapes[2], map_lean));
+    data.cells.push_back(map_cell(nearer, map_shapes[2], map_paper));
+    const BreakEvenMap map = break_even_map(data, 1e-6);
+    const MapRow* row = row_at(map, "one shared table", "tumble, 0.1 rad");
+    ASSERT_TRUE(row);
+    EXPECT_EQ(row->cells[0].best->table, "aos_f64");
+    EXPECT_EQ(row->cells[0].further_scenes, 1U);
+}
+
+TEST(BreakEvenMap, NothingToShow) {
+    const ReportData none;
+    const BreakEvenMap map = break_even_map(none, 1e-6);
+    EXPECT_EQ(map.measured(), 0U);
+    EXPECT_EQ(break_even_svg(map), "");
+    EXPECT_EQ(break_even_sentence(map), "");
+}
+
+}  // namespace
+}  // namespace edgewise::reports
