@@ -104,7 +104,9 @@ TEST(Advise, SaysWhatItHadNoTimeFor) {
     EXPECT_EQ(outcome.exit_code == 0, !advice["take"].is_null());
     EXPECT_THAT(advice["not_asked"].dump(), HasSubstr("no time was left"));
     EXPECT_LE(advice["processes"], 3);
-    if (advice["processes"] < 3) EXPECT_THAT(advice["not_asked"].dump(), HasSubstr("of 3 processes"));
+    if (advice["processes"] < 3) {
+        EXPECT_THAT(advice["not_asked"].dump(), HasSubstr("of 3 processes"));
+    }
 }
 
 /// The program with a wrong layout linked in (crooked.hpp) beside a right one, and no baseline.

@@ -58,7 +58,9 @@ double tables_of(const SceneWork& scene) {
 double query_seconds(const SceneWork& scene, double vertices) {
     const double cold = cold_query.seconds(vertices), still = still_query.seconds(vertices);
     if (kind_of(scene) == "static") return static_query.seconds(vertices);
-    if (!scene.choice.parameters.contains("rotation_step")) return cold;
+    // Every other query of the scene pressure is its pair's first.
+    const bool turns = scene.choice.parameters.contains("rotation_step") && kind_of(scene) != "pressure";
+    if (!turns) return cold;
     const double turn =
         parameter(scene, "random_orientation", 0) > 0 ? 1 : parameter(scene, "rotation_step", 0);
     return still + std::sqrt(std::min(1.0, turn)) * (cold - still);

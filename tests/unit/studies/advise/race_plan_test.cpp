@@ -49,10 +49,12 @@ TEST(RacePlan, IsTheLargestThatFits) {
             EXPECT_EQ(plan.rounds, least_race.rounds);
             continue;
         }
-        if (plan.rounds < whole_race.rounds)
+        if (plan.rounds < whole_race.rounds) {
             EXPECT_GT(race_seconds(cost, {plan.processes, plan.rounds + 1}), seconds);
-        if (plan.processes < whole_race.processes)
+        }
+        if (plan.processes < whole_race.processes) {
             EXPECT_GT(race_seconds(cost, {plan.processes + 1, least_race.rounds}), seconds);
+        }
     }
     EXPECT_EQ(processes.size(), 3U);
     EXPECT_EQ(rounds.size(), 21U);

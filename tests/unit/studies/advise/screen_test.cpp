@@ -47,7 +47,9 @@ TEST(Screen, LooksAtEachCellOnceAndSaysWhyItIsOut) {
         EXPECT_EQ(cell.is_in(), cell.out.empty()) << cell.name();
         if (cell.out_for == OutFor::failure) continue;
         EXPECT_EQ(cell.out_for == OutFor::error, cell.error > limit) << cell.name() << cell.error;
-        if (cell.out_for == OutFor::error) EXPECT_THAT(cell.out, HasSubstr("is over 1e-09"));
+        if (cell.out_for == OutFor::error) {
+            EXPECT_THAT(cell.out, HasSubstr("is over 1e-09"));
+        }
         if (cell.type->storage == "double") worst_double = std::max(worst_double, cell.error);
         if (cell.type->precision == "f32") least_single = std::min(least_single, cell.error);
         EXPECT_GT(cell.ns, 0);
@@ -84,7 +86,9 @@ TEST(Screen, LeavesOutWhoIsSlowerThanAllowedButNotTheBaseline) {
     int in = 0, slow = 0;
     for (const ScreenedCell& cell : seen.cells) {
         in += cell.is_in();
-        if (cell.is_in()) EXPECT_TRUE(cell.is_baseline() || &cell == &seen.cells.front()) << cell.name();
+        if (cell.is_in()) {
+            EXPECT_TRUE(cell.is_baseline() || &cell == &seen.cells.front()) << cell.name();
+        }
         if (cell.out_for != OutFor::time) continue;
         ++slow;
         EXPECT_FALSE(cell.is_baseline());

@@ -46,7 +46,9 @@ TEST(TimeLimit, IsExceededByNoMoreThanAPieceThatNobodyCouldForesee) {
             now += last;
         }
         ++(now <= end ? kept : exceeded);
-        if (now > end) EXPECT_GT(last, longest);
+        if (now > end) {
+            EXPECT_GT(last, longest);
+        }
     }
     EXPECT_GT(kept, 100);
     EXPECT_GT(exceeded, 100);

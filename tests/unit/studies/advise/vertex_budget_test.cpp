@@ -44,7 +44,9 @@ TEST(VertexBudget, NeedsFewerVerticesTheMoreErrorIsAllowed) {
     ASSERT_EQ(bodies.size(), some_counts.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         EXPECT_EQ(bodies[i].vertices.size(), some_counts[i]);
-        if (i > 0) EXPECT_LE(bodies[i].worst_error, bodies[i - 1].worst_error);
+        if (i > 0) {
+            EXPECT_LE(bodies[i].worst_error, bodies[i - 1].worst_error);
+        }
         for (const Vec3d& vertex : bodies[i].vertices)
             EXPECT_NE(std::ranges::find(body.vertices, vertex), body.vertices.end())
                 << "a vertex of the body";
