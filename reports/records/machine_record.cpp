@@ -8,12 +8,8 @@
 #include <map>
 #include <stdexcept>
 
-<<<<<<< HEAD
 #include "edgewise/input/json_text.hpp"
-#include "edgewise/reports/tables/ratio_interval.hpp"
-=======
 #include "edgewise/reports/answer/candidate.hpp"
->>>>>>> 28276346cb7579c41917a7b6b860b51d04ed8dea
 
 namespace edgewise::reports {
 

@@ -111,7 +111,8 @@ template <SupportTable Table>
     }
 }
 
-/// The same. A layout that can scan faster defines a member of this name, which gives the vertex: the same one.
+/// The same. A layout that can scan faster defines a member of this name, which gives the vertex: the same
+/// one.
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> scan_support(const Table& table, const Vec3<ComputeOf<Table>>& direction) {
     if constexpr (requires { table.scan_support(direction); }) {
