@@ -33,7 +33,9 @@ constexpr double cached_vertices = 50'000;     ///< of tables of their own that 
 constexpr double table_seconds = 0.55e-6;      ///< per vertex of a table that is built
 constexpr double exact_seconds = 0.4e-6;       ///< per vertex and checked query, of all storages of bodies
 constexpr double cell_seconds = 0.003;         ///< what probes take whatever the queries are
-constexpr double traced_passes = 9;            ///< of all queries, as long as a timed one
+constexpr double passes = 1.5;                 ///< of all queries, by probes that count
+constexpr double followed_queries = 1000,      ///< about as many are traced for their lines, each
+    followed_factor = 23.5;                    ///< so many times as long as a timed one
 constexpr double cached_query_least = 114e-6,  ///< s per query and machine whose caches are modelled, and
     cached_query_factor = 40;                  ///< of a timed one in cache beside that
 constexpr double fitted_processors = 2;        ///< that shared what is beside others
@@ -80,13 +82,13 @@ GroupWork modelled_work(const Plan& plan, const SceneWork& scene, const scene::N
     // With the baseline's.
     work.verify = count * queries * each + (count + 1) * tables * vertices * table_seconds +
                   static_cast<double>(plan.checked) * vertices * exact_seconds;
-    work.beside = count * (cell_seconds + queries * in_cache * traced_passes);
     if (scene.models_caches(shape))
-        work.beside += count * traced * static_cast<double>(plan.machines.size()) *
-                       (cached_query_least + cached_query_factor * in_cache);
-    work.beside *= fitted_processors / std::max(1U, processors);
+        work.beside = count * traced * static_cast<double>(plan.machines.size()) *
+                      (cached_query_least + cached_query_factor * in_cache) * fitted_processors /
+                      std::max(1U, processors);
     work.rounds = (count + 1) * plan.rounds * queries * each;
-    work.alone = count * queries * each;
+    work.alone = count * (cell_seconds + in_cache * (passes * queries +
+                                                     followed_factor * std::min(queries, followed_queries)));
     return work;
 }
 

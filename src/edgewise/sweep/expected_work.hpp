@@ -17,9 +17,9 @@ namespace edgewise::sweep {
 /// By what a group does in turn; seconds on some machine.
 struct GroupWork {
     double verify = 0;  ///< tables built, every query answered, a sample checked exactly
-    double beside = 0;  ///< traces and what is computed of them
+    double beside = 0;  ///< caches modelled, on all processors
     double rounds = 0;  ///< timed
-    double alone = 0;   ///< counters
+    double alone = 0;   ///< counters, lines, and what else is measured cell by cell
 
     [[nodiscard]] double all() const { return verify + beside + rounds + alone; }
 };

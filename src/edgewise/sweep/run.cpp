@@ -178,7 +178,7 @@ class Sweep {
         if (stop_) return;
         stored_.put_seconds(group_key(work_.plan, scene, shape, cells.size()), took_.all());
         stored_.put_seconds(comparison_name(scene, shape), took_.all());  // for shards to be weighed by
-        stored_.put_progress(place_, comparison_name(scene, shape), expected, took_);
+        stored_.put_progress(place_, short_name(scene, shape), expected, took_);
         listener_.on_done(0, cells.size(), scene.choice.name + " " + shape.name);
     }
 

@@ -23,7 +23,7 @@ TEST(ExpectedWork, IsModelledWhereNothingIsRemembered) {
     ASSERT_EQ(groups.size(), 4U);
     for (const GroupWork& group : groups) {
         EXPECT_GT(group.verify, 0);
-        EXPECT_GT(group.beside, 0);
+        EXPECT_GT(group.alone, 0);
         EXPECT_GT(group.rounds, 0);
     }
     EXPECT_GT(groups[1].all(), 2 * groups[0].all()) << "386 vertices against 4";

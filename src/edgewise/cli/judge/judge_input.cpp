@@ -39,9 +39,10 @@ std::vector<Vec3d> obj_vertices(const std::string& path) {
 scene::CaseBody mesh_body(const std::string& path) {
     if (path.ends_with(".obj") || path.ends_with(".OBJ")) return {path, obj_vertices(path), {}};
     auto bodies = scene::read_mesh_file(path, scene::MeshGrouping::one_hull);
-    if (!bodies.warning.empty()) warn(bodies.warning);
+    if (bodies && !bodies.warning.empty()) warn(bodies.warning);
+    const std::vector<scene::MeshBody> read = std::move(bodies).or_throw();
     warn(path + ": coordinates are read in single precision; an OBJ file is read as it is written");
-    return {path, std::move(bodies).or_throw().front().body.vertices, {}};
+    return {path, read.front().body.vertices, {}};
 }
 
 /// 3 numbers: a translation; 12 or 16: rows of a matrix with the translation last.

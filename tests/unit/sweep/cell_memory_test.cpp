@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// A cell whose tables find no memory is unavailable and says so: it did not fail its check.
+#include <gmock/gmock.h>
+
+#include "edgewise/input/guarded.hpp"
+#include "edgewise/sweep/cell_run.hpp"
+
+namespace edgewise::sweep {
+namespace {
+
+/// "verified: " or what else became of a cell that was verified with so much memory more than there is.
+std::string verified_within(std::uint64_t bytes) {
+    const scene::NamedShape shape{"cube8", "built-in", *scene::make_shape("cube8"), {}};
+    Plan plan;
+    plan.queries = 40;
+    plan.checked = 10;
+    SharedQueries shared(plan, {"cold"}, shape);
+    store::CellRow row;
+    row.scene = "cold";
+    row.shape = shape.name;
+    CellRun cell(bench::table_types().front(), "vclip", {}, row, shape.body);
+    const auto said = input::run_guarded(
+        [&] {
+            cell.verify(shared);
+            return cell.row().status + ": " + cell.row().reason;
+        },
+        {bytes, std::chrono::seconds(60)});
+    return said ? *said : said.error;
+}
+
+TEST(CellMemory, ThatLacksMakesItUnavailable) {
+    EXPECT_EQ(verified_within(std::uint64_t{64} << 30), "verified: ");
+    EXPECT_EQ(verified_within(std::uint64_t{1} << 30),
+              "unavailable: tables: out of memory: ask for fewer or smaller bodies")
+        << "addresses for tables are reserved at once";
+}
+
+}  // namespace
+}  // namespace edgewise::sweep
