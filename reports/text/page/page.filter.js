@@ -43,14 +43,16 @@ function filterTable(table) {
     table.tBodies[0].append(none);
 }
 
-// The chart's data and its own choices, as the bar has them; null where it has nothing of it.
+// The chart's data and its own choices, as the bar has them; null where it has nothing of it. A row without a field that
+// others have only keeps a place.
 function filteredSpec(spec, rows) {
-    const kept = rows.filter(keepsRow);
-    if (kept.length === 0) return null;
+    const chosen = filterFields.filter(field => filter[field] && rows.some(row => row[field] !== undefined));
+    const kept = rows.filter(keepsRow), shown = kept.filter(row => chosen.every(field => row[field] !== undefined));
+    if (shown.length === 0) return null;
     const params = spec.params?.map(param => {
         const field = param.name.replace('shown_', '');
         if (!filterFields.includes(field) || !param.bind?.options) return param;
-        const options = param.bind.options.filter(option => kept.some(row => row[field] === option));
+        const options = param.bind.options.filter(option => shown.some(row => row[field] === option));
         return { ...param, value: options.includes(param.value) ? param.value : options.at(-1), bind: { ...param.bind, options } };
     });
     return { ...spec, data: { ...spec.data, values: kept }, ...(params && { params }) };
