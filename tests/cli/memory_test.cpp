@@ -12,9 +12,9 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// With no more than 4 GB of addresses, of which tables reserve more.
+/// With no more than 1 GB of addresses, of which tables reserve more.
 Outcome run_in_little_memory(const Arguments& arguments, const Folder& folder) {
-    Arguments words = {"-c", "ulimit -v 4000000 && exec \"$0\" \"$@\"", program_path};
+    Arguments words = {"-c", "ulimit -v 1000000 && exec \"$0\" \"$@\"", program_path};
     words.insert(words.end(), arguments.begin(), arguments.end());
     return Process("/bin/sh", words, folder).wait();
 }

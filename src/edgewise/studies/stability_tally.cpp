@@ -135,8 +135,8 @@ std::vector<measure::Figure> StabilityTally::figures() const {
                                            .of(fmt::format("{:.0e}", stability_tolerances[i])),
                                        failures_[i]));
     }
-    for (const auto& [bin, ns, none] : times_)
-        result.push_back(store::figure(store::FigureName("stability.ns_at_{gap}").of(bin), ns, none));
+    for (const auto& [bin, ns, reason] : times_)
+        result.push_back(store::figure(store::FigureName("stability.ns_at_{gap}").of(bin), ns, reason));
     return result;
 }
 

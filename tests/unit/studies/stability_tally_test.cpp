@@ -66,8 +66,11 @@ TEST(StabilityTally, AWrongDistanceIsAWrongAnswerAndIsCountedOnce) {
 TEST(StabilityTally, SaysWhyThereIsNoTime) {
     StabilityTally tally(1e-12, 1e-9);
     tally.add_time("0", std::nullopt, "not asked for");
-    for (const measure::Figure& figure : tally.figures())
-        if (figure.name == "ns_at_0") EXPECT_EQ(figure.reason, "not asked for");
+    for (const measure::Figure& figure : tally.figures()) {
+        if (figure.name == "ns_at_0") {
+            EXPECT_EQ(figure.reason, "not asked for");
+        }
+    }
     EXPECT_TRUE(figures_of(tally).contains("ns_at_0"));
 }
 
