@@ -1,30 +1,38 @@
 // SPDX-License-Identifier: MIT
 //
 // The fuzz target of what users write and hand over: which reader it feeds is the program's name, fuzz_scene,
-// fuzz_plan, fuzz_machine, fuzz_cases, fuzz_lock, fuzz_mesh or fuzz_store. A reader may refuse with one line,
-// by value or by std::exception; anything else is a find: a crash, a hang, memory without end, a line break.
+// fuzz_plan and so on, as `readers` below has them. A reader may refuse with one line, by value or by
+// std::exception; anything else is a find: a crash, a hang, memory without end, a line break.
 #include <unistd.h>
 
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "edgewise/input/count.hpp"
 #include "edgewise/measure/cache/cache_machine.hpp"
+#include "edgewise/measure/cache/machine_of_sizes.hpp"
 #include "edgewise/measure/lock/layout_lock.hpp"
+#include "edgewise/measure/traces/trace_file.hpp"
+#include "edgewise/reports/page/safe_svg.hpp"
 #include "edgewise/scene/case_file.hpp"
+#include "edgewise/scene/dumps/dump.hpp"
 #include "edgewise/scene/mesh/mesh_header.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/reader.hpp"
 #include "edgewise/store/store.hpp"
+#include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
+#include "edgewise/sweep/shard.hpp"
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments);
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -36,6 +44,15 @@ void check_line(const std::string& line) {
     if (line.find('\n') == std::string::npos && line.size() < 20'000) return;
     std::fprintf(stderr, "no single line: %s\n", line.c_str());
     std::abort();
+}
+
+template <class Read>
+void refused_in_one_line(const Read& read) {
+    try {
+        read();
+    } catch (const std::exception& refusal) {
+        check_line(refusal.what());
+    }
 }
 
 void read_scene(const std::string& text) { check_line(scene::parse_scene_file("mine", text).error); }
@@ -52,6 +69,43 @@ void read_cases(const std::string& text) {
         check_line(scene::body_from_case((**line).a).error);
         check_line(scene::body_from_case((**line).b).error);
     }
+}
+
+void read_dump(const std::string& text) { check_line(scene::read_pasted(text, "pasted").error); }
+
+void read_trace(const std::string& text) {
+    std::istringstream first(text);
+    const measure::TraceForm form = measure::form_of(first, "mine");
+    std::istringstream stream(text);
+    std::uint64_t bytes = 0;
+    static_cast<void>(measure::read_trace(stream, "mine", {form, true},
+                                          [&](const measure::FileAccess& access) { bytes += access.bytes; }));
+}
+
+/// As a shell hands them over: one short line, to each of those that take a text.
+void read_option(const std::string& text) {
+    if (text.size() > 200 || text.find('\n') != std::string::npos) return;
+    check_line(input::parse_count(text, input::queries_range).error);
+    check_line(input::parse_number(text).error);
+    check_line(sweep::parse_shard(text, [&](const char*) { return text.c_str(); }).error);
+    refused_in_one_line([&] { static_cast<void>(sweep::parse_axes(text)); });
+    refused_in_one_line([&] { static_cast<void>(measure::machine_of_sizes(text)); });
+}
+
+/// A drawing that is shown holds no tag but these, and in them nothing that runs or loads.
+void read_svg(const std::string& text) {
+    const auto shown = reports::safe_svg(text);
+    if (!shown) return;
+    static const std::regex plain(
+        R"re(</?(svg|g|rect|text|title|desc|line|circle|tspan)(\s+[a-zA-Z][a-zA-Z0-9-]*="[^"<>&\\]*")*\s*/?>)re"),
+        active(R"re(\son\w+=|\shref=|url|script)re", std::regex::icase);
+    for (std::size_t at = shown->find('<'); at != std::string::npos; at = shown->find('<', at + 1)) {
+        const std::string tag = shown->substr(at, shown->find('>', at) - at + 1);
+        if (std::regex_match(tag, plain) && !std::regex_search(tag, active)) continue;
+        std::fprintf(stderr, "not plain: %s\n", tag.c_str());
+        std::abort();
+    }
+    static_cast<void>(reports::slim_svg(*shown, text));
 }
 
 /// The header's check alone: no parser of others.
@@ -77,18 +131,27 @@ std::string whole_store(const std::string& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// In memory; gone with the process.
+class StoreFile {
+  public:
+    ~StoreFile() {
+        for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(path + ending);
+    }
+    const std::string path = "/dev/shm/edgewise_fuzz_store_" + std::to_string(getpid()) + ".db";
+    const std::string whole = whole_store(path);
+};
+
 /// A store with some bytes changed: four of the input say where, a fifth to what.
 void read_store(const std::string& text) {
-    static const std::string path = "/dev/shm/edgewise_fuzz_store_" + std::to_string(getpid()) + ".db";
-    static const std::string whole = whole_store(path);
-    std::string damaged = whole;
+    static const StoreFile file;
+    std::string damaged = file.whole;
     for (std::size_t i = 0; i + 5 <= text.size(); i += 5) {
         std::uint32_t at = 0;
         std::memcpy(&at, text.data() + i, sizeof at);
         damaged[at % damaged.size()] = text[i + 4];
     }
-    std::ofstream(path, std::ios::binary) << damaged;
-    static_cast<void>(store::read_build(path));
+    std::ofstream(file.path, std::ios::binary) << damaged;
+    static_cast<void>(store::read_build(file.path));
 }
 
 using Reader = void (*)(const std::string& text);
@@ -101,7 +164,8 @@ int LLVMFuzzerInitialize(int* /*count*/, char*** arguments) {
     using namespace edgewise;
     static const std::map<std::string, Reader> readers = {
         {"scene", read_scene}, {"plan", read_plan}, {"machine", read_machine}, {"cases", read_cases},
-        {"lock", read_lock},   {"mesh", read_mesh}, {"store", read_store}};
+        {"lock", read_lock},   {"mesh", read_mesh}, {"store", read_store},     {"dump", read_dump},
+        {"trace", read_trace}, {"svg", read_svg},   {"option", read_option}};
     const std::string name = (*arguments)[0];
     const auto found = readers.find(name.substr(name.rfind('_') + 1));
     if (found == readers.end()) std::abort();
@@ -110,10 +174,7 @@ int LLVMFuzzerInitialize(int* /*count*/, char*** arguments) {
 }
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    try {
-        edgewise::reader(std::string(reinterpret_cast<const char*>(data), size));
-    } catch (const std::exception& refusal) {
-        edgewise::check_line(refusal.what());
-    }
+    edgewise::refused_in_one_line(
+        [&] { edgewise::reader(std::string(reinterpret_cast<const char*>(data), size)); });
     return 0;
 }
