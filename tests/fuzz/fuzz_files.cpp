@@ -97,7 +97,7 @@ void read_svg(const std::string& text) {
     const auto shown = reports::safe_svg(text);
     if (!shown) return;
     static const std::regex plain(
-        R"re(</?(svg|g|rect|text|title|desc|line|circle|tspan)(\s+[a-zA-Z][a-zA-Z0-9-]*="[^"<>&\\]*")*\s*/?>)re"),
+        R"re(</?(svg|g|rect|text|title|desc|line|circle|tspan)(\s*[a-zA-Z][a-zA-Z0-9-]*="[^"<>&\\]*")*\s*/?>)re"),
         active(R"re(\son\w+=|\shref=|url|script)re", std::regex::icase);
     for (std::size_t at = shown->find('<'); at != std::string::npos; at = shown->find('<', at + 1)) {
         const std::string tag = shown->substr(at, shown->find('>', at) - at + 1);
