@@ -19,10 +19,10 @@
 #include <string_view>
 #include <vector>
 
-#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/layout_parts/half_edge_table.hpp"
 #include "edgewise/layout_parts/lane_scan.hpp"
 #include "edgewise/layout_parts/planes_of_faces.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

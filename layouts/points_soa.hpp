@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "edgewise/geometry/pack.hpp"
-#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/layout_parts/block_table.hpp"
 #include "edgewise/table/loader.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

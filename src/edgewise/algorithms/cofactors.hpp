@@ -17,8 +17,8 @@
 
 #include "edgewise/algorithms/johnson.hpp"
 #include "edgewise/algorithms/subset.hpp"
-#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/geometry/vec.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

@@ -20,7 +20,7 @@
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/sub_distance.hpp"
 #include "edgewise/algorithms/support.hpp"
-#include "edgewise/geometry/small_array.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

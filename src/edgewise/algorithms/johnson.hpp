@@ -26,9 +26,9 @@
 #include <cmath>
 
 #include "edgewise/algorithms/subset.hpp"
-#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

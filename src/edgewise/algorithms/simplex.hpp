@@ -11,8 +11,8 @@
 #include <cstdint>
 
 #include "edgewise/algorithms/subset.hpp"
-#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/table/contract.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

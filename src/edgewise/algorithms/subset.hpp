@@ -9,9 +9,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

@@ -17,7 +17,7 @@
 #include <cstddef>
 
 #include "edgewise/geometry/polyhedron.hpp"
-#include "edgewise/geometry/small_array.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

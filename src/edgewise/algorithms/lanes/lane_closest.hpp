@@ -12,8 +12,8 @@
 #include "edgewise/algorithms/cofactors.hpp"
 #include "edgewise/algorithms/lanes/lane_vector.hpp"
 #include "edgewise/algorithms/subset.hpp"
-#include "edgewise/geometry/small_array.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

@@ -9,7 +9,7 @@
 
 #include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/pose.hpp"
-#include "edgewise/geometry/small_array.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

@@ -8,7 +8,7 @@
 #include "edgewise/algorithms/lanes/lane_bodies.hpp"
 #include "edgewise/algorithms/lanes/lane_source.hpp"
 #include "edgewise/algorithms/lanes/lane_vector.hpp"
-#include "edgewise/geometry/small_array.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 

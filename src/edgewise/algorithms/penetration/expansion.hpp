@@ -8,7 +8,7 @@
 #include <cassert>
 
 #include "edgewise/geometry/double_double.hpp"
-#include "edgewise/geometry/small_array.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise::epa {
 

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +20,7 @@
 
 #include "edgewise/algorithms/penetration/exact_side.hpp"
 #include "edgewise/algorithms/penetration/triangle_normal.hpp"
-#include "edgewise/geometry/small_array.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise::epa {
 
@@ -47,8 +48,8 @@ class Polytope {
     /// A tetrahedron whose fourth corner is below the triangle of the first three.
     void start(const SmallArray<Vec3d, 4>& corner) {
         assert(side(corner[0], corner[1], corner[2], corner[3]) < 0);
-        constexpr SmallArray<SmallArray<Id, 3>, 4> vertex{{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
-        constexpr SmallArray<SmallArray<Id, 3>, 4> neighbour{{{1, 2, 3}, {3, 2, 0}, {1, 3, 0}, {2, 1, 0}}};
+        constexpr std::array<SmallArray<Id, 3>, 4> vertex{{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
+        constexpr std::array<SmallArray<Id, 3>, 4> neighbour{{{1, 2, 3}, {3, 2, 0}, {1, 3, 0}, {2, 1, 0}}};
         points_.assign(corner.begin(), corner.end());
         rim_face_.assign(4, 0);
         faces_.clear();

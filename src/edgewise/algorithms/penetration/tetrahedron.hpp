@@ -8,7 +8,7 @@
 #include <span>
 
 #include "edgewise/algorithms/penetration/difference.hpp"
-#include "edgewise/geometry/small_array.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise::epa {
 

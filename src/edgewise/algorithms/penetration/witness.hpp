@@ -13,7 +13,7 @@
 
 #include "edgewise/algorithms/penetration/polytope.hpp"
 #include "edgewise/geometry/double_double.hpp"
-#include "edgewise/geometry/small_array.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise::epa {
 
