@@ -38,7 +38,6 @@ class ChapterWriter {
         : charts_(charts), pictures_(pictures), glossary_(glossary) {}
 
     std::string chapter(const Chapter& chapter) {
-        linked_.clear();
         std::string out = "<section>\n" + html_heading(chapter.id, chapter.title);
         if (!chapter.sentence.empty()) out += paragraph(chapter.sentence, "sentence");
         for (const ChapterBlock& block : chapter.blocks) out += this->block(block);
@@ -53,7 +52,8 @@ class ChapterWriter {
     }
 
   private:
-    /// The first use of each term in a chapter is a link.
+    /// The first use of each term in the page is a link: in every chapter, there would be too many to tab
+    /// through.
     std::string paragraph(const std::string& text, const std::string& style = {}) {
         return html_element("p", glossary_.html(text, linked_), style);
     }
@@ -117,7 +117,7 @@ class ChapterWriter {
     const std::vector<Chart>& charts_;
     const StaticPictures& pictures_;
     const Glossary& glossary_;
-    std::set<std::string> linked_;  ///< terms of the chapter at hand
+    std::set<std::string> linked_;  ///< terms so far
     std::vector<TextGrid> grids_;
     nlohmann::json folds_ = nlohmann::json::array();
 };

@@ -145,7 +145,7 @@ TEST(ReportCompare, PrintsAndWritesWhatChanged) {
     const Outcome same = run({"report", "s.db", "--compare", "s.db", "--gate"}, folder);
     ASSERT_EQ(same.exit_code, 0) << same.out << same.err;
     EXPECT_THAT(same.out, HasSubstr("no regression"));
-    EXPECT_EQ(lines_of(same.out).back(), "report: index.html");
+    EXPECT_EQ(lines_of(same.out).back(), "report: ./index.html");
     EXPECT_THAT(text_of(folder / "index.html"), HasSubstr("What changed since s.db?"));
     const Outcome elsewhere = run({"report", "s.db", "--compare", "s.db", "--out", "o", "--json"}, folder);
     ASSERT_EQ(elsewhere.exit_code, 0) << elsewhere.err;
