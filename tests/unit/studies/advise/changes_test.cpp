@@ -5,7 +5,8 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace edgewise::studies::advise {
 namespace {
@@ -16,7 +17,7 @@ using testing::IsEmpty;
 ScreenedCell looked_at(const std::string& table, double ns, double bytes = 10,
                        OutFor out_for = OutFor::nothing, double error = 0) {
     ScreenedCell cell;
-    cell.type = &*std::ranges::find(bench::table_types(), table, &bench::TableType::name);
+    cell.type = bench::select_table_types(std::vector{table}).front();
     cell.algorithm = "vclip";
     cell.ns = ns;
     cell.bytes_per_edge = bytes;
@@ -45,21 +46,21 @@ TEST(AdviceChanges, NameWhoIsFastestWithTablesSharedTheOtherWay) {
     CaseAsked asked;
     asked.own_tables = true;
     const ScreenedCell aos = looked_at("aos_f64", 290), lean = looked_at("lean_f64", 600),
-                       soa = looked_at("soa_f64", 300);
+                       other = looked_at("hot_cold_f64", 300);
     EXPECT_THAT(what_would_change(asked, {}, {aos, lean}, taken_lean()),
                 ElementsAre(one_table + shared_best + "; V-Clip on lean_f64 then takes 600 ns"));
-    EXPECT_THAT(what_would_change(asked, {}, {aos, soa}, taken_lean()),
+    EXPECT_THAT(what_would_change(asked, {}, {aos, other}, taken_lean()),
                 ElementsAre(one_table + shared_best + "; V-Clip on lean_f64 is then out"));
     EXPECT_THAT(what_would_change(asked, {}, {lean, aos}, taken_lean()),
                 ElementsAre(one_table + "V-Clip on lean_f64, 600 ns at a first look"));
     asked.own_tables = false;
-    EXPECT_THAT(what_would_change(asked, {}, {aos, soa}, taken_lean()),
+    EXPECT_THAT(what_would_change(asked, {}, {aos, other}, taken_lean()),
                 ElementsAre("a table for each body: " + shared_best + "; V-Clip on lean_f64 is then out"));
 }
 
 TEST(AdviceChanges, NameWhoALargerErrorAllows) {
     Screen screen;
-    screen.cells = {looked_at("lean_f64", 700, 12.8), looked_at("aos_f32", 500, 138, OutFor::error, 1e-7),
+    screen.cells = {looked_at("lean_f64", 700, 12.8), looked_at("linked_f64", 500, 138, OutFor::error, 1e-7),
                     looked_at("points_soa_f64", 600, 5, OutFor::failure, 1),
                     looked_at("lean_f32", 650, 5, OutFor::time, 1e-17),
                     looked_at("quantised_f64", 819, 6.8, OutFor::error, 1.1e-5)};
