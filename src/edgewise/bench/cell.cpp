@@ -6,6 +6,8 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/bench/registry.hpp"
+
 namespace edgewise::bench {
 
 Fingerprint& Fingerprint::add(std::string_view text) {
@@ -30,6 +32,15 @@ std::string Fingerprint::hex() const { return fmt::format("{:016x}", state_); }
 
 std::string parameters_json(const scene::SceneParameters& parameters) {
     return nlohmann::json(parameters).dump();
+}
+
+void describe_cell(store::CellRow& cell, const TableType& type, const Polyhedron& body) {
+    cell.layout = type.layout;
+    cell.precision = type.precision;
+    cell.table = type.name;
+    cell.vertices = static_cast<std::int64_t>(body.vertex_count());
+    cell.edges = static_cast<std::int64_t>(body.edge_count());
+    cell.faces = static_cast<std::int64_t>(body.face_count());
 }
 
 void name_cell(store::CellRow& cell, const Polyhedron& body) {

@@ -14,6 +14,8 @@
 
 namespace edgewise::bench {
 
+struct TableType;
+
 /// FNV-1a, 64 bits: no adversary here, only mix-ups.
 class Fingerprint {
   public:
@@ -30,6 +32,9 @@ class Fingerprint {
 
 /// Canonical JSON of a scene's numbers: keys sorted, shortest digits that read back the same.
 [[nodiscard]] std::string parameters_json(const scene::SceneParameters& parameters);
+
+/// Fills in what the table type and the body say: layout, precision and table; vertices, edges and faces.
+void describe_cell(store::CellRow& cell, const TableType& type, const Polyhedron& body);
 
 /// Fills in `hash` from the other members and the body.
 void name_cell(store::CellRow& cell, const Polyhedron& body);

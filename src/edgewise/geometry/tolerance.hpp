@@ -69,8 +69,8 @@ struct Tolerance {
     /// whose direction separates nothing, is contact.
     static constexpr Scalar contact_noise = 16 * eps;
 
-    /// Normal of a triangle, squared sine of the angle at its first corner: above it the plain cross product
-    /// loses at most four binary digits; thinner triangles take the exact one.
+    /// Normal of a face, squared sine of the angle at a corner: above it the plain cross product loses at
+    /// most four binary digits; thinner corners take an exact one, or one in wider arithmetic.
     static constexpr Scalar fair_corner = Scalar(1) / 256;
 
     /// V-Clip, relative to the size: closest points nearer than this have a direction good to no more than a

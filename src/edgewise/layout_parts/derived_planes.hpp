@@ -7,7 +7,7 @@
 // The neighbour before and the one after an edge in a ring (derived_rings.hpp) are the third corners of its
 // two faces: two vectors give the face's normal there. Planes are through a vertex, not at a distance from
 // the origin, so nothing cancels; and both features on the two sides of a plane derive it from the same
-// corner, so that they read the same number.
+// corner, so that they read the same number. Thin corners take more care (thin_corners.hpp).
 #pragma once
 
 #include <cassert>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "edgewise/layout_parts/derived_rings.hpp"
+#include "edgewise/layout_parts/thin_corners.hpp"
 
 namespace edgewise {
 
@@ -53,6 +54,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
         this->make_block(points_, this->ring_places_);
         rings().fill(body);
         write_body(body);
+        note_corners(body);
     }
 
     template <class OtherLoader>
@@ -60,6 +62,10 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
         : Base(other, loader), points_(other.points_) {}
 
     void write_body(const Polyhedron& body) { points_.write(block_.base(), body); }
+    void note_facts(const Polyhedron& body) {
+        Base::note_facts(body);
+        note_corners(body);
+    }
     [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(points_, this->ring_places_); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
@@ -94,6 +100,8 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
     }
     [[nodiscard]] AnchoredPlane<Compute> unscaled_face_plane(const Face& f) const {
         assert(!(f == no_face));
+        if (facts_.thin_corners) [[unlikely]]
+            return plane_of_thin_face(f);
         if (!this->all_triangles()) return polygon_plane(f);
         const Vec3<Compute> base = vertex(f.vertex);
         const auto corners = this->corners_of(f);
@@ -119,18 +127,34 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
         return {normal, base};
     }
 
+    /// As polygon_plane, of any face: in the next wider arithmetic where that is needed.
+    [[nodiscard]] [[gnu::noinline]] AnchoredPlane<Compute> plane_of_thin_face(const Face& f) const {
+        const Vec3<Compute> base = vertex(f.vertex);
+        const auto corners = this->around(f, [&](const HalfEdgeAt& h) { return vertex(h.vertex); });
+        NewellSum<Compute> plain;
+        for (const Vec3<Compute> corner : corners) plain.add(Vec3<Compute>(corner - base));
+        if (plain.is_fair()) return {plain.normal(), base};
+        NewellSum<Wider<Compute>> wide;
+        for (const Vec3<Compute> corner : corners) wide.add(wide_difference(corner, base));
+        return {cast<Compute>(wide.normal()), base};
+    }
+
     /// Perpendicular to the edge from base to end, towards the other corner.
-    [[nodiscard]] static AnchoredPlane<Compute> across(const Vec3<Compute>& base, const Vec3<Compute>& end,
-                                                       const Vec3<Compute>& other) {
+    [[nodiscard]] AnchoredPlane<Compute> across(const Vec3<Compute>& base, const Vec3<Compute>& end,
+                                                const Vec3<Compute>& other) const {
+        if (facts_.thin_corners) [[unlikely]]
+            return {perpendicular_at(base, end, other), base};
         const Vec3<Compute> along = end - base, aside = other - base;
         return {squared_norm(along) * aside - dot(along, aside) * along, base};
     }
     /// The same between two corners of a triangle, seen from the smaller one.
-    [[nodiscard]] static AnchoredPlane<Compute> side_plane(bool rising, const Vec3<Compute>& from,
-                                                           const Vec3<Compute>& to,
-                                                           const Vec3<Compute>& other) {
+    [[nodiscard]] AnchoredPlane<Compute> side_plane(bool rising, const Vec3<Compute>& from,
+                                                    const Vec3<Compute>& to,
+                                                    const Vec3<Compute>& other) const {
         return rising ? across(from, to, other) : across(to, from, other);
     }
+
+    void note_corners(const Polyhedron& body) { facts_.thin_corners = has_thin_corners<Compute>(body); }
 
     template <class, Precision, class, class>
     friend class DerivedPlanes;

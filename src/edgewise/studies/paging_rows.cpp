@@ -61,21 +61,15 @@ scene::SceneParameters parameters_of(const PagingPlan& plan) {
 }
 
 store::CellRow row_of(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& body) {
-    const bench::TableType& type = *find_type(cell.table);
     store::CellRow row;
     row.scene = paging_scene;
     row.scene_parameters = bench::parameters_json(parameters_of(plan));
     row.shape = cell.shape;
     row.shape_source = "built-in";
     row.algorithm = cell.algorithm;
-    row.layout = type.layout;
-    row.precision = type.precision;
-    row.table = type.name;
-    row.vertices = body.vertex_count();
-    row.edges = body.edge_count();
-    row.faces = body.face_count();
     row.seed = plan.seed;
     row.queries = plan.steps * (plan.bodies - 1);
+    bench::describe_cell(row, *find_type(cell.table), body);
     bench::name_cell(row, body);
     return row;
 }

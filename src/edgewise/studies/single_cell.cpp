@@ -70,14 +70,9 @@ store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, co
     row.shape = choice.shape;
     row.shape_source = "built-in";
     row.algorithm = choice.algorithm;
-    row.layout = type.layout;
-    row.precision = type.precision;
-    row.table = type.name;
-    row.vertices = static_cast<std::int64_t>(body.vertex_count());
-    row.edges = static_cast<std::int64_t>(body.edge_count());
-    row.faces = static_cast<std::int64_t>(body.face_count());
     row.seed = choice.seed;
     row.queries = static_cast<std::int64_t>(choice.queries);
+    bench::describe_cell(row, type, body);
     bench::name_cell(row, body);
     return row;
 }

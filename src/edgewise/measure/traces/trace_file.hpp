@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Traces of addresses in files, as other programs write and read them; line by line, nothing is kept.
-//   din      Dinero's (Edler and Hill, "Dinero IV", 1998), in both of its forms. Traditional: a label (0
-//   read,
-//            1 write, 2 instruction fetch) and an address in hexadecimal; it has no sizes, so that an access
-//            is the word of 4 bytes at the address, as in Dinero. Extended: r, w, i or m (as a read), address
-//            and size, both in hexadecimal. What follows on a line is a comment. Labels that are no accesses
-//            (3, 4; c, v) are refused: the model has no commands.
-//   lackey   what `valgrind --tool=lackey --trace-mem=yes --log-file=FILE` writes: "I  addr,size", " L
-//   addr,size",
-//            " S addr,size", " M addr,size", addresses in hexadecimal and sizes in decimal. A modify (M) is a
-//            read and a write of the same bytes. Valgrind's own lines ("==pid== ...") say nothing.
+//   din     Dinero's (Edler and Hill, "Dinero IV", 1998), in both of its forms. Traditional: a label (0 is
+//           a read, 1 a write, 2 an instruction fetch) and an address in hexadecimal; it has no sizes, so
+//           that an access is the word of 4 bytes at the address, as in Dinero. Extended: r, w, i or m (as a
+//           read), address and size, both in hexadecimal. What follows on a line is a comment. Labels that
+//           are no accesses (3, 4; c, v) are refused: the model has no commands.
+//   lackey  what `valgrind --tool=lackey --trace-mem=yes --log-file=FILE` writes: a letter of I (fetch), S
+//           (write), L (read) or M (both, of the same bytes), an address in hexadecimal, a comma, and a size
+//           in decimal. Valgrind's own lines ("==pid== ...") say nothing.
 // A user's own traces are written in the extended form of din (write_din).
 #pragma once
 

@@ -45,14 +45,9 @@ store::CellRow row_of(const char* scene, const nlohmann::json& parameters, const
     row.shape = shape;
     row.shape_source = "built-in";
     row.algorithm = algorithm;
-    row.layout = type.layout;
-    row.precision = type.precision;
-    row.table = type.name;
-    row.vertices = body.vertex_count();
-    row.edges = body.edge_count();
-    row.faces = body.face_count();
     row.seed = levels.seed;
     row.status = "verified";
+    bench::describe_cell(row, type, body);
     bench::name_cell(row, body);
     return row;
 }

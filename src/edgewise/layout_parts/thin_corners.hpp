@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// Planes of faces with thin corners, where nothing but corners is stored.
+//
+// A cross product of two sides is off by a rounding step of the product of their lengths: of its own length,
+// by that over the sine of the angle. A face whose corners lie within 1e-12 of a line has a plane, and sides
+// perpendicular to it, that are off by 1e-4 rad when they are derived plainly; a point a thousandth outside
+// of the body is then called inside. Where planes are stored, they were computed in wider arithmetic once
+// (geometry/polyhedron_builder.cpp); where they are derived, here, and only where a corner is thin: so they
+// are as good as stored ones.
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+
+#include "edgewise/geometry/double_double.hpp"
+#include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+
+namespace edgewise {
+
+/// Newell's sum over the corners of a face, seen from its first: twice its area along its normal.
+template <class Scalar>
+class NewellSum {
+  public:
+    void add(const Vec3<Scalar>& corner) {
+        normal_ += cross(before_, corner);
+        largest_ = std::max(largest_, squared_norm(before_) * squared_norm(corner));
+        before_ = corner;
+    }
+    [[nodiscard]] const Vec3<Scalar>& normal() const { return normal_; }
+    /// Whether it keeps all but four binary digits; no where products vanish.
+    [[nodiscard]] bool is_fair() const {
+        return squared_norm(normal_) > Tolerance<Scalar>::fair_corner * largest_;
+    }
+
+  private:
+    Vec3<Scalar> normal_ = Vec3<Scalar>::Zero(), before_ = Vec3<Scalar>::Zero();
+    Scalar largest_ = 0;
+};
+
+/// a - b: exact for doubles, and for singles up to a rounding step of doubles.
+template <class Scalar>
+[[nodiscard]] Vec3<Wider<Scalar>> wide_difference(const Vec3<Scalar>& a, const Vec3<Scalar>& b) {
+    if constexpr (std::is_same_v<Scalar, float>)
+        return cast<double>(a) - cast<double>(b);
+    else
+        return exact_difference(a, b, 1);
+}
+
+/// That part of `base` to `other` which is perpendicular to `base` to `end`, times the square of the latter:
+/// plainly at a fair corner, else in the next wider arithmetic, and rounded at the end.
+template <class Scalar>
+[[nodiscard]] [[gnu::noinline]] Vec3<Scalar> perpendicular_at(const Vec3<Scalar>& base,
+                                                              const Vec3<Scalar>& end,
+                                                              const Vec3<Scalar>& other) {
+    const auto perpendicular = [](const auto& along, const auto& aside) {
+        using Vector = std::remove_cvref_t<decltype(along)>;
+        return Vector(squared_norm(along) * aside - dot(along, aside) * along);
+    };
+    const Vec3<Scalar> along = end - base, aside = other - base;
+    NewellSum<Scalar> corner;
+    corner.add(along);
+    corner.add(aside);
+    if (corner.is_fair()) return perpendicular(along, aside);
+    return cast<Scalar>(perpendicular(wide_difference(end, base), wide_difference(other, base)));
+}
+
+/// Whether a plane that is derived plainly in this scalar may be off by more than four binary digits: where
+/// two sides of a face meet, or where a face is seen from a corner, at a sine below 1/16; or where a side is
+/// so short that rounding the body to this scalar may have made it so.
+template <class Scalar>
+[[nodiscard]] bool has_thin_corners(const Polyhedron& body) {
+    double reach = 0;
+    for (const Vec3d& v : body.vertices) reach = std::max(reach, max_abs(v));
+    const double shortest = double{Tolerance<Scalar>::level} * reach;
+    const auto is_thin = [&](Index f) {
+        const auto ring = body.ring_of_face(f);
+        const Vec3d base = body.vertices[body.tail(ring[0])];
+        Vec3d before = body.vertices[body.head(ring.back())] - body.vertices[body.tail(ring.back())];
+        NewellSum<double> whole;
+        for (const HalfEdge h : ring) {
+            const Vec3d side = body.vertices[body.head(h)] - body.vertices[body.tail(h)];
+            NewellSum<double> corner;
+            corner.add(before);
+            corner.add(side);
+            if (!corner.is_fair() || max_abs(side) < shortest) return true;
+            whole.add(Vec3d(body.vertices[body.tail(h)] - base));
+            before = side;
+        }
+        return !whole.is_fair();
+    };
+    for (Index f = 0; f < body.face_count(); ++f) {
+        if (is_thin(f)) return true;
+    }
+    return false;
+}
+
+}  // namespace edgewise

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+//
+// Derived planes of faces whose corners lie within anything from a rounding step to their own size of a
+// line: beside those of the body, which are computed in wider arithmetic. And V-Clip on bodies of such
+// faces beside exact arithmetic.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "edgewise/algorithms/vclip.hpp"
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/layout_parts/thin_corners.hpp"
+#include "edgewise/layouts/lean.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/truth/exact_distance.hpp"
+#include "reference_table.hpp"
+
+namespace edgewise {
+namespace {
+
+/// A tetrahedron whose fourth corner is near the middle of a side, on a face or near another corner;
+/// coordinates are those of `Scalar`. Nothing where rounding leaves no body.
+template <class Scalar>
+Result<Polyhedron> needle(scene::Rng& rng, double smallest) {
+    std::vector<Vec3d> corners;
+    for (int i = 0; i < 4; ++i) corners.push_back(rng.in_cube(1));
+    const double aside = std::pow(10.0, rng.uniform(std::log10(smallest), 0));
+    const double place = rng.below(2) == 0 ? std::pow(10.0, rng.uniform(-7, 0)) : rng.uniform(0, 1);
+    corners.push_back(corners[0] + place * (corners[1] - corners[0]) + aside * rng.in_cube(1));
+    for (Vec3d& v : corners) v = cast<double>(cast<Scalar>(v));
+    return convex_hull(corners);
+}
+
+struct NeedleErrors {
+    double worst_angle = 0, worst_distance = 0;  ///< radians; relative to the bodies' size of about 1
+    int thin_bodies = 0, fair_bodies = 0, separated = 0, overlapping = 0;
+};
+
+/// Angle between a derived plane's normal and one computed in wider arithmetic.
+template <class Plane>
+double angle_to(const Plane& plane, const Vec3d& exact) {
+    const Vec3d normal = cast<double>(plane.normal);
+    return norm(Vec3d(cross(Vec3d(normal / norm(normal)), exact)));
+}
+
+template <class Table>
+void compare_planes(const Table& table, const Polyhedron& body, NeedleErrors& errors) {
+    const ReferenceTable reference(body);
+    for (Index e = 0; e < body.edge_count(); ++e) {
+        const PolyhedronEdge& edge = body.edges[e];
+        for (const auto [found, flipped] : table.ring_of_vertex(edge.tail)) {
+            if (table.tail(found) + table.head(found) != edge.tail + edge.head) continue;
+            const bool as_ours = table.tail(found) == edge.tail;
+            for (const Side side : {Side::left, Side::right}) {
+                const bool left = (side == Side::left) == as_ours;
+                const auto beside = reference.edge_face_plane(e, left ? Side::left : Side::right);
+                const auto face = side == Side::left ? table.left(found) : table.right(found);
+                errors.worst_angle =
+                    std::max({errors.worst_angle, angle_to(table.edge_face_plane(found, side), beside.normal),
+                              angle_to(table.face_plane(face),
+                                       body.face_planes[left ? edge.left : edge.right].normal)});
+            }
+        }
+    }
+}
+
+template <class Table>
+void compare_distances(const Table& table, const Polyhedron& body, scene::Rng& rng, NeedleErrors& errors) {
+    for (int i = 0; i < 20; ++i) {
+        const Vec3d centre = body.vertices[rng.below(body.vertex_count())];
+        Pose pose;
+        pose.rotation = rng.rotation();
+        pose.translation = centre - multiply(pose.rotation, body.vertices[rng.below(body.vertex_count())]) +
+                           std::pow(10.0, rng.uniform(-3, 0)) * rng.on_sphere();
+        FeaturePair<Table, Table> pair(table, table);
+        const Distance answer = VClip::query(table, table, {pose.rotation, pose.translation}, pair);
+        const auto exact = truth::exact_distance(body.vertices, Pose{}, body.vertices, pose).or_throw();
+        errors.worst_distance = std::max(errors.worst_distance, std::abs(answer.distance - exact.distance));
+        ++(exact.distance > 0 ? errors.separated : errors.overlapping);
+    }
+}
+
+template <Precision P>
+NeedleErrors errors_of_needles(double smallest) {
+    scene::Rng rng(11);
+    NeedleErrors errors;
+    for (int i = 0; i < 1500; ++i) {
+        const Result<Polyhedron> body = needle<typename P::Compute>(rng, smallest);
+        if (!body) continue;
+        const lean<P> table(*body, Parts::features);
+        ++(table.facts().thin_corners ? errors.thin_bodies : errors.fair_bodies);
+        compare_planes(table, *body, errors);
+        compare_distances(table, *body, rng, errors);
+    }
+    std::printf(
+        "worst angle %.3g, worst distance %.3g; %d thin bodies, %d fair, %d separated, %d overlapping\n",
+        errors.worst_angle, errors.worst_distance, errors.thin_bodies, errors.fair_bodies, errors.separated,
+        errors.overlapping);
+    EXPECT_GT(errors.thin_bodies, 200);
+    EXPECT_GT(errors.fair_bodies, 10);
+    EXPECT_GT(errors.separated, 2000);
+    EXPECT_GT(errors.overlapping, 2000);
+    return errors;
+}
+
+TEST(ThinCorners, HavePlanesAndDistancesAsGoodAsStoredOnesInDouble) {
+    const NeedleErrors errors = errors_of_needles<f64>(1e-14);
+    EXPECT_LT(errors.worst_angle, 64 * Tolerance<double>::eps);
+    EXPECT_LT(errors.worst_distance, verified_error_double);
+}
+
+TEST(ThinCorners, HavePlanesAndDistancesAsGoodAsStoredOnesInSingle) {
+    const NeedleErrors errors = errors_of_needles<f32>(1e-6);
+    EXPECT_LT(errors.worst_angle, 64 * Tolerance<float>::eps);
+    EXPECT_LT(errors.worst_distance, verified_error_single);
+}
+
+/// Of named shapes, whose planes are derived plainly: the checks would cost time.
+TEST(ThinCorners, AreNotOnSpheresAndBoxes) {
+    for (const char* name : {"cube8", "sphere38", "sphere386", "sphere1538"}) {
+        const Polyhedron body = *scene::make_shape(name);
+        EXPECT_FALSE(has_thin_corners<double>(body)) << name;
+        EXPECT_FALSE(has_thin_corners<float>(body)) << name;
+    }
+}
+
+}  // namespace
+}  // namespace edgewise
