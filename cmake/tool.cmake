@@ -55,6 +55,11 @@ if(EDGEWISE_SANITIZE)
 endif()
 
 get_property(probe_units GLOBAL PROPERTY EDGEWISE_PROBE_UNITS)
+# Nothing of the tool is timed here, but a campaign's rate is that of its scans: vectors as wide as this machine has them.
+if(EDGEWISE_TUNE)
+    set_source_files_properties(src/edgewise/truth/filter/scanned_body.cpp PROPERTIES
+        COMPILE_OPTIONS -march=${EDGEWISE_TUNE} SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+endif()
 add_library(edgewise_core STATIC ${steering}
     ${sources} ${probe_units} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info}
     ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp

@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "edgewise/layout_parts/derived_table.hpp"
+#include "edgewise/layout_parts/derived/derived_table.hpp"
 
 namespace edgewise {
 

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "edgewise/layout_parts/derived_table.hpp"
+#include "edgewise/layout_parts/derived/derived_table.hpp"
 
 namespace edgewise {
 

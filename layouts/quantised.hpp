@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "edgewise/geometry/grid.hpp"
-#include "edgewise/layout_parts/derived_table.hpp"
+#include "edgewise/layout_parts/derived/derived_table.hpp"
 
 namespace edgewise {
 

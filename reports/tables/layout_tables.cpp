@@ -18,16 +18,6 @@ namespace edgewise::reports {
 
 namespace {
 
-/// The warm scene if there is one: its queries are what layouts are for.
-std::string reference_scene(const ReportData& data) {
-    std::string first;
-    for (const ReportCell* cell : data.swept()) {
-        if (cell->scene == "tumble") return cell->scene_label;
-        if (first.empty()) first = cell->scene_label;
-    }
-    return first;
-}
-
 constexpr store::FigureName line_bytes("lines.line_bytes_per_query.{start}"),
     bytes_read("lines.read_bytes_per_query.{start}");
 
@@ -69,6 +59,15 @@ double lines_of(const ReportCell& cell) {
 }
 
 }  // namespace
+
+std::string reference_scene(const ReportData& data) {
+    std::string first;
+    for (const ReportCell* cell : data.swept()) {
+        if (cell->scene == "tumble") return cell->scene_label;
+        if (first.empty()) first = cell->scene_label;
+    }
+    return first;
+}
 
 TextGrid layout_cost_grid(const ReportData& data) {
     const std::string scene = reference_scene(data), shape = reference_shape(data);

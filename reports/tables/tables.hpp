@@ -35,6 +35,9 @@ enum class PairKind { Separated, Overlapping };
 /// The shape that the short tables and the first view of the charts show: sphere386 if swept, else the
 /// largest.
 [[nodiscard]] std::string reference_shape(const ReportData& data);
+/// The scene of the table of layouts: the warm one if it was swept, since its queries are what layouts are
+/// for, else the first.
+[[nodiscard]] std::string reference_scene(const ReportData& data);
 /// Names of the bytes probe's components, the paper's three first.
 [[nodiscard]] std::vector<std::string> byte_components(const ReportData& data);
 /// Bytes per edge by component; an empty `shape` means all of them.

@@ -48,6 +48,10 @@ edgewise_mutant(inward_edges_are_climbed geometry/strictly_convex.cpp [[return d
     StrictlyConvex.* ${unit}/geometry/strictly_convex_test.cpp)
 edgewise_mutant(seeds_of_the_other_side layout_parts/seed_directions.hpp [[static_cast<int>(x > least) - static_cast<int>(x < -least)]] [[static_cast<int>(x < -least) - static_cast<int>(x > least)]]
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
+edgewise_mutant(thin_sides_derived_plainly layout_parts/derived/thin_corners.hpp [[if (corner.is_fair()) return perpendicular(along, aside);]] [[return perpendicular(along, aside);]]
+    ThinCorners* ${unit}/layout_parts/thin_corners_test.cpp)
+edgewise_mutant(thin_corners_overlooked layout_parts/derived/thin_corners.hpp [[if (is_thin(f)) return true;]] [[if (is_thin(f)) return false;]]
+    ThinCorners* ${unit}/layout_parts/thin_corners_test.cpp)
 edgewise_mutant(grid_cells_of_the_other_side layout_parts/seed_directions.hpp [[(along < 0 ? 1 : 0)]] [[(along < 0 ? 0 : 1)]]
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
 edgewise_mutant(far_neighbours_are_near layout_parts/relative_rings.hpp [[return in.far_neighbours(base).read(loader, low, Field::neighbour);]] [[return low;]]

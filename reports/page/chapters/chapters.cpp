@@ -78,7 +78,8 @@ Chapter layouts_chapter(const Answer&, const ReportData& data) {
                     .title = "What does a layout cost?",
                     .paragraph = prose("layouts.md"),
                     .blocks = {{.grids = {layout_cost_grid(data)}}},
-                    .link = "Layouts"};
+                    .link = "Layouts",
+                    .sentence = layouts_sentence(data)};
     if (TextGrid memory = scene_memory_grid(data); !memory.rows.empty())
         chapter.blocks.push_back({.grids = {std::move(memory)}});
     ChapterBlock claim{.title = "A line per vertex",

@@ -18,7 +18,8 @@ namespace edgewise::reports {
 namespace {
 
 constexpr store::FigureName total_bytes("bytes.total_bytes_per_edge"), plane_bytes("bytes.voronoi_planes"),
-    knee_bytes("reuse.line_knee_bytes"), query_lines("reuse.lines_per_query");
+    knee_bytes("reuse.line_knee_bytes"), query_lines("reuse.lines_per_query"), build_ns("build.build_ns"),
+    refit_ns("build.refit_ns");
 
 std::string full_name(const ReportCell& cell) {
     return fmt::format("{} on {}", algorithm_title(cell.algorithm), cell.table);
@@ -46,6 +47,15 @@ std::string lines_and_knee(const ReportCell& cell) {
     const auto lines = cell.figure(query_lines).value, knee = cell.figure(knee_bytes).value;
     std::string text = fmt::format("{} touches {} lines", full_name(cell), lines ? number_text(*lines) : "?");
     return knee ? fmt::format("{} and thrashes below {} of cache", text, size_text(*knee)) : text;
+}
+
+/// Empty where the cell has no such figures.
+std::string lines_and_building(const ReportCell& cell) {
+    const auto lines = cell.figure(store::lines_read.warm()).value, build = cell.figure(build_ns).value,
+               refit = cell.figure(refit_ns).value;
+    if (!lines || !build || !refit) return {};
+    return fmt::format("{} reads {} lines per warm query, is built in {} us and refitted in {}", cell.table,
+                       number_text(*lines), number_text(*build / 1000), number_text(*refit / 1000));
 }
 
 double sum_of(const std::vector<ReportCell>& rows, const store::FigureName& name) {
@@ -88,6 +98,18 @@ std::string misses_sentence(const ReportData& data) {
     std::string text = fmt::format("In {}, a query of {}", scene, lines_and_knee(*paper));
     if (least != paper) text += fmt::format("; one of {}", lines_and_knee(*least));
     return text + ".";
+}
+
+std::string layouts_sentence(const ReportData& data) {
+    const std::string shape = reference_shape(data);
+    std::vector<const ReportCell*> cells = verified_cells(data, shape, reference_scene(data));
+    std::erase_if(cells, [](const ReportCell* cell) { return cell->algorithm != "vclip"; });
+    const ReportCell *paper = cell_of(cells, {}), *least = cell_of_least(cells, store::lines_read.warm());
+    if (!paper || !least) return {};
+    const std::string of_paper = lines_and_building(*paper), of_least = lines_and_building(*least);
+    if (of_paper.empty() || of_least.empty()) return {};
+    const std::string text = fmt::format("V-Clip's table of {} in the paper's layout, {}", shape, of_paper);
+    return least == paper ? text + "." : fmt::format("{}; {}.", text, of_least);
 }
 
 std::string times_sentence(const Answer& answer, const ReportData& data) {

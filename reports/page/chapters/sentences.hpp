@@ -14,6 +14,8 @@ namespace edgewise::reports {
 [[nodiscard]] std::string bytes_sentence(const ReportData& data);
 /// Lines of a query and the cache below which a scene thrashes: of the baseline and of the fewest.
 [[nodiscard]] std::string misses_sentence(const ReportData& data);
+/// What V-Clip's table costs to build and to refit: of the baseline and of the fewest lines per query.
+[[nodiscard]] std::string layouts_sentence(const ReportData& data);
 /// How time grows from the smallest to the largest built-in body.
 [[nodiscard]] std::string times_sentence(const Answer& answer, const ReportData& data);
 /// How many cells are on a front of time and error.

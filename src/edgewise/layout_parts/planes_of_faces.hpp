@@ -4,7 +4,7 @@
 // a vertex, unit normals; as layout_parts/voronoi.hpp has them.
 #pragma once
 
-#include "edgewise/layout_parts/derived_planes.hpp"
+#include "edgewise/layout_parts/derived/derived_planes.hpp"
 #include "edgewise/table/contract.hpp"
 
 namespace edgewise {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "edgewise/geometry/vertex_order.hpp"
-#include "edgewise/layout_parts/derived_table.hpp"
+#include "edgewise/layout_parts/derived/derived_table.hpp"
 #include "edgewise/layout_parts/input_order.hpp"
 #include "edgewise/layout_parts/relative_rings.hpp"
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "edgewise/geometry/polyhedron.hpp"
-#include "edgewise/layout_parts/derived_table.hpp"
+#include "edgewise/layout_parts/derived/derived_table.hpp"
 #include "edgewise/layout_parts/seed_directions.hpp"
 
 namespace edgewise {

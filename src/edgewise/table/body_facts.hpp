@@ -23,7 +23,7 @@ struct BodyFacts {
     Parts parts = Parts::support;
     bool strictly_convex = true;  ///< false: Voronoi regions go on inside
     bool climbable = true;        ///< false: climbs may stick
-    /// Noted where planes are derived (layout_parts/thin_corners.hpp): they take wider arithmetic.
+    /// Noted where planes are derived (layout_parts/derived/thin_corners.hpp): they take wider arithmetic.
     bool thin_corners = false;
 
     BodyFacts() = default;

@@ -11,7 +11,7 @@
 
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/layout_parts/thin_corners.hpp"
+#include "edgewise/layout_parts/derived/thin_corners.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"

@@ -2,6 +2,7 @@
 #include "edgewise/truth/filter/float_proof.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "edgewise/truth/filter/contact_proof.hpp"
@@ -109,12 +110,15 @@ class ProofSearch {
         const auto on_b = pair_.b().as_high_as(lowest_.height_b - slack);
         const bool taken = take_lowest();
         if (on_a.size() * on_b.size() > most_level_pairs) return taken;
+        std::array<Vec3d, most_level_pairs> turned_a, turned_b;
+        for (std::size_t i = 0; i < on_a.size(); ++i) turned_a[i] = pair_.turned_a(on_a[i]);
+        for (std::size_t i = 0; i < on_b.size(); ++i) turned_b[i] = pair_.turned_b(on_b[i]);
         for (bool nearer = true; nearer && simplex_.height > 0;) {
             nearer = false;
-            for (const std::uint32_t a : on_a) {
-                for (const std::uint32_t b : on_b) {
-                    lowest_.pair = {a, b};
-                    lowest_.point = pair_.difference(lowest_.pair);
+            for (std::size_t i = 0; i < on_a.size(); ++i) {
+                for (std::size_t k = 0; k < on_b.size(); ++k) {
+                    lowest_.pair = {on_a[i], on_b[k]};
+                    lowest_.point = pair_.difference(turned_a[i], turned_b[k]);
                     nearer |= take_lowest();
                 }
             }

@@ -38,12 +38,6 @@ PosedPair::PosedPair(ScannedBody& a, const Pose& pose_a, ScannedBody& b, const P
     point_error_ = u * (turning + 2 * span_) * (1 + 16 * u);
 }
 
-Vec3d PosedPair::difference(VertexPair pair) const {
-    const Vec3d on_a = multiply(pose_a_.rotation, a_.vertex(pair.a));
-    const Vec3d on_b = multiply(pose_b_.rotation, b_.vertex(pair.b));
-    return (on_a - on_b) - offset_;
-}
-
 ScannedLowest PosedPair::lowest(const Vec3d& direction) {
     constexpr double u = proof_rounding;
     const Vec3d in_a = multiply_transposed(pose_a_.rotation, direction);

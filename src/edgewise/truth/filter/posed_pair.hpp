@@ -39,7 +39,15 @@ class PosedPair {
     [[nodiscard]] ScannedLowest lowest(const Vec3d& direction);
 
     /// x_A - x_B in the world; no component is off by more, nor is the vector, than point_error().
-    [[nodiscard]] Vec3d difference(VertexPair pair) const;
+    [[nodiscard]] Vec3d difference(VertexPair pair) const {
+        return difference(turned_a(pair.a), turned_b(pair.b));
+    }
+    /// The same of vertices that were turned before, to the bit.
+    [[nodiscard]] Vec3d difference(const Vec3d& turned_a, const Vec3d& turned_b) const {
+        return (turned_a - turned_b) - offset_;
+    }
+    [[nodiscard]] Vec3d turned_a(std::uint32_t i) const { return multiply(pose_a_.rotation, a_.vertex(i)); }
+    [[nodiscard]] Vec3d turned_b(std::uint32_t i) const { return multiply(pose_b_.rotation, b_.vertex(i)); }
     [[nodiscard]] double point_error() const { return point_error_; }
 
     /// t_B - t_A, rounded.

@@ -30,20 +30,24 @@ Highest ScannedBody::highest(const Vec3d& along) {
     const Four dx = along.x() - Four{}, dy = along.y() - Four{}, dz = along.z() - Four{};
     constexpr double none = -std::numeric_limits<double>::infinity();
     Four best = none - Four{};
+    FourPlaces place{}, here{};  // each lane's own: its first highest
     for (std::size_t i = 0; i < heights_.size(); ++i) {
         const Four height = dx * x_[i] + dy * y_[i] + dz * z_[i];
         heights_[i] = height;
-        best = height > best ? height : best;
+        const FourPlaces higher = height > best;
+        place = higher ? here : place;
+        best = higher ? height : best;
+        here += 1;
     }
-    const double height = std::max(std::max(best[0], best[1]), std::max(best[2], best[3]));
-    const Four wanted = height - Four{};
-    for (std::size_t i = 0; i < heights_.size(); ++i) {
-        const auto found = heights_[i] == wanted;
-        if (!(found[0] | found[1] | found[2] | found[3])) continue;
-        for (std::size_t lane = 0; lane < 4; ++lane)
-            if (found[lane]) return {static_cast<std::uint32_t>(4 * i + lane), height};
+    std::uint32_t first = 0;
+    double height = none;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+        const auto vertex = static_cast<std::uint32_t>(4 * place[lane]) + static_cast<std::uint32_t>(lane);
+        if (best[lane] > height || (best[lane] == height && vertex < first)) first = vertex;
+        height = std::max(height, best[lane]);
     }
-    return {0, std::numeric_limits<double>::quiet_NaN()};  // of a direction that is none
+    if (height == none) return {0, std::numeric_limits<double>::quiet_NaN()};  // of a direction that is none
+    return {first, height};
 }
 
 std::span<const std::uint32_t> ScannedBody::as_high_as(double height) {

@@ -42,6 +42,7 @@ class ScannedBody {
   private:
     /// Four numbers of four vertices: the compiler makes of it what the machine has.
     typedef double Four __attribute__((vector_size(32)));
+    typedef std::int64_t FourPlaces __attribute__((vector_size(32)));
 
     std::span<const Vec3d> vertices_;
     std::vector<Four> x_, y_, z_, heights_;  ///< filled up with copies of the first vertex

@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
-#include "edgewise/layout_parts/derived_rings.hpp"
-#include "edgewise/layout_parts/thin_corners.hpp"
+#include "edgewise/layout_parts/derived/derived_rings.hpp"
+#include "edgewise/layout_parts/derived/thin_corners.hpp"
 
 namespace edgewise {
 

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "edgewise/layout_parts/derived_half_edges.hpp"
+#include "edgewise/layout_parts/derived/derived_half_edges.hpp"
 #include "edgewise/table/feature_name.hpp"
 
 namespace edgewise {

@@ -8,7 +8,7 @@
 #include <cassert>
 
 #include "edgewise/layout_parts/block_table.hpp"
-#include "edgewise/layout_parts/derived_walks.hpp"
+#include "edgewise/layout_parts/derived/derived_walks.hpp"
 #include "edgewise/layout_parts/narrow_rings.hpp"
 
 namespace edgewise {

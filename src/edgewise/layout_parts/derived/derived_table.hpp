@@ -9,7 +9,7 @@
 #include <cmath>
 #include <optional>
 
-#include "edgewise/layout_parts/derived_planes.hpp"
+#include "edgewise/layout_parts/derived/derived_planes.hpp"
 #include "edgewise/table/ring_questions.hpp"
 
 namespace edgewise {
