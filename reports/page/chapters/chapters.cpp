@@ -144,13 +144,18 @@ Chapter times_chapter(const Answer& answer, const ReportData& data) {
                     .blocks = {{.section = "times"}},
                     .link = "Times",
                     .sentence = times_sentence(answer, data)};
-    for (const std::string& scene : scene_labels(data)) {
-        for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
+    for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping}) {
+        std::vector<TextGrid> scenes;
+        std::size_t rows = 0;
+        for (const std::string& scene : scene_labels(data)) {
             TextGrid grid = time_grid(data, scene, kind, "");
-            if (!grid.rows.empty())
-                chapter.blocks.push_back(
-                    folded(std::move(grid), fmt::format("{}, {} pairs", scene, pair_name(kind))));
+            rows += grid.rows.size();
+            if (!grid.rows.empty()) scenes.push_back(std::move(grid));
         }
+        if (!scenes.empty())
+            chapter.blocks.push_back({.grids = std::move(scenes),
+                                      .fold = fmt::format("Of {} pairs, scene by scene ({})", pair_name(kind),
+                                                          plural(rows, "row"))});
     }
     return chapter;
 }

@@ -106,10 +106,19 @@ function startFolds() {
     }));
 }
 
+// A box that has nothing to scroll is no stop of the tabulator, until the window is narrower.
+function startScrollBoxes() {
+    const boxes = new ResizeObserver(entries => entries.forEach(({ target }) => {
+        target.tabIndex = target.scrollWidth > target.clientWidth ? 0 : -1;
+    }));
+    document.querySelectorAll('.wide, .chart').forEach(box => boxes.observe(box));
+}
+
 function startPage() {
     document.documentElement.classList.add('alive');
     startCharts();
     startFolds();
+    startScrollBoxes();
     startQuestion();
     startFilter();
     startBody();
