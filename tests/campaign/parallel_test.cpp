@@ -12,7 +12,7 @@ namespace {
 using Parallel = CampaignRun;
 
 TEST_F(Parallel, EndsCompleteThoughAWorkerIsKilled) {
-    const Arguments command = script("parallel", {"--shards", "4", "--jobs", "2"});
+    const Arguments command = script("parallel", {"--shards", "8", "--jobs", "2"});
     Process campaign("/bin/sh", command, folder_);
     EXPECT_TRUE(kill_a_worker(campaign)) << "no worker was there to be killed";
     const Outcome outcome = campaign.wait();

@@ -45,7 +45,7 @@ class Slurm : public CampaignRun {
     }
     [[nodiscard]] Outcome submit() const {
         Arguments all = {"/bin/sh"};
-        const Arguments words = script("slurm", {"--shards", "4", "--sbatch", "--exclusive"});
+        const Arguments words = script("slurm", {"--shards", "8", "--sbatch", "--exclusive"});
         all.insert(all.end(), words.begin(), words.end());
         return client(all);
     }
@@ -86,7 +86,7 @@ TEST_F(Slurm, ArrayEndsCompleteThoughAWorkerAndANodeAreKilled) {
     EXPECT_TRUE(wait_for_jobs()) << client({"squeue"}).out;
     std::printf("after the kills: %s\n", text_of(parts_ + "/logs/merge.log").c_str());
     for (int again = 0;
-         again < 3 && text_of(parts_ + "/logs/merge.log").find("4 stores") == std::string::npos; ++again) {
+         again < 3 && text_of(parts_ + "/logs/merge.log").find("8 stores") == std::string::npos; ++again) {
         ASSERT_EQ(submit().exit_code, 0);
         EXPECT_TRUE(wait_for_jobs());
     }

@@ -81,10 +81,21 @@ inline constexpr std::size_t least_beginning = 3;
     return nearest ? message("; did you mean '", *nearest, "'?") : ";";
 }
 
+/// What somebody wrote, on one line of bearable length: control characters as '?', and cut.
+[[nodiscard]] inline std::string on_one_line(std::string_view text) {
+    constexpr std::size_t longest = 200;
+    std::string line(text.substr(0, longest));
+    for (char& c : line) {
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+    }
+    return text.size() > longest ? line + "..." : line;
+}
+
 /// "unknown layout 'aso'; did you mean 'aos'? known: aos, soa"
 [[nodiscard]] inline std::string unknown_name(std::string_view what, std::string_view name,
                                               const std::vector<std::string>& known) {
-    std::string line = message("unknown ", what, " '", name, "'", did_you_mean(name, known), " known: ");
+    std::string line =
+        message("unknown ", what, " '", on_one_line(name), "'", did_you_mean(name, known), " known: ");
     for (std::size_t i = 0; i < known.size(); ++i) line += message(i == 0 ? "" : ", ", known[i]);
     return line;
 }

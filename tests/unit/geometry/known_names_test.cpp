@@ -60,5 +60,12 @@ TEST(KnownNames, SayBoth) {
     EXPECT_EQ(unknown_name("layout", "nope", {"aos", "lean"}), "unknown layout 'nope'; known: aos, lean");
 }
 
+TEST(KnownNames, RefusesOnOneLineWhateverTheNameHolds) {
+    const std::string line = unknown_name("member", "va\nry\t\x7f", {"vary"});
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+    EXPECT_NE(line.find("'va?ry??'"), std::string::npos) << line;
+    EXPECT_LT(unknown_name("member", std::string(5000, 'x'), {"vary"}).size(), 300U);
+}
+
 }  // namespace
 }  // namespace edgewise
