@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-# The library, from this tree: conan create packaging/conan (Conan 2).
+# The library, from this tree: conan create packaging/conan -s compiler.cppstd=20 --build=missing (Conan 2).
 from os.path import dirname, join
 
 from conan import ConanFile
+from conan.tools.build import check_min_cppstd
 from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain, cmake_layout
-from conan.tools.files import copy
+from conan.tools.files import copy, rmdir
 
 
 class Edgewise(ConanFile):
@@ -14,18 +15,27 @@ class Edgewise(ConanFile):
     description = "Convex collision detection (V-Clip, Enhanced GJK) over interchangeable data layouts"
     settings = "os", "compiler", "build_type", "arch"
     package_type = "static-library"
-    requires = "eigen/[>=3.4 <4]", "qhull/8.0.2"
 
     def export_sources(self):
         tree = dirname(dirname(self.recipe_folder))
-        for part in ("CMakeLists.txt", "LICENSE", "README.md", "cmake/*", "src/*", "layouts/*", "tests/consumer/*"):
+        for part in ("CMakeLists.txt", "LICENSE", "README.md", "cmake/*", "src/*", "layouts/*", "tests/consumer/*",
+                     "packaging/edgewise.pc.in"):
             copy(self, part, tree, self.export_sources_folder)
+
+    def requirements(self):
+        self.requires("eigen/[>=3.4 <4]", transitive_headers=True)
+        self.requires("qhull/8.0.2")
+
+    def validate(self):
+        check_min_cppstd(self, 20)
 
     def layout(self):
         cmake_layout(self)
 
     def generate(self):
-        CMakeDeps(self).generate()
+        dependencies = CMakeDeps(self)
+        dependencies.set_property("qhull::libqhull", "cmake_target_name", "Qhull::qhull_r")  # a static one has another name
+        dependencies.generate()
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables["EDGEWISE_TOOL"] = False
         toolchain.generate()
@@ -38,6 +48,8 @@ class Edgewise(ConanFile):
     def package(self):
         copy(self, "LICENSE", self.source_folder, join(self.package_folder, "licenses"))
         CMake(self).install()
+        rmdir(self, join(self.package_folder, "lib", "cmake"))  # Conan writes its own
+        rmdir(self, join(self.package_folder, "lib", "pkgconfig"))
 
     def package_info(self):
         self.cpp_info.set_property("cmake_file_name", "edgewise")

@@ -2,6 +2,8 @@
 #
 # A ReFrame test (reframe-hpc.readthedocs.io, 4.x) of an installed Edgewise: a quick sweep on one node of its own;
 # sane when every cell was verified, and its figures of merit are what ReFrame keeps.
+import os
+
 import reframe as rfm
 import reframe.utility.sanity as sn
 
@@ -23,7 +25,7 @@ class EdgewiseSweep(rfm.RunOnlyRegressionTest):
 
     @run_before('performance')
     def take_figures_of_merit(self):
-        for name in sn.evaluate(sn.extractall(r'^FOM (time_ratio\.\S+) =', self.stdout, 1)):
-            pattern = rf'^FOM {name} = (\S+) 1$'
-            self.perf_variables[name] = sn.make_performance_function(
-                sn.extractsingle(pattern, self.stdout, 1, float), '1')
+        output = os.path.join(self.stagedir, sn.evaluate(self.stdout))  # hooks run elsewhere
+        figures = sn.extractall(r'^FOM (time_ratio\.\S+) = (\S+) 1$', output, (1, 2), (str, float))
+        for name, ratio in sn.evaluate(figures):
+            self.perf_variables[name] = sn.make_performance_function(sn.defer(ratio), '1')

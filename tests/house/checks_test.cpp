@@ -172,6 +172,23 @@ TEST(FullFolders, AreThoseWithoutAReason) {
     EXPECT_EQ(to_text(full_folders(files)), "");
 }
 
+TEST(SanitizedFlattening, IsSeenInEitherSpelling) {
+    const auto verdict = [](const std::string& line) {
+        return to_text(sanitized_flattening({source_file("src/edgewise/table/ring.hpp", line + "\n")}));
+    };
+    const std::string what = "src/edgewise/table/ring.hpp:1: flatten without no_sanitize on its line\n";
+    EXPECT_EQ(verdict("[[nodiscard]] __attribute__(("
+                      "flatten, noinline)) Distance run() {"),
+              what);
+    EXPECT_EQ(verdict("[[gnu::"
+                      "flatten]] void run() {"),
+              what);
+    EXPECT_EQ(verdict("__attribute__(("
+                      "flatten, noinline, no_sanitize(\"address\", \"undefined\"))) void run() {"),
+              "");
+    EXPECT_EQ(verdict("// Flattened, as the tree is."), "");
+}
+
 TEST(DeadMentions, AreFilesThatACommentNamesAndNobodyHas) {
     const auto verdict = [](const std::string& line) {
         return to_text(dead_mentions({source_file("src/edgewise/table/ring.hpp", line + "\n"),

@@ -17,6 +17,10 @@ inline constexpr std::size_t readme_lines = 120, readme_words = 900;
 /// reason in its CMakeLists.txt, on a line that begins "# More than 30 files:".
 [[nodiscard]] std::vector<Violation> full_folders(const std::vector<SourceFile>& files);
 
+/// Functions flattened without being kept from sanitizers on the same line: g++ then takes minutes to compile
+/// what a user sanitizes in his own program.
+[[nodiscard]] std::vector<Violation> sanitized_flattening(const std::vector<SourceFile>& files);
+
 /// Source files that a comment names and the tree does not have.
 [[nodiscard]] std::vector<Violation> dead_mentions(const std::vector<SourceFile>& files);
 

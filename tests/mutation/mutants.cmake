@@ -101,10 +101,16 @@ edgewise_mutant(clip_takes_the_nearer_end algorithms/vclip/clip.hpp [[if (lambda
     Clip.* ${unit}/algorithms/clip_test.cpp)
 edgewise_mutant(clip_forgets_simple_exclusion algorithms/vclip/clip.hpp [[if (tail < 0 && head < 0) return Clipped::simply_excluded;]] [[if (tail < 0 && head < 0) return Clipped::inside;]]
     Clip.* ${unit}/algorithms/clip_test.cpp)
-edgewise_mutant(parallel_edges_divide algorithms/vclip/closest_points.hpp [[if (inside && squared >= fair)]] [[if (inside)]]
+edgewise_mutant(parallel_edges_divide algorithms/vclip/closest_points.hpp [[return inside && squared_ >= fair;]] [[return inside;]]
     ClosestOn* ${unit}/algorithms/closest_points_test.cpp)
 edgewise_mutant(segments_not_clamped algorithms/vclip/closest_points.hpp [[std::clamp(projection(segment.tail, along, point), Scalar(0), Scalar(1))]] [[projection(segment.tail, along, point)]]
     ClosestOn* ${unit}/algorithms/closest_points_test.cpp)
+edgewise_mutant(proof_asks_one_face layout_parts/derived/derived_ends.hpp [[!is_beyond(rings().neighbour(loader_, h.vertex, after), base, direction);]] [[true;]]
+    StillClosest.Proves* ${unit}/algorithms/still_closest_test.cpp)
+edgewise_mutant(proof_of_any_face layout_parts/derived/derived_ends.hpp [[is_beside(normal, second, third, point) ||]] [[]]
+    StillClosest.Proves* ${unit}/algorithms/still_closest_test.cpp)
+edgewise_mutant(proof_on_thin_corners layout_parts/derived/derived_ends.hpp [[&& !facts_.thin_corners && facts_]] [[&& facts_]]
+    StillClosest.ProvesNothing* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(cycle_never_seen algorithms/vclip/cycle_guard.hpp [[if (a == a_ && b == b_) return true;]] [[if (a == a_ && b == b_) return false;]]
     CycleGuard.BothFeaturesCount ${unit}/algorithms/cycle_guard_test.cpp)
 edgewise_mutant(cycle_by_one_feature algorithms/vclip/cycle_guard.hpp [[a == a_ && b == b_]] [[a == a_ || b == b_]]
@@ -241,9 +247,9 @@ edgewise_mutant(long_rings_end_at_their_first_block layouts/ring_block.hpp [[ret
     [[return Place{block, lane, vertex & ~more};]] FieldLayouts.Keep* ${unit}/layout_parts/field_layouts_test.cpp)
 
 # Raw V-Clip
-edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false);]] [[return walk(a, b, nobody, true);]]
+edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false);]] [[return prove_or_walk(a, b, nobody);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
-edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return walk(a, b, nobody, true);]] [[return walk(a, b, nobody, false);]]
+edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return prove_or_walk(a, b, nobody);]] [[return walk(a, b, nobody, false);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
 edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability_tally.cpp [[judged.judgement.verdict_wrong || beyond;]] [[judged.judgement.verdict_wrong;]]
     StabilityTally.AWrongDistance* ${unit}/studies/stability_tally_test.cpp)

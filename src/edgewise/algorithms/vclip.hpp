@@ -31,6 +31,7 @@
 #include "edgewise/algorithms/vclip/fallback.hpp"
 #include "edgewise/algorithms/vclip/feature_pair.hpp"
 #include "edgewise/algorithms/vclip/seeded_start.hpp"
+#include "edgewise/algorithms/vclip/still_closest.hpp"
 #include "edgewise/algorithms/vclip/trust.hpp"
 #include "edgewise/algorithms/vclip/vertex_edge.hpp"
 #include "edgewise/algorithms/vclip/vertex_face.hpp"
@@ -39,8 +40,6 @@
 namespace edgewise {
 
 namespace vclip {
-
-constexpr int pair_of(FeatureKind a, FeatureKind b) { return 3 * static_cast<int>(a) + static_cast<int>(b); }
 
 /// One state: the pair's two features decide which.
 template <class TableA, class TableB>
@@ -68,17 +67,17 @@ template <class TableA, class TableB>
     return Step::separated;
 }
 
+template <class Scalar>
+[[nodiscard]] Distance separated_by(const ClosestPoints<Scalar>& points) {
+    Distance result = between(points.on_a, points.on_b);
+    if (max_abs(points.normal) > 0) result.normal = points.normal.template cast<double>();
+    return result;
+}
+
 template <class TableA, class TableB>
 [[nodiscard]] Distance answer(const Body<TableA>& a, const Body<TableB>& b, Step last) {
-    Distance result;
-    if (last == Step::separated) {
-        const auto [on_a, on_b, normal] = closest_points(a, b);
-        result = between(on_a, on_b);
-        if (max_abs(normal) > 0) result.normal = normal.template cast<double>();
-    } else {
-        result.status = last == Step::overlapping ? Status::overlapping : Status::touching;
-    }
-    return result;
+    if (last == Step::separated) return separated_by(closest_points(a, b));
+    return {.status = last == Step::overlapping ? Status::overlapping : Status::touching};
 }
 
 /// Raw V-Clip's: of a cycle, the features at hand; nothing where coordinates overflow.
@@ -86,6 +85,22 @@ template <class TableA, class TableB>
 [[nodiscard]] Distance raw_answer(const Body<TableA>& a, const Body<TableB>& b, Step last, bool cycle) {
     Distance result = answer(a, b, cycle ? Step::separated : last);
     if (!std::isfinite(result.distance)) result = {.status = Status::failed};
+    return result;
+}
+
+/// The answer of a run that ended, or what the fallback says where it is not believed.
+template <class TableA, class TableB, class Observer>
+[[nodiscard]] Distance believed(Distance result, Body<TableA>& a, Body<TableB>& b, Observer& observer,
+                                bool cycle) {
+    // Coordinates whose products overflow give no distance: GJK has the range, and starts cold.
+    const bool is_number = std::isfinite(result.distance);
+    const Trust verdict = cycle || !is_number ? Trust::doubted : trust(result, a, b);
+    if (verdict != Trust::sound) {
+        observer.ask_gjk();
+        result = answer_by_gjk(a, b);
+    }
+    result.fallbacks = verdict == Trust::doubted;
+    result.refinements = verdict == Trust::close;
     return result;
 }
 
@@ -105,23 +120,27 @@ template <class TableA, class TableB, class Observer>
         const bool moved = last == Step::moved || last == Step::escaped;
         const bool cycle = moved && guard.returns_to(a.feature, b.feature);
         if (moved && !cycle) continue;
-        Distance result = hardened ? answer(a, b, last) : raw_answer(a, b, last, cycle);
-        // Coordinates whose products overflow give no distance: GJK has the range, and starts cold.
-        const bool is_number = std::isfinite(result.distance);
-        const Trust verdict = !hardened             ? Trust::sound
-                              : cycle || !is_number ? Trust::doubted
-                                                    : trust(result, a, b);
-        if (verdict != Trust::sound) {
-            observer.ask_gjk();
-            result = answer_by_gjk(a, b);
-        }
+        Distance result =
+            hardened ? believed(answer(a, b, last), a, b, observer, cycle) : raw_answer(a, b, last, cycle);
         result.steps = steps;
         result.cycles = cycle;
-        result.fallbacks = verdict == Trust::doubted;
-        result.refinements = verdict == Trust::close;
         result.escapes = escapes;
         return result;
     }
+}
+
+/// Most queries of coherent pairs end where they start.
+template <class TableA, class TableB, class Observer>
+[[nodiscard]] Distance prove_or_walk(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
+    if constexpr (EndsAtFeatures<TableA> && EndsAtFeatures<TableB>) {
+        observer.visit(a.feature.kind(), b.feature.kind());
+        if (const auto known = still_closest(a, b)) {
+            Distance result = believed(separated_by(*known), a, b, observer, false);
+            result.steps = 1;
+            return result;
+        }
+    }
+    return walk(a, b, observer, true);
 }
 
 /// One run with everything inlined, a symbol of its own: see run_gjk.
@@ -129,7 +148,7 @@ template <class TableA, class TableB>
 [[nodiscard]] __attribute__((flatten, noinline, no_sanitize("address", "undefined", "thread"))) Distance run(
     Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
-    return walk(a, b, nobody, true);
+    return prove_or_walk(a, b, nobody);
 }
 
 template <class TableA, class TableB>
@@ -159,18 +178,22 @@ struct VClip {
             return {};
         const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
-        const Features<TableA, TableB> start = pair.start(a, b);
+        const bool is_known = pair.belongs_to(a, b);
+        const Features<TableA, TableB> start =
+            is_known ? pair.held(a, b) : Features<TableA, TableB>::first_of(a, b);
         vclip::Body<TableA> body_a{a, into_a, start.a};
         vclip::Body<TableB> body_b{b, into_b, start.b};
         const Distance result = [&] {
             if constexpr (is_traced<TableA> || !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>)
-                return vclip::walk(body_a, body_b, observer, options.hardened);
+                return options.hardened ? vclip::prove_or_walk(body_a, body_b, observer)
+                                        : vclip::walk(body_a, body_b, observer, false);
             else if (!options.hardened) [[unlikely]]
                 return vclip::run_raw(body_a, body_b);
             else
                 return vclip::run(body_a, body_b);
         }();
-        pair = {a, b, {body_a.feature, body_b.feature}};
+        const Features<TableA, TableB> end{body_a.feature, body_b.feature};
+        if (!is_known || !(end == start)) pair = {a, b, end};
         return within(options, result);
     }
 };

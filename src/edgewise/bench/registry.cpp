@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "edgewise/bench/peers/peer_modules.hpp"
-#include "edgewise/geometry/known_names.hpp"
+#include "edgewise/input/known_names.hpp"
 
 namespace edgewise::bench {
 

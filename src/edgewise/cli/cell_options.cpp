@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/count_option.hpp"
-#include "edgewise/geometry/known_names.hpp"
+#include "edgewise/input/known_names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -9,7 +9,7 @@
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/terminal/list_tables.hpp"
-#include "edgewise/geometry/known_names.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/scene/hard/families.hpp"
 #include "edgewise/scene/scene_file.hpp"

@@ -13,8 +13,8 @@
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/file_text.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/scene/case_file.hpp"
 
 namespace edgewise::cli {

@@ -73,6 +73,11 @@ struct Tolerance {
     /// most four binary digits; thinner corners take an exact one, or one in wider arithmetic.
     static constexpr Scalar fair_corner = Scalar(1) / 256;
 
+    /// Sides of a face, relative to the body's largest coordinate: rounding its two ends to this scalar, half
+    /// a step each, turns a side of this length by a sixty-fourth at most, so that a fair corner stays one;
+    /// at a shorter side a corner may be as thin as rounding made it.
+    static constexpr Scalar rounded_side = 64 * eps;
+
     /// V-Clip, relative to the size: closest points nearer than this have a direction good to no more than a
     /// part in 256, and slopes along it, which decide, no better.
     static constexpr Scalar hardly_apart = 256 * contact_noise;

@@ -13,10 +13,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/scene/mesh/mesh_shapes.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
@@ -240,7 +240,7 @@ Result<SceneFile> parse_scene_file(const std::string& name, const std::string& t
         SceneFile file = read(name, *json, context, warning);
         return Failure::success(std::move(file), warning);
     } catch (const Fault& fault) {
-        return Failure::failure(fmt::format("scene file {}: {}", name, fault.what));
+        return Failure::failure(fmt::format("scene file {}: {}", name, without_controls(fault.what)));
     }
 }
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgewise/geometry/known_names.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/scene_file.hpp"
 

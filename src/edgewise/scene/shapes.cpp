@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/geometry/known_names.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/scene/sphere_points.hpp"
 
 namespace edgewise::scene {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "edgewise/bench/cell.hpp"
-#include "edgewise/geometry/known_names.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/studies/parts/allowed_errors.hpp"
 #include "edgewise/studies/stability_subject.hpp"
 

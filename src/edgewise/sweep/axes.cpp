@@ -7,8 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/count.hpp"
+#include "edgewise/input/known_names.hpp"
 
 namespace edgewise::sweep {
 

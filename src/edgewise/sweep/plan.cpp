@@ -10,10 +10,10 @@
 #include <stdexcept>
 
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/input/known_names.hpp"
 
 namespace edgewise::sweep {
 

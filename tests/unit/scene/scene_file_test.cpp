@@ -18,6 +18,7 @@ namespace edgewise::scene {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 SceneFile parsed(const std::string& text) {
     auto file = parse_scene_file("mine", text);
@@ -174,6 +175,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "a list"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "vary": {"bodies": [2], "margin": [1]}})", "vary",
                 "one parameter"}));
+
+TEST(SceneFile, IsRefusedOnOneLineWhateverItsNamesHold) {
+    // A parameter and a member with a line's end in them, both found by fuzzing.
+    for (const char* text :
+         {R"({"scene": "tumble", "shapes": ["cube8"], "parameters": {"bodies\n or not": [1, 2]}})",
+          R"({"scene": "tumble", "shapes": ["cube8"], "vary\n": {}})"}) {
+        const auto file = parse_scene_file("mine", text);
+        ASSERT_FALSE(file);
+        EXPECT_THAT(file.error, Not(HasSubstr("\n")));
+        EXPECT_THAT(file.error, HasSubstr("?"));
+    }
+}
 
 TEST(SceneFile, ThatIsNestedDeeplyIsRefused) {
     const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');

@@ -35,6 +35,9 @@ struct Body {
     void move_to_face(typename Table::Face f) { feature = Feature<Table>::of_face(f); }
 };
 
+/// A number for each pair of kinds.
+constexpr int pair_of(FeatureKind a, FeatureKind b) { return 3 * static_cast<int>(a) + static_cast<int>(b); }
+
 /// Planes are computed from corners when asked for.
 template <class Table>
 concept DerivesPlanes = requires {

@@ -26,27 +26,53 @@ template <class Scalar>
     return segment.at(std::clamp(projection(segment.tail, along, point), Scalar(0), Scalar(1)));
 }
 
+/// The lines through two segments, and where they come closest to each other.
+template <class Scalar>
+class CrossingLines {
+  public:
+    CrossingLines(const Segment<Scalar>& a, const Segment<Scalar>& b)
+        : a_(a), b_(b), common_(cross(along_a(), along_b())), squared_(squared_norm(common_)) {
+        const Scalar inverse = 1 / squared_;
+        lambda_ = dot(cross(between_tails(), along_b()), common_) * inverse;
+        mu_ = dot(cross(between_tails(), along_a()), common_) * inverse;
+    }
+
+    /// Across both; zero where they are parallel, and there are no numbers for where.
+    [[nodiscard]] const Vec3<Scalar>& common() const { return common_; }
+    [[nodiscard]] bool are_parallel() const { return !(squared_ > 0); }
+    [[nodiscard]] Vec3<Scalar> between_tails() const { return b_.tail - a_.tail; }
+    [[nodiscard]] Scalar lambda() const { return lambda_; }
+
+    /// At more than the angle where parameters are good, with both feet on the segments.
+    [[nodiscard]] bool cross_fairly_within() const {
+        const bool inside = lambda_ >= 0 && lambda_ <= 1 && mu_ >= 0 && mu_ <= 1;
+        const Scalar fair =
+            Tolerance<Scalar>::fair_crossing * squared_norm(along_a()) * squared_norm(along_b());
+        return inside && squared_ >= fair;
+    }
+    [[nodiscard]] PointPair<Scalar> feet() const { return {a_.at(lambda_), b_.at(mu_)}; }
+
+  private:
+    [[nodiscard]] Vec3<Scalar> along_a() const { return a_.head - a_.tail; }
+    [[nodiscard]] Vec3<Scalar> along_b() const { return b_.head - b_.tail; }
+
+    Segment<Scalar> a_, b_;
+    Vec3<Scalar> common_;
+    Scalar squared_, lambda_, mu_;
+};
+
 /// Edges that cross at a fair angle, with both feet inside, need one division; near-parallel or clamped ones
 /// are projected back and forth, which keeps the distance right where a parameter is only good to eps over
 /// the angle.
 template <class Scalar>
 [[nodiscard]] PointPair<Scalar> closest_on_segments(const Segment<Scalar>& a, const Segment<Scalar>& b) {
-    const Vec3<Scalar> along_a = a.head - a.tail;
-    const Vec3<Scalar> along_b = b.head - b.tail;
-    const Vec3<Scalar> between = b.tail - a.tail;
-    const Vec3<Scalar> common = cross(along_a, along_b);
-    const Scalar squared = squared_norm(common);
-    if (!(squared > 0)) {  // parallel: any place will do to start from
+    const CrossingLines<Scalar> lines(a, b);
+    if (lines.are_parallel()) {  // any place will do to start from
         const Vec3<Scalar> on_b = closest_on_segment(b, a.tail);
         return {closest_on_segment(a, on_b), on_b};
     }
-    const Scalar inverse = 1 / squared;
-    const Scalar lambda = dot(cross(between, along_b), common) * inverse;
-    const Scalar mu = dot(cross(between, along_a), common) * inverse;
-    const bool inside = lambda >= 0 && lambda <= 1 && mu >= 0 && mu <= 1;
-    const Scalar fair = Tolerance<Scalar>::fair_crossing * squared_norm(along_a) * squared_norm(along_b);
-    if (inside && squared >= fair) return {a.at(lambda), b.at(mu)};
-    const Vec3<Scalar> on_b = closest_on_segment(b, a.at(std::clamp(lambda, Scalar(0), Scalar(1))));
+    if (lines.cross_fairly_within()) return lines.feet();
+    const Vec3<Scalar> on_b = closest_on_segment(b, a.at(std::clamp(lines.lambda(), Scalar(0), Scalar(1))));
     return {closest_on_segment(a, on_b), on_b};
 }
 
@@ -56,6 +82,12 @@ struct FaceFoot {
     Vec3<Scalar> normal = Vec3<Scalar>::Zero();  ///< the face's, unit; zero where what is stored is rounder
 };
 
+/// `plane`: of unit normal.
+template <class Plane, class Scalar>
+[[nodiscard]] FaceFoot<Scalar> foot_on_plane(const Plane& plane, const Vec3<Scalar>& point) {
+    return {point - plane.distance(point) * plane.normal, plane.normal};
+}
+
 /// Foot of a point on a face's plane. Where planes are stored rounder than the arithmetic, the plane is
 /// derived anew from the face's vertices (Newell's normal), so that the answer is as good as the vertices
 /// are.
@@ -64,8 +96,7 @@ template <class Table>
                                                       const Vec3<ComputeOf<Table>>& point) {
     using Scalar = ComputeOf<Table>;
     if constexpr (!rounded_planes<Table>) {
-        const auto plane = table.face_plane(face);
-        return {point - plane.distance(point) * plane.normal, plane.normal};
+        return foot_on_plane(table.face_plane(face), point);
     } else {
         const auto ring = table.ring_of_face(face);
         const auto first = *ring.begin();

@@ -77,7 +77,8 @@ class ScalePass {
     }
 
     /// From cold pairs; ns per query.
-    [[nodiscard]] [[gnu::flatten, gnu::noinline]] double run(std::vector<double>& distances) {
+    [[nodiscard]] __attribute__((flatten, noinline, no_sanitize("address", "undefined", "thread"))) double
+    run(std::vector<double>& distances) {
         for (std::size_t i = 0; i < shapes_.size(); ++i) pairs_[i] = {shapes_[i], next(i)};
         distances.clear();
         const measure::Stopwatch watch;

@@ -12,7 +12,7 @@
 #include "edgewise/cli/advise/advice.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/count_option.hpp"
-#include "edgewise/geometry/known_names.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "edgewise/geometry/known_names.hpp"
+#include "edgewise/input/known_names.hpp"
 
 namespace edgewise::cli {
 

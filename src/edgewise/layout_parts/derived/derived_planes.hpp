@@ -131,7 +131,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
     [[nodiscard]] [[gnu::noinline]] AnchoredPlane<Compute> plane_of_thin_face(const Face& f) const {
         const Vec3<Compute> base = vertex(f.vertex);
         const auto corners = this->around(f, [&](const HalfEdgeAt& h) { return vertex(h.vertex); });
-        NewellSum<Compute> plain;
+        PlainNewellSum<Compute> plain;
         for (const Vec3<Compute> corner : corners) plain.add(Vec3<Compute>(corner - base));
         if (plain.is_fair()) return {plain.normal(), base};
         NewellSum<Wider<Compute>> wide;
@@ -154,7 +154,9 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
         return rising ? across(from, to, other) : across(to, from, other);
     }
 
-    void note_corners(const Polyhedron& body) { facts_.thin_corners = has_thin_corners<Compute>(body); }
+    void note_corners(const Polyhedron& body) {
+        facts_.thin_corners = has_thin_corners<Compute>(body, facts_.reach);
+    }
 
     template <class, Precision, class, class>
     friend class DerivedPlanes;

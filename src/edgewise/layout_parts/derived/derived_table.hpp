@@ -9,15 +9,15 @@
 #include <cmath>
 #include <optional>
 
-#include "edgewise/layout_parts/derived/derived_planes.hpp"
+#include "edgewise/layout_parts/derived/derived_ends.hpp"
 #include "edgewise/table/ring_questions.hpp"
 
 namespace edgewise {
 
 /// Points and RingPlaces: as of DerivedPlanes.
 template <class Points, Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
-class DerivedTable : public DerivedPlanes<Points, P, Loader, RingPlaces> {
-    using Base = DerivedPlanes<Points, P, Loader, RingPlaces>;
+class DerivedTable : public DerivedEnds<Points, P, Loader, RingPlaces> {
+    using Base = DerivedEnds<Points, P, Loader, RingPlaces>;
 
   public:
     using typename Base::Compute;

@@ -25,17 +25,28 @@ class NewellSum {
   public:
     void add(const Vec3<Scalar>& corner) {
         normal_ += cross(before_, corner);
-        largest_ = std::max(largest_, squared_norm(before_) * squared_norm(corner));
         before_ = corner;
     }
     [[nodiscard]] const Vec3<Scalar>& normal() const { return normal_; }
+
+  protected:
+    Vec3<Scalar> normal_ = Vec3<Scalar>::Zero(), before_ = Vec3<Scalar>::Zero();
+};
+
+/// The same in plain arithmetic, knowing how good it is.
+template <class Scalar>
+class PlainNewellSum : public NewellSum<Scalar> {
+  public:
+    void add(const Vec3<Scalar>& corner) {
+        largest_ = std::max(largest_, squared_norm(this->before_) * squared_norm(corner));
+        NewellSum<Scalar>::add(corner);
+    }
     /// Whether it keeps all but four binary digits; no where products vanish.
     [[nodiscard]] bool is_fair() const {
-        return squared_norm(normal_) > Tolerance<Scalar>::fair_corner * largest_;
+        return squared_norm(this->normal_) > Tolerance<Scalar>::fair_corner * largest_;
     }
 
   private:
-    Vec3<Scalar> normal_ = Vec3<Scalar>::Zero(), before_ = Vec3<Scalar>::Zero();
     Scalar largest_ = 0;
 };
 
@@ -59,7 +70,7 @@ template <class Scalar>
         return Vector(squared_norm(along) * aside - dot(along, aside) * along);
     };
     const Vec3<Scalar> along = end - base, aside = other - base;
-    NewellSum<Scalar> corner;
+    PlainNewellSum<Scalar> corner;
     corner.add(along);
     corner.add(aside);
     if (corner.is_fair()) return perpendicular(along, aside);
@@ -68,20 +79,18 @@ template <class Scalar>
 
 /// Whether a plane that is derived plainly in this scalar may be off by more than four binary digits: where
 /// two sides of a face meet, or where a face is seen from a corner, at a sine below 1/16; or where a side is
-/// so short that rounding the body to this scalar may have made it so.
+/// so short that rounding the body to this scalar may have made it so. `reach`: its largest coordinate.
 template <class Scalar>
-[[nodiscard]] bool has_thin_corners(const Polyhedron& body) {
-    double reach = 0;
-    for (const Vec3d& v : body.vertices) reach = std::max(reach, max_abs(v));
-    const double shortest = double{Tolerance<Scalar>::level} * reach;
+[[nodiscard]] bool has_thin_corners(const Polyhedron& body, double reach) {
+    const double shortest = double{Tolerance<Scalar>::rounded_side} * reach;
     const auto is_thin = [&](Index f) {
         const auto ring = body.ring_of_face(f);
         const Vec3d base = body.vertices[body.tail(ring[0])];
         Vec3d before = body.vertices[body.head(ring.back())] - body.vertices[body.tail(ring.back())];
-        NewellSum<double> whole;
+        PlainNewellSum<double> whole;
         for (const HalfEdge h : ring) {
             const Vec3d side = body.vertices[body.head(h)] - body.vertices[body.tail(h)];
-            NewellSum<double> corner;
+            PlainNewellSum<double> corner;
             corner.add(before);
             corner.add(side);
             if (!corner.is_fair() || max_abs(side) < shortest) return true;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/file_text.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/measure/cache/machine_of_sizes.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 

@@ -11,9 +11,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "edgewise/geometry/known_names.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/input/known_names.hpp"
 
 namespace edgewise::studies {
 

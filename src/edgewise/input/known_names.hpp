@@ -81,13 +81,18 @@ inline constexpr std::size_t least_beginning = 3;
     return nearest ? message("; did you mean '", *nearest, "'?") : ";";
 }
 
-/// What somebody wrote, on one line of bearable length: control characters as '?', and cut.
-[[nodiscard]] inline std::string on_one_line(std::string_view text) {
-    constexpr std::size_t longest = 200;
-    std::string line(text.substr(0, longest));
-    for (char& c : line) {
+/// Control characters as '?': a refusal that quotes what somebody wrote stays one line.
+[[nodiscard]] inline std::string without_controls(std::string text) {
+    for (char& c : text) {
         if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
     }
+    return text;
+}
+
+/// What somebody wrote, on one line of bearable length.
+[[nodiscard]] inline std::string on_one_line(std::string_view text) {
+    constexpr std::size_t longest = 200;
+    const std::string line = without_controls(std::string(text.substr(0, longest)));
     return text.size() > longest ? line + "..." : line;
 }
 

@@ -2,7 +2,7 @@
 //
 // Which known name a slip stands for: every single edit of every name finds that name again, and what is far
 // from all names finds none.
-#include "edgewise/geometry/known_names.hpp"
+#include "edgewise/input/known_names.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+//
+// Whether two features hold the closest points, by the corners next to them alone. Where planes are not
+// stored, deriving a state's planes costs more than this proof, and most coherent queries end where they
+// start.
+//
+// Two points, one of either body, are closest when no corner lies beyond the planes through them across the
+// line between them; of a convex body only the corners next to the feature need asking, as in a climb
+// (optimality conditions of a convex problem: Boyd, Vandenberghe, Convex Optimization, 2004, 5.5.3). V-Clip's
+// planes say the same: a point near an edge lies beyond an edge-face plane just when the third corner of
+// that face lies beyond the plane through the edge. Departure: the report always asks Voronoi planes. Here
+// they are asked where this proves nothing: when the bodies have moved on, at rounding, in contact.
+#pragma once
+
+#include <concepts>
+#include <optional>
+
+#include "edgewise/algorithms/vclip/body.hpp"
+#include "edgewise/algorithms/vclip/closest_points.hpp"
+
+namespace edgewise::vclip {
+
+/// Knows of a feature whether the body ends at it along a direction of any length.
+template <class Table>
+concept EndsAtFeatures = requires(const Table& table, typename Table::Vertex v, typename Table::Edge e,
+                                  typename Table::Face f, Vec3<ComputeOf<Table>> direction) {
+    /// Whether corners next to a feature speak for all corners, in plain arithmetic.
+    { table.neighbours_decide() } -> std::same_as<bool>;
+    { table.ends_at_vertex(v, direction) } -> std::same_as<bool>;
+    /// Of a direction across the edge.
+    { table.ends_at_edge(e, direction) } -> std::same_as<bool>;
+    /// The face's plane, its normal of any length, if the point lies above it within the face's prism.
+    {*table.plane_below(f, direction)};
+};
+
+/// What is proven, in A's frame; nothing where nothing is.
+template <class Scalar>
+using Proven = std::optional<ClosestPoints<Scalar>>;
+
+/// From a point of A to one of B, as B's frame has it, backwards: along it B must end.
+template <class TableA, class TableB>
+[[nodiscard]] Vec3<ComputeOf<TableB>> backwards_in_b(const Body<TableB>& b,
+                                                     const Vec3<ComputeOf<TableA>>& between) {
+    return -b.from_other.direction(between);
+}
+
+/// The point's foot on the line through the segment, if it lies on the segment and off the point.
+template <class Scalar>
+[[nodiscard]] std::optional<Vec3<Scalar>> foot_within(const Segment<Scalar>& segment,
+                                                      const Vec3<Scalar>& point) {
+    const Scalar lambda = projection(segment.tail, Vec3<Scalar>(segment.head - segment.tail), point);
+    if (!(lambda >= 0 && lambda <= 1)) return std::nullopt;
+    const Vec3<Scalar> foot = segment.at(lambda);
+    return squared_norm(Vec3<Scalar>(point - foot)) > 0 ? std::optional(foot) : std::nullopt;
+}
+
+template <class TableA, class TableB>
+[[nodiscard]] Proven<ComputeOf<TableA>> prove_edge_and_vertex(const Body<TableA>& a, const Body<TableB>& b) {
+    using Scalar = ComputeOf<TableA>;
+    const Vec3<Scalar> on_b = a.from_other.point(b.table.vertex(b.feature.vertex()));
+    const auto on_a = foot_within(segment_of(a.table, a.feature.edge()), on_b);
+    if (!on_a) return std::nullopt;
+    const Vec3<Scalar> between = on_b - *on_a;
+    if (!a.table.ends_at_edge(a.feature.edge(), between) ||
+        !b.table.ends_at_vertex(b.feature.vertex(), backwards_in_b<TableA>(b, between)))
+        return std::nullopt;
+    return ClosestPoints<Scalar>{*on_a, on_b};
+}
+
+template <class TableA, class TableB>
+[[nodiscard]] Proven<ComputeOf<TableA>> prove_vertex_and_edge(const Body<TableA>& a, const Body<TableB>& b) {
+    using Scalar = ComputeOf<TableA>;
+    const Vec3<Scalar> on_a = a.table.vertex(a.feature.vertex());
+    const auto on_b = foot_within(segment_seen_by(a, b.table, b.feature.edge()), on_a);
+    if (!on_b) return std::nullopt;
+    const Vec3<Scalar> between = *on_b - on_a;
+    if (!b.table.ends_at_edge(b.feature.edge(), backwards_in_b<TableA>(b, between)) ||
+        !a.table.ends_at_vertex(a.feature.vertex(), between))
+        return std::nullopt;
+    return ClosestPoints<Scalar>{on_a, *on_b};
+}
+
+/// Only of edges that cross at a fair angle: the normal of both is then known to full precision, however
+/// close they are.
+template <class TableA, class TableB>
+[[nodiscard]] Proven<ComputeOf<TableA>> prove_edges(const Body<TableA>& a, const Body<TableB>& b) {
+    using Scalar = ComputeOf<TableA>;
+    const CrossingLines<Scalar> lines(segment_of(a.table, a.feature.edge()),
+                                      segment_seen_by(a, b.table, b.feature.edge()));
+    if (!lines.cross_fairly_within()) return std::nullopt;
+    const Scalar height = dot(lines.common(), lines.between_tails());
+    const Vec3<Scalar> towards_b = height > 0 ? lines.common() : Vec3<Scalar>(-lines.common());
+    if (height == 0 || !a.table.ends_at_edge(a.feature.edge(), towards_b) ||
+        !b.table.ends_at_edge(b.feature.edge(), backwards_in_b<TableA>(b, towards_b)))
+        return std::nullopt;
+    const auto [on_a, on_b] = lines.feet();
+    return ClosestPoints<Scalar>{on_a, on_b};
+}
+
+/// The foot of a point above a face, and the face's unit normal, both in the face's frame.
+template <class Table>
+[[nodiscard]] std::optional<FaceFoot<ComputeOf<Table>>> foot_below(const Body<Table>& body,
+                                                                   const Vec3<ComputeOf<Table>>& point) {
+    auto plane = body.table.plane_below(body.feature.face(), point);
+    if (!plane) return std::nullopt;
+    plane->normal = plane->normal / norm(plane->normal);
+    return foot_on_plane(*plane, point);
+}
+
+template <class TableA, class TableB>
+[[nodiscard]] Proven<ComputeOf<TableA>> prove_face_and_vertex(const Body<TableA>& a, const Body<TableB>& b) {
+    const Vec3<ComputeOf<TableA>> on_b = a.from_other.point(b.table.vertex(b.feature.vertex()));
+    const auto foot = foot_below(a, on_b);
+    if (!foot || !b.table.ends_at_vertex(b.feature.vertex(), backwards_in_b<TableA>(b, foot->normal)))
+        return std::nullopt;
+    return ClosestPoints<ComputeOf<TableA>>{foot->point, on_b, foot->normal};
+}
+
+template <class TableA, class TableB>
+[[nodiscard]] Proven<ComputeOf<TableA>> prove_vertex_and_face(const Body<TableA>& a, const Body<TableB>& b) {
+    const Vec3<ComputeOf<TableA>> on_a = a.table.vertex(a.feature.vertex());
+    const auto foot = foot_below(b, b.from_other.point(on_a));
+    if (!foot) return std::nullopt;
+    const Vec3<ComputeOf<TableA>> towards_b = a.from_other.direction(-foot->normal);
+    if (!a.table.ends_at_vertex(a.feature.vertex(), towards_b)) return std::nullopt;
+    return ClosestPoints<ComputeOf<TableA>>{on_a, a.from_other.point(foot->point), towards_b};
+}
+
+/// The closest points of the bodies, if both features hold them and this proves it. Of two vertices it never
+/// does: their state asks rings alone, and is this proof.
+template <class TableA, class TableB>
+[[nodiscard]] Proven<ComputeOf<TableA>> still_closest(const Body<TableA>& a, const Body<TableB>& b) {
+    if constexpr (EndsAtFeatures<TableA> && EndsAtFeatures<TableB>) {
+        using enum FeatureKind;
+        if (!a.table.neighbours_decide() || !b.table.neighbours_decide()) return std::nullopt;
+        switch (pair_of(a.feature.kind(), b.feature.kind())) {
+            case pair_of(edge, vertex):
+                return prove_edge_and_vertex(a, b);
+            case pair_of(vertex, edge):
+                return prove_vertex_and_edge(a, b);
+            case pair_of(edge, edge):
+                return prove_edges(a, b);
+            case pair_of(face, vertex):
+                return prove_face_and_vertex(a, b);
+            case pair_of(vertex, face):
+                return prove_vertex_and_face(a, b);
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace edgewise::vclip
