@@ -32,7 +32,8 @@ bool is_named(const json& cells, const json& cell) {
     });
 }
 
-void expect_finalist(const json& one, double error_limit) {
+/// Predictions are made where latencies were measured, on machines that say how large their caches are.
+void expect_finalist(const json& one, double error_limit, bool has_latencies) {
     ASSERT_EQ(one["time_ratio"].size(), 3U) << one;
     EXPECT_LE(one["time_ratio"][0], one["time_ratio"][1]);
     EXPECT_LE(one["time_ratio"][1], one["time_ratio"][2]);
@@ -40,7 +41,7 @@ void expect_finalist(const json& one, double error_limit) {
     for (const char* key : {"ns", "bytes_per_edge", "table_bytes", "steps", "lines_per_query", "in_cache_ns"})
         EXPECT_GT(one[key], 0) << key;
     EXPECT_TRUE(one["misses_per_query"].contains("l2_256K")) << one;
-    EXPECT_TRUE(one["predicted_ns_on"].contains("l2_256K")) << one;
+    EXPECT_EQ(one["predicted_ns_on"].contains("l2_256K"), has_latencies) << one;
 }
 
 /// As a shell would hand it over: read by the program, and not run.
@@ -62,9 +63,9 @@ TEST(Advise, TakesNamesAndExplains) {
     EXPECT_EQ(advice["asked"]["error"], 1.5e-6);
     EXPECT_EQ(advice["asked"]["own_tables"], false);
     EXPECT_THAT(advice["asked"]["assumed"].dump(), HasSubstr("--own-tables"));
-    expect_finalist(advice["take"], 1.5e-6);
+    expect_finalist(advice["take"], 1.5e-6, !advice["latencies_ns"].empty());
     EXPECT_TRUE(advice["take"]["ties"]) << "with itself";
-    for (const json& next : advice["next"]) expect_finalist(next, 1.5e-6);
+    for (const json& next : advice["next"]) expect_finalist(next, 1.5e-6, !advice["latencies_ns"].empty());
     EXPECT_GE(advice["next"].size(), 1U);
     EXPECT_FALSE(is_named(advice["out"], advice["take"]));
     for (const json& out : advice["out"]) EXPECT_FALSE(out["reason"].get<std::string>().empty()) << out;
