@@ -112,16 +112,19 @@ TEST(StillClosest, ProvesTheExactDistanceOfAlmostAllSeparatedPoses) {
 TEST(StillClosest, InSingleToo) { expect_proofs(proofs_of<lean<f32>>({"tetra4", "sphere38"}), 1e-5); }
 
 TEST(StillClosest, ProvesNothingOfBodiesWhoseNeighboursDoNotDecide) {
-    // A corner in the middle of a side, and a needle.
-    const std::vector<Vec3d> needle = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}, {0.5, 0, 1}};
-    const Polyhedron body = convex_hull(needle).or_throw();
-    const lean<f64> table(body, Parts::features);
-    EXPECT_FALSE(table.neighbours_decide());
-    Proofs proofs;
-    scene::Rng rng(7);
-    for (int i = 0; i < 50; ++i) prove_all(table, body, some_pose(rng, 1), proofs);
-    EXPECT_EQ(proofs.proven, 0);
-    EXPECT_GT(proofs.separated, 5);
+    // A corner as good as in the middle of a side; and thin corners of a body that is strictly convex.
+    for (const double aside : {1e-9, 0.01}) {
+        const std::vector<Vec3d> needle = {{0, 0, 0}, {1, 0, 0}, {0.5, aside, 0}, {0.5, 0, 1}};
+        const Polyhedron body = convex_hull(needle).or_throw();
+        const lean<f64> table(body, Parts::features);
+        EXPECT_EQ(table.strictly_convex(), aside == 0.01);
+        EXPECT_FALSE(table.neighbours_decide());
+        Proofs proofs;
+        scene::Rng rng(7);
+        for (int i = 0; i < 50; ++i) prove_all(table, body, some_pose(rng, 1), proofs);
+        EXPECT_EQ(proofs.proven, 0);
+        EXPECT_GT(proofs.separated, 5);
+    }
 }
 
 }  // namespace
