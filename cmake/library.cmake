@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+# Asked for by number, Eigen 5 says that it is no 3.4.
+find_package(Eigen3 REQUIRED NO_MODULE)
+if(Eigen3_VERSION VERSION_LESS 3.4)
+    message(FATAL_ERROR "edgewise: Eigen ${Eigen3_VERSION} is too old: 3.4 or newer is wanted (Debian: libeigen3-dev)")
+endif()
 find_package(Qhull REQUIRED NO_MODULE)
 
 edgewise_sources(sources src/edgewise/geometry src/edgewise/algorithms)
