@@ -18,7 +18,7 @@ class Edgewise(CMakePackage):
 
     depends_on("cxx", type="build")
     depends_on("cmake@3.25:", type="build")
-    depends_on("eigen@3.4")  # Eigen 5 says that it is no 3.4
+    depends_on("eigen@3.4")  # 5 is taken too, but was not tried here
     depends_on("qhull")
     for package in ("assimp", "gmp +cxx", "sqlite", "nlohmann-json", "cli11", "fmt", "tbb"):
         depends_on(package, when="+tool")

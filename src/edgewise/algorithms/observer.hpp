@@ -11,7 +11,7 @@
 namespace edgewise {
 
 struct NoObserver {
-    /// V-Clip: the state on features of these kinds comes next.
+    /// V-Clip: the state on features of these kinds comes next, or the proof that they are closest.
     static void visit(FeatureKind, FeatureKind) {}
     /// V-Clip: its answer is not trusted, GJK answers next.
     static void ask_gjk() {}

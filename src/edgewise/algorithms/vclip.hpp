@@ -9,7 +9,8 @@
 // in exact arithmetic.
 //
 // In floating point it may cycle. Where the report has an iteration limit, we detect the cycle itself
-// (cycle_guard) and let a complete algorithm answer (fallback); both are counted. Other departures are named
+// (cycle_guard) and let a complete algorithm answer (fallback); both are counted. Where planes are derived,
+// the pair that a query starts from is tried by its corners first (still_closest). Other departures are named
 // in the states' files.
 #pragma once
 
@@ -178,9 +179,7 @@ struct VClip {
             return {};
         const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
-        const bool is_known = pair.belongs_to(a, b);
-        const Features<TableA, TableB> start =
-            is_known ? pair.held(a, b) : Features<TableA, TableB>::first_of(a, b);
+        const Features<TableA, TableB> start = pair.start(a, b);
         vclip::Body<TableA> body_a{a, into_a, start.a};
         vclip::Body<TableB> body_b{b, into_b, start.b};
         const Distance result = [&] {
@@ -193,7 +192,7 @@ struct VClip {
                 return vclip::run(body_a, body_b);
         }();
         const Features<TableA, TableB> end{body_a.feature, body_b.feature};
-        if (!is_known || !(end == start)) pair = {a, b, end};
+        if (!(end == start) || !pair.belongs_to(a, b)) pair = {a, b, end};
         return within(options, result);
     }
 };

@@ -110,15 +110,10 @@ class FeaturePair {
     [[nodiscard]] bool belongs_to(const TableA& table_a, const TableB& table_b) const {
         return held_.belongs_to(table_a, table_b);
     }
-    /// The features held; only of a pair that belongs to these tables.
-    [[nodiscard]] Features<TableA, TableB> held(const TableA& table_a, const TableB& table_b) const {
-        assert(belongs_to(table_a, table_b));
-        return held_.in(table_a, table_b);
-    }
     /// Where the next query of these tables starts.
     [[nodiscard]] Features<TableA, TableB> start(const TableA& table_a, const TableB& table_b) const {
         if (!belongs_to(table_a, table_b)) return Features<TableA, TableB>::first_of(table_a, table_b);
-        return held(table_a, table_b);
+        return held_.in(table_a, table_b);
     }
     /// The same features, of the same tables.
     [[nodiscard]] bool operator==(const FeaturePair&) const = default;

@@ -128,23 +128,21 @@ template <class TableA, class TableB>
 
 /// The closest points of the bodies, if both features hold them and this proves it. Of two vertices it never
 /// does: their state asks rings alone, and is this proof.
-template <class TableA, class TableB>
+template <EndsAtFeatures TableA, EndsAtFeatures TableB>
 [[nodiscard]] Proven<ComputeOf<TableA>> still_closest(const Body<TableA>& a, const Body<TableB>& b) {
-    if constexpr (EndsAtFeatures<TableA> && EndsAtFeatures<TableB>) {
-        using enum FeatureKind;
-        if (!a.table.neighbours_decide() || !b.table.neighbours_decide()) return std::nullopt;
-        switch (pair_of(a.feature.kind(), b.feature.kind())) {
-            case pair_of(edge, vertex):
-                return prove_edge_and_vertex(a, b);
-            case pair_of(vertex, edge):
-                return prove_vertex_and_edge(a, b);
-            case pair_of(edge, edge):
-                return prove_edges(a, b);
-            case pair_of(face, vertex):
-                return prove_face_and_vertex(a, b);
-            case pair_of(vertex, face):
-                return prove_vertex_and_face(a, b);
-        }
+    using enum FeatureKind;
+    if (!a.table.neighbours_decide() || !b.table.neighbours_decide()) return std::nullopt;
+    switch (pair_of(a.feature.kind(), b.feature.kind())) {
+        case pair_of(edge, vertex):
+            return prove_edge_and_vertex(a, b);
+        case pair_of(vertex, edge):
+            return prove_vertex_and_edge(a, b);
+        case pair_of(edge, edge):
+            return prove_edges(a, b);
+        case pair_of(face, vertex):
+            return prove_face_and_vertex(a, b);
+        case pair_of(vertex, face):
+            return prove_vertex_and_face(a, b);
     }
     return std::nullopt;
 }

@@ -89,11 +89,9 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
         const Face& f, const Vec3<Compute>& point) const {
         std::array<Vec3<Compute>, most_corners> corners;
         const std::size_t count = read_corners(f, corners);
-        Vec3<Compute> normal = Vec3<Compute>::Zero();
-        for (std::size_t i = 2; i < count; ++i) {
-            normal +=
-                cross(Vec3<Compute>(corners[i - 1] - corners[0]), Vec3<Compute>(corners[i] - corners[0]));
-        }
+        NewellSum<Compute> sum;
+        for (std::size_t i = 1; i < count; ++i) sum.add(Vec3<Compute>(corners[i] - corners[0]));
+        const Vec3<Compute>& normal = sum.normal();
         if (count == 0 || !(dot(normal, Vec3<Compute>(point - corners[0])) > 0)) return std::nullopt;
         for (std::size_t i = 0; i < count; ++i) {
             if (is_beside(normal, corners[i], corners[i + 1 < count ? i + 1 : 0], point)) return std::nullopt;
