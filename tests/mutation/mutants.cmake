@@ -105,11 +105,15 @@ edgewise_mutant(parallel_edges_divide algorithms/vclip/closest_points.hpp [[retu
     ClosestOn* ${unit}/algorithms/closest_points_test.cpp)
 edgewise_mutant(segments_not_clamped algorithms/vclip/closest_points.hpp [[std::clamp(projection(segment.tail, along, point), Scalar(0), Scalar(1))]] [[projection(segment.tail, along, point)]]
     ClosestOn* ${unit}/algorithms/closest_points_test.cpp)
-edgewise_mutant(proof_asks_one_face layout_parts/derived/derived_ends.hpp [[!is_beyond(rings().neighbour(loader_, h.vertex, after), base, direction);]] [[true;]]
+edgewise_mutant(proof_asks_one_face layout_parts/derived/derived_ends.hpp [[height_of(rings().neighbour(loader_, h.vertex, after), base, direction) <= level;]] [[true;]]
     StillClosest.Proves* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(proof_of_any_face layout_parts/derived/derived_ends.hpp [[is_beside(normal, second, third, point) ||]] [[]]
     StillClosest.Proves* ${unit}/algorithms/still_closest_test.cpp)
-edgewise_mutant(proof_on_thin_corners layout_parts/derived/derived_ends.hpp [[&& !facts_.thin_corners && facts_]] [[&& facts_]]
+edgewise_mutant(proof_by_level_neighbours layout_parts/derived/derived_ends.hpp [[return facts_.thin_corners ? -]] [[return false ? -]]
+    StillClosest.ProvesOfThinCorners* ${unit}/algorithms/still_closest_test.cpp)
+edgewise_mutant(proof_over_thin_faces layout_parts/derived/derived_ends.hpp [[return !facts_.thin_corners || squared]] [[return true || squared]]
+    StillClosest.ProvesOfThinCorners* ${unit}/algorithms/still_closest_test.cpp)
+edgewise_mutant(proof_of_flat_bodies layout_parts/derived/derived_ends.hpp [[return facts_.strictly_convex && facts_]] [[return facts_]]
     StillClosest.ProvesNothing* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(cycle_never_seen algorithms/vclip/cycle_guard.hpp [[if (a == a_ && b == b_) return true;]] [[if (a == a_ && b == b_) return false;]]
     CycleGuard.BothFeaturesCount ${unit}/algorithms/cycle_guard_test.cpp)

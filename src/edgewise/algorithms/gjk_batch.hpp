@@ -24,6 +24,8 @@
 
 namespace edgewise {
 
+static_assert(scan_cold_below == most_lane_vertices + 1, "lanes take whatever a cold query scans");
+
 /// A table whose handles count the vertices from 0: a lane can name them.
 template <class Table>
 concept LaneTable = SupportTable<Table> && std::unsigned_integral<typename Table::Vertex> && requires {

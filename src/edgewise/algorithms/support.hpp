@@ -27,10 +27,12 @@ namespace edgewise {
 /// / 0.97 at 38. Others switch at 10 to 32; a vectorised scan would move the point up.
 inline constexpr std::size_t scan_below = 8;
 
-/// The same from a cold start, far from the top, where every turn of a climb is a surprise: time of
-/// scanning over time of climbing, GJK on `cold`, lean_f64, a Zen 5: 0.69 to 0.80 at 8 vertices, 0.83 at 18,
-/// 1.02 at 38.
-inline constexpr std::size_t scan_cold_below = 32;
+/// The same from a cold start, far from the top, where every turn of a climb is a surprise. Time of scanning
+/// by packs over time of climbing, GJK on random cold pairs, a Zen 3 with AVX2: lean_f64 0.77 at 38 vertices
+/// and 0.97 at 60, lean_f32 0.74 and 0.85, aos_f64 0.86 and 1.0; with a seed to climb from (lean_seeds_f64,
+/// lean_seeds_f32) 0.88 and 1.0. As many as lanes take (lanes/lane_source.hpp), so that a batch's are all
+/// scanned there: 0.45 to 0.6 of that again.
+inline constexpr std::size_t scan_cold_below = 65;
 
 /// Of eight numbers, in three steps.
 template <class Scalar>
@@ -249,12 +251,13 @@ template <SupportTable Table>
     return scan_support(table, direction);
 }
 
-/// The same far from the top, where `start` says little: from the table's seed, if that is farther.
+/// The same far from the top, where `start` says little: climbed to from the table's seed, if that is
+/// farther.
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> cold_support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                                typename Table::Vertex start) {
     if constexpr (SeededTable<Table>) {
-        if (table.vertex_count() >= scan_cold_below) {  // smaller ones have none
+        if (table.vertex_count() >= scan_cold_below) {
             const auto seed = table.seed(direction);
             if (dot(table.vertex(seed), direction) > dot(table.vertex(start), direction)) start = seed;
         }

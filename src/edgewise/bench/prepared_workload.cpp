@@ -2,6 +2,8 @@
 #include "edgewise/bench/prepared_workload.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "edgewise/geometry/tolerance.hpp"
@@ -17,6 +19,41 @@ std::vector<std::uint8_t> cold_starts(const scene::Workload& workload) {
         known = 1;
     }
     return cold;
+}
+
+namespace {
+
+/// Behind the queries from `first` on among which no pair comes again.
+std::size_t end_of_different_pairs(const scene::Workload& workload, std::size_t first,
+                                   std::vector<std::size_t>& asked_after) {
+    std::size_t end = first;
+    for (; end < workload.queries.size(); ++end) {
+        std::size_t& asked = asked_after[workload.queries[end].pair];
+        if (workload.warm && asked > first) break;
+        asked = end + 1;
+    }
+    return end;
+}
+
+}  // namespace
+
+ClassByClass::ClassByClass(const scene::Workload& given, std::span<const std::uint8_t> in_contact_as_given) {
+    std::vector<std::size_t> order(given.queries.size()), asked_after(given.pair_count, 0);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t first = 0; first < order.size();) {
+        const std::size_t end = end_of_different_pairs(given, first, asked_after);
+        const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
+        std::stable_partition(at(first), at(end), [&](std::size_t i) { return in_contact_as_given[i] == 0; });
+        first = end;
+    }
+    workload.instances = given.instances;
+    workload.pair_count = given.pair_count;
+    workload.warm = given.warm;
+    workload.table_each = given.table_each;
+    for (const std::size_t i : order) {
+        workload.queries.push_back(given.queries[i]);
+        in_contact.push_back(in_contact_as_given[i]);
+    }
 }
 
 std::string PreparedWorkload::take_bodies(std::span<const Polyhedron> bodies, VertexOrder order,

@@ -21,6 +21,15 @@ namespace edgewise::bench {
 /// warm ones. One flag per query; all zero where every query is cold.
 [[nodiscard]] std::vector<std::uint8_t> cold_starts(const scene::Workload& workload);
 
+/// A workload's queries, in an order in which those of one class follow each other as far as no pair comes
+/// again, so that batches of one class are full. Every pair's queries stay in time order.
+struct ClassByClass {
+    scene::Workload workload;              ///< without bodies
+    std::vector<std::uint8_t> in_contact;  ///< of its queries
+
+    ClassByClass(const scene::Workload& given, std::span<const std::uint8_t> in_contact_as_given);
+};
+
 class PreparedWorkload {
   public:
     /// `store` gives the body that a table holds of one. An error line when a body cannot be stored.

@@ -33,6 +33,29 @@ void book(measure::Timing& timing, std::span<const std::uint8_t> in_contact, std
                  : timing.either_queries) += last - first;
 }
 
+measure::Timing time_pass(const Runner::RangePass& run, const scene::Workload& workload,
+                          std::span<const std::uint8_t> in_contact, double clock_cost_ns) {
+    measure::Timing timing;
+    double sum = 0;  // of all distances: an answer nobody reads might not be computed
+    const std::vector<std::uint8_t> cold = cold_starts(workload);
+    for (std::size_t first = 0; first < cold.size();) {
+        const std::size_t last = cold[first] ? first + 1 : end_of_stretch(cold, in_contact, first);
+        const measure::Stopwatch watch;
+        sum += run(first, last, nullptr);
+        const double ns = std::max(0.0, watch.elapsed_ns() - clock_cost_ns);
+        if (cold[first]) {
+            ++timing.first_queries;
+            timing.first_ns += ns;
+        } else {
+            book(timing, in_contact, first, last, ns);
+        }
+        first = last;
+    }
+    volatile double sink = sum;
+    static_cast<void>(sink);
+    return timing;
+}
+
 }  // namespace
 
 void Runner::configure(const RunnerOptions& options) {
@@ -91,26 +114,12 @@ std::vector<Distance> Runner::answer() const {
 
 measure::Timing Runner::time(std::span<const std::uint8_t> in_contact, double clock_cost_ns) const {
     assert(in_contact.empty() || in_contact.size() == prepared_.workload().queries.size());
-    measure::Timing timing;
-    const RangePass run = prepared_range();
-    double sum = 0;  // of all distances: an answer nobody reads might not be computed
-    const std::vector<std::uint8_t> cold = cold_starts(prepared_.workload());
-    for (std::size_t first = 0; first < cold.size();) {
-        const std::size_t last = cold[first] ? first + 1 : end_of_stretch(cold, in_contact, first);
-        const measure::Stopwatch watch;
-        sum += run(first, last, nullptr);
-        const double ns = std::max(0.0, watch.elapsed_ns() - clock_cost_ns);
-        if (cold[first]) {
-            ++timing.first_queries;
-            timing.first_ns += ns;
-        } else {
-            book(timing, in_contact, first, last, ns);
-        }
-        first = last;
+    if (options_.batch && !in_contact.empty()) {
+        const ClassByClass sorted(prepared_.workload(), in_contact);
+        if (const RangePass batches = batches_of(sorted.workload))
+            return time_pass(batches, sorted.workload, sorted.in_contact, clock_cost_ns);
     }
-    volatile double sink = sum;
-    static_cast<void>(sink);
-    return timing;
+    return time_pass(prepared_range(), prepared_.workload(), in_contact, clock_cost_ns);
 }
 
 std::function<PassSum()> Runner::prepared_pass() const {

@@ -88,8 +88,9 @@ class Runner {
 
     /// Times the loaded queries; `in_contact[i]` != 0 books query i under overlapping, else under separated;
     /// where it is empty nobody knows, and all are booked under either. The clock is read where the class
-    /// changes, and its cost is subtracted. In a warm scene a pair's first query, cold by nature, is booked
-    /// apart, timed by itself: to no better than the clock's cost is known.
+    /// changes, and its cost is subtracted; batches are asked class by class, as far as no pair comes again.
+    /// In a warm scene a pair's first query, cold by nature, is booked apart, timed by itself: to no better
+    /// than the clock's cost is known.
     [[nodiscard]] measure::Timing time(std::span<const std::uint8_t> in_contact, double clock_cost_ns) const;
 
     /// Notifies of the accesses of loaded queries, from cold pairs, as far as the extent says; of a warm
@@ -111,6 +112,10 @@ class Runner {
     /// runner's unit; answers, in that unit too, are written from answers[first] on unless it is null.
     using RangePass = std::function<double(std::size_t first, std::size_t last, Distance* answers)>;
     [[nodiscard]] virtual RangePass prepared_range() const = 0;
+
+    /// In batches, over other queries of the loaded bodies, in the runner's unit; not to outlive them. Null:
+    /// the runner asks one after the other.
+    [[nodiscard]] virtual RangePass batches_of(const scene::Workload& /*queries*/) const { return nullptr; }
 
     /// The loaded queries as batches over threads; not to outlive the runner. Of what passes ask of every
     /// answer it knows verdicts, distances and witnesses. Null: the runner cannot, as a library's, or its

@@ -63,12 +63,21 @@ class RunnerFor final : public TableRunner<Table> {
 
     [[nodiscard]] RangePass prepared_range() const override {
         if (asks_nearness()) return near_pass();
+        if (options().batch) return batches_of(prepared().workload());
         const std::vector<Pair> cold = cold_pairs();
-        if (options().batch) return batch_pass(cold);
         return [this, cold, pairs = cold](std::size_t first, std::size_t last, Distance* answers) mutable {
             if (first == 0) std::copy(cold.begin(), cold.end(), pairs.begin());
             return run(first, last, pairs, answers);
         };
+    }
+
+    [[nodiscard]] RangePass batches_of(const scene::Workload& workload) const override {
+        const auto pay = [this](const scene::Query& query, const Pair& pair, const Distance& answer) {
+            pay_for_needs(query, pair, answer);
+        };
+        return BatchPass<Algorithm, Table, decltype(tables_of_queries()), decltype(pay)>(
+            workload, options().query, tables_of_queries(), pay,
+            cold_pairs_of<Pair>(workload, tables_of_queries()));
     }
 
     [[nodiscard]] std::unique_ptr<ThreadedPass> prepared_frames() const override {
@@ -108,14 +117,6 @@ class RunnerFor final : public TableRunner<Table> {
     [[nodiscard]] RangePass near_pass() const {
         return NearPass<Algorithm, Table, decltype(tables_of_queries())>(
             prepared().workload(), margins(), options().query, tables_of_queries(), cold_pairs());
-    }
-
-    [[nodiscard]] RangePass batch_pass(const std::vector<Pair>& cold) const {
-        const auto pay = [this](const scene::Query& query, const Pair& pair, const Distance& answer) {
-            pay_for_needs(query, pair, answer);
-        };
-        return BatchPass<Algorithm, Table, decltype(tables_of_queries()), decltype(pay)>(
-            prepared().workload(), options().query, tables_of_queries(), pay, cold);
     }
 
     [[nodiscard]] Pair cold_pair(const scene::Query& query) const {

@@ -26,9 +26,9 @@
 namespace edgewise {
 namespace {
 
-/// layout_parts may not include algorithms, so each has the number for itself: a cold climb asks a table of
-/// so many vertices for a seed, and the table has one from so many on.
-static_assert(seeds_from == scan_cold_below);
+/// layout_parts may not include algorithms, so each has a number for itself: a cold climb asks a table of so
+/// many vertices for a seed, and the table has one by then.
+static_assert(seeds_from <= scan_cold_below);
 
 /// Directions of the set are their own places; of any others the place's direction is at most so far away.
 template <class Directions>

@@ -2,7 +2,7 @@
 //
 // Whether two features hold the closest points, by the corners next to them alone. Where planes are not
 // stored, deriving a state's planes costs more than this proof, and most coherent queries end where they
-// start.
+// start or a step or two from there.
 //
 // Two points, one of either body, are closest when no corner lies beyond the planes through them across the
 // line between them; of a convex body only the corners next to the feature need asking, as in a climb
@@ -12,6 +12,7 @@
 // they are asked where this proves nothing: when the bodies have moved on, at rounding, in contact.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <optional>
 
@@ -20,15 +21,17 @@
 
 namespace edgewise::vclip {
 
-/// Knows of a feature whether the body ends at it along a direction of any length.
+/// Knows of a feature whether the body ends at it along a direction, of any length, which is off by the
+/// rounding of numbers as large as `size`.
 template <class Table>
 concept EndsAtFeatures = requires(const Table& table, typename Table::Vertex v, typename Table::Edge e,
-                                  typename Table::Face f, Vec3<ComputeOf<Table>> direction) {
-    /// Whether corners next to a feature speak for all corners, in plain arithmetic.
+                                  typename Table::Face f, Vec3<ComputeOf<Table>> direction,
+                                  ComputeOf<Table> size) {
+    /// Whether corners next to a feature speak for all corners.
     { table.neighbours_decide() } -> std::same_as<bool>;
-    { table.ends_at_vertex(v, direction) } -> std::same_as<bool>;
+    { table.ends_at_vertex(v, direction, size) } -> std::same_as<bool>;
     /// Of a direction across the edge.
-    { table.ends_at_edge(e, direction) } -> std::same_as<bool>;
+    { table.ends_at_edge(e, direction, size) } -> std::same_as<bool>;
     /// The face's plane, its normal of any length, if the point lies above it within the face's prism.
     {*table.plane_below(f, direction)};
 };
@@ -42,6 +45,11 @@ template <class TableA, class TableB>
 [[nodiscard]] Vec3<ComputeOf<TableB>> backwards_in_b(const Body<TableB>& b,
                                                      const Vec3<ComputeOf<TableA>>& between) {
     return -b.from_other.direction(between);
+}
+
+template <class Scalar>
+[[nodiscard]] Scalar size_of(const Vec3<Scalar>& p, const Vec3<Scalar>& q) {
+    return std::max(max_abs(p), max_abs(q));
 }
 
 /// The point's foot on the line through the segment, if it lies on the segment and off the point.
@@ -61,8 +69,9 @@ template <class TableA, class TableB>
     const auto on_a = foot_within(segment_of(a.table, a.feature.edge()), on_b);
     if (!on_a) return std::nullopt;
     const Vec3<Scalar> between = on_b - *on_a;
-    if (!a.table.ends_at_edge(a.feature.edge(), between) ||
-        !b.table.ends_at_vertex(b.feature.vertex(), backwards_in_b<TableA>(b, between)))
+    const Scalar size = size_of(*on_a, on_b);
+    if (!a.table.ends_at_edge(a.feature.edge(), between, size) ||
+        !b.table.ends_at_vertex(b.feature.vertex(), backwards_in_b<TableA>(b, between), size))
         return std::nullopt;
     return ClosestPoints<Scalar>{*on_a, on_b};
 }
@@ -74,8 +83,9 @@ template <class TableA, class TableB>
     const auto on_b = foot_within(segment_seen_by(a, b.table, b.feature.edge()), on_a);
     if (!on_b) return std::nullopt;
     const Vec3<Scalar> between = *on_b - on_a;
-    if (!b.table.ends_at_edge(b.feature.edge(), backwards_in_b<TableA>(b, between)) ||
-        !a.table.ends_at_vertex(a.feature.vertex(), between))
+    const Scalar size = size_of(on_a, *on_b);
+    if (!b.table.ends_at_edge(b.feature.edge(), backwards_in_b<TableA>(b, between), size) ||
+        !a.table.ends_at_vertex(a.feature.vertex(), between, size))
         return std::nullopt;
     return ClosestPoints<Scalar>{on_a, *on_b};
 }
@@ -90,8 +100,9 @@ template <class TableA, class TableB>
     if (!lines.cross_fairly_within()) return std::nullopt;
     const Scalar height = dot(lines.common(), lines.between_tails());
     const Vec3<Scalar> towards_b = height > 0 ? lines.common() : Vec3<Scalar>(-lines.common());
-    if (height == 0 || !a.table.ends_at_edge(a.feature.edge(), towards_b) ||
-        !b.table.ends_at_edge(b.feature.edge(), backwards_in_b<TableA>(b, towards_b)))
+    const Scalar size = max_abs(towards_b);
+    if (height == 0 || !a.table.ends_at_edge(a.feature.edge(), towards_b, size) ||
+        !b.table.ends_at_edge(b.feature.edge(), backwards_in_b<TableA>(b, towards_b), size))
         return std::nullopt;
     const auto [on_a, on_b] = lines.feet();
     return ClosestPoints<Scalar>{on_a, on_b};
@@ -111,7 +122,8 @@ template <class TableA, class TableB>
 [[nodiscard]] Proven<ComputeOf<TableA>> prove_face_and_vertex(const Body<TableA>& a, const Body<TableB>& b) {
     const Vec3<ComputeOf<TableA>> on_b = a.from_other.point(b.table.vertex(b.feature.vertex()));
     const auto foot = foot_below(a, on_b);
-    if (!foot || !b.table.ends_at_vertex(b.feature.vertex(), backwards_in_b<TableA>(b, foot->normal)))
+    if (!foot || !b.table.ends_at_vertex(b.feature.vertex(), backwards_in_b<TableA>(b, foot->normal),
+                                         ComputeOf<TableB>(1)))
         return std::nullopt;
     return ClosestPoints<ComputeOf<TableA>>{foot->point, on_b, foot->normal};
 }
@@ -122,7 +134,7 @@ template <class TableA, class TableB>
     const auto foot = foot_below(b, b.from_other.point(on_a));
     if (!foot) return std::nullopt;
     const Vec3<ComputeOf<TableA>> towards_b = a.from_other.direction(-foot->normal);
-    if (!a.table.ends_at_vertex(a.feature.vertex(), towards_b)) return std::nullopt;
+    if (!a.table.ends_at_vertex(a.feature.vertex(), towards_b, ComputeOf<TableA>(1))) return std::nullopt;
     return ClosestPoints<ComputeOf<TableA>>{on_a, a.from_other.point(foot->point), towards_b};
 }
 
