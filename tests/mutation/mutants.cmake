@@ -76,9 +76,7 @@ edgewise_mutant(normal_points_from_b_to_a algorithms/gjk_answer.hpp [[(-1 / dist
 edgewise_mutant(old_pairs_are_followed algorithms/penetration/start.hpp [[if (!pair.belongs_to(a, b)) return SimplexPair<TableA, TableB>(a, b);]] [[]]
     RebuiltTable* ${unit}/algorithms/rebuilt_table_test.cpp)
 
-edgewise_mutant(batch_climbs_are_scanned algorithms/gjk_batch.hpp [[return !may_climb(table) || count < (is_cold ? scan_cold_below : scan_below);]] [[return true;]]
-    GjkBatches/* ${unit}/algorithms/gjk_batch_test.cpp)
-edgewise_mutant(batch_follows_old_pairs algorithms/gjk_batch.hpp [[!pair.starts_warm(*given.a, *given.b)]] [[pair.count() == 0]]
+edgewise_mutant(batch_follows_old_pairs algorithms/gjk_batch.hpp [[!given.pair->starts_warm(*given.a, *given.b)]] [[given.pair->count() == 0]]
     GjkBatch.* ${unit}/algorithms/gjk_batch_test.cpp)
 edgewise_mutant(parts_answer_in_the_first_places algorithms/parallel_batch.hpp [[answers.subspan(part.begin(), part.size())]] [[answers.subspan(0, part.size())]]
     ParallelBatches/*AreToTheBit* ${unit}/algorithms/parallel_batch_test.cpp)
@@ -251,9 +249,9 @@ edgewise_mutant(long_rings_end_at_their_first_block layouts/ring_block.hpp [[ret
     [[return Place{block, lane, vertex & ~more};]] FieldLayouts.Keep* ${unit}/layout_parts/field_layouts_test.cpp)
 
 # Raw V-Clip
-edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false);]] [[return prove_or_walk(a, b, nobody);]]
+edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false);]] [[return walk(a, b, nobody, true);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
-edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return prove_or_walk(a, b, nobody);]] [[return walk(a, b, nobody, false);]]
+edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return walk(a, b, nobody, true);]] [[return walk(a, b, nobody, false);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
 edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability_tally.cpp [[judged.judgement.verdict_wrong || beyond;]] [[judged.judgement.verdict_wrong;]]
     StabilityTally.AWrongDistance* ${unit}/studies/stability_tally_test.cpp)

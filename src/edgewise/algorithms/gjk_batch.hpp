@@ -24,8 +24,6 @@
 
 namespace edgewise {
 
-static_assert(scan_cold_below == most_lane_vertices + 1, "lanes take whatever a cold query scans");
-
 /// A table whose handles count the vertices from 0: a lane can name them.
 template <class Table>
 concept LaneTable = SupportTable<Table> && std::unsigned_integral<typename Table::Vertex> && requires {
@@ -34,12 +32,13 @@ concept LaneTable = SupportTable<Table> && std::unsigned_integral<typename Table
 
 /// Whether a scan finds this table's support points, and so lanes can.
 template <LaneTable Table>
-[[nodiscard]] bool fits_lane(const Table& table, bool is_cold) {
-    const std::size_t count = table.vertex_count();
-    if (count > most_lane_vertices) return false;
-    if constexpr (ClimbingTable<Table>)
-        return !may_climb(table) || count < (is_cold ? scan_cold_below : scan_below);
-    return true;
+[[nodiscard]] bool fits_lane(const Table& table) {
+    if constexpr (ClimbingTable<Table>) {
+        static_assert(
+            scan_below<Table> == most_lane_vertices + 1 && scan_cold_below<Table> == most_lane_vertices + 1,
+            "a single query must find the vertices that lanes find");
+    }
+    return table.vertex_count() <= most_lane_vertices;
 }
 
 /// query_batch's work where lanes can do it.
@@ -122,15 +121,13 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     [[nodiscard]] bool start(const Query& given, LaneQuery<Scalar>& query) const {
         if (!is_answerable<Scalar>(given.a_from_b)) [[unlikely]]
             return false;  // the single query says so
-        const auto& pair = *given.pair;
-        const bool is_cold = !pair.starts_warm(*given.a, *given.b);
-        if (!fits_lane(*given.a, is_cold) || !fits_lane(*given.b, is_cold)) return false;
+        if (!fits_lane(*given.a) || !fits_lane(*given.b)) return false;
         query.a_from_b = cast<Scalar>(given.a_from_b);
         query.table_a = given.a;
         query.table_b = given.b;
         query.vertices_a = static_cast<int>(given.a->vertex_count());
         query.vertices_b = static_cast<int>(given.b->vertex_count());
-        return is_cold || start_warm(given, query);
+        return !given.pair->starts_warm(*given.a, *given.b) || start_warm(given, query);
     }
 
     [[nodiscard]] static bool start_warm(const Query& given, LaneQuery<Scalar>& query) {

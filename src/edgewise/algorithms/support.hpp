@@ -2,9 +2,9 @@
 //
 // The support point: the vertex farthest along a direction. Large bodies climb along neighbour rings
 // (Cameron, "Enhancing GJK", ICRA 1997): on a convex body a vertex none of whose neighbours is farther is the
-// farthest. Small bodies are scanned: below the break-even a scan's predictable loop beats the climb's
-// unpredictable one. Where neighbours are level to within rounding the climb looks at all that are: behind
-// them it may go on. Bodies on which even that may end below the top are scanned
+// farthest. Small bodies are scanned: below the break-even a scan's predictable loop, of several vertices at
+// a time, beats the climb's unpredictable one. Where neighbours are level to within rounding the climb looks
+// at all that are: behind them it may go on. Bodies on which even that may end below the top are scanned
 // (geometry/strictly_convex.hpp).
 #pragma once
 
@@ -21,18 +21,6 @@
 #include "edgewise/table/contract.hpp"
 
 namespace edgewise {
-
-/// Vertices below which a linear scan is used. Measured over scalar tables on a Zen 5 (time of climbing over
-/// time of scanning, GJK on `cold`, separated / contact): 0.89 / 1.06 at 8 vertices, 0.79 / 1.04 at 18, 0.67
-/// / 0.97 at 38. Others switch at 10 to 32; a vectorised scan would move the point up.
-inline constexpr std::size_t scan_below = 8;
-
-/// The same from a cold start, far from the top, where every turn of a climb is a surprise. Time of scanning
-/// by packs over time of climbing, GJK on random cold pairs, a Zen 3 with AVX2: lean_f64 0.77 at 38 vertices
-/// and 0.97 at 60, lean_f32 0.74 and 0.85, aos_f64 0.86 and 1.0; with a seed to climb from (lean_seeds_f64,
-/// lean_seeds_f32) 0.88 and 1.0. As many as lanes take (lanes/lane_source.hpp), so that a batch's are all
-/// scanned there: 0.45 to 0.6 of that again.
-inline constexpr std::size_t scan_cold_below = 65;
 
 /// Of eight numbers, in three steps.
 template <class Scalar>
@@ -63,6 +51,20 @@ template <class Table>
 concept CountedTable = ClimbingTable<Table> && requires {
     requires Table::counts_vertices && std::unsigned_integral<typename Table::Vertex>;
 };
+
+/// Vertices below which a linear scan is used, from a warm start. By packs, time of scanning over time of
+/// climbing, GJK at 0.01 / 1 rad per step, a Zen 3 with AVX2: lean_f64 0.86 / 0.88 at 8 vertices, 0.91 / 0.92
+/// at 26, 0.97 / 0.94 at 38, 1.01 / 0.95 at 56; aos_f64 0.88 / 0.91, 0.93 / 0.95, 1.0 / 0.97, 1.03 / 0.98;
+/// singles as these. So as many as a batch's lanes take (lanes/lane_source.hpp), which scan. One by one, as a
+/// list makes it, climbing took 0.89 of scanning at 8 vertices and 0.67 at 38, on a Zen 5.
+template <class Table>
+inline constexpr std::size_t scan_below = CountedTable<Table> ? 65 : 8;
+
+/// The same from a cold start, far from the top, where every turn of a climb is a surprise: scanning over
+/// climbing lean_f64 0.77 at 38 vertices and 0.97 at 60, lean_f32 0.74 and 0.85, aos_f64 0.86 and 1.0; with a
+/// seed to climb from (lean_seeds) 0.88 and 1.0. One by one 0.69 to 0.80 at 8, 0.83 at 18, 1.02 at 38.
+template <class Table>
+inline constexpr std::size_t scan_cold_below = CountedTable<Table> ? 65 : 32;
 
 /// As scan_any, a pack of vertices at a time, the last ones perhaps again: each place keeps its highest, and
 /// at the end the first vertex that is as high as the highest of all. Which of them is the highest so far no
@@ -243,7 +245,7 @@ template <ClimbingTable Table>
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                           [[maybe_unused]] typename Table::Vertex start,
-                                          [[maybe_unused]] std::size_t scan_under = scan_below) {
+                                          [[maybe_unused]] std::size_t scan_under = scan_below<Table>) {
     if constexpr (ClimbingTable<Table>) {
         if (may_climb(table) && table.vertex_count() >= scan_under)
             return climb_support(table, direction, start);
@@ -257,12 +259,12 @@ template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> cold_support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                                typename Table::Vertex start) {
     if constexpr (SeededTable<Table>) {
-        if (table.vertex_count() >= scan_cold_below) {
+        if (table.vertex_count() >= scan_cold_below<Table>) {
             const auto seed = table.seed(direction);
             if (dot(table.vertex(seed), direction) > dot(table.vertex(start), direction)) start = seed;
         }
     }
-    return support(table, direction, start, scan_cold_below);
+    return support(table, direction, start, scan_cold_below<Table>);
 }
 
 }  // namespace edgewise

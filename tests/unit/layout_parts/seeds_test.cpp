@@ -28,7 +28,7 @@ namespace {
 
 /// layout_parts may not include algorithms, so each has a number for itself: a cold climb asks a table of so
 /// many vertices for a seed, and the table has one by then.
-static_assert(seeds_from <= scan_cold_below);
+static_assert(seeds_from <= scan_cold_below<lean_seeds<f64>>);
 
 /// Directions of the set are their own places; of any others the place's direction is at most so far away.
 template <class Directions>
