@@ -86,7 +86,8 @@ std::span<const SceneStandard> scene_standards() {
                                                   {"pressure", "rotation_step", 0.1},
                                                   {"pressure", "gap", 0.1},
                                                   {"pressure", "new_order", 0},
-                                                  {"pressure", "least_steps", 0}};
+                                                  {"pressure", "least_steps", 0},
+                                                  {"pressure", "own_tables", 1}};
     return standards;
 }
 

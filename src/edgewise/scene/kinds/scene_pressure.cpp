@@ -54,7 +54,7 @@ std::vector<std::uint32_t> any_order(std::uint32_t count, Rng& rng) {
 Result<Workload> make_pressure(const SceneSetup& setup) {
     Workload workload;
     workload.warm = true;
-    workload.table_each = true;
+    workload.table_each = setup.count("own_tables") == 1;
     workload.bodies.push_back(setup.shape);
     workload.instances.assign(setup.count("bodies"), 0);
     const Vec3d middle = vertex_mean(setup.shape.vertices);
@@ -91,7 +91,9 @@ SceneKind pressure_scene() {
           {"gap", "reaches", "between the spheres around neighbours", 0.1, 0.001, 100, false},
           {"new_order", "1", "1: pairs in another order each step; 0: always in the same", 0, 0, 1, true},
           {"least_steps", "1", "steps asked at least, with more queries than asked for if need be", 0, 0,
-           100000, true}}},
+           100000, true},
+          {"own_tables", "1", "1: a table per body, as in the paper; 0: all bodies share one", 1, 0, 1,
+           true}}},
         make_pressure};
 }
 
