@@ -76,8 +76,6 @@ edgewise_mutant(normal_points_from_b_to_a algorithms/gjk_answer.hpp [[(-1 / dist
 edgewise_mutant(old_pairs_are_followed algorithms/penetration/start.hpp [[if (!pair.belongs_to(a, b)) return SimplexPair<TableA, TableB>(a, b);]] [[]]
     RebuiltTable* ${unit}/algorithms/rebuilt_table_test.cpp)
 
-edgewise_mutant(batch_follows_old_pairs algorithms/gjk_batch.hpp [[!given.pair->starts_warm(*given.a, *given.b)]] [[given.pair->count() == 0]]
-    GjkBatch.* ${unit}/algorithms/gjk_batch_test.cpp)
 edgewise_mutant(parts_answer_in_the_first_places algorithms/parallel_batch.hpp [[answers.subspan(part.begin(), part.size())]] [[answers.subspan(0, part.size())]]
     ParallelBatches/*AreToTheBit* ${unit}/algorithms/parallel_batch_test.cpp)
 edgewise_mutant(batch_stays_in_one_thread algorithms/parallel_batch.hpp [[tbb::task_arena arena(threads);]] [[tbb::task_arena arena(1);]]

@@ -2,8 +2,8 @@
 //
 // Enhanced GJK for several pairs side by side: GjkRun (gjk.hpp), one query per lane, without a branch that
 // the lanes could disagree on. A lane whose query ends takes the next one, so that none waits for another.
-// What is rare (contact, a close or thin simplex, a warm start that proves useless) is not computed here: the
-// query is asked by itself, from its start. So every answer is to the bit that of a single query.
+// Every query starts cold. What is rare (contact, a close or thin simplex) is not computed here: the query is
+// asked by itself, from its start. So every answer is to the bit that of a single query.
 #pragma once
 
 #include "edgewise/algorithms/lanes/lane_closest.hpp"
@@ -38,7 +38,7 @@ class LaneGjk {
   private:
     static constexpr int most_steps = 64;  ///< lanes are not for a query that takes more
 
-    /// One support point further in every lane; a cold lane's first lies along the line of the origins.
+    /// One support point further in every lane; a query's first lies along the line of the origins.
     [[gnu::always_inline]] void iterate() {
         lanes_.steps -= ~lanes_.starts;
         const Vector v = select(lanes_.starts, -lanes_.translation, lanes_.closest);
@@ -76,12 +76,10 @@ class LaneGjk {
         const Mask separates = reach > noise;
         Mask verdict{};
         if (verdict_only_) verdict = reach - noise > square_root<Scalar, n>(contact_squared_ * squared);
-        const Mask useless = (lanes_.steps == 1) & ~lanes_.is_cold & ~verdict &
-                             (reach < static_cast<Scalar>(far_off_simplex) * squared);
         const Mask touching = (max_abs(v) <= Tolerance<Scalar>::contact_noise * lanes_.size) & ~separates;
         const Mask ends = verdict | held | (squared - reach <= larger(noise, Number(gap_ * squared)));
-        const Mask single = ~lanes_.starts & ((squared <= contact_squared_) | useless | (ends & touching) |
-                                              (lanes_.steps > most_steps));
+        const Mask single = ~lanes_.starts &
+                            ((squared <= contact_squared_) | (ends & touching) | (lanes_.steps > most_steps));
         ended = ends & ~single & ~lanes_.starts & lanes_.is_active;
         if (any_lane(ended)) {
             for (int lane = 0; lane < n; ++lane) {

@@ -16,7 +16,7 @@ namespace edgewise {
 /// Bodies with more vertices are not scanned side by side: they fill the first-level cache.
 inline constexpr std::size_t most_lane_vertices = 64;
 
-/// One query as a lane is given it. Points are vertices' places in their tables, below most_lane_vertices.
+/// One query as a lane is given it, which starts cold.
 template <class Scalar>
 struct LaneQuery {
     Transform<Scalar> a_from_b;
@@ -24,16 +24,10 @@ struct LaneQuery {
     /// already are not written again.
     const void *table_a = nullptr, *table_b = nullptr;
     int vertices_a = 0, vertices_b = 0;
-    /// The simplex of the pair's last query, solved; count 0: cold.
-    int count = 0;
-    SmallArray<std::uint32_t, 4> vertex_a, vertex_b;
-    SimplexPoints<Scalar> difference;
-    SmallArray<Scalar, 4> weight;
-    Vec3<Scalar> closest;
-    Scalar size = 0;  ///< Simplex::size
 };
 
-/// A separated pair's answer: the simplex, the weights of its points and the difference's closest point.
+/// A separated pair's answer: the simplex, by vertices' places in their tables, below most_lane_vertices, the
+/// weights of its points and the difference's closest point.
 template <class Scalar>
 struct LaneAnswer {
     int count = 0;

@@ -27,8 +27,8 @@ struct LaneState {
     SmallArray<Vector, 4> difference{};
     SmallArray<Number, 4> weight{};
     Number size{};
-    Mask count{}, steps{}, is_cold{};
-    Mask starts{};     ///< cold, without a point so far
+    Mask count{}, steps{};
+    Mask starts{};     ///< without a point so far
     Mask is_active{};  ///< holds a query
 
     /// The source's next query; without one the lane is idle.
@@ -47,16 +47,10 @@ struct LaneState {
         }
         for (int i = 0; i < 9; ++i) rotation[i][lane] = query.a_from_b.rotation(i / 3, i % 3);
         set(translation, lane, query.a_from_b.translation);
-        starts[lane] = is_cold[lane] = query.count == 0 ? -1 : 0;
-        count[lane] = query.count;
-        size[lane] = query.size;
+        starts[lane] = -1;
+        count[lane] = 0;
+        size[lane] = 0;
         steps[lane] = 0;
-        for (int k = 0; k < query.count; ++k) {
-            vertices[k][lane] = static_cast<Word>(query.vertex_a[k] << 16 | query.vertex_b[k]);
-            set(difference[k], lane, query.difference[k]);
-            weight[k][lane] = query.weight[k];
-        }
-        if (query.count > 0) set(closest, lane, query.closest);
     }
 
     [[nodiscard]] LaneAnswer<Scalar> answer(int lane) const {
