@@ -21,6 +21,21 @@
 
 namespace edgewise {
 
+/// Solved in wider arithmetic: in doubles by all cofactors too, where they are what was chosen; sums of two
+/// doubles take longer for all of them than for Johnson's search.
+template <class Wide>
+[[nodiscard]] ClosestOfSimplex<Wide> closest_in_wide(const SimplexPoints<Wide>& points, int count,
+                                                     SubDistanceSolver solver) {
+    if constexpr (std::is_same_v<Wide, double>) {
+        if (solver == SubDistanceSolver::cofactors) {
+            ClosestOfSimplex<double> found;
+            find_closest(points, count, false, found);
+            return found;
+        }
+    }
+    return Johnson<Wide>(points, count).closest();
+}
+
 template <SupportTable TableA, SupportTable TableB>
 class SubDistance {
   public:
@@ -124,26 +139,12 @@ class SubDistance {
     [[gnu::noinline]] Wider<Scalar> solve_wide() {
         SimplexPoints<Wider<Scalar>> points;
         for (int i = 0; i < simplex_.count; ++i) points[i] = cast<Wider<Scalar>>(simplex_.difference[i]);
-        const auto wide = closest_in_wide(points);
+        const auto wide = closest_in_wide(points, simplex_.count, solver_);
         closest_.members = wide.members;
         closest_.backup = wide.backup;
         closest_.point = cast<Scalar>(wide.point);
         for (int i = 0; i < simplex_.count; ++i) closest_.weight[i] = static_cast<Scalar>(wide.weight[i]);
         return squared_norm(wide.point);
-    }
-
-    /// In the arithmetic of doubles by all cofactors too, where they are what was chosen; sums of two doubles
-    /// take longer for all of them than for Johnson's search.
-    [[nodiscard]] ClosestOfSimplex<Wider<Scalar>> closest_in_wide(
-        const SimplexPoints<Wider<Scalar>>& points) const {
-        if constexpr (std::is_same_v<Wider<Scalar>, double>) {
-            if (solver_ == SubDistanceSolver::cofactors) {
-                ClosestOfSimplex<double> found;
-                find_closest(points, simplex_.count, false, found);
-                return found;
-            }
-        }
-        return Johnson<Wider<Scalar>>(points, simplex_.count).closest();
     }
 
     [[nodiscard]] bool gains(Scalar before) const {
