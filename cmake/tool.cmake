@@ -111,7 +111,7 @@ function(edgewise_tool_for NAME TUNE)
     endforeach()
     target_link_libraries(${types} PRIVATE edgewise_core edgewise_flags edgewise_query_loops)
     target_compile_options(${types} PRIVATE $<$<BOOL:${TUNE}>:-march=${TUNE}>)
-    edgewise_precompile(${types} ${PROJECT_SOURCE_DIR}/src/edgewise/bench/table_type_for.hpp)
+    edgewise_precompile(${types} <Eigen/Core> <nlohmann/json.hpp> <algorithm> <functional> <map> <memory> <optional> <span> <string> <vector>)
     add_library(${NAME} INTERFACE)
     # Objects, not an archive: the registry and what drives it need each other.
     target_sources(${NAME} INTERFACE $<TARGET_OBJECTS:${types}>)
