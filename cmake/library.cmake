@@ -16,8 +16,9 @@ target_compile_options(edgewise_library PUBLIC $<$<COMPILE_LANG_AND_ID:CXX,GNU,C
 target_include_directories(edgewise_library PUBLIC
     $<BUILD_INTERFACE:${EDGEWISE_INCLUDE}> $<INSTALL_INTERFACE:include>)
 target_link_libraries(edgewise_library PUBLIC Eigen3::Eigen PRIVATE Qhull::qhull_r $<BUILD_INTERFACE:edgewise_flags>)
-# Mutants (tests/mutation) replace the one; the other has registers wider than the machine's, which only ever
-# are arguments of what is inlined.
+# Mutants (tests/mutation) replace the one; the other has registers wider than the machine's, which only ever are arguments
+# of what is inlined, and takes roots of all lanes at once where none of them has to set errno.
 edgewise_unite(edgewise_library src/edgewise/geometry/strictly_convex.cpp src/edgewise/algorithms/lanes/lane_width.cpp)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/edgewise/algorithms/lanes/lane_width.cpp PROPERTIES COMPILE_OPTIONS -Wno-psabi)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/edgewise/algorithms/lanes/lane_width.cpp PROPERTIES
+    COMPILE_OPTIONS "-Wno-psabi;-fno-math-errno")
 edgewise_precompile(edgewise_library <Eigen/Core> <algorithm> <functional> <string> <vector>)

@@ -88,13 +88,23 @@ TEST(Judge, SaysByHowMuch) {
     EXPECT_GT(said["beyond"], 0.16);
 }
 
-/// What it prints for a case file is read again, and is the same pair.
+/// What it prints for a case file is read again, and is the pair that it expects: the given one, or, where a
+/// peer that is here is wrong on it, a smaller one that still shows that.
 TEST(Judge, GivesACaseThatIsReadAgain) {
     const json first = json::parse(judge(dump("fcl390.txt")).out);
     const json second = json::parse(judge(first["case"].dump()).out);
     EXPECT_EQ(second["format"], "case line");
-    EXPECT_EQ(second["exact"]["distance"], first["exact"]["distance"]);
+    EXPECT_EQ(second["exact"]["distance"], first["case"]["expect"]["distance"]);
+}
+
+/// Of a pair that everybody has right, it is the given one.
+TEST(Judge, GivesAnEasyCaseAsItIs) {
+    const json first = json::parse(judge(R"({"id": "1", "a": {"vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]},)"
+                                         R"( "b": {"vertices": [[3,0,0],[4,0,0],[3,1,0],[3,0,1]]}})")
+                                       .out);
+    EXPECT_EQ(first["exact"]["distance"], 2);
     EXPECT_EQ(first["case"]["expect"]["distance"], first["exact"]["distance"]);
+    EXPECT_EQ(first["case"]["a"]["vertices"].size(), 4U);
 }
 
 TEST(Judge, WritesTestsForOthers) {

@@ -4,20 +4,17 @@
 #pragma once
 
 #include "edgewise/algorithms/distance.hpp"
-#include "edgewise/algorithms/simplex.hpp"
 #include "edgewise/algorithms/subset.hpp"
-#include "edgewise/table/contract.hpp"
+#include "edgewise/geometry/vec.hpp"
 
 namespace edgewise {
 
-/// Witness points are the simplex's own, weighted. Weights on a thin triangle are worse than its foot: what
-/// the witnesses of separated bodies differ from it by is shared out, so that they are separated by the
-/// distance that is reported.
-template <SupportTable TableA, SupportTable TableB>
-[[nodiscard]] Distance gjk_answer(const Simplex<TableA, TableB>& simplex,
-                                  const ClosestOfSimplex<ComputeOf<TableA>>& closest, Status status,
-                                  int steps) {
-    using Scalar = ComputeOf<TableA>;
+/// `simplex`: on_a(i), on_b(i), in A's frame, of `count` points. Witness points are its own, weighted.
+/// Weights on a thin triangle are worse than its foot: what the witnesses of separated bodies differ from it
+/// by is shared out, so that they are separated by the distance that is reported.
+template <class Points, class Scalar>
+[[nodiscard]] Distance gjk_answer(const Points& simplex, const ClosestOfSimplex<Scalar>& closest,
+                                  Status status, int steps) {
     Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
     for (int i = 0; i < simplex.count; ++i) {
         on_a += closest.weight[i] * simplex.on_a(i);

@@ -18,7 +18,8 @@
 #include "edgewise/algorithms/lanes/lane_width.hpp"
 #include "edgewise/algorithms/pair_query.hpp"
 #include "edgewise/algorithms/query_options.hpp"
-#include "edgewise/algorithms/sub_distance.hpp"
+#include "edgewise/algorithms/sub_distance_solver.hpp"
+#include "edgewise/algorithms/subset.hpp"
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/table/small_array.hpp"
 
@@ -81,13 +82,14 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     void take(int lane, const LaneAnswer<Scalar>& answer) override {
         const auto& [number, a_from_b] = in_lane_[lane];
         const Query& query = queries_[number];
-        Simplex<TableA, TableB> simplex;
-        ClosestOfSimplex<Scalar> closest;
+        EndSimplex simplex{answer.count};
         for (int i = 0; i < answer.count; ++i) {
-            const auto v = static_cast<typename TableA::Vertex>(answer.vertex_a[i]);
-            const auto w = static_cast<typename TableB::Vertex>(answer.vertex_b[i]);
-            simplex.push(v, w, query.a->vertex(v), a_from_b.point(query.b->vertex(w)));
+            simplex.a[i] = static_cast<typename TableA::Vertex>(answer.vertex_a[i]);
+            simplex.b[i] = static_cast<typename TableB::Vertex>(answer.vertex_b[i]);
+            simplex.points_a[i] = query.a->vertex(simplex.a[i]);
+            simplex.points_b[i] = a_from_b.point(query.b->vertex(simplex.b[i]));
         }
+        ClosestOfSimplex<Scalar> closest;
         closest.weight = answer.weight;
         closest.point = answer.closest;
         query.pair->hold(*query.a, *query.b, simplex);
@@ -101,6 +103,19 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
 
   private:
     static constexpr std::size_t most_lanes = 8;  ///< 256 bits of float
+
+    /// What a query ended with, as its answer and its pair read it.
+    struct EndSimplex {
+        int count;
+        SmallArray<typename TableA::Vertex, 4> a;
+        SmallArray<typename TableB::Vertex, 4> b;
+        SmallArray<Vec3<Scalar>, 4> points_a, points_b;
+
+        [[nodiscard]] auto vertex_a(int i) const { return a[i]; }
+        [[nodiscard]] auto vertex_b(int i) const { return b[i]; }
+        [[nodiscard]] const Vec3<Scalar>& on_a(int i) const { return points_a[i]; }
+        [[nodiscard]] const Vec3<Scalar>& on_b(int i) const { return points_b[i]; }
+    };
 
     struct InLane {
         std::size_t number = 0;

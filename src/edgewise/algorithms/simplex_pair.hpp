@@ -10,7 +10,6 @@
 #include <concepts>
 #include <cstdint>
 
-#include "edgewise/algorithms/simplex.hpp"
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/identity.hpp"
 
@@ -133,8 +132,9 @@ class SimplexPair {
         corners_.set(before, corner);
         corners_.set_note(corners_.note() + 1);
     }
-    /// Of these tables, and a simplex of theirs.
-    void hold(const TableA& a, const TableB& b, const Simplex<TableA, TableB>& simplex) {
+    /// Of these tables, and a simplex of theirs: vertex_a(i), vertex_b(i) of `count` points.
+    template <class Points>
+    void hold(const TableA& a, const TableB& b, const Points& simplex) {
         bool all_fit = true;
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(simplex.count); ++i) {
             const Corner corner = {simplex.vertex_a(static_cast<int>(i)),

@@ -43,18 +43,29 @@ class LaneBodies {
     /// The first of the vertices farthest along each lane's direction.
     [[nodiscard]] [[gnu::always_inline]] Farthest farthest(const Vector& direction) const {
         Numbers<Scalar, n> most = dot(vertices_[0], direction);
-        Farthest best{{}, vertices_[0]};
+        Masks<Scalar, n> vertex{}, next{};
         for (int i = 1; i < used_; ++i) {
             const Numbers<Scalar, n> along = dot(vertices_[i], direction);
             const Masks<Scalar, n> higher = along > most;
+            next = next + 1;
             most = select(higher, along, most);
-            best.vertex = select(higher, Masks<Scalar, n>{} + i, best.vertex);
-            best.point = select(higher, vertices_[i], best.point);
+            vertex = select(higher, next, vertex);
         }
-        return best;
+        return {vertex, at(vertex)};
     }
 
   private:
+    /// Each lane's vertex of this number, read once at the end: carrying it along costs a scan a third.
+    [[nodiscard]] [[gnu::always_inline]] Vector at(const Masks<Scalar, n>& vertex) const {
+        Vector point;
+#pragma GCC unroll 8
+        for (int lane = 0; lane < n; ++lane) {
+            const Vector& from = vertices_[static_cast<int>(vertex[lane])];
+            point.set(lane, from.x[lane], from.y[lane], from.z[lane]);
+        }
+        return point;
+    }
+
     SmallArray<Vector, most_lane_vertices> vertices_{};
     SmallArray<const void*, n> tables_{};
     SmallArray<int, n> written_{};

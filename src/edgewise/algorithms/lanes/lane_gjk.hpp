@@ -11,7 +11,6 @@
 #include "edgewise/algorithms/lanes/lane_state.hpp"
 #include "edgewise/algorithms/lanes/lane_vector.hpp"
 #include "edgewise/algorithms/query_options.hpp"
-#include "edgewise/algorithms/simplex.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise {
@@ -47,46 +46,52 @@ class LaneGjk {
         const Vector on_b = lanes_.point_of_b(b.point);
         const Vector difference = a.point - on_b;
         const Mask both = a.vertex << 16 | b.vertex;
-        Mask ended{};
-        Mask single = end_lanes(v, squared, dot(v, difference), lanes_.holds(both), ended);
+        const auto [ended, doubted] = ends(v, squared, dot(v, difference), lanes_.holds(both));
+        if (any_lane(ended)) take(ended);
         lanes_.push(both, difference);
-        lanes_.size = larger(lanes_.size, larger(max_abs(a.point), max_abs(on_b)));
+        const Number size = larger(lanes_.size, larger(max_abs(a.point), max_abs(on_b)));
         const LaneClosest<Scalar, n> closest(lanes_.difference, lanes_.count);
         lanes_.closest = select(lanes_.starts, difference, closest.point());
-        const Number close = Tolerance<Scalar>::close * lanes_.size, left = squared_norm(lanes_.closest);
+        const Number close = Tolerance<Scalar>::close * size, left = squared_norm(lanes_.closest);
         const Mask gains = lanes_.starts | (left < squared);
-        single |= ~(closest.sure() & (left >= close * close) & gains);
-        lanes_.keep(closest);
-        lanes_.starts = Mask{};
-        single &= lanes_.is_active & ~ended;
-        if (any_lane(single | ended)) replace(ended, single);
+        const Mask single = doubted | ~(closest.sure() & (left >= close * close) & gains);
+        lanes_.keep(closest, size, ended);
+        const Mask alone = single & lanes_.is_active & ~ended;
+        if (any_lane(alone)) ask_singly(alone);
     }
 
-    [[gnu::always_inline]] void replace(const Mask& ended, const Mask& single) {
-        for (int lane = 0; lane < n; ++lane) {
-            if (single[lane]) source_.ask_singly(lane);
-            if (single[lane] | ended[lane]) lanes_.load(lane, source_);
-        }
-    }
+    struct Ends {
+        Mask ended, doubted;  ///< with nothing left to gain; to be asked by themselves
+    };
 
-    /// Takes the answers of lanes with nothing left to gain; the mask: those to be asked by themselves.
-    [[nodiscard]] [[gnu::always_inline]] Mask end_lanes(const Vector& v, const Number& squared,
-                                                        const Number& reach, const Mask& held, Mask& ended) {
+    [[nodiscard]] [[gnu::always_inline]] Ends ends(const Vector& v, const Number& squared,
+                                                   const Number& reach, const Mask& held) const {
         const Number noise = Tolerance<Scalar>::support_noise * square_root<Scalar, n>(squared) * lanes_.size;
         const Mask separates = reach > noise;
         Mask verdict{};
         if (verdict_only_) verdict = reach - noise > square_root<Scalar, n>(contact_squared_ * squared);
         const Mask touching = (max_abs(v) <= Tolerance<Scalar>::contact_noise * lanes_.size) & ~separates;
-        const Mask ends = verdict | held | (squared - reach <= larger(noise, Number(gap_ * squared)));
-        const Mask single = ~lanes_.starts &
-                            ((squared <= contact_squared_) | (ends & touching) | (lanes_.steps > most_steps));
-        ended = ends & ~single & ~lanes_.starts & lanes_.is_active;
-        if (any_lane(ended)) {
-            for (int lane = 0; lane < n; ++lane) {
-                if (ended[lane]) source_.take(lane, lanes_.answer(lane));
-            }
+        const Mask none_left = verdict | held | (squared - reach <= larger(noise, Number(gap_ * squared)));
+        const Mask doubted = ~lanes_.starts & ((squared <= contact_squared_) | (none_left & touching) |
+                                               (lanes_.steps > most_steps));
+        return {none_left & ~doubted & ~lanes_.starts & lanes_.is_active, doubted};
+    }
+
+    /// The answers of these lanes; what their next queries start from stays as it is until all step again.
+    [[gnu::always_inline]] void take(const Mask& ended) {
+        for (int lane = 0; lane < n; ++lane) {
+            if (!ended[lane]) continue;
+            source_.take(lane, lanes_.answer(lane));
+            lanes_.load(lane, source_);
         }
-        return single;
+    }
+
+    [[gnu::always_inline]] void ask_singly(const Mask& alone) {
+        for (int lane = 0; lane < n; ++lane) {
+            if (!alone[lane]) continue;
+            source_.ask_singly(lane);
+            lanes_.load(lane, source_);
+        }
     }
 
     LaneSource<Scalar>& source_;

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/pose.hpp"
+#include "edgewise/geometry/vec.hpp"
 #include "edgewise/table/small_array.hpp"
 
 namespace edgewise {

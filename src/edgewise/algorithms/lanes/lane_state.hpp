@@ -92,9 +92,10 @@ struct LaneState {
     }
 
     /// As Simplex::keep: drops the points that the closest one (LaneClosest) does not rest on. A lane that
-    /// rests on all four is asked by itself, and its last point may be lost here.
+    /// rests on all four is asked by itself, and its last point may be lost here. `size_now`: with the newest
+    /// points; `fresh`: lanes that hold no point yet.
     template <class Closest>
-    [[gnu::always_inline]] void keep(const Closest& now) {
+    [[gnu::always_inline]] void keep(const Closest& now, const Number& size_now, const Mask& fresh) {
         Mask kept{};
 #pragma GCC unroll 4
         for (int from = 0; from < 4; ++from) {
@@ -107,7 +108,9 @@ struct LaneState {
             }
             kept -= now.rests_on(from);
         }
-        count = kept;
+        count = kept & ~fresh;
+        size = select(fresh, Number{}, size_now);
+        starts = fresh;
     }
 
   private:
