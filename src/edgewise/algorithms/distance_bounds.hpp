@@ -37,42 +37,59 @@ class DistanceBounds {
 
     /// Known at this pose of B in A's frame; `radius_b`: of B about its own origin (radius_of).
     DistanceBounds(const DistanceInterval& known, const Transform<double>& a_from_b, double radius_b)
-        : known_(known), at_(a_from_b), radius_(radius_b) {
+        : known_(known),
+          at_(a_from_b),
+          half_squared_radius_(0.5 * radius_b * radius_b),
+          sloppiness_(4 * rotation_rounding * radius_b) {
         assert(known.least <= known.most && radius_b >= 0);
     }
 
     /// At another pose.
     [[nodiscard]] DistanceInterval at(const Transform<double>& a_from_b) const {
-        const double moved = motion(a_from_b);
+        const double moved = motion_to(a_from_b).most();
         return {std::max(0.0, known_.least - moved), known_.most + moved};
     }
 
     /// Whether the bodies are nearer to each other than this; nothing where the bounds do not tell.
     [[nodiscard]] std::optional<bool> nearer_than(double distance, const Transform<double>& a_from_b) const {
-        const DistanceInterval now = at(a_from_b);
-        if (now.least >= distance) return false;
-        if (now.most < distance) return true;
-        return std::nullopt;
+        const double above = known_.least - distance, below = distance - known_.most;
+        const Motion motion = motion_to(a_from_b);
+        const double room = std::max(above, below);
+        if (!(room > 0) || !motion.is_within(room)) return std::nullopt;
+        return below > 0;
     }
 
   private:
-    /// No point of B is farther than this from where it was. Differences of given numbers have their relative
-    /// error alone. The spectral norm of a difference of rotations is its Frobenius norm over the root of
-    /// two; what rounding leaves them from orthogonal counts extra.
-    [[nodiscard]] double motion(const Transform<double>& to) const {
-        constexpr double rounding = 1 + 16 * std::numeric_limits<double>::epsilon();
-        constexpr double half_root_of_two = 0.70710678118654757;
-        // Component by component: whole Eigen vectors would go through memory, and sum in packets.
-        const double shift = norm(to.translation - at_.translation);
+    /// No point of B is farther from where it was than the sum of these, each the root of a square; the
+    /// second with what rounding leaves rotations from orthogonal, extra.
+    struct Motion {
+        double squared_shift, squared_turn, sloppiness;
+
+        [[nodiscard]] double most() const {
+            return (std::sqrt(squared_shift) + std::sqrt(squared_turn) + sloppiness) * rounding;
+        }
+        /// Roots are taken where the mean of the squares, which is no less than the squared mean, does not
+        /// tell.
+        [[nodiscard]] bool is_within(double room) const {
+            const double left = (2 - rounding) * room - sloppiness;
+            return (left > 0 && 2 * (squared_shift + squared_turn) < left * left) || most() <= room;
+        }
+    };
+
+    /// Differences of given numbers have their relative error alone.
+    static constexpr double rounding = 1 + 16 * std::numeric_limits<double>::epsilon();
+
+    /// The spectral norm of a difference of rotations is its Frobenius norm over the root of two.
+    [[nodiscard]] Motion motion_to(const Transform<double>& to) const {
         double turned = 0;
-        for (int i = 0; i < 3; ++i) turned += squared_norm(to.rotation.row(i) - at_.rotation.row(i));
-        const double turn = half_root_of_two * std::sqrt(turned) + 4 * rotation_rounding;
-        return (shift + turn * radius_) * rounding;
+        // Component by component: whole Eigen vectors would go through memory, and sum in packets.
+        for (int i = 0; i < 3; ++i) turned += squared_norm(to.rotation.col(i) - at_.rotation.col(i));
+        return {squared_norm(to.translation - at_.translation), turned * half_squared_radius_, sloppiness_};
     }
 
     DistanceInterval known_;
     Transform<double> at_{Mat3d::Identity(), Vec3d::Zero()};
-    double radius_ = 0;
+    double half_squared_radius_ = 0, sloppiness_ = 0;
 };
 
 /// How far the points reach from the origin.
