@@ -56,8 +56,10 @@ edgewise_mutant(grid_cells_of_the_other_side layout_parts/seed_directions.hpp [[
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
 edgewise_mutant(far_neighbours_are_near layout_parts/relative_rings.hpp [[return in.far_neighbours(base).read(loader, low, Field::neighbour);]] [[return low;]]
     RelativeRings.Are* ${unit}/layout_parts/relative_rings_test.cpp)
-edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[(shift + turn * radius_)]] [[(shift + 0 * turn)]]
+edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[turned * half_squared_radius_]] [[0 * turned]]
     NearPair* ${unit}/algorithms/near_pair_test.cpp)
+edgewise_mutant(squares_add_as_lengths algorithms/distance_bounds.hpp [[2 * (squared_shift + squared_turn) < left]]
+    [[(squared_shift + squared_turn) < left]] NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]
     *Support* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(squared) && !retry_in_wide_arithmetic()) {]] [[if (gains(squared)) {]]

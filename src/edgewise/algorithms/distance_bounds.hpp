@@ -52,6 +52,7 @@ class DistanceBounds {
 
     /// Whether the bodies are nearer to each other than this; nothing where the bounds do not tell.
     [[nodiscard]] std::optional<bool> nearer_than(double distance, const Transform<double>& a_from_b) const {
+        if (distance <= 0) return false;
         const double above = known_.least - distance, below = distance - known_.most;
         const Motion motion = motion_to(a_from_b);
         const double room = std::max(above, below);

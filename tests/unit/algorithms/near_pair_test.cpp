@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -89,6 +90,36 @@ TEST(NearPair, KnowsNothingBeforeItAsks) {
     EXPECT_FALSE(nothing.nearer_than(1, here).has_value());
     EXPECT_EQ(nothing.nearer_than(0, here), false) << "no distance is less than 0";
     EXPECT_EQ(nothing.at(here).least, 0);
+}
+
+/// Asked about distances around where the carried bounds end, by parts of the motion: told just where these
+/// tell, to rounding.
+TEST(NearPair, TellsWhereItsCarriedBoundsDo) {
+    scene::Rng rng(11);
+    int told_near = 0, told_far = 0, not_told = 0;
+    double worst = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Pose before{rng.rotation(), rng.in_ball()};
+        const double step = std::pow(10.0, rng.uniform(-6, 0));
+        const Transform<double> from{before.rotation, before.translation};
+        const Transform<double> to{turn(rng.on_sphere(), step * rng.uniform(0, 1)) * before.rotation,
+                                   before.translation + rng.in_ball() * step};
+        const double least = rng.uniform(0.1, 2), most = least + rng.uniform(0, 1e-3);
+        const DistanceBounds bounds({least, most}, from, rng.uniform(0, 1));
+        const DistanceInterval now = bounds.at(to);
+        const bool above = i % 2 == 0;
+        const double end = above ? now.least : now.most;
+        const double distance = end + (now.most - most) * rng.uniform(-1, 1);
+        const auto told = bounds.nearer_than(distance, to);
+        const bool should_tell = distance <= now.least || distance > now.most;
+        if (told.has_value() != should_tell) worst = std::max(worst, std::abs(distance - end));
+        if (told) EXPECT_EQ(*told, distance > most) << i;
+        ++(!told ? not_told : *told ? told_near : told_far);
+    }
+    std::printf("%d told near, %d told far, %d not; off by %.2g at most\n", told_near, told_far, not_told,
+                worst);
+    EXPECT_LE(worst, 1e-14);
+    EXPECT_GT(std::min({told_near, told_far, not_told}), 4000);
 }
 
 }  // namespace
