@@ -90,13 +90,21 @@ template <class TableA, class TableB>
     return result;
 }
 
+/// How a run ended.
+enum class End : std::uint8_t {
+    proven,   ///< by the corners next to both features
+    reached,  ///< by its last state
+    cycled,
+};
+
 /// The answer of a run that ended, or what the fallback says where it is not believed.
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance believed(Distance result, Body<TableA>& a, Body<TableB>& b, Observer& observer,
-                                bool cycle) {
+                                End end) {
     // Coordinates whose products overflow give no distance: GJK has the range, and starts cold.
     const bool is_number = std::isfinite(result.distance);
-    const Trust verdict = cycle || !is_number ? Trust::doubted : trust(result, a, b);
+    const bool is_cycle = end == End::cycled;
+    const Trust verdict = is_cycle || !is_number ? Trust::doubted : trust(result, a, b, end == End::proven);
     if (verdict != Trust::sound) {
         observer.ask_gjk();
         result = answer_by_gjk(a, b);
@@ -138,7 +146,7 @@ template <class TableA, class TableB, class Observer>
         observer.visit(a.feature.kind(), b.feature.kind());
         if (hardened) {
             if (const auto known = proven_at(steps, a, b)) {
-                Distance result = believed(separated_by(*known), a, b, observer, false);
+                Distance result = believed(separated_by(*known), a, b, observer, End::proven);
                 result.steps = steps;
                 result.escapes = escapes;
                 return result;
@@ -149,8 +157,9 @@ template <class TableA, class TableB, class Observer>
         const bool moved = last == Step::moved || last == Step::escaped;
         const bool cycle = moved && guard.returns_to(a.feature, b.feature);
         if (moved && !cycle) continue;
+        const End end = cycle ? End::cycled : End::reached;
         Distance result =
-            hardened ? believed(answer(a, b, last), a, b, observer, cycle) : raw_answer(a, b, last, cycle);
+            hardened ? believed(answer(a, b, last), a, b, observer, end) : raw_answer(a, b, last, cycle);
         result.steps = steps;
         result.cycles = cycle;
         result.escapes = escapes;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/polyhedron_builder.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
@@ -119,12 +120,12 @@ TEST(StillClosest, ProvesTheExactDistanceOfAlmostAllSeparatedPoses) {
 TEST(StillClosest, InSingleToo) { expect_proofs(proofs_of<lean<f32>>({"tetra4", "sphere38"}), 1e-5); }
 
 TEST(StillClosest, ProvesNothingOfBodiesWhoseNeighboursDoNotDecide) {
-    // A corner as good as in the middle of a side.
-    const std::vector<Vec3d> needle = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}, {0.5, 0, 1}};
-    const Polyhedron body = convex_hull(needle).or_throw();
-    const lean<f64> table(body, Parts::features);
-    EXPECT_FALSE(table.strictly_convex());
-    EXPECT_FALSE(table.neighbours_decide());
+    // A square pyramid whose base is given as two triangles: the edge between them does not turn.
+    const std::vector<Vec3d> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
+    const std::vector<std::vector<Index>> faces = {{0, 3, 2}, {0, 2, 1}, {0, 1, 4},
+                                                   {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+    const Polyhedron body = polyhedron_from_faces(corners, faces).or_throw();
+    EXPECT_FALSE(lean<f64>(body, Parts::features).neighbours_decide());
     Proofs proofs;
     scene::Rng rng(7);
     for (int i = 0; i < 50; ++i) prove_all<lean<f64>>(body, body, some_pose(rng, 1), proofs);
@@ -133,7 +134,8 @@ TEST(StillClosest, ProvesNothingOfBodiesWhoseNeighboursDoNotDecide) {
 }
 
 /// A face with a thin corner: the third lies `aside` of the side between the first two, of length 1; and
-/// behind it the body turns away by an angle as small as `turn`. Coordinates are those of `Scalar`.
+/// behind it the body turns away by an angle as small as `turn`, which strictly convex bodies do not.
+/// Coordinates are those of `Scalar`.
 template <class Scalar>
 struct Needle {
     std::vector<Vec3d> corners;
@@ -197,10 +199,12 @@ void expect_certain_on_thin_corners(double thinnest, double most_error) {
 
 TEST(StillClosest, ProvesOfThinCornersWhatIsCertain) {
     expect_certain_on_thin_corners<lean<f64>>(1e-8, 1e-14);
+    expect_certain_on_thin_corners<lean<f64>>(1e-13, 1e-14);
 }
 
 TEST(StillClosest, ProvesOfThinCornersWhatIsCertainInSingle) {
     expect_certain_on_thin_corners<lean<f32>>(1e-5, 1e-6);
+    expect_certain_on_thin_corners<lean<f32>>(1e-9, 1e-6);
 }
 
 }  // namespace

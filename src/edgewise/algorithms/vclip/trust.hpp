@@ -77,20 +77,21 @@ template <class TableA, class TableB>
 }
 
 /// On a body that is not strictly convex the region of a feature continues under the surface, and nothing is
-/// believed until it is proven; the proof is as good as the direction between the points, so not a close one.
+/// believed until it is proven: `proven`, by the corners next to the features, or here, which is as good as
+/// the direction between the points, so not a close one.
 template <class TableA, class TableB>
-[[nodiscard]] Trust trust(Distance& result, const Body<TableA>& a, const Body<TableB>& b) {
+[[nodiscard]] Trust trust(Distance& result, const Body<TableA>& a, const Body<TableB>& b, bool proven) {
     if (result.status == Status::overlapping) return Trust::sound;
-    const bool convex = a.table.strictly_convex() && b.table.strictly_convex();
+    const bool holds = proven || (a.table.strictly_convex() && b.table.strictly_convex());
     if (result.status == Status::touching) {
-        if (!convex) return Trust::doubted;
+        if (!holds) return Trust::doubted;
         return rounded_planes<TableA> || rounded_planes<TableB> ? Trust::close : Trust::sound;
     }
     const double offset{max_abs(a.from_other.translation)};
     const double size = std::max({offset, a.table.reach(), b.table.reach()});
     if (result.distance > untrusted<TableA, TableB> * size)
-        return convex || is_proven(result, a, b) ? Trust::sound : Trust::doubted;
-    return convex ? trust_close(result, size, a, b) : Trust::close;
+        return holds || is_proven(result, a, b) ? Trust::sound : Trust::doubted;
+    return holds ? trust_close(result, size, a, b) : Trust::close;
 }
 
 }  // namespace edgewise::vclip

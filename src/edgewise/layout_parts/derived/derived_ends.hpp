@@ -26,8 +26,9 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     using Base::Base;
     using Base::vertex;
 
-    /// Of a strictly convex body: where one corner is no higher than the next, none behind it is.
-    [[nodiscard]] bool neighbours_decide() const { return facts_.strictly_convex && facts_.face_count > 0; }
+    /// Of a body whose edges all turn outwards: where one corner is no higher than the next, none behind it
+    /// is.
+    [[nodiscard]] bool neighbours_decide() const { return facts_.climbable && facts_.face_count > 0; }
 
     /// No neighbour lies farther along the direction, which is off by the rounding of `size`.
     [[nodiscard]] bool ends_at_vertex(Vertex v, const Vec3<Compute>& direction, Compute size) const {
@@ -83,11 +84,11 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
         return dot(Vec3<Compute>(vertex(v) - base), direction);
     }
     /// What no neighbour's height may exceed. A direction that is a little off turns what lies behind a fair
-    /// corner by as much, behind a thin one by that over its sine: there a neighbour must be lower, by more
-    /// than rounding.
+    /// corner by as much, behind a thin one by that over its sine; and where edges hardly turn, the body may
+    /// go on behind a neighbour that is as high (support.hpp). There it must be lower, by more than rounding.
     [[nodiscard]] Compute highest_allowed(Compute size) const {
-        return facts_.thin_corners ? -Tolerance<Compute>::level * static_cast<Compute>(facts_.reach) * size
-                                   : Compute(0);
+        const bool is_fair = facts_.strictly_convex && !facts_.thin_corners;
+        return is_fair ? Compute(0) : -Tolerance<Compute>::level * static_cast<Compute>(facts_.reach) * size;
     }
     /// Whether the normal of two sides of a face is as good as they are.
     [[nodiscard]] bool is_fair(const Vec3<Compute>& p, const Vec3<Compute>& q,
