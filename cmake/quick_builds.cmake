@@ -15,11 +15,20 @@ if(PROJECT_IS_TOP_LEVEL AND EDGEWISE_COMPILER_CACHE AND EDGEWISE_CCACHE AND NOT 
     execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -x c++ -E -### /dev/null WORKING_DIRECTORY /
         OUTPUT_QUIET ERROR_VARIABLE options)
     file(CONFIGURE OUTPUT ${native} CONTENT "${options}" @ONLY)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
-        CCACHE_EXTRAFILES=${native}
-        # Precompiled headers are newer than what includes them; their content tells.
-        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-        ${EDGEWISE_CCACHE})
+    # A precompiled header that is there already would be read where the new one is made, which were then no other clone's;
+    # and it is newer than what includes it, so that its content must tell.
+    set(launcher ${PROJECT_BINARY_DIR}/compile_cached.sh)
+    file(CONFIGURE OUTPUT ${launcher} CONTENT [[
+before=
+for word in "$@"; do
+    case $before$word in -o*.gch | -o*.pch) rm -f "$word" ;; esac
+    before=$word
+done
+export CCACHE_BASEDIR='@PROJECT_SOURCE_DIR@' CCACHE_NOHASHDIR=1 CCACHE_EXTRAFILES='@native@'
+export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+exec '@EDGEWISE_CCACHE@' "$@"
+]] @ONLY)
+    set(CMAKE_CXX_COMPILER_LAUNCHER sh ${launcher})
 endif()
 
 # edgewise_precompile(TARGET HEADER...): these headers of other projects, parsed once for all of the target's sources.
