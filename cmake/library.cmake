@@ -20,5 +20,5 @@ target_link_libraries(edgewise_library PUBLIC Eigen3::Eigen PRIVATE Qhull::qhull
 # of what is inlined, and takes roots of all lanes at once where none of them has to set errno.
 edgewise_unite(edgewise_library src/edgewise/geometry/strictly_convex.cpp src/edgewise/algorithms/lanes/lane_width.cpp)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/edgewise/algorithms/lanes/lane_width.cpp PROPERTIES
-    COMPILE_OPTIONS "-Wno-psabi;-fno-math-errno")
+    COMPILE_OPTIONS "-Wno-psabi;-fno-math-errno" SKIP_PRECOMPILE_HEADERS ON)
 edgewise_precompile(edgewise_library <Eigen/Core> <algorithm> <functional> <string> <vector>)

@@ -99,9 +99,10 @@ TEST(Judge, GivesACaseThatIsReadAgain) {
 
 /// Of a pair that everybody has right, it is the given one.
 TEST(Judge, GivesAnEasyCaseAsItIs) {
-    const json first = json::parse(judge(R"({"id": "1", "a": {"vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]},)"
-                                         R"( "b": {"vertices": [[3,0,0],[4,0,0],[3,1,0],[3,0,1]]}})")
-                                       .out);
+    const json first =
+        json::parse(judge(R"({"id": "1", "a": {"vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]},)"
+                          R"( "b": {"vertices": [[3,0,0],[4,0,0],[3,1,0],[3,0,1]]}})")
+                        .out);
     EXPECT_EQ(first["exact"]["distance"], 2);
     EXPECT_EQ(first["case"]["expect"]["distance"], first["exact"]["distance"]);
     EXPECT_EQ(first["case"]["a"]["vertices"].size(), 4U);

@@ -82,7 +82,8 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     void take(int lane, const LaneAnswer<Scalar>& answer) override {
         const auto& [number, a_from_b] = in_lane_[lane];
         const Query& query = queries_[number];
-        EndSimplex simplex{answer.count};
+        EndSimplex simplex;
+        simplex.count = answer.count;
         for (int i = 0; i < answer.count; ++i) {
             simplex.a[i] = static_cast<typename TableA::Vertex>(answer.vertex_a[i]);
             simplex.b[i] = static_cast<typename TableB::Vertex>(answer.vertex_b[i]);
@@ -106,7 +107,7 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
 
     /// What a query ended with, as its answer and its pair read it.
     struct EndSimplex {
-        int count;
+        int count = 0;
         SmallArray<typename TableA::Vertex, 4> a;
         SmallArray<typename TableB::Vertex, 4> b;
         SmallArray<Vec3<Scalar>, 4> points_a, points_b;
