@@ -108,8 +108,8 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     /// What a query ended with, as its answer and its pair read it.
     struct EndSimplex {
         int count = 0;
-        SmallArray<typename TableA::Vertex, 4> a;
-        SmallArray<typename TableB::Vertex, 4> b;
+        SmallArray<typename TableA::Vertex, 4> a{};
+        SmallArray<typename TableB::Vertex, 4> b{};
         SmallArray<Vec3<Scalar>, 4> points_a, points_b;
 
         [[nodiscard]] auto vertex_a(int i) const { return a[i]; }
