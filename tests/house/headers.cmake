@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Every header compiles alone, and twice. One unit a header, by a target that only the test asks for; a header that did not change, nor what it includes, is not checked again. A header that its own
-# source includes before all others has been compiled alone by the build. Those that include Eigen have it precompiled.
+# Every header compiles alone, and twice. One unit a header, by a target that only the test asks for; a header that did
+# not change, nor what it includes, is not checked again. A header that its own source includes before all others has
+# been compiled alone by the build. Those that include Eigen have it precompiled.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src/edgewise/*.hpp
     ${PROJECT_SOURCE_DIR}/layouts/*.hpp ${PROJECT_SOURCE_DIR}/probes/*.hpp ${PROJECT_SOURCE_DIR}/reports/*.hpp)
 # Adapters need the libraries that they adapt; their modules compile them.

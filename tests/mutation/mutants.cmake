@@ -107,12 +107,14 @@ edgewise_mutant(proof_asks_one_face layout_parts/derived/derived_ends.hpp [[heig
     StillClosest.Proves* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(proof_of_any_face layout_parts/derived/derived_ends.hpp [[is_beside(normal, second, third, point) ||]] [[]]
     StillClosest.Proves* ${unit}/algorithms/still_closest_test.cpp)
-edgewise_mutant(proof_by_level_neighbours layout_parts/derived/derived_ends.hpp [[return is_fair ? Compute(0)]] [[return true ? Compute(0)]]
+edgewise_mutant(proof_by_level_neighbours layout_parts/derived/derived_ends.hpp [[return level_decides ? Compute(0)]] [[return true ? Compute(0)]]
     StillClosest.ProvesOfThinCorners* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(proof_over_thin_faces layout_parts/derived/derived_ends.hpp [[return !facts_.thin_corners || squared]] [[return true || squared]]
     StillClosest.ProvesOfThinCorners* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(proof_of_flat_bodies layout_parts/derived/derived_ends.hpp [[return facts_.climbable && facts_]] [[return facts_]]
     StillClosest.ProvesNothing* ${unit}/algorithms/still_closest_test.cpp)
+edgewise_mutant(faces_of_flat_bodies_unasked algorithms/vclip/proof.hpp [[FeatureKind::face && may_climb(body.table))]] [[FeatureKind::face)]]
+    Proof.Asks* ${unit}/algorithms/proof_test.cpp)
 edgewise_mutant(cycle_never_seen algorithms/vclip/cycle_guard.hpp [[if (a == a_ && b == b_) return true;]] [[if (a == a_ && b == b_) return false;]]
     CycleGuard.BothFeaturesCount ${unit}/algorithms/cycle_guard_test.cpp)
 edgewise_mutant(cycle_by_one_feature algorithms/vclip/cycle_guard.hpp [[a == a_ && b == b_]] [[a == a_ || b == b_]]

@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/geometry/polyhedron_builder.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/exact_distance.hpp"
+#include "folded_pyramid.hpp"
 #include "reference_table.hpp"
 
 namespace edgewise {
@@ -120,11 +120,7 @@ TEST(StillClosest, ProvesTheExactDistanceOfAlmostAllSeparatedPoses) {
 TEST(StillClosest, InSingleToo) { expect_proofs(proofs_of<lean<f32>>({"tetra4", "sphere38"}), 1e-5); }
 
 TEST(StillClosest, ProvesNothingOfBodiesWhoseNeighboursDoNotDecide) {
-    // A square pyramid whose base is given as two triangles: the edge between them does not turn.
-    const std::vector<Vec3d> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
-    const std::vector<std::vector<Index>> faces = {{0, 3, 2}, {0, 2, 1}, {0, 1, 4},
-                                                   {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-    const Polyhedron body = polyhedron_from_faces(corners, faces).or_throw();
+    const Polyhedron body = testing::folded_pyramid(0);
     EXPECT_FALSE(lean<f64>(body, Parts::features).neighbours_decide());
     Proofs proofs;
     scene::Rng rng(7);

@@ -6,27 +6,18 @@
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/strictly_convex.hpp"
+#include "folded_pyramid.hpp"
 #include "geometry_bodies.hpp"
 
 namespace edgewise {
 namespace {
 
 using testing::Dice;
-using testing::Faces;
+using testing::folded_pyramid;
 using testing::Points;
 using testing::random_rotation;
 
 constexpr double least = 1e-4;
-
-/// A square pyramid whose base is two triangles; the corner of the base at the origin is pushed outward, so
-/// that the base is folded along the diagonal from there.
-Polyhedron pyramid(double fold) {
-    const Points points = {{0, 0, -fold}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
-    const Faces faces = {{0, 3, 2}, {0, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-    const auto body = polyhedron_from_faces(points, faces);
-    EXPECT_TRUE(body) << body.error;
-    return *body;
-}
 
 TEST(StrictlyConvex, BoxesAreHoweverTheyLie) {
     Dice dice(3);
@@ -82,18 +73,18 @@ TEST(StrictlyConvex, ABentFaceIsNotBeyondRounding) {
 }
 
 TEST(StrictlyConvex, ACutFaceIsNotUntilItIsFolded) {
-    EXPECT_FALSE(is_strictly_convex(pyramid(0), least));
-    EXPECT_FALSE(is_strictly_convex(pyramid(1e-5), least));
-    EXPECT_TRUE(is_strictly_convex(pyramid(1e-3), least));
+    EXPECT_FALSE(is_strictly_convex(folded_pyramid(0), least));
+    EXPECT_FALSE(is_strictly_convex(folded_pyramid(1e-5), least));
+    EXPECT_TRUE(is_strictly_convex(folded_pyramid(1e-3), least));
 }
 
 /// Climbs ask for less: a fold of some rounding steps will do, but neither a flat face cut in two nor one
 /// that is folded inwards.
 TEST(StrictlyConvex, ACutFaceIsClimbableOnceItIsFoldedOutwards) {
-    EXPECT_FALSE(is_climbable(pyramid(0)));
-    EXPECT_TRUE(is_climbable(pyramid(1e-12)));
-    EXPECT_TRUE(is_climbable(pyramid(1e-5)));
-    EXPECT_FALSE(is_climbable(pyramid(-1e-13)));
+    EXPECT_FALSE(is_climbable(folded_pyramid(0)));
+    EXPECT_TRUE(is_climbable(folded_pyramid(1e-12)));
+    EXPECT_TRUE(is_climbable(folded_pyramid(1e-5)));
+    EXPECT_FALSE(is_climbable(folded_pyramid(-1e-13)));
 }
 
 }  // namespace

@@ -87,8 +87,9 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     /// corner by as much, behind a thin one by that over its sine; and where edges hardly turn, the body may
     /// go on behind a neighbour that is as high (support.hpp). There it must be lower, by more than rounding.
     [[nodiscard]] Compute highest_allowed(Compute size) const {
-        const bool is_fair = facts_.strictly_convex && !facts_.thin_corners;
-        return is_fair ? Compute(0) : -Tolerance<Compute>::level * static_cast<Compute>(facts_.reach) * size;
+        const bool level_decides = facts_.strictly_convex && !facts_.thin_corners;
+        const Compute rounding = Tolerance<Compute>::level * static_cast<Compute>(facts_.reach) * size;
+        return level_decides ? Compute(0) : -rounding;
     }
     /// Whether the normal of two sides of a face is as good as they are.
     [[nodiscard]] bool is_fair(const Vec3<Compute>& p, const Vec3<Compute>& q,
