@@ -115,6 +115,10 @@ edgewise_mutant(proof_of_flat_bodies layout_parts/derived/derived_ends.hpp [[ret
     StillClosest.ProvesNothing* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(faces_of_flat_bodies_unasked algorithms/vclip/proof.hpp [[FeatureKind::face && may_climb(body.table))]] [[FeatureKind::face)]]
     Proof.Asks* ${unit}/algorithms/proof_test.cpp)
+edgewise_mutant(far_off_simplex_kept algorithms/gjk.hpp [[return squared_norm(sub_.closest().point) > farthest * farthest;]] [[return farthest < 0;]]
+    MovedFar.* ${unit}/algorithms/moved_far_test.cpp)
+edgewise_mutant(cold_start_anywhere algorithms/vclip/nearer_start.hpp [[if (start_is_cold(a, b)) {]] [[if (false) {]]
+    NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(cycle_never_seen algorithms/vclip/cycle_guard.hpp [[if (a == a_ && b == b_) return true;]] [[if (a == a_ && b == b_) return false;]]
     CycleGuard.BothFeaturesCount ${unit}/algorithms/cycle_guard_test.cpp)
 edgewise_mutant(cycle_by_one_feature algorithms/vclip/cycle_guard.hpp [[a == a_ && b == b_]] [[a == a_ || b == b_]]

@@ -8,8 +8,8 @@
 // relative (the duality gap against the rounding noise of the support products) where Cameron's is an
 // absolute 1e-8 on the squared distance; a repeated support point ends the run, as does a step that gains
 // nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp). A cold query starts at the points
-// that face each other along the line of the origins, not anywhere; one whose old simplex proves to be far
-// off starts anew from there.
+// that face each other along the line of the origins, not anywhere; one whose old simplex lies much farther
+// off than it did, or proves to be of no use, starts anew from there.
 #pragma once
 
 #include <algorithm>
@@ -72,12 +72,22 @@ class GjkRun {
   private:
     void start(const Pair& pair) {
         is_cold_ = !pair.starts_warm(a_, b_);
-        if (is_cold_) {
-            start_between_origins();
-        } else {
+        if (!is_cold_) {
             sub_.add_last(pair, a_, b_, a_from_b_);
+            sub_.solve_first();
+            is_cold_ = lies_farther(static_cast<Scalar>(pair.distance()));
+            if (!is_cold_) return;
+            sub_.clear();
         }
+        start_between_origins();
         sub_.solve_first();
+    }
+
+    /// Than when the last query ended, whose distance was `before`: the bodies have moved far since.
+    [[nodiscard]] bool lies_farther(Scalar before) const {
+        const Scalar farthest = static_cast<Scalar>(moved_far_of_distance) * before +
+                                static_cast<Scalar>(moved_far_of_size) * sub_.simplex().size;
+        return squared_norm(sub_.closest().point) > farthest * farthest;
     }
 
     /// Cold: from the points of both bodies that face each other along the line between their origins.
@@ -136,8 +146,9 @@ class GjkRun {
     }
 
     [[nodiscard]] Distance finish(Pair& pair, Status status) const {
-        pair.hold(a_, b_, sub_.simplex());
-        return gjk_answer(sub_.simplex(), sub_.closest(), status, steps_);
+        const Distance answer = gjk_answer(sub_.simplex(), sub_.closest(), status, steps_);
+        pair.hold(a_, b_, sub_.simplex(), answer.distance);
+        return answer;
     }
 
     const TableA& a_;

@@ -93,8 +93,9 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
         ClosestOfSimplex<Scalar> closest;
         closest.weight = answer.weight;
         closest.point = answer.closest;
-        query.pair->hold(*query.a, *query.b, simplex);
-        answers_[number] = within(options_, gjk_answer(simplex, closest, Status::separated, answer.steps));
+        const Distance found = gjk_answer(simplex, closest, Status::separated, answer.steps);
+        query.pair->hold(*query.a, *query.b, simplex, found.distance);
+        answers_[number] = within(options_, found);
     }
 
     void ask_singly(int lane) override { ask(in_lane_[lane].number); }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// What a pair keeps of GJK from one query to the next: the vertices of its last simplex, in 32 bytes where
-// handles are whole numbers. Four words, of which each holds two handles of 28 bits and a byte of the note
-// that says how many there are and of which tables.
+// What a pair keeps of GJK from one query to the next: the vertices of its last simplex and how far from each
+// other the bodies were, in 32 bytes where handles are whole numbers. Four words, of which each holds two
+// handles of 26 bits and a quarter of the note that says how many there are, of which tables, and the
+// distance.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cassert>
 #include <concepts>
 #include <cstdint>
+#include <limits>
 
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/identity.hpp"
@@ -24,29 +27,29 @@ struct VertexPair {
     [[nodiscard]] bool operator==(const VertexPair&) const = default;
 };
 
-/// Four pairs of vertices and a note of 32 bits, whatever the handles.
+/// Four pairs of vertices and a note of 48 bits, whatever the handles.
 template <SupportTable TableA, SupportTable TableB>
 class PlainCorners {
   public:
-    [[nodiscard]] std::uint32_t note() const { return note_; }
+    [[nodiscard]] std::uint64_t note() const { return note_; }
     [[nodiscard]] VertexPair<TableA, TableB> corner(std::uint32_t i) const { return corners_[i]; }
     [[nodiscard]] static bool fits(const VertexPair<TableA, TableB>&) { return true; }
-    void set_note(std::uint32_t note) { note_ = note; }
+    void set_note(std::uint64_t note) { note_ = note; }
     void set(std::uint32_t i, const VertexPair<TableA, TableB>& corner) { corners_[i] = corner; }
 
   private:
     std::array<VertexPair<TableA, TableB>, 4> corners_{};
-    std::uint32_t note_ = 0;
+    std::uint64_t note_ = 0;
 };
 
-/// The same of handles that are whole numbers below 2^28.
+/// The same of handles that are whole numbers below 2^26.
 template <SupportTable TableA, SupportTable TableB>
 class PackedCorners {
   public:
-    [[nodiscard]] std::uint32_t note() const {
+    [[nodiscard]] std::uint64_t note() const {
         std::uint64_t note = 0;
-        for (std::uint32_t i = 0; i < 4; ++i) note |= words_[i] >> note_at << 8 * i;
-        return static_cast<std::uint32_t>(note);
+        for (std::uint32_t i = 0; i < 4; ++i) note |= words_[i] >> note_at << quarter_bits * i;
+        return note;
     }
     [[nodiscard]] VertexPair<TableA, TableB> corner(std::uint32_t i) const {
         return {static_cast<typename TableA::Vertex>(words_[i] & handle),
@@ -55,9 +58,9 @@ class PackedCorners {
     [[nodiscard]] static bool fits(const VertexPair<TableA, TableB>& corner) {
         return corner.a <= handle && corner.b <= handle;
     }
-    void set_note(std::uint32_t note) {
+    void set_note(std::uint64_t note) {
         for (std::uint32_t i = 0; i < 4; ++i)
-            words_[i] = (words_[i] & both_handles) | std::uint64_t{note >> 8 * i & 0xff} << note_at;
+            words_[i] = (words_[i] & both_handles) | note >> quarter_bits * i << note_at;
     }
     void set(std::uint32_t i, const VertexPair<TableA, TableB>& corner) {
         assert(fits(corner));
@@ -65,7 +68,7 @@ class PackedCorners {
     }
 
   private:
-    static constexpr int handle_bits = 28, note_at = 2 * handle_bits;
+    static constexpr int handle_bits = 26, note_at = 2 * handle_bits, quarter_bits = 64 - note_at;
     static constexpr std::uint64_t handle = (std::uint64_t{1} << handle_bits) - 1,
                                    both_handles = (std::uint64_t{1} << note_at) - 1;
 
@@ -93,10 +96,17 @@ class SimplexPair {
     using Corner = VertexPair<TableA, TableB>;
 
     SimplexPair() = default;
-    SimplexPair(const TableA& a, const TableB& b) { corners_.set_note(note_of(a, b, 0)); }
+    SimplexPair(const TableA& a, const TableB& b) {
+        corners_.set_note(note_of(a, b, 0, std::numeric_limits<float>::infinity()));
+    }
 
     /// Vertices held; 0: cold.
-    [[nodiscard]] std::uint32_t count() const { return corners_.note() & most; }
+    [[nodiscard]] std::uint32_t count() const { return low_word() & most; }
+    /// Of the bodies, when these vertices held their closest points: 0 in contact, infinite where that is not
+    /// known; up to a 128th too small.
+    [[nodiscard]] float distance() const {
+        return std::bit_cast<float>(static_cast<std::uint32_t>(corners_.note() >> 32 << 16));
+    }
     [[nodiscard]] Corner corner(std::uint32_t i) const {
         assert(i < count());
         return corners_.corner(i);
@@ -116,12 +126,12 @@ class SimplexPair {
 
     /// False after a rebuild: the handles may lead anywhere, and no query follows them.
     [[nodiscard]] bool belongs_to(const TableA& a, const TableB& b) const {
-        return (corners_.note() & ~most) == note_of(a, b, 0);
+        return (low_word() & ~most) == tables_of(a, b);
     }
     /// Whether the next query of these tables starts from what is held.
     [[nodiscard]] bool starts_warm(const TableA& a, const TableB& b) const {
-        const std::uint32_t note = corners_.note();
-        return (note & most) != 0 && (note & ~most) == note_of(a, b, 0);
+        const std::uint32_t word = low_word();
+        return (word & most) != 0 && (word & ~most) == tables_of(a, b);
     }
 
     /// One more, up to four.
@@ -132,9 +142,10 @@ class SimplexPair {
         corners_.set(before, corner);
         corners_.set_note(corners_.note() + 1);
     }
-    /// Of these tables, and a simplex of theirs: vertex_a(i), vertex_b(i) of `count` points.
+    /// Of these tables, and a simplex of theirs: vertex_a(i), vertex_b(i) of `count` points, whose closest
+    /// points are so far from each other.
     template <class Points>
-    void hold(const TableA& a, const TableB& b, const Points& simplex) {
+    void hold(const TableA& a, const TableB& b, const Points& simplex, double distance) {
         bool all_fit = true;
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(simplex.count); ++i) {
             const Corner corner = {simplex.vertex_a(static_cast<int>(i)),
@@ -142,10 +153,11 @@ class SimplexPair {
             all_fit = all_fit && Corners::fits(corner);
             if (all_fit) corners_.set(i, corner);
         }
-        corners_.set_note(note_of(a, b, all_fit ? static_cast<std::uint32_t>(simplex.count) : 0));
+        const std::uint32_t count = all_fit ? static_cast<std::uint32_t>(simplex.count) : 0;
+        corners_.set_note(note_of(a, b, count, static_cast<float>(distance)));
     }
 
-    /// The same vertices of the same tables.
+    /// The same vertices of the same tables, as far from each other.
     [[nodiscard]] bool operator==(const SimplexPair& other) const {
         if (corners_.note() != other.corners_.note()) return false;
         for (std::uint32_t i = 0; i < count(); ++i)
@@ -158,9 +170,17 @@ class SimplexPair {
 
     static constexpr std::uint32_t most = 7;  ///< the note's bits that count
 
-    [[nodiscard]] static std::uint32_t note_of(const TableA& a, const TableB& b, std::uint32_t count) {
-        return identity_of(a, b) << 3 | count;
+    [[nodiscard]] static std::uint32_t tables_of(const TableA& a, const TableB& b) {
+        return identity_of(a, b) << 3;
     }
+    /// Of the distance, which only says whether the bodies have moved far, the upper half: eight binary
+    /// digits.
+    [[nodiscard]] static std::uint64_t note_of(const TableA& a, const TableB& b, std::uint32_t count,
+                                               float distance) {
+        const std::uint64_t half = std::bit_cast<std::uint32_t>(distance) >> 16;
+        return half << 32 | tables_of(a, b) | count;
+    }
+    [[nodiscard]] std::uint32_t low_word() const { return static_cast<std::uint32_t>(corners_.note()); }
 
     Corners corners_;
 };

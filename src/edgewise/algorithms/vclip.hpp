@@ -9,9 +9,10 @@
 // in exact arithmetic.
 //
 // In floating point it may cycle. Where the report has an iteration limit, we detect the cycle itself
-// (cycle_guard) and let a complete algorithm answer (fallback); both are counted. Where planes are derived,
-// the first pairs of a query are tried by their corners before their state is (still_closest). Other
-// departures are named in the states' files.
+// (cycle_guard) and let a complete algorithm answer (fallback); both are counted. A cold query starts at the
+// vertices that face each other (nearer_start). Where planes are derived, the first pairs of a query are
+// tried by their corners before their state is (still_closest). Other departures are named in the states'
+// files.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +33,7 @@
 #include "edgewise/algorithms/vclip/edge_face.hpp"
 #include "edgewise/algorithms/vclip/fallback.hpp"
 #include "edgewise/algorithms/vclip/feature_pair.hpp"
-#include "edgewise/algorithms/vclip/seeded_start.hpp"
+#include "edgewise/algorithms/vclip/nearer_start.hpp"
 #include "edgewise/algorithms/vclip/still_closest.hpp"
 #include "edgewise/algorithms/vclip/trust.hpp"
 #include "edgewise/algorithms/vclip/vertex_edge.hpp"
@@ -136,11 +137,11 @@ template <class TableA, class TableB>
 /// `hardened`: as QueryOptions has it.
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened) {
+    [[maybe_unused]] const int far_off = hardened ? start_nearer_if_cold(a, b) : 0;
     CycleGuard guard(a.feature, b.feature);
-    [[maybe_unused]] const int far_off = start_is_cold(a, b) ? 1 : 1 + steps_before_seeds;
     int escapes = 0;
     for (int steps = 1;; ++steps) {
-        if constexpr (has_seeds<TableA, TableB>) {
+        if constexpr (have_seeds<TableA, TableB>) {
             if (steps == far_off && start_nearer(a, b)) guard = CycleGuard(a.feature, b.feature);
         }
         observer.visit(a.feature.kind(), b.feature.kind());

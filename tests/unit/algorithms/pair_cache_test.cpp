@@ -43,27 +43,28 @@ TEST(PairCache, TakesFewBytes) {
 TEST(PairCache, HoldsWhatWasPutIn) {
     scene::Rng rng(5);
     for (int i = 0; i < 1000; ++i) {
-        const FarHandles a{static_cast<Index>(rng.below(1U << 28))},
-            b{static_cast<Index>(rng.below(1U << 28))};
+        const FarHandles a{static_cast<Index>(rng.below(1U << 26))},
+            b{static_cast<Index>(rng.below(1U << 26))};
         FarPair pair(a, b);
         const auto count = static_cast<std::uint32_t>(rng.below(5));
         std::vector<FarPair::Corner> corners;
         for (std::uint32_t k = 0; k < count; ++k) {
             corners.push_back(
-                {static_cast<Index>(rng.below(1U << 28)), static_cast<Index>(rng.below(1U << 28))});
+                {static_cast<Index>(rng.below(1U << 26)), static_cast<Index>(rng.below(1U << 26))});
             pair.push(corners.back());
         }
         ASSERT_EQ(pair.count(), count);
         EXPECT_TRUE(pair.belongs_to(a, b));
         for (std::uint32_t k = 0; k < count; ++k) EXPECT_EQ(pair.corner(k), corners[k]);
+        EXPECT_TRUE(std::isinf(pair.distance())) << "nobody said how far";
     }
 }
 
-/// Handles up to 28 bits are kept, larger ones are not: such a pair is asked cold each time, and answered.
+/// Handles up to 26 bits are kept, larger ones are not: such a pair is asked cold each time, and answered.
 TEST(PairCache, KeepsNoHandleThatDoesNotFit) {
     const Transform<double> pose{Mat3d::Identity(), {3, 0, 0}};
     for (const auto& [first, fits] :
-         {std::pair{(1U << 28) - 4, true}, {1U << 28, false}, {1U << 31, false}}) {
+         {std::pair{(1U << 26) - 4, true}, {1U << 26, false}, {1U << 31, false}}) {
         const FarHandles shape{first};
         FarPair pair(shape, shape);
         for (int frame = 0; frame < 3; ++frame) {

@@ -35,16 +35,16 @@ Vec3d middle_of(const Table& table, Table::Face face) {
     return sum / corners;
 }
 
-struct Asked {
+struct AskedFaces {
     int ends = 0, goes_on = 0;
 };
 
 /// Every face, from its middle, along directions all around it.
-Asked ask_faces(const Polyhedron& body) {
+AskedFaces ask_faces(const Polyhedron& body) {
     const Table table(body, Parts::features);
     const Transform<double> still{Mat3d::Identity(), Vec3d::Zero()};
     scene::Rng rng(5);
-    Asked asked;
+    AskedFaces asked;
     for (const auto face : table.all_faces()) {
         const vclip::Body<Table> at_face{table, still, Feature<Table>::of_face(face)};
         const Vec3d middle = middle_of(table, face), normal = table.face_plane(face).normal;
@@ -61,7 +61,7 @@ Asked ask_faces(const Polyhedron& body) {
 TEST(Proof, AsksAllVerticesForFacesOfBodiesThatCannotBeClimbed) {
     const Polyhedron body = testing::folded_pyramid(0);
     EXPECT_FALSE(may_climb(Table(body, Parts::features)));
-    const Asked asked = ask_faces(body);
+    const AskedFaces asked = ask_faces(body);
     std::printf("faces end %d times, the body goes on %d times\n", asked.ends, asked.goes_on);
     EXPECT_GT(asked.ends, 50);
     EXPECT_GT(asked.goes_on, 50);

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+//
+// V-Clip's cold starts: few steps from the vertices that face each other, beside raw V-Clip, which walks from
+// the first vertices; the same distance.
+#include "edgewise/algorithms/vclip/nearer_start.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "edgewise/algorithms/vclip.hpp"
+#include "edgewise/layouts/aos.hpp"
+#include "edgewise/layouts/lean_seeds.hpp"
+#include "edgewise/layouts/linked.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+
+namespace edgewise {
+namespace {
+
+struct ColdSteps {
+    int queries = 0, cold = 0, raw = 0;
+    double worst = 0;  ///< difference of distances
+};
+
+template <class Table>
+ColdSteps ask_cold(const char* shape) {
+    const Table table(*scene::make_shape(shape), Parts::features);
+    scene::Rng rng(21);
+    ColdSteps steps;
+    for (int i = 0; i < 400; ++i) {
+        const Transform<double> pose{rng.rotation(), rng.on_sphere() * rng.uniform(1.8, 4)};
+        FeaturePair<Table, Table> pair(table, table), raw_pair(table, table);
+        const Distance answer = VClip::query(table, table, pose, pair);
+        const Distance raw = VClip::query(table, table, pose, raw_pair, {.hardened = false});
+        if (answer.status != Status::separated || raw.status != Status::separated || raw.cycles > 0) continue;
+        ++steps.queries;
+        steps.cold += answer.steps;
+        steps.raw += raw.steps;
+        steps.worst = std::max(steps.worst, std::abs(answer.distance - raw.distance));
+    }
+    std::printf("%s: %d queries, steps %.2f, raw %.2f, worst difference %.3g\n", shape, steps.queries,
+                static_cast<double>(steps.cold) / steps.queries,
+                static_cast<double>(steps.raw) / steps.queries, steps.worst);
+    return steps;
+}
+
+/// From facing vertices most walks go to an edge and on to a face or another edge.
+template <class Table>
+void expect_short_walks(double most_difference) {
+    for (const char* shape : {"cube8", "sphere38", "sphere386"}) {
+        const ColdSteps steps = ask_cold<Table>(shape);
+        EXPECT_GT(steps.queries, 200);
+        EXPECT_LT(steps.cold, 4.5 * steps.queries) << shape;
+        EXPECT_LT(steps.cold, 0.6 * steps.raw) << shape;
+        EXPECT_LT(steps.worst, most_difference);
+    }
+}
+
+TEST(NearerStart, ShortensColdWalks) { expect_short_walks<aos<f64>>(1e-13); }
+TEST(NearerStart, FromSeedsInSingle) { expect_short_walks<lean_seeds<f32>>(1e-4); }
+TEST(NearerStart, OverPointers) { expect_short_walks<linked<f64>>(1e-13); }
+
+/// The bodies' nearer features stay, wherever they lie.
+TEST(NearerStart, MovesNothingThatIsNearer) {
+    using Table = aos<f64>;
+    const Table table(*scene::make_shape("sphere38"), Parts::features);
+    scene::Rng rng(22);
+    int moved = 0, stayed = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Transform<double> into_a{rng.rotation(), rng.on_sphere() * rng.uniform(0, 4)};
+        const Transform<double> into_b = into_a.inverse();
+        const auto any = [&] {
+            return Feature<Table>::of_vertex(static_cast<Index>(rng.below(table.vertex_count())));
+        };
+        vclip::Body<Table> a{table, into_a, any()}, b{table, into_b, any()};
+        const auto between = [&] {
+            return norm(
+                Vec3d(table.vertex(a.feature.vertex()) - into_a.point(table.vertex(b.feature.vertex()))));
+        };
+        const double before = between();
+        if (vclip::start_nearer(a, b)) {
+            ++moved;
+            EXPECT_LT(between(), before);
+        } else {
+            ++stayed;
+            EXPECT_EQ(between(), before);
+        }
+    }
+    std::printf("moved %d, stayed %d\n", moved, stayed);
+    EXPECT_GT(moved, 100);
+    EXPECT_GT(stayed, 10);
+}
+
+}  // namespace
+}  // namespace edgewise
