@@ -41,8 +41,10 @@ double most_beyond(const std::string& machine) {
     return machine.starts_with("pentium") ? 14 : 7.5;
 }
 
-/// Less by a line or so, since a query's record is not read to its last byte; and in lines of 32 bytes by up
-/// to half of what poses miss: a wide load of these lies in two lines, and Callgrind counts it once.
+/// In the last level, too, up to a line and a half per query are of what is beyond the model, and a tenth of
+/// its misses by where lines lie. Less by a line or so, since a query's record is not read to its last byte;
+/// and in lines of 32 bytes by up to half of what poses miss: a wide load of these lies in two lines, and
+/// Callgrind counts it once.
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Cell& cell = GetParam();
     const Folder folder;
@@ -67,7 +69,7 @@ TEST_P(CrosscheckCells, AgreeButForTheStack) {
         EXPECT_TRUE(by_chance || tool < 25 || model > 0.75 * tool) << row;
         const double ll =
             theirs["ll_misses_per_query"].get<double>() - ours["ll_misses_per_query"].get<double>();
-        EXPECT_LT(std::abs(ll), 1 + 0.1 * ours["ll_misses_per_query"].get<double>()) << row;
+        EXPECT_LT(std::abs(ll), 1.5 + 0.1 * ours["ll_misses_per_query"].get<double>()) << row;
         worst = std::max(worst, std::abs(tool - model));
         worst_ll = std::max(worst_ll, std::abs(ll));
         most_modelled = std::max(most_modelled, model);

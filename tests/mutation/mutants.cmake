@@ -66,7 +66,6 @@ edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(square
     RandomPairs* ${random_pairs})
 edgewise_mutant(gjk_direction_not_turned_back algorithms/gjk.hpp [[a_from_b_.direction_back(v)]] [[a_from_b_.direction(v)]]
     RandomPairs* ${random_pairs})
-
 edgewise_mutant(verdict_without_a_direction algorithms/gjk.hpp [[if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (verdict_only_)]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
 edgewise_mutant(verdict_goes_on_to_the_distance algorithms/gjk.hpp [[if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (false)]]
@@ -119,6 +118,8 @@ edgewise_mutant(far_off_simplex_kept algorithms/gjk.hpp [[return squared_norm(su
     MovedFar.* ${unit}/algorithms/moved_far_test.cpp)
 edgewise_mutant(cold_start_anywhere algorithms/vclip/nearer_start.hpp [[if (start_is_cold(a, b)) {]] [[if (false) {]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
+edgewise_mutant(proof_along_short_directions layout_parts/derived/derived_ends.hpp [[ && !is_short;]] [[;]]
+    NearlyParallelEdges.* ${unit}/algorithms/nearly_parallel_edges_test.cpp)
 edgewise_mutant(cycle_never_seen algorithms/vclip/cycle_guard.hpp [[if (a == a_ && b == b_) return true;]] [[if (a == a_ && b == b_) return false;]]
     CycleGuard.BothFeaturesCount ${unit}/algorithms/cycle_guard_test.cpp)
 edgewise_mutant(cycle_by_one_feature algorithms/vclip/cycle_guard.hpp [[a == a_ && b == b_]] [[a == a_ || b == b_]]
@@ -135,7 +136,6 @@ edgewise_mutant(no_escape_from_below algorithms/vclip/vertex_face.hpp [[if (high
 # Penetration
 edgewise_mutant(exact_side_by_rounding algorithms/penetration/exact_side.hpp [[return exact_side(a, b, c, point);]] [[return volume > 0 ? 1 : -1;]]
     ExactSide.* ${unit}/algorithms/exact_side_test.cpp)
-
 edgewise_mutant(product_without_its_error algorithms/penetration/expansion.hpp [[add(abc.low);]] [[]]
     ExactSide.* ${unit}/algorithms/exact_side_test.cpp)
 

@@ -16,8 +16,10 @@
 namespace edgewise {
 namespace {
 
+/// From features that are not a cold pair's, which the hardened walk leaves for nearer ones.
 Distance ask_cubes(const ReferenceTable& cube, const Transform<double>& pose, bool hardened) {
-    FeaturePair<ReferenceTable, ReferenceTable> pair(cube, cube);
+    const auto last = Feature<ReferenceTable>::of_vertex(7), first = Feature<ReferenceTable>::of_vertex(0);
+    FeaturePair<ReferenceTable, ReferenceTable> pair(cube, cube, {last, first});
     return VClip::query(cube, cube, pose, pair, {.hardened = hardened});
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Raw V-Clip: where the hardened one asked nobody it is the same to the last bit; where it did, raw V-Clip
-// ends all the same, and on hard families it is wrong where the hardened one is right.
+// Raw V-Clip: where the hardened one asked nobody its answer is the same to the last bit (not its steps: the
+// hardened one starts cold queries nearer, and contact may leave both at other features); where it did, raw
+// V-Clip ends all the same, and on hard families it is wrong where the hardened one is right.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -42,7 +43,6 @@ TEST(RawVClip, IsTheHardenedOneWhereThatAsksNobody) {
             ++alike;
             EXPECT_EQ(raw[i].status, hard[i].status) << shape << " " << i;
             EXPECT_EQ(raw[i].distance, hard[i].distance) << shape << " " << i;
-            EXPECT_EQ(raw[i].steps, hard[i].steps) << shape << " " << i;
         }
     }
     std::printf("%zu answers alike, %zu that asked GJK\n", alike, asked);

@@ -33,7 +33,7 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     /// No neighbour lies farther along the direction, which is off by the rounding of `size`.
     [[nodiscard]] bool ends_at_vertex(Vertex v, const Vec3<Compute>& direction, Compute size) const {
         const Vec3<Compute> base = vertex(v);
-        const Compute level = highest_allowed(size);
+        const Compute level = highest_allowed(direction, size);
         const Index last = rings().last(loader_, v);
         bool rises = false;
         for (Index at = rings().first(loader_, v); at < last; ++at) {
@@ -47,7 +47,7 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     [[nodiscard]] bool ends_at_edge(const Edge& e, const Vec3<Compute>& direction, Compute size) const {
         const HalfEdgeAt h = this->half_edge_of(e);
         const Vec3<Compute> base = vertex(h.vertex);
-        const Compute level = highest_allowed(size);
+        const Compute level = highest_allowed(direction, size);
         const Index before = rings().before(loader_, h.vertex, h.at);
         const Index after = rings().after(loader_, h.vertex, h.at);
         return height_of(rings().neighbour(loader_, h.vertex, before), base, direction) <= level &&
@@ -85,9 +85,13 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     }
     /// What no neighbour's height may exceed. A direction that is a little off turns what lies behind a fair
     /// corner by as much, behind a thin one by that over its sine; and where edges hardly turn, the body may
-    /// go on behind a neighbour that is as high (support.hpp). There it must be lower, by more than rounding.
-    [[nodiscard]] Compute highest_allowed(Compute size) const {
-        const bool level_decides = facts_.strictly_convex && !facts_.thin_corners;
+    /// go on behind a neighbour that is as high (support.hpp). There it must be lower, by more than rounding;
+    /// and so it must along a short direction, which is off by the rounding of the points that it is between
+    /// over its length: closest points further along a level edge are nearer by that times the edge. Short is
+    /// what single precision calls close, in any.
+    [[nodiscard]] Compute highest_allowed(const Vec3<Compute>& direction, Compute size) const {
+        const bool is_short = max_abs(direction) < static_cast<Compute>(Tolerance<float>::close) * size;
+        const bool level_decides = facts_.strictly_convex && !facts_.thin_corners && !is_short;
         const Compute rounding = Tolerance<Compute>::level * static_cast<Compute>(facts_.reach) * size;
         return level_decides ? Compute(0) : -rounding;
     }
