@@ -135,7 +135,7 @@ class GjkRun {
             return true;
         if (simplex.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
             return false;
-        return sub_.extend(a.vertex, b.vertex, a.point, on_b, squared);
+        return sub_.extend(a.vertex, b.vertex, a.point, on_b, squared, separates_);
     }
 
     /// At the origin with a direction that separates nothing: contact as far as this precision can tell.

@@ -76,14 +76,14 @@ class SubDistance {
     }
 
     /// Takes in a point of the difference; false, and nothing changed, if the closest point, at this squared
-    /// distance, comes no nearer to the origin.
+    /// distance, comes no nearer to the origin. `separates`: the bodies are known to be separated.
     [[nodiscard]] bool extend(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& on_a,
-                              const Vec3<Scalar>& on_b, Scalar squared) {
+                              const Vec3<Scalar>& on_b, Scalar squared, bool separates) {
         const Closest closest_before = closest_;
         const Scalar size_before = simplex_.size;
         add(a, b, on_a, on_b);
         solve(true);
-        if (!gains(squared) && !retry_in_wide_arithmetic()) {
+        if (!gains(squared) && !retry_in_wide_arithmetic(separates)) {
             simplex_.drop_newest(size_before);
             closest_ = closest_before;
             return false;
@@ -156,8 +156,10 @@ class SubDistance {
     /// falls by the square of the gap, and many steps that rounding hides add up. From here on only the
     /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not computed again from
     /// the simplex that is left: of a sliver that may come out larger, and the run would cycle.) False if
-    /// even so nothing is gained.
-    [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic() {
+    /// even so nothing is gained; unless nothing separates the bodies yet: of bodies a billionth as thick as
+    /// long a direction may turn all the way they need while the distance falls by less than a part in 2^64.
+    /// No such step is lost, up to most_level_steps.
+    [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic(bool separates) {
         if (way_ != Way::wide) {
             way_ = Way::wide;
             --simplex_.count;  // without the newest
@@ -166,15 +168,20 @@ class SubDistance {
         }
         const Wider<Scalar> now = solve_wide();
         if (closest_.members == Johnson<Scalar>::whole) return true;
-        if (!(now < unrounded_)) return false;
-        unrounded_ = now;
-        return true;
+        if (now < unrounded_) {
+            unrounded_ = now;
+            return true;
+        }
+        const bool is_level = static_cast<Scalar>(now) <= static_cast<Scalar>(unrounded_);
+        const bool rests_on_newest = (closest_.members >> (simplex_.count - 1) & 1) != 0;
+        return !separates && is_level && rests_on_newest && level_steps_++ < most_level_steps;
     }
 
     Points simplex_;
     Closest closest_;
     SubDistanceSolver solver_;
     Way way_;
+    int level_steps_ = 0;  ///< that gained nothing
     Wider<Scalar> unrounded_{};  ///< squared distance, of Way::wide
 };
 

@@ -176,6 +176,15 @@ template <class TableA, class TableB>
     return walk(a, b, nobody, true);
 }
 
+/// Of a pose whose rotation is farther from orthogonal than V-Clip's two frames may disagree.
+template <class TableA, class TableB, class Observer>
+[[nodiscard]] [[gnu::noinline]] Distance hand_on(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
+    observer.ask_gjk();
+    Distance result = answer_by_gjk(a, b);
+    result.fallbacks = 1;
+    return result;
+}
+
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Distance run_raw(Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
@@ -193,8 +202,8 @@ struct VClip {
     using Pair = FeaturePair<TableA, TableB>;
 
     /// Distance of two bodies; `a_from_b` takes B's points into A's frame. `pair` is the start of this query
-    /// and receives the closest features, the start of the next. Fails for a pose that is none
-    /// (answerable.hpp).
+    /// and receives the closest features, the start of the next. Fails for a pose that cannot be answered
+    /// (answerable.hpp); hands one whose rotation is farther from orthogonal than sloppy_rotation to GJK.
     template <FeatureTable TableA, FeatureTable TableB, class Observer = NoObserver>
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                         FeaturePair<TableA, TableB>& pair, const QueryOptions& options = {},
@@ -206,7 +215,11 @@ struct VClip {
         const Features<TableA, TableB> start = pair.start(a, b);
         vclip::Body<TableA> body_a{a, into_a, start.a};
         vclip::Body<TableB> body_b{b, into_b, start.b};
+        const bool is_sloppy =
+            squared_rotation_error(a_from_b.rotation) > sloppy_rotation * sloppy_rotation;
         const Distance result = [&] {
+            if (is_sloppy && options.hardened) [[unlikely]]
+                return vclip::hand_on(body_a, body_b, observer);
             if constexpr (is_traced<TableA> || !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>)
                 return vclip::walk(body_a, body_b, observer, options.hardened);
             else if (!options.hardened) [[unlikely]]

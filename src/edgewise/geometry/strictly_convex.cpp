@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgewise/geometry/hull/extreme_frame.hpp"
+#include "edgewise/geometry/hull/point_set.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise {
@@ -60,9 +62,16 @@ class Turns {
     double least_, reach_ = 0;
 };
 
+/// Of a solid; a polygon is flat, not thin.
+bool is_thin(const Polyhedron& body) {
+    return body.face_count() > 2 &&
+           extreme_frame(body.vertices, distinct_points(body.vertices)).across_plane < thin_solid;
+}
+
 }  // namespace
 
 bool is_strictly_convex(const Polyhedron& body, double least_turn) {
+    if (is_thin(body)) return false;
     const Turns turns(body, least_turn);
     for (Index f = 0; f < body.face_count(); ++f) {
         if (!turns.at_every_corner(f) || turns.is_bent(f)) return false;

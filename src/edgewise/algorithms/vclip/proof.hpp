@@ -32,6 +32,7 @@ template <class Table>
 /// No vertex lies farther along the direction (any length) than the point; both in the body's frame. The
 /// direction is a difference of rounded points, so the noise is that of a point times the size, however short
 /// the direction; a feature that holds from the wrong side fails by the direction's length times the size.
+/// How planes are stored does not matter here: none is asked.
 /// Of a face whose state found the other body's vertex above it, the body lies below.
 template <class Table>
 [[nodiscard]] bool ends_at(const Body<Table>& body, const Vec3<ComputeOf<Table>>& point,
@@ -40,7 +41,7 @@ template <class Table>
     if (body.feature.kind() == FeatureKind::face && may_climb(body.table)) return true;
     const auto farthest = support(body.table, direction, vertex_on(body));
     const Scalar size = std::max({max_abs(farthest.point), max_abs(point), max_abs(direction)});
-    return dot(Vec3<Scalar>(farthest.point - point), direction) <= plane_noise<Table> * size * size;
+    return dot(Vec3<Scalar>(farthest.point - point), direction) <= Tolerance<Scalar>::contact_noise * size * size;
 }
 
 /// True when the bodies are separated by as much as the answer says. Witness points are in A's frame.

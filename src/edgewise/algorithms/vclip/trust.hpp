@@ -10,9 +10,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
+#include "edgewise/algorithms/answerable.hpp"
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/vclip/body.hpp"
 #include "edgewise/algorithms/vclip/proof.hpp"
@@ -33,9 +35,14 @@ inline constexpr double untrusted =
     rounded_planes<TableA> || rounded_planes<TableB> ? close_of_rounded_planes
                                                      : double{Tolerance<ComputeOf<TableA>>::close};
 
-/// Times the size: below this distance even the signs of V-Clip's tests are in doubt, on any features.
+/// Times the size: below this distance even the signs of V-Clip's tests are in doubt, on any features: by
+/// rounding, or because the two bodies' frames, by R and by its transpose, differ by R's distance from
+/// orthogonal.
 template <class Table>
-inline constexpr double hardly_apart{Tolerance<ComputeOf<Table>>::hardly_apart};
+[[nodiscard]] double hardly_apart(const Body<Table>& body) {
+    const double error{std::sqrt(squared_rotation_error(body.from_other.rotation))};
+    return std::max(double{Tolerance<ComputeOf<Table>>::hardly_apart}, sloppy_steps * error);
+}
 
 /// Which way is out, from A to B, where the pair's own geometry says it in full precision: a face's normal,
 /// which the answer has by now, or that of two edges that cross at a fair angle. Nothing where the pair may
@@ -71,7 +78,7 @@ template <class TableA, class TableB>
         return Trust::sound;
     }
     const std::optional<Vec3d> normal = known_normal(result, a, b);
-    if (!normal || result.distance <= hardly_apart<TableA> * size) return Trust::close;
+    if (!normal || result.distance <= hardly_apart(a) * size) return Trust::close;
     result.normal = *normal;
     return Trust::sound;
 }

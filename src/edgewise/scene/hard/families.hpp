@@ -33,7 +33,7 @@ Family parallel_faces, near_parallel_faces, near_parallel_edges, voronoi_straddl
 Family grazing, exact_touch, deep_and_concentric, tie_rich_solids;
 Family slivers_and_needles, scale_disparity, absolute_scale, large_offset, far_apart, extreme_numbers;
 Family duplicates, near_coplanar_vertices, flat_bodies, thin_beams, random_fuzz, real_hulls_at_gaps;
-Family coherent_motion, bad_warm_start;
+Family thin_bodies, thin_bodies_in_motion, coherent_motion, bad_warm_start;
 Family cubes_random, cubes_near_parallel, cubes_half_lattice, cubes_identical_pose, cubes_45_degrees,
     cubes_quarter_turns;
 
