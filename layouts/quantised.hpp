@@ -2,7 +2,7 @@
 //
 // As `lean`, with vertex coordinates of 16 bits on the body's own grid: 6.8 bytes per edge at 386 vertices.
 // The body is another one: the hull of the vertices where the grid has them, with its own topology; each
-// coordinate moves by half a step at most, where a step is the power of two at or above a 65 534th of the
+// coordinate moves by half a step at most, where a step is the power of two above a 65 533rd of the
 // box's longest side (more for a body far off its origin). The precision says what computes.
 #pragma once
 
@@ -27,7 +27,7 @@ struct GridPoints {
     }
     void write(std::byte* base, const Polyhedron& body) {
         auto* const points = reinterpret_cast<Grid::Place*>(base);
-        grid = Grid(body.vertices, eps);
+        grid = Grid::of_rounded(body.vertices, eps);
         for (Index v = 0; v < body.vertex_count(); ++v) points[v] = grid.nearest(body.vertices[v]);
     }
     template <class Loader>

@@ -26,4 +26,14 @@ foreach(compiler ${CMAKE_CXX_COMPILER} ${HOUSE_CLANG})
     add_test(NAME house.no_warnings_of_${name} COMMAND ${compiler} -std=c++20 -fsyntax-only -I${EDGEWISE_INCLUDE}
         -isystem ${eigen} -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Wno-unknown-attributes -Wno-psabi -Werror ${unit})
     set_tests_properties(house.no_warnings_of_${name} PROPERTIES TIMEOUT 300)
+    # What a program must not do is one error, in the library's own words.
+    foreach(misuse mixed_precisions fast_math)
+        set(flags)
+        if(misuse STREQUAL fast_math)
+            set(flags -ffast-math)
+        endif()
+        add_test(NAME house.${misuse}_is_one_error_of_${name}
+            COMMAND ${CMAKE_COMMAND} -D "COMMAND=${compiler};-std=c++20;-fsyntax-only;${flags};-I${EDGEWISE_INCLUDE};-isystem;${eigen}"
+                -D UNIT=${CMAKE_CURRENT_SOURCE_DIR}/misuse/${misuse}.cpp -P ${CMAKE_CURRENT_SOURCE_DIR}/one_error.cmake)
+    endforeach()
 endforeach()

@@ -3,14 +3,16 @@
 // The one definition of a relative pose that can be answered, for queries, batches, bounds and files alike:
 // finite, a proper rotation to within sloppiest_rotation, and so short that its square does not overflow. Any
 // other pose would be answered with a distance that is no number, or with a contact that is none; such a
-// query fails (Status::failed) and leaves its pair as it was. Some sixty operations, no division and no branch
-// but the last.
+// query fails (Status::failed) and leaves its pair as it was. Some sixty operations, no division and no
+// branch but the last.
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/table/contract.hpp"
 
 namespace edgewise {
 
@@ -35,6 +37,32 @@ template <class Scalar>
     const double offset = std::abs(t.x()) + std::abs(t.y()) + std::abs(t.z());
     return (squared_rotation_error(a_from_b.rotation) <= sloppiest_rotation * sloppiest_rotation) &
            (offset <= static_cast<double>(Tolerance<Scalar>::largest_offset)) & is_proper(a_from_b.rotation);
+}
+
+/// False of a table that holds numbers which no query can compute with: a view at such a scale
+/// (table/scaled_table.hpp). Other tables are built from bodies in range.
+template <class Table>
+[[nodiscard]] bool is_in_range(const Table& table) {
+    if constexpr (requires { table.is_in_range(); })
+        return table.is_in_range();
+    else
+        return true;
+}
+
+/// Stops the compiler, in one line, where two tables compute in different scalars.
+template <class TableA, class TableB>
+[[nodiscard]] constexpr bool compute_alike() {
+    constexpr bool alike = std::is_same_v<ComputeOf<TableA>, ComputeOf<TableB>>;
+    static_assert(alike,
+                  "both tables of a query must compute in one precision: aos<f32> with lean<f32>, and "
+                  "aos<mixed>, which computes in double, with lean<f64>");
+    return alike;
+}
+
+/// What any query asks first.
+template <class TableA, class TableB>
+[[nodiscard]] bool is_answerable(const TableA& a, const TableB& b, const Transform<double>& a_from_b) {
+    return is_answerable<ComputeOf<TableA>>(a_from_b) && is_in_range(a) && is_in_range(b);
 }
 
 }  // namespace edgewise

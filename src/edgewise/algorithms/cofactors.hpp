@@ -182,13 +182,14 @@ template <class Scalar>
 /// Of any simplex, and of one that is known to rest on its newest point: two functions, since their branches
 /// go different ways.
 template <class Scalar>
-__attribute__((noinline, no_sanitize("address", "undefined", "thread"))) void find_closest_of_any(
-    const SimplexPoints<Scalar>& w, int count, ClosestOfSimplex<Scalar>& found) {
+[[gnu::noinline]] EDGEWISE_IN_QUERY_LOOP void find_closest_of_any(const SimplexPoints<Scalar>& w, int count,
+                                                                  ClosestOfSimplex<Scalar>& found) {
     if (!weigh_passing_of<false>(w, count, found)) search_closest(w, count, found);
 }
 template <class Scalar>
-__attribute__((noinline, no_sanitize("address", "undefined", "thread"))) void find_closest_with_newest(
-    const SimplexPoints<Scalar>& w, int count, ClosestOfSimplex<Scalar>& found) {
+[[gnu::noinline]] EDGEWISE_IN_QUERY_LOOP void find_closest_with_newest(const SimplexPoints<Scalar>& w,
+                                                                       int count,
+                                                                       ClosestOfSimplex<Scalar>& found) {
     if (!weigh_passing_of<true>(w, count, found)) search_closest(w, count, found);
 }
 

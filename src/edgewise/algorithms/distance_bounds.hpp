@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What is known of a pair's distance without a look at either body: bounds proven at one pose, and by how far
-// body B can have moved since. No point of B moves farther than its translation and, of a turn, the length
-// |R - R0| times its distance from B's origin; the distance changes by no more than that (Mirtich, "Impulse-
-// based Dynamic Simulation", 1996, bounds times of impact in this way). Most pairs of a scene
-// are far from each other or well within a margin: they are answered in some nanoseconds, and no line of a
-// table is read.
+// body B can have moved since. No point of B moves farther than its translation and, of a turn, the Frobenius
+// norm of R - R0 times its distance from B's origin; the distance changes by no more than that (Mirtich,
+// "Impulse-based Dynamic Simulation", 1996, bounds times of impact in this way). It holds for any two
+// matrices: of two exact rotations a root of two less would do, of rotations in single it would not. Most
+// pairs of a scene are far from each other or well within a margin: they are answered in some nanoseconds,
+// and no line of a table is read.
 #pragma once
 
 #include <algorithm>
@@ -37,10 +38,7 @@ class DistanceBounds {
 
     /// Known at this pose of B in A's frame; `radius_b`: of B about its own origin (radius_of).
     DistanceBounds(const DistanceInterval& known, const Transform<double>& a_from_b, double radius_b)
-        : known_(known),
-          at_(a_from_b),
-          half_squared_radius_(0.5 * radius_b * radius_b),
-          sloppiness_(4 * rotation_rounding * radius_b) {
+        : known_(known), at_(a_from_b), squared_radius_(radius_b * radius_b) {
         assert(known.least <= known.most && radius_b >= 0);
     }
 
@@ -61,36 +59,39 @@ class DistanceBounds {
     }
 
   private:
-    /// No point of B is farther from where it was than the sum of these, each the root of a square; the
-    /// second with what rounding leaves rotations from orthogonal, extra.
+    /// No point of B is farther from where it was than the sum of the roots of these.
     struct Motion {
-        double squared_shift, squared_turn, sloppiness;
+        double squared_shift, squared_turn;
 
         [[nodiscard]] double most() const {
-            return (std::sqrt(squared_shift) + std::sqrt(squared_turn) + sloppiness) * rounding;
+            return (std::sqrt(squared_shift) + std::sqrt(squared_turn)) * rounding;
         }
         /// Roots are taken where the mean of the squares, which is no less than the squared mean, does not
         /// tell.
         [[nodiscard]] bool is_within(double room) const {
-            const double left = (2 - rounding) * room - sloppiness;
-            return (left > 0 && 2 * (squared_shift + squared_turn) < left * left) || most() <= room;
+            const double left = (2 - rounding) * room;
+            return 2 * (squared_shift + squared_turn) < left * left || most() <= room;
         }
     };
 
     /// Differences of given numbers have their relative error alone.
     static constexpr double rounding = 1 + 16 * std::numeric_limits<double>::epsilon();
 
-    /// The spectral norm of a difference of rotations is its Frobenius norm over the root of two.
+    /// A matrix so far from the last one may mirror (the squared norm of the difference is 4 or more then):
+    /// nothing is known there, and a query refuses it.
+    static constexpr double most_turned = 3.5;
+
     [[nodiscard]] Motion motion_to(const Transform<double>& to) const {
         double turned = 0;
         // Component by component: whole Eigen vectors would go through memory, and sum in packets.
         for (int i = 0; i < 3; ++i) turned += squared_norm(to.rotation.col(i) - at_.rotation.col(i));
-        return {squared_norm(to.translation - at_.translation), turned * half_squared_radius_, sloppiness_};
+        if (!(turned < most_turned)) turned = std::numeric_limits<double>::infinity();
+        return {squared_norm(to.translation - at_.translation), turned * squared_radius_};
     }
 
     DistanceInterval known_;
     Transform<double> at_{Mat3d::Identity(), Vec3d::Zero()};
-    double half_squared_radius_ = 0, sloppiness_ = 0;
+    double squared_radius_ = 0;
 };
 
 /// How far the points reach from the origin.

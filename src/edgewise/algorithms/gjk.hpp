@@ -167,9 +167,10 @@ class GjkRun {
 /// types may hold and others use (`extern template`). Where a sanitizer looks on, nothing is flattened, since
 /// what it looks at is not inlined into what it does not: g++ took minutes for one query otherwise.
 template <SupportTable TableA, SupportTable TableB>
-[[nodiscard]] __attribute__((flatten, noinline, no_sanitize("address", "undefined", "thread"))) Distance
-run_gjk(const TableA& a, const TableB& b, const Transform<ComputeOf<TableA>>& a_from_b,
-        SimplexPair<TableA, TableB>& pair, const QueryOptions& options) {
+[[nodiscard]] EDGEWISE_QUERY_LOOP Distance run_gjk(const TableA& a, const TableB& b,
+                                                   const Transform<ComputeOf<TableA>>& a_from_b,
+                                                   SimplexPair<TableA, TableB>& pair,
+                                                   const QueryOptions& options) {
     return GjkRun<TableA, TableB>(a, b, a_from_b, options).run(pair);
 }
 
@@ -187,7 +188,18 @@ struct Gjk {
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                         SimplexPair<TableA, TableB>& pair, const QueryOptions& options = {},
                                         Observer&& observer = {}) {
-        if (!is_answerable<ComputeOf<TableA>>(a_from_b)) [[unlikely]]
+        if constexpr (compute_alike<TableA, TableB>())
+            return answer(a, b, a_from_b, pair, options, observer);
+        else
+            return {};
+    }
+
+  private:
+    template <class TableA, class TableB, class Observer>
+    [[nodiscard]] static Distance answer(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
+                                         SimplexPair<TableA, TableB>& pair, const QueryOptions& options,
+                                         Observer& observer) {
+        if (!is_answerable(a, b, a_from_b)) [[unlikely]]
             return {};
         const auto transform = cast<ComputeOf<TableA>>(a_from_b);
         constexpr bool observed = !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>;

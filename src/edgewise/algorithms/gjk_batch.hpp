@@ -137,7 +137,7 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
     /// False: not for lanes. A warm query is none: of pairs that moved by 0.01 to 1 rad lanes took 1.1 to 1.7
     /// times as long as single queries, since most of these end after one support point.
     [[nodiscard]] bool start(const Query& given, LaneQuery<Scalar>& query) const {
-        if (!is_answerable<Scalar>(given.a_from_b)) [[unlikely]]
+        if (!is_answerable(*given.a, *given.b, given.a_from_b)) [[unlikely]]
             return false;  // the single query says so
         if (given.pair->starts_warm(*given.a, *given.b)) return false;
         if (!fits_lane(*given.a) || !fits_lane(*given.b)) return false;

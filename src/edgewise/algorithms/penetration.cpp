@@ -92,13 +92,25 @@ class EpaRun {
     [[nodiscard]] Penetration flat(const epa::Tetrahedron& tetrahedron) {
         const auto closest = Johnson<double>(tetrahedron.points(), tetrahedron.count()).closest();
         const double distance = norm(closest.point);
-        answer_.normal = distance > 0 ? Vec3d(closest.point / -distance) : tetrahedron.across();
+        const Vec3d direct = distance > 0 ? Vec3d(closest.point / -distance) : Vec3d(Vec3d::Zero());
+        answer_.normal = ends_at_origin(direct, tetrahedron) ? direct : tetrahedron.across();
         for (int i = 0; i < tetrahedron.count(); ++i) {
             answer_.point_a += closest.weight[i] * tetrahedron.corners()[i].on_a;
             answer_.point_b += closest.weight[i] * tetrahedron.corners()[i].on_b;
         }
         answer_.converged = true;
         return answer_;
+    }
+
+    /// Whether the difference does not go on beyond the origin along a unit direction: a distance of some
+    /// rounding steps has a direction that is noise, and may lie within the difference's own plane.
+    [[nodiscard]] bool ends_at_origin(const Vec3d& direction, const epa::Tetrahedron& tetrahedron) const {
+        if (max_abs(direction) == 0) return false;
+        const Corner& first = tetrahedron.corners()[0];
+        const double scale = tetrahedron.scale();
+        const Corner highest = difference_.support(direction, first);
+        const double size = std::max(first.size(), highest.size()) * scale;
+        return dot(direction, highest.point(scale)) <= difference_.support_noise() * size;
     }
 
     const epa::Difference& difference_;

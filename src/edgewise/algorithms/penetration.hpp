@@ -21,6 +21,7 @@
 #include <span>
 #include <vector>
 
+#include "edgewise/algorithms/answerable.hpp"
 #include "edgewise/algorithms/penetration/difference.hpp"
 #include "edgewise/algorithms/penetration/polytope.hpp"
 #include "edgewise/algorithms/simplex_pair.hpp"
@@ -36,7 +37,9 @@ struct Penetration {
     Vec3d point_a = Vec3d::Zero();  ///< on the surface of A
     Vec3d point_b = Vec3d::Zero();  ///< on the surface of B
     int steps = 0;                  ///< faces looked at
-    bool converged = false;         ///< false: the work space was full; the depth is an upper bound
+    /// False: the work space was full, and the depth is an upper bound; or, with a normal of zero, the pose
+    /// cannot be answered (answerable.hpp).
+    bool converged = false;
 };
 
 /// What a query needs beside the stack. Reused from one query to the next, it allocates only when a query
@@ -67,6 +70,7 @@ struct PenetrationSpace {
 template <SupportTable TableA, SupportTable TableB>
 [[nodiscard]] Penetration penetration(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                       const SimplexPair<TableA, TableB>& start, PenetrationSpace& space) {
+    if (!is_answerable(a, b, a_from_b)) return {};
     const auto transform = cast<ComputeOf<TableA>>(a_from_b);
     const epa::DifferenceOf<TableA, TableB> difference(a, b, transform);
     std::array<epa::Corner, 4> corners{difference.corner(a.first_vertex(), b.first_vertex())};

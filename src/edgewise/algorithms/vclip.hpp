@@ -170,8 +170,7 @@ template <class TableA, class TableB, class Observer>
 
 /// One run with everything inlined, a symbol of its own: see run_gjk.
 template <class TableA, class TableB>
-[[nodiscard]] __attribute__((flatten, noinline, no_sanitize("address", "undefined", "thread"))) Distance run(
-    Body<TableA>& a, Body<TableB>& b) {
+[[nodiscard]] EDGEWISE_QUERY_LOOP Distance run(Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
     return walk(a, b, nobody, true);
 }
@@ -208,15 +207,25 @@ struct VClip {
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                         FeaturePair<TableA, TableB>& pair, const QueryOptions& options = {},
                                         Observer&& observer = {}) {
-        if (!is_answerable<ComputeOf<TableA>>(a_from_b)) [[unlikely]]
+        if constexpr (compute_alike<TableA, TableB>())
+            return answer(a, b, a_from_b, pair, options, observer);
+        else
+            return {};
+    }
+
+  private:
+    template <class TableA, class TableB, class Observer>
+    [[nodiscard]] static Distance answer(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
+                                         FeaturePair<TableA, TableB>& pair, const QueryOptions& options,
+                                         Observer& observer) {
+        if (!is_answerable(a, b, a_from_b)) [[unlikely]]
             return {};
         const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
         const Features<TableA, TableB> start = pair.start(a, b);
         vclip::Body<TableA> body_a{a, into_a, start.a};
         vclip::Body<TableB> body_b{b, into_b, start.b};
-        const bool is_sloppy =
-            squared_rotation_error(a_from_b.rotation) > sloppy_rotation * sloppy_rotation;
+        const bool is_sloppy = squared_rotation_error(a_from_b.rotation) > sloppy_rotation * sloppy_rotation;
         const Distance result = [&] {
             if (is_sloppy && options.hardened) [[unlikely]]
                 return vclip::hand_on(body_a, body_b, observer);

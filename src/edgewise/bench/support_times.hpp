@@ -47,9 +47,9 @@ template <class Scalar>
 /// One pass; the sum of heights. Query i is of table i modulo their number, and queries of one table follow
 /// the directions in order. last: empty, for cold starts; or where each table's next query starts.
 template <class Table>
-[[nodiscard]] __attribute__((flatten, noinline, no_sanitize("address", "undefined", "thread"))) double
-ask_supports(const std::vector<Table>& tables, const std::vector<Vec3<ComputeOf<Table>>>& directions,
-             std::vector<typename Table::Vertex>& last) {
+[[nodiscard]] EDGEWISE_QUERY_LOOP double ask_supports(const std::vector<Table>& tables,
+                                                      const std::vector<Vec3<ComputeOf<Table>>>& directions,
+                                                      std::vector<typename Table::Vertex>& last) {
     double sum = 0;
     for (const auto& direction : directions) {
         for (std::size_t t = 0; t < tables.size(); ++t) {

@@ -15,17 +15,33 @@ namespace edgewise {
 
 namespace {
 
-/// One less than places fit 16 bits: the box's low corner is rounded down.
-constexpr double most_steps = 65534;
+/// The longest side in steps: what 16 bits number, and two less before rounding, which may move both ends of
+/// the box by half a step, and its low corner down by one.
+constexpr double most_steps = 65535, most_steps_to_round = most_steps - 2;
 
 /// How far a body is grown at most before it is held by boxes, in steps of the grid along its longest side.
 constexpr int outward_steps = 64;
 
+/// Around the points' box; the step is the power of two above a part of its longest side, and above `finest`.
+Grid grid_around(const Aabb& box, double steps, double finest) {
+    Grid grid;
+    finest = std::max(max_abs(box.sides()) / steps, finest);
+    if (finest > 0) grid.step = std::ldexp(1.0, std::ilogb(finest) + 1);
+    for (int i = 0; i < 3; ++i) grid.low[i] = std::floor(box.low[i] / grid.step) * grid.step;
+    return grid;
+}
+
+double reach_of(const Aabb& box) { return std::max(max_abs(box.low), max_abs(box.high)); }
+
+/// Each at its nearest place of the grid; as they are, if all have places of their own value.
 std::vector<Vec3d> on_grid(std::span<const Vec3d> points, double eps) {
-    const Grid grid(points, eps);
-    std::vector<Vec3d> result;
-    for (const Vec3d& p : points) result.push_back(grid.at(grid.nearest(p)));
-    return result;
+    const auto moved_to = [&](const Grid& grid) {
+        std::vector<Vec3d> result;
+        for (const Vec3d& p : points) result.push_back(grid.at(grid.nearest(p)));
+        return result;
+    };
+    std::vector<Vec3d> held = moved_to(Grid::of_rounded(points, eps));
+    return std::ranges::equal(held, points) ? held : moved_to(Grid::for_rounding(points, eps));
 }
 
 /// Every point is a vertex of the hull, or on the inner side of all planes by more than its vertices may lie
@@ -52,7 +68,7 @@ Result<Polyhedron> grown(const Polyhedron& body, double factor, double eps) {
 /// The hull of small boxes around the vertices, two steps to each side: more than rounding moves a corner. It
 /// has more vertices than the body, several of one name, and contains it however thin it is.
 Result<Polyhedron> hull_of_boxes(const Polyhedron& body, double eps) {
-    const double step = Grid(body.vertices, eps).step;
+    const double step = Grid::for_rounding(body.vertices, eps).step;
     std::vector<Vec3d> corners;
     for (const Vec3d& v : body.vertices) {
         for (int i = 0; i < 8; ++i) {
@@ -68,13 +84,16 @@ Result<Polyhedron> hull_of_boxes(const Polyhedron& body, double eps) {
 
 }  // namespace
 
-Grid::Grid(std::span<const Vec3d> points, double eps) {
-    if (points.empty()) return;
+Grid Grid::for_rounding(std::span<const Vec3d> points, double eps) {
+    if (points.empty()) return {};
     const Aabb box = box_of(points);
-    const double reach = std::max(max_abs(box.low), max_abs(box.high));
-    const double finest = std::max(max_abs(box.sides()) / most_steps, 2 * eps * reach);
-    if (finest > 0) step = std::ldexp(1.0, std::ilogb(finest) + 1);
-    for (int i = 0; i < 3; ++i) low[i] = std::floor(box.low[i] / step) * step;
+    return grid_around(box, most_steps_to_round, 2 * eps * reach_of(box));
+}
+
+Grid Grid::of_rounded(std::span<const Vec3d> points, double eps) {
+    if (points.empty()) return {};
+    const Aabb box = box_of(points);
+    return grid_around(box, most_steps, eps * reach_of(box));
 }
 
 Grid::Place Grid::nearest(const Vec3d& point) const {
@@ -95,7 +114,7 @@ Result<Polyhedron> round_to_grid_outward(const Polyhedron& body, double eps) {
     if (body.face_count() <= 2) return rounded;
     if (rounded && rounded->vertices == body.vertices) return rounded;
     // Growth in steps of a grid step over the extent: most bodies need one or two.
-    const double growth = Grid(body.vertices, eps).step / extent(body.vertices);
+    const double growth = Grid::for_rounding(body.vertices, eps).step / extent(body.vertices);
     for (int n = 1; rounded && n <= outward_steps + 1; ++n) {
         if (contains(*rounded, body.vertices)) return rounded;
         rounded = grown(body, 1 + n * growth, eps);

@@ -21,10 +21,13 @@ struct Grid {
     Vec3d low = Vec3d::Zero();  ///< of the box, rounded down to a step
     double step = 1;
 
-    Grid() = default;
-    /// Of the points' box. A step is wider than 2 `eps` of the largest coordinate, so that what computes with
-    /// this rounding step holds every place exactly.
-    Grid(std::span<const Vec3d> points, double eps);
+    /// For points that are to be rounded. A step is wider than 2 `eps` of the largest coordinate, so that
+    /// what computes with this rounding step holds every place exactly.
+    [[nodiscard]] static Grid for_rounding(std::span<const Vec3d> points, double eps);
+
+    /// For points that were rounded: every one has a place of its own value, although rounding may have made
+    /// their box a step longer. As fine as the grid that they were rounded to, or finer.
+    [[nodiscard]] static Grid of_rounded(std::span<const Vec3d> points, double eps);
 
     [[nodiscard]] Place nearest(const Vec3d& point) const;
     [[nodiscard]] Vec3d at(const Place& place) const {
@@ -32,7 +35,8 @@ struct Grid {
     }
 };
 
-/// The body that a table on this grid really holds: the hull of its vertices moved to their nearest places.
+/// The body that a table on its grid really holds: the hull of its vertices moved to their nearest places. A
+/// body that is on its grid is returned as it is.
 [[nodiscard]] Result<Polyhedron> round_to_grid(const Polyhedron& body, double eps);
 
 /// Likewise, but a body that contains the given one: grown about its middle before it is rounded, step by

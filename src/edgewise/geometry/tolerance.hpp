@@ -125,10 +125,10 @@ inline constexpr double climbable_turn = 64 * std::numeric_limits<double>::epsil
 /// check can distinguish the two sides of the body.
 inline constexpr double flat_thickness = face_planarity;
 
-/// Relative to the longest axis: V-Clip proves its answers on a solid thinner than this, as on one that is not
-/// strictly convex. An edge may lie in a face of such a body, or two faces may cross, to within the noise of
-/// its planes over its thickness: 1.4 million answers at 1e-11 to 1e-5 were 334 times wrong in double, at up
-/// to 3e-6.
+/// Relative to the longest axis: V-Clip proves its answers on a solid thinner than this, as on one that is
+/// not strictly convex. An edge may lie in a face of such a body, or two faces may cross, to within the noise
+/// of its planes over its thickness: 1.4 million answers at 1e-11 to 1e-5 were 334 times wrong in double, at
+/// up to 3e-6.
 inline constexpr double thin_solid = 0x1p-16;
 
 /// Twice the area of a corner of a polygon in axes scaled to about 1: below some rounding steps it is
@@ -143,8 +143,9 @@ inline constexpr double single_planarity = 8 * 0x1p-23;
 inline constexpr double rotation_rounding = 64 * std::numeric_limits<double>::epsilon();
 
 /// Pure number, the root of the sum of squares of R^T R - I: a query's rotation farther from orthogonal than
-/// this is refused. A matrix typed with four digits is within it; one that scales by a thousandth is not.
-inline constexpr double sloppiest_rotation = 0x1p-10;
+/// this is refused, as none. A matrix typed with two digits is within it; one that scales by a hundredth is
+/// not.
+inline constexpr double sloppiest_rotation = 0x1p-5;
 
 /// Pure number, likewise: V-Clip, which takes the transpose of R for its inverse, hands what is farther from
 /// orthogonal to GJK, which does not. Nearer ones cost a distance some multiple of this times the size
@@ -186,8 +187,8 @@ inline constexpr double smallest_coordinate = 0x1p-200;
 /// query says that it failed.
 inline constexpr int most_gjk_iterations = 1 << 14;
 
-/// A cap on the steps of a GJK query that gain nothing even in wider arithmetic, taken while nothing separates
-/// the bodies. Two to five were needed where any was.
+/// A cap on the steps of a GJK query that gain nothing even in wider arithmetic, taken while nothing
+/// separates the bodies. Two to five were needed where any was.
 inline constexpr int most_level_steps = 32;
 
 /// Pure number: a mesh is called concave when its volume is below this share of its hull's. Mesh files hold

@@ -6,13 +6,20 @@
 // Edgewise promises the same bits on every machine, so everything that sums goes through the functions below,
 // whose order is the order of the text. Element-wise +, -, * are Eigen's own.
 //
-// Sanitizers do not look at those that read nothing but vectors handed to them: in every one of a query's
-// calls these checks find nothing, and they were a good part of what g++ took to compile it.
+// The undefined-behaviour sanitizer does not look at those that read nothing but vectors handed to them: it
+// would find nothing, and took a good part of the time that g++ needs for a query (inlining.hpp).
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "edgewise/geometry/inlining.hpp"
+
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ && !defined(EDGEWISE_ALLOW_FAST_MATH)
+#error \
+    "Edgewise needs NaN and infinity: compile without -ffast-math (-ffinite-math-only), or define EDGEWISE_ALLOW_FAST_MATH and hand over no pose with either"
+#endif
 
 namespace edgewise {
 
@@ -29,8 +36,7 @@ using Mat3d = Mat3<double>;
 /// The vector in another scalar, component by component: g++ copies a whole Eigen vector through memory in
 /// pieces of one size and reads it back in pieces of another, which stalls (15 % of a warm V-Clip query).
 template <class To, class From>
-[[nodiscard]] __attribute__((no_sanitize("address", "undefined", "thread"))) Vec3<To> cast(
-    const Vec3<From>& v) {
+[[nodiscard]] EDGEWISE_IN_QUERY_LOOP Vec3<To> cast(const Vec3<From>& v) {
     return {static_cast<To>(v.x()), static_cast<To>(v.y()), static_cast<To>(v.z())};
 }
 
@@ -50,15 +56,13 @@ template <class A>
 }
 
 template <class Scalar>
-[[nodiscard]] __attribute__((no_sanitize("address", "undefined", "thread"))) Vec3<Scalar> cross(
-    const Vec3<Scalar>& a, const Vec3<Scalar>& b) {
+[[nodiscard]] EDGEWISE_IN_QUERY_LOOP Vec3<Scalar> cross(const Vec3<Scalar>& a, const Vec3<Scalar>& b) {
     return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
 }
 
 /// m * v, row by row.
 template <class Scalar>
-[[nodiscard]] __attribute__((no_sanitize("address", "undefined", "thread"))) Vec3<Scalar> multiply(
-    const Mat3<Scalar>& m, const Vec3<Scalar>& v) {
+[[nodiscard]] EDGEWISE_IN_QUERY_LOOP Vec3<Scalar> multiply(const Mat3<Scalar>& m, const Vec3<Scalar>& v) {
     return {m(0, 0) * v.x() + m(0, 1) * v.y() + m(0, 2) * v.z(),
             m(1, 0) * v.x() + m(1, 1) * v.y() + m(1, 2) * v.z(),
             m(2, 0) * v.x() + m(2, 1) * v.y() + m(2, 2) * v.z()};
@@ -74,8 +78,8 @@ template <class Scalar>
 
 /// transpose(m) * v: for a rotation, its inverse.
 template <class Scalar>
-[[nodiscard]] __attribute__((no_sanitize("address", "undefined", "thread"))) Vec3<Scalar> multiply_transposed(
-    const Mat3<Scalar>& m, const Vec3<Scalar>& v) {
+[[nodiscard]] EDGEWISE_IN_QUERY_LOOP Vec3<Scalar> multiply_transposed(const Mat3<Scalar>& m,
+                                                                      const Vec3<Scalar>& v) {
     return {m(0, 0) * v.x() + m(1, 0) * v.y() + m(2, 0) * v.z(),
             m(0, 1) * v.x() + m(1, 1) * v.y() + m(2, 1) * v.z(),
             m(0, 2) * v.x() + m(1, 2) * v.y() + m(2, 2) * v.z()};
@@ -83,8 +87,7 @@ template <class Scalar>
 
 /// Largest absolute component.
 template <class Scalar>
-[[nodiscard]] __attribute__((no_sanitize("address", "undefined", "thread"))) Scalar max_abs(
-    const Vec3<Scalar>& v) {
+[[nodiscard]] EDGEWISE_IN_QUERY_LOOP Scalar max_abs(const Vec3<Scalar>& v) {
     return std::max(std::max(std::abs(v.x()), std::abs(v.y())), std::abs(v.z()));
 }
 

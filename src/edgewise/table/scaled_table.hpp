@@ -18,11 +18,13 @@
 // asked.
 #pragma once
 
-#include <cassert>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
+#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
 
 namespace edgewise {
@@ -36,11 +38,12 @@ class ScaledTable {
     using Vertex = typename Table::Vertex;
     static constexpr bool counts_vertices = requires { requires Table::counts_vertices; };
 
-    /// scale: a factor for each of the body's axes, finite and not 0; below 0 it mirrors. Products with the
-    /// coordinates must neither overflow nor become denormal.
-    ScaledTable(const Table& table, const Vec3d& scale) : table_(&table), scale_(cast<Compute>(scale)) {
-        assert(scale.array().isFinite().all() && (scale_.array() != 0).all());
-    }
+    /// scale: a factor for each of the body's axes, finite and not 0; below 0 it mirrors. Every query of a
+    /// view whose scale is none, or takes coordinates out of the range of bodies, fails (Status::failed).
+    ScaledTable(const Table& table, const Vec3d& scale)
+        : table_(&table), scale_(cast<Compute>(scale)), is_in_range_(holds(table, scale)) {}
+
+    [[nodiscard]] bool is_in_range() const { return is_in_range_; }
 
     [[nodiscard]] Vertex first_vertex() const { return table_->first_vertex(); }
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
@@ -72,8 +75,28 @@ class ScaledTable {
     [[nodiscard]] const Vec3<Compute>& scale() const { return scale_; }
 
   private:
+    [[nodiscard]] static bool holds(const Table& table, const Vec3d& scale) {
+        constexpr bool is_single = std::is_same_v<Compute, float>;
+        constexpr double largest = is_single ? largest_coordinate_single : largest_coordinate;
+        constexpr double smallest = is_single ? smallest_extent_single : smallest_extent;
+        const Vec3d factor = scale.cwiseAbs();
+        const double most = reach_of(table);
+        return scale.array().isFinite().all() && factor.minCoeff() > 0 &&
+               (most == 0 || (factor.minCoeff() * most >= smallest && factor.maxCoeff() * most <= largest));
+    }
+    [[nodiscard]] static double reach_of(const Table& table) {
+        if constexpr (requires { table.reach(); }) {
+            return table.reach();
+        } else {
+            double most = 0;
+            for (const auto v : table.all_vertices()) most = std::max(most, double{max_abs(table.vertex(v))});
+            return most;
+        }
+    }
+
     const Table* table_;
     Vec3<Compute> scale_;
+    bool is_in_range_;
 };
 
 }  // namespace edgewise

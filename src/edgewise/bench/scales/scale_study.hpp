@@ -77,8 +77,7 @@ class ScalePass {
     }
 
     /// From cold pairs; ns per query.
-    [[nodiscard]] __attribute__((flatten, noinline, no_sanitize("address", "undefined", "thread"))) double
-    run(std::vector<double>& distances) {
+    [[nodiscard]] EDGEWISE_QUERY_LOOP double run(std::vector<double>& distances) {
         for (std::size_t i = 0; i < shapes_.size(); ++i) pairs_[i] = {shapes_[i], next(i)};
         distances.clear();
         const measure::Stopwatch watch;

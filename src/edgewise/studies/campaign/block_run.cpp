@@ -67,7 +67,7 @@ void count_block(const Block& block, std::uint64_t count, FamilyTally& family) {
 }  // namespace
 
 BlockRun::BlockRun(std::span<const Cell> cells) : cells_(cells), storage_(cells.size()) {
-    for (const Cell& cell : cells) askers_.push_back(cell.make_asker());
+    for (const Cell& cell : cells) askers_.push_back({cell.make_asker(), cell.make_asker()});
 }
 
 std::size_t BlockRun::storage_of(std::span<const Polyhedron> stored) {
@@ -79,24 +79,22 @@ std::size_t BlockRun::storage_of(std::span<const Polyhedron> stored) {
     return storages_.size() - 1;
 }
 
-void BlockRun::load(const scene::Workload& workload) {
+void BlockRun::load(const scene::Workload& cold, const scene::Workload& warm) {
     storages_.clear();
     refusals_.clear();
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-        refusals_.push_back(askers_[i]->load(workload));
+        refusals_.push_back(askers_[i].cold->load(cold));
         if (!refusals_.back().empty()) continue;
-        storage_[i] = storage_of(askers_[i]->stored_bodies());
-        storages_[storage_[i]].known.resize(workload.queries.size());
+        (void)askers_[i].warm->load(warm);  // the same bodies
+        storage_[i] = storage_of(askers_[i].cold->stored_bodies());
+        storages_[storage_[i]].known.resize(cold.queries.size());
     }
 }
 
-void BlockRun::note(std::size_t number, const Block& block, const std::string& what) {
-    failures_.push_back({PairPlace{block_, number}.pair(), {}, block.family, what});
-}
-
-void BlockRun::ask(std::size_t cell, const Block& block, FamilyTally& family, CellTally& tally) {
+void BlockRun::ask(std::size_t cell, bool warm, const Block& block, FamilyTally& family, CellTally& tally) {
     SecondsBetween seconds;
-    const std::vector<Distance> answers = askers_[cell]->answer();
+    const ColdAndWarm& askers = askers_[cell];
+    const std::vector<Distance> answers = (warm ? askers.warm : askers.cold)->answer();
     seconds.add_to(family.asking_s);
     BlockStorage& storage = storages_[storage_[cell]];
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -108,11 +106,11 @@ void BlockRun::ask(std::size_t cell, const Block& block, FamilyTally& family, Ce
             if (storage.counts) count_verdict(known, family);
         }
         const CheckedAnswer checked = check_answer(answers[i], cells_[cell], storage.pair, poses, known);
-        count_answer(checked, PairPlace{block_, i}.pair(), family, tally);
-        if (!checked.wrong.empty()) {
-            note(i, block, checked.wrong);
-            failures_.back().cell = cells_[cell].name;
-        }
+        const std::uint64_t pair = PairPlace{block_, i}.pair();
+        count_answer(checked, pair, family, tally);
+        if (!checked.wrong.empty())
+            failures_.push_back(
+                {pair, cells_[cell].name, block.family, (warm ? "warm, " : "") + checked.wrong});
     }
     seconds.add_to(family.proving_s);
 }
@@ -125,16 +123,18 @@ void BlockRun::run(const PairSource& source, std::uint64_t number, std::uint64_t
     FamilyTally& family = tally.families[block.family];
     count_block(block, count, family);
     if (!block.refusal.empty()) return;
-    const scene::Workload workload = workload_of(block);
-    load(workload);
+    const scene::Workload cold = workload_of(block);
+    scene::Workload warm = cold;
+    warm.warm = true;
+    load(cold, warm);
     seconds.add_to(family.making_s);
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         CellTally& cell = tally.cells[cells_[i].name];
         if (refusals_[i].empty()) {
-            ask(i, block, family, cell);
+            for (const bool is_warm : {false, true}) ask(i, is_warm, block, family, cell);
         } else {
-            cell.refused += workload.queries.size();
-            family.refused += workload.queries.size();
+            cell.refused += 2 * cold.queries.size();
+            family.refused += 2 * cold.queries.size();
         }
     }
     for (const Failure& failure : failures_) on_failure(failure);

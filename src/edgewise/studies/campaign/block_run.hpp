@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One block of pairs through every cell: asked, proven, tallied.
+// One block of pairs through every cell: asked, proven, tallied. Every pair is asked twice: cold, and warm,
+// in time order, with the pair's cache kept from pose to pose.
 #pragma once
 
 #include <functional>
@@ -29,6 +30,11 @@ struct BlockStorage {
     bool counts = false;  ///< the first: its pairs are counted by verdict
 };
 
+/// A cell's two askers: one for cold pairs, one for warm ones.
+struct ColdAndWarm {
+    std::unique_ptr<Asker> cold, warm;
+};
+
 class BlockRun {
   public:
     /// Keeps the cells.
@@ -39,13 +45,12 @@ class BlockRun {
              const std::function<void(const Failure&)>& on_failure);
 
   private:
-    void load(const scene::Workload& workload);
+    void load(const scene::Workload& cold, const scene::Workload& warm);
     [[nodiscard]] std::size_t storage_of(std::span<const Polyhedron> stored);
-    void ask(std::size_t cell, const Block& block, FamilyTally& family, CellTally& tally);
-    void note(std::size_t number, const Block& block, const std::string& what);
+    void ask(std::size_t cell, bool warm, const Block& block, FamilyTally& family, CellTally& tally);
 
     std::span<const Cell> cells_;
-    std::vector<std::unique_ptr<Asker>> askers_;
+    std::vector<ColdAndWarm> askers_;
     std::vector<std::string> refusals_;  ///< by cell: why it cannot hold the block's bodies
     std::vector<BlockStorage> storages_;
     std::vector<std::size_t> storage_;  ///< by cell

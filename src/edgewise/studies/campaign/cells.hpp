@@ -27,7 +27,7 @@ class Asker {
 
     /// An error line where the bodies cannot be stored. The workload must stay.
     [[nodiscard]] virtual std::string load(const scene::Workload& workload) = 0;
-    /// To every query, from cold.
+    /// Answers every query of the workload: from cold, or warm where the workload says so.
     [[nodiscard]] virtual std::vector<Distance> answer() = 0;
     [[nodiscard]] virtual std::span<const Polyhedron> stored_bodies() const = 0;
 };
