@@ -17,9 +17,9 @@ inline constexpr std::size_t readme_lines = 120, readme_words = 900;
 /// reason in its CMakeLists.txt, on a line that begins "# More than 30 files:".
 [[nodiscard]] std::vector<Violation> full_folders(const std::vector<SourceFile>& files);
 
-/// Functions flattened without being kept from sanitizers on the same line: g++ then takes minutes to compile
-/// what a user sanitizes in his own program.
-[[nodiscard]] std::vector<Violation> sanitized_flattening(const std::vector<SourceFile>& files);
+/// Functions flattened, or kept from a sanitizer, by attributes of their own: under a user's sanitizers these
+/// take g++ minutes to compile, or give false reports (geometry/inlining.hpp).
+[[nodiscard]] std::vector<Violation> own_flattening(const std::vector<SourceFile>& files);
 
 /// Source files that a comment names and the tree does not have.
 [[nodiscard]] std::vector<Violation> dead_mentions(const std::vector<SourceFile>& files);

@@ -56,13 +56,17 @@ edgewise_mutant(grid_cells_of_the_other_side layout_parts/seed_directions.hpp [[
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
 edgewise_mutant(far_neighbours_are_near layout_parts/relative_rings.hpp [[return in.far_neighbours(base).read(loader, low, Field::neighbour);]] [[return low;]]
     RelativeRings.Are* ${unit}/layout_parts/relative_rings_test.cpp)
-edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[turned * half_squared_radius_]] [[0 * turned]]
+edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[turned * squared_radius_]] [[0 * turned]]
     NearPair* ${unit}/algorithms/near_pair_test.cpp)
+edgewise_mutant(bounds_of_exact_rotations algorithms/distance_bounds.hpp [[turned * squared_radius_]] [[0.5 * turned * squared_radius_]]
+    Answerable* ${unit}/algorithms/answerable_test.cpp)
+edgewise_mutant(mirrored_poses_answered algorithms/answerable.hpp [[& is_proper(a_from_b.rotation);]] [[;]]
+    Answerable* ${unit}/algorithms/answerable_test.cpp)
 edgewise_mutant(squares_add_as_lengths algorithms/distance_bounds.hpp [[2 * (squared_shift + squared_turn) < left]]
     [[(squared_shift + squared_turn) < left]] NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]
     *Support* ${unit}/algorithms/support_test.cpp)
-edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(squared) && !retry_in_wide_arithmetic()) {]] [[if (gains(squared)) {]]
+edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(squared) && !retry_in_wide_arithmetic(separates)) {]] [[if (gains(squared)) {]]
     RandomPairs* ${random_pairs})
 edgewise_mutant(gjk_direction_not_turned_back algorithms/gjk.hpp [[a_from_b_.direction_back(v)]] [[a_from_b_.direction(v)]]
     RandomPairs* ${random_pairs})

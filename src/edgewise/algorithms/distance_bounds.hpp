@@ -77,15 +77,10 @@ class DistanceBounds {
     /// Differences of given numbers have their relative error alone.
     static constexpr double rounding = 1 + 16 * std::numeric_limits<double>::epsilon();
 
-    /// A matrix so far from the last one may mirror (the squared norm of the difference is 4 or more then):
-    /// nothing is known there, and a query refuses it.
-    static constexpr double most_turned = 3.5;
-
     [[nodiscard]] Motion motion_to(const Transform<double>& to) const {
         double turned = 0;
         // Component by component: whole Eigen vectors would go through memory, and sum in packets.
         for (int i = 0; i < 3; ++i) turned += squared_norm(to.rotation.col(i) - at_.rotation.col(i));
-        if (!(turned < most_turned)) turned = std::numeric_limits<double>::infinity();
         return {squared_norm(to.translation - at_.translation), turned * squared_radius_};
     }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "edgewise/algorithms/answerable.hpp"
 #include "edgewise/algorithms/distance_bounds.hpp"
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
@@ -46,14 +47,19 @@ class NearPair {
         : a_(a), b_(b), cache_{{}, {a, b}}, radii_{radius_of(a), radius_of(b)} {}
 
     /// Whether the bodies are nearer to each other than `distance`. To rounding: bodies at just this distance
-    /// may be called either. A pose that is none (answerable.hpp) counts as nearer: who asks looks closer.
+    /// may be called either. A pose that cannot be answered (answerable.hpp) counts as nearer, since the caller
+    /// then computes the distance, and that query fails.
     [[nodiscard]] bool nearer_than(double distance, const Transform<double>& a_from_b) {
+        if (!is_answerable(a_, b_, a_from_b)) [[unlikely]]
+            return true;
         if (const auto known = cache_.bounds.nearer_than(distance, a_from_b)) return *known;
         return ask(a_from_b).distance < distance;
     }
 
-    /// The distance is no less, and no more, than this; no table is read.
+    /// The distance is no less, and no more, than this; no table is read. Nothing is known at a pose that cannot
+    /// be answered.
     [[nodiscard]] DistanceInterval bounds(const Transform<double>& a_from_b) const {
+        if (!is_answerable(a_, b_, a_from_b)) return {};
         return cache_.bounds.at(a_from_b);
     }
     [[nodiscard]] double at_least(const Transform<double>& a_from_b) const { return bounds(a_from_b).least; }

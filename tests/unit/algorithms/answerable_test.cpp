@@ -12,6 +12,7 @@
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/near_pair.hpp"
+#include "edgewise/algorithms/penetration.hpp"
 #include "edgewise/algorithms/query_batch.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/layouts/aos.hpp"
@@ -25,7 +26,8 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
 
-/// Each entry of a pose no number, infinite, or far too large; and matrices that are no rotation.
+/// Each entry of a pose no number, infinite, or far too large; and matrices that are no rotation: scaled,
+/// sheared, mirrored.
 std::vector<Transform<double>> bad_poses(double too_far) {
     std::vector<Transform<double>> poses;
     const Transform<double> good{Mat3d::Identity(), Vec3d(3, 0, 0)};
@@ -42,6 +44,14 @@ std::vector<Transform<double>> bad_poses(double too_far) {
     Mat3d sheared = Mat3d::Identity();
     sheared(0, 1) = 0.1;
     poses.push_back({sheared, Vec3d(3, 0, 0)});
+    scene::Rng rng(4);
+    for (int axis = 0; axis < 3; ++axis) {
+        Mat3d mirror = Mat3d::Identity();
+        mirror(axis, axis) = -1;
+        poses.push_back({mirror, Vec3d(3, 0, 0)});
+        poses.push_back({multiply(rng.rotation(), mirror), Vec3d(3, 0, 0)});
+    }
+    poses.push_back({-Mat3d::Identity(), Vec3d(3, 0, 0)});
     return poses;
 }
 
@@ -69,6 +79,16 @@ void expect_failures(double too_far) {
         EXPECT_EQ(answers[1].status, Status::separated);
         EXPECT_EQ(answers[1].distance, answer.distance)
             << "the next query is answered as if nothing had been";
+        NearPair<Algorithm, Table, Table> near(table, table);
+        EXPECT_FALSE(near.nearer_than(0.5, good));
+        EXPECT_TRUE(near.nearer_than(0.5, pose)) << "to be looked at";
+        EXPECT_EQ(near.bounds(pose).least, 0);
+        PenetrationSpace space;
+        const Penetration depth =
+            penetration(table, table, pose, SimplexPair<Table, Table>(table, table), space);
+        EXPECT_FALSE(depth.converged);
+        EXPECT_EQ(depth.depth, 0);
+        EXPECT_EQ(max_abs(depth.normal), 0);
     }
 }
 
@@ -126,6 +146,62 @@ TEST(Answerable, NearnessIsAskedOnAfterAPoseThatIsNone) {
         EXPECT_TRUE(pair.nearer_than(1, none)) << "to be looked at";
         EXPECT_EQ(pair.bounds(none).least, 0);
     }
+}
+
+/// Rotations in single, and sloppier ones: V-Clip answers as GJK does, to what the matrix is off by.
+TEST(Answerable, VClipAndGjkAgreeOnSloppyRotations) {
+    using Table = aos<f64>;
+    const Table table(*scene::make_shape("cube8"), Parts::features);
+    scene::Rng rng(5);
+    int handed_on = 0, differ = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        Transform<double> pose{rng.rotation(), rng.in_cube(1.2)};
+        const double off = std::ldexp(1.0, -static_cast<int>(rng.below(40)) - 7);
+        for (double& entry : pose.rotation.reshaped()) entry += off * rng.uniform(-1, 1);
+        FeaturePair<Table, Table> features(table, table);
+        SimplexPair<Table, Table> simplex(table, table);
+        const Distance clipped = VClip::query(table, table, pose, features);
+        const Distance expected = Gjk::query(table, table, pose, simplex);
+        handed_on += clipped.fallbacks;
+        const double error = 8 * off + 1e-14;
+        const bool separated = clipped.status == Status::separated;
+        differ += separated != (expected.status == Status::separated);
+        EXPECT_NEAR(clipped.distance, expected.distance, error) << off;
+        if (separated != (expected.status == Status::separated)) {
+            EXPECT_LE(std::max(clipped.distance, expected.distance), error) << off;
+        }
+    }
+    std::printf("%d of 20000 handed on, %d verdicts differ within the error\n", handed_on, differ);
+    EXPECT_GT(handed_on, 1000);
+}
+
+/// What bounds say after a pose and its mirror image in turn is right for those that are answered.
+TEST(Answerable, BoundsHoldBesideMirroredPoses) {
+    using Table = aos<f64>;
+    const Table table(*scene::make_shape("tetra4"), Parts::features);
+    NearPair<Gjk, Table, Table> pair(table, table);
+    scene::Rng rng(6);
+    std::uint64_t known = 0;
+    for (int i = 0; i < 4000; ++i) {
+        Transform<double> pose{rng.rotation(), rng.on_sphere() * rng.uniform(1, 4)};
+        if (i % 4 == 3) pose.rotation = pose.rotation.cast<float>().cast<double>();
+        const std::uint64_t before = pair.queries();
+        for (int step = 0; step < 3; ++step) {
+            SimplexPair<Table, Table> cold(table, table);
+            const double distance = Gjk::query(table, table, pose, cold).distance;
+            const DistanceInterval bounds = pair.bounds(pose);
+            EXPECT_LE(bounds.least, distance + 1e-12);
+            EXPECT_GE(bounds.most, distance - 1e-12);
+            EXPECT_EQ(pair.nearer_than(0.7, pose), distance < 0.7);
+            Transform<double> mirrored = pose;
+            mirrored.rotation.col(step) *= -1;
+            EXPECT_TRUE(pair.nearer_than(0.7, mirrored));
+            pose.translation += rng.in_cube(0.02);
+        }
+        known += 6 - (pair.queries() - before);
+    }
+    std::printf("bounds told %llu times\n", static_cast<unsigned long long>(known));
+    EXPECT_GT(known, 1000U);
 }
 
 }  // namespace

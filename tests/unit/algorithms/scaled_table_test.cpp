@@ -10,7 +10,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
@@ -147,6 +149,29 @@ TEST(ScaledTable, OfScaleOneIsTheTable) {
 }
 
 static_assert(ClimbingTable<ScaledTable<lean<f32>>>);
+
+/// A scale that is none, or takes the body out of range: no query computes with it.
+TEST(ScaledTable, QueriesAtAScaleThatIsNoneFail) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                     infinity = std::numeric_limits<double>::infinity();
+    const auto expect_failures = [&](const auto& table, double too_large) {
+        using View = ScaledTable<std::remove_cvref_t<decltype(table)>>;
+        const View good(table, Vec3d(1, 2, 3));
+        for (const double bad : {nan, infinity, -infinity, 0.0, too_large, -too_large, 1 / too_large}) {
+            for (int axis = 0; axis < 3; ++axis) {
+                Vec3d scale(1, 1, 1);
+                scale[axis] = bad;
+                const View view(table, scale);
+                SimplexPair<View, View> pair(view, good), other(good, view);
+                const Transform<double> pose{Mat3d::Identity(), Vec3d(0.5, 0, 0)};
+                EXPECT_EQ(Gjk::query(view, good, pose, pair).status, Status::failed) << scale.transpose();
+                EXPECT_EQ(Gjk::query(good, view, pose, other).status, Status::failed) << scale.transpose();
+            }
+        }
+    };
+    expect_failures(lean<f64>(stored<lean<f64>>("cube8"), Parts::support), 1e150);
+    expect_failures(lean<f32>(stored<lean<f32>>("cube8"), Parts::support), 1e30);
+}
 
 }  // namespace
 }  // namespace edgewise

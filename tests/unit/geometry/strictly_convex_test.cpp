@@ -87,5 +87,18 @@ TEST(StrictlyConvex, ACutFaceIsClimbableOnceItIsFoldedOutwards) {
     EXPECT_FALSE(is_climbable(folded_pyramid(-1e-13)));
 }
 
+/// Solids below thin_solid are not believed without a proof; polygons, which are flat, and thicker solids
+/// are.
+TEST(StrictlyConvex, ThinSolidsAreNot) {
+    constexpr double least = Tolerance<double>::strict_turn;
+    for (const double thick : {0x1p-40, 0x1p-30, 0x1p-20, 0x1p-17, 0x1p-14, 0x1p-8, 1.0}) {
+        const std::vector<Vec3d> corners = {
+            {1, 0, 0}, {-1, 0, 0}, {0, 1, thick}, {0, -1, thick}, {0, 0, -thick}};
+        EXPECT_EQ(is_strictly_convex(*convex_hull(corners), least), thick >= 0x1p-14) << thick;
+    }
+    const std::vector<Vec3d> polygon = {{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
+    EXPECT_TRUE(is_strictly_convex(*hull_of_any(polygon), least));
+}
+
 }  // namespace
 }  // namespace edgewise

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// A table holds the body that it says: stored_body(b), vertex by vertex, and of that body itself. A grid that
+// was made again from the rounded body was once twice as wide, and the table held another one.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "edgewise/geometry/aabb.hpp"
+#include "stored_bodies.hpp"
+#include "tables_under_test.hpp"
+
+namespace edgewise {
+namespace {
+
+template <class Type>
+class StoredBody : public ::testing::Test {};
+TYPED_TEST_SUITE(StoredBody, TableTypes);
+
+/// Round, thin, needles, flat; at their own size, tiny, huge, and scaled to where a side is a little below,
+/// at or above a power of two, which is where a grid's step doubles.
+std::vector<Polyhedron> bodies_of_every_kind() {
+    const std::vector<Vec3d> shapes = {
+        {1, 0.7, 0.4}, {1, 1, 1e-7}, {1, 1e-5, 1e-5}, {1, 0.3, 0}, {1, 1e-9, 0.2}};
+    std::vector<Polyhedron> bodies;
+    scene::Rng rng(11);
+    for (const Vec3d& shape : shapes) {
+        for (const double size : {1.0, 0x1p-12, 0x1p12, 0.99998, 0.99999, 1.00001}) {
+            for (int corners : {4, 5, 12}) {
+                std::vector<Vec3d> points;
+                for (int i = 0; i < corners; ++i)
+                    points.push_back(rng.on_sphere().cwiseProduct(shape) * size);
+                points.push_back(Vec3d(-size, 0, 0));
+                points.push_back(Vec3d(size, 0, 0));
+                auto body = hull_of_any(points);
+                EXPECT_TRUE(body) << body.error;
+                bodies.push_back(*std::move(body));
+            }
+        }
+    }
+    return bodies;
+}
+
+TYPED_TEST(StoredBody, IsWhatTheTableHolds) {
+    using Table = TypeParam;
+    int held = 0, refused = 0;
+    for (const Polyhedron& given : bodies_of_every_kind()) {
+        const auto stored = stored_body<Table>(given);
+        refused += !stored;
+        if (!stored) continue;
+        ++held;
+        const auto again = stored_body<Table>(*stored);
+        ASSERT_TRUE(again) << again.error;
+        EXPECT_EQ(again->vertices, stored->vertices);
+        EXPECT_EQ(again->face_ring, stored->face_ring);
+        const Table table(*stored, has_features<Table> ? Parts::features : Parts::support);
+        Index index = 0;
+        for (const auto v : table.all_vertices())
+            ASSERT_EQ(Vec3d(cast<double>(table.vertex(v))), stored->vertices[index++]);
+        EXPECT_EQ(index, stored->vertex_count());
+    }
+    std::printf("%d bodies held, %d refused\n", held, refused);
+    EXPECT_GT(held, 60);
+}
+
+}  // namespace
+}  // namespace edgewise
