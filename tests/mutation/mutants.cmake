@@ -60,7 +60,7 @@ edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[turned *
     NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(bounds_of_exact_rotations algorithms/distance_bounds.hpp [[turned * squared_radius_]] [[0.5 * turned * squared_radius_]]
     Answerable* ${unit}/algorithms/answerable_test.cpp)
-edgewise_mutant(mirrored_poses_answered algorithms/answerable.hpp [[& is_proper(a_from_b.rotation);]] [[;]]
+edgewise_mutant(mirrored_poses_answered algorithms/answerable.hpp [[z - cross(x, y)]] [[z.cwiseAbs() - cross(x, y).cwiseAbs()]]
     Answerable* ${unit}/algorithms/answerable_test.cpp)
 edgewise_mutant(squares_add_as_lengths algorithms/distance_bounds.hpp [[2 * (squared_shift + squared_turn) < left]]
     [[(squared_shift + squared_turn) < left]] NearPair* ${unit}/algorithms/near_pair_test.cpp)

@@ -16,27 +16,30 @@
 
 namespace edgewise {
 
-/// Sum of the squares of all entries of R^T R - I; no number where an entry of R is none.
+/// How far R is from a proper rotation, squared: by columns x, y, z, the sum of the squares of |x|^2 - 1 and
+/// |y|^2 - 1, and twice those of x . y and z - x * y. About the sum of the squares of all entries of R^T R -
+/// I, but 8 of a mirror image; no number where an entry of R is none.
 template <class Scalar>
 [[nodiscard]] Scalar squared_rotation_error(const Mat3<Scalar>& r) {
     const Vec3<Scalar> x = r.col(0), y = r.col(1), z = r.col(2);
-    const Scalar xx = dot(x, x) - 1, yy = dot(y, y) - 1, zz = dot(z, z) - 1;
-    const Scalar xy = dot(x, y), yz = dot(y, z), zx = dot(z, x);
-    return xx * xx + yy * yy + zz * zz + 2 * (xy * xy + yz * yz + zx * zx);
+    const Scalar xx = dot(x, x) - 1, yy = dot(y, y) - 1, xy = dot(x, y);
+    return xx * xx + yy * yy + 2 * (xy * xy + squared_norm(Vec3<Scalar>(z - cross(x, y))));
 }
 
-/// True if the rotation does not mirror.
-[[nodiscard]] inline bool is_proper(const Mat3d& r) {
-    return dot(cross(Vec3d(r.col(0)), Vec3d(r.col(1))), Vec3d(r.col(2))) > 0;
+/// Whether a pose with this squared distance from a rotation, at most, is so short that a query which
+/// computes in Scalar can answer it.
+template <class Scalar>
+[[nodiscard]] bool is_within(const Transform<double>& a_from_b, double squared_error) {
+    const Vec3d& t = a_from_b.translation;
+    const double offset = std::abs(t.x()) + std::abs(t.y()) + std::abs(t.z());
+    return squared_rotation_error(a_from_b.rotation) <= squared_error &&
+           offset <= static_cast<double>(Tolerance<Scalar>::largest_offset);
 }
 
 /// Scalar: what computes the query.
 template <class Scalar>
 [[nodiscard]] bool is_answerable(const Transform<double>& a_from_b) {
-    const Vec3d& t = a_from_b.translation;
-    const double offset = std::abs(t.x()) + std::abs(t.y()) + std::abs(t.z());
-    return (squared_rotation_error(a_from_b.rotation) <= sloppiest_rotation * sloppiest_rotation) &
-           (offset <= static_cast<double>(Tolerance<Scalar>::largest_offset)) & is_proper(a_from_b.rotation);
+    return is_within<Scalar>(a_from_b, sloppiest_rotation * sloppiest_rotation);
 }
 
 /// False of a table that holds numbers which no query can compute with: a view at such a scale

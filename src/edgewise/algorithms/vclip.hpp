@@ -175,15 +175,6 @@ template <class TableA, class TableB>
     return walk(a, b, nobody, true);
 }
 
-/// Of a pose whose rotation is farther from orthogonal than V-Clip's two frames may disagree.
-template <class TableA, class TableB, class Observer>
-[[nodiscard]] [[gnu::noinline]] Distance hand_on(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
-    observer.ask_gjk();
-    Distance result = answer_by_gjk(a, b);
-    result.fallbacks = 1;
-    return result;
-}
-
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Distance run_raw(Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
@@ -218,17 +209,16 @@ struct VClip {
     [[nodiscard]] static Distance answer(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                          FeaturePair<TableA, TableB>& pair, const QueryOptions& options,
                                          Observer& observer) {
-        if (!is_answerable(a, b, a_from_b)) [[unlikely]]
-            return {};
+        if (!is_within<ComputeOf<TableA>>(a_from_b, sloppy_rotation * sloppy_rotation)) [[unlikely]] {
+            if (!is_answerable<ComputeOf<TableA>>(a_from_b)) return {};
+            if (options.hardened) return hand_on(a, b, a_from_b, pair, options, observer);
+        }
         const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
         const Features<TableA, TableB> start = pair.start(a, b);
         vclip::Body<TableA> body_a{a, into_a, start.a};
         vclip::Body<TableB> body_b{b, into_b, start.b};
-        const bool is_sloppy = squared_rotation_error(a_from_b.rotation) > sloppy_rotation * sloppy_rotation;
         const Distance result = [&] {
-            if (is_sloppy && options.hardened) [[unlikely]]
-                return vclip::hand_on(body_a, body_b, observer);
             if constexpr (is_traced<TableA> || !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>)
                 return vclip::walk(body_a, body_b, observer, options.hardened);
             else if (!options.hardened) [[unlikely]]
@@ -238,6 +228,24 @@ struct VClip {
         }();
         const Features<TableA, TableB> end{body_a.feature, body_b.feature};
         if (!(end == start) || !pair.belongs_to(a, b)) pair = {a, b, end};
+        return within(options, result);
+    }
+
+    /// To GJK: a pose whose rotation is farther from orthogonal than V-Clip's two frames may disagree.
+    template <class TableA, class TableB, class Observer>
+    [[nodiscard]] [[gnu::noinline]] static Distance hand_on(const TableA& a, const TableB& b,
+                                                            const Transform<double>& a_from_b,
+                                                            FeaturePair<TableA, TableB>& pair,
+                                                            const QueryOptions& options, Observer& observer) {
+        const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
+        const auto into_b = into_a.inverse();
+        const Features<TableA, TableB> start = pair.start(a, b);
+        vclip::Body<TableA> body_a{a, into_a, start.a};
+        vclip::Body<TableB> body_b{b, into_b, start.b};
+        observer.ask_gjk();
+        Distance result = vclip::answer_by_gjk(body_a, body_b);
+        result.fallbacks = 1;
+        pair = {a, b, {body_a.feature, body_b.feature}};
         return within(options, result);
     }
 };
