@@ -26,6 +26,9 @@ inline constexpr std::size_t deepest_json = 64;
 /// parser meets before it finds out.
 [[nodiscard]] std::size_t nesting_of(std::string_view text);
 
+/// Whether more brackets are opened in the text than closed, or a quoted text is not: the rest is missing.
+[[nodiscard]] bool ends_inside(std::string_view text);
+
 /// "column 12", or "line 3, column 12" where that is not the first line; both count from 1.
 [[nodiscard]] std::string place_in(std::string_view text, std::size_t byte);
 
