@@ -90,10 +90,11 @@ void PreparedWorkload::take_queries(const scene::Workload& workload) {
 
 namespace {
 
-/// A matrix that is no rotation stays as it is, and the query fails: orthonormalised, it would be another
-/// pose.
+/// A matrix that is no rotation becomes zero, with which every query fails: orthonormalised, it would be
+/// another pose, and two scales may cancel each other out.
 Pose ready(const Pose& pose, const Vec3d& about) {
-    return ortho_error(pose.rotation) <= sloppiest_rotation ? orthonormalised(pose, about) : pose;
+    if (!(ortho_error(pose.rotation) <= sloppiest_rotation)) return {Mat3d::Zero(), pose.translation};
+    return orthonormalised(pose, about);
 }
 
 }  // namespace
