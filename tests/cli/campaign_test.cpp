@@ -54,6 +54,34 @@ TEST(CampaignCommand, ProvesAllPairsThatItWasAskedFor) {
     EXPECT_THAT(table.out, HasSubstr("0 wrong"));
 }
 
+/// Bodies of more vertices than these layouts take.
+TEST(CampaignCommand, ThatComparedNothingSaysSo) {
+    const Folder folder;
+    for (const char* layouts : {"physx", "box3d", "physx,box3d"}) {
+        const Arguments asked = {"campaign",
+                                 "--families",
+                                 "random",
+                                 "--shapes",
+                                 "sphere1538",
+                                 "--pairs",
+                                 "500",
+                                 "--layouts",
+                                 layouts,
+                                 "--state",
+                                 std::string(layouts) + ".json"};
+        const Outcome outcome = run(asked, folder);
+        EXPECT_EQ(outcome.exit_code, 1) << layouts;
+        EXPECT_THAT(outcome.out, HasSubstr("0 answers"));
+        EXPECT_THAT(outcome.out, HasSubstr("nothing was compared"));
+        EXPECT_THAT(outcome.out, testing::Not(HasSubstr("0 wrong")));
+    }
+    const Outcome some = run({"campaign", "--families", "random", "--shapes", "sphere1538", "--pairs", "500",
+                              "--layouts", "physx,aos_f32", "--state", "some.json"},
+                             folder);
+    EXPECT_EQ(some.exit_code, 0) << some.err;
+    EXPECT_THAT(some.out, HasSubstr("0 wrong"));
+}
+
 TEST(CampaignCommand, GoesOnAfterASignalWithTheSameFigures) {
     const Folder folder, other;
     const Arguments asked = small({"--pairs", "2e5"});
@@ -161,6 +189,16 @@ TEST(MachineRecords, ThreeModelsAreThereToBeCompared) {
     ASSERT_EQ(result["machines"].size(), 3U);
     for (const json& machine : result["machines"]) EXPECT_EQ(machine["modelled"], true);
     EXPECT_GT(result["questions"].size(), 3U);
+    const std::string zen3 = text_of(records_folder + std::string("/zen3.json"));
+    json other = json::parse(zen3);
+    ASSERT_FALSE(other["rows"].empty());
+    folder.write("zen3.json", zen3);
+    for (json& row : other["rows"]) row["scene"] = "elsewhere";
+    folder.write("other.json", other.dump());
+    EXPECT_EQ(run({"compare", "zen3.json", "zen3.json"}, folder).exit_code, 0);
+    const Outcome nothing = run({"compare", "zen3.json", "other.json"}, folder);
+    EXPECT_EQ(nothing.exit_code, 1);
+    EXPECT_THAT(nothing.err, HasSubstr("nothing was compared"));
     arguments[1] = records_folder + std::string("/zen3.json");
     EXPECT_THAT(run(arguments, folder).out, HasSubstr("zen3 (model)"));
 }

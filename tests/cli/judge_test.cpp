@@ -4,6 +4,8 @@
 // distances are of the corpus (tests/corpus), which two other exact solvers confirmed.
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli_paths.hpp"
@@ -61,16 +63,164 @@ TEST(Judge, SaysWhoWasWrongAboutWhatWasPosted) {
     }
 }
 
-/// Nobody says in these texts what the library answered; it is told beside them.
+json box(double x, double y, double z) {
+    json corners = json::array();
+    for (int i = 0; i < 8; ++i)
+        corners.push_back({i & 1 ? x / 2 : -x / 2, i & 2 ? y / 2 : -y / 2, i & 4 ? z / 2 : -z / 2});
+    return {{"vertices", corners}};
+}
+
+/// Two boxes, as reported to Coal (issues 144 and 685).
+const std::string coal144 =
+    json{{"id", "coal144"}, {"a", box(2, 2, 2)}, {"b", box(2, 2, 2)}, {"pose_b", {{"t", {1.9999, 0, 0}}}}}
+        .dump();
+const std::string coal685 =
+    json{{"id", "coal685"},
+         {"a", box(0.16, 0.27, 0.37)},
+         {"b", box(5.898, 0.06, 2.69)},
+         {"pose_a", {{"R", {{0, -1, 0}, {0, 0, 1}, {-1, 0, 0}}}, {"t", {1.490670, 0.845416, -0.194226}}}},
+         {"pose_b", {{"t", {0, 1.075, 0.555}}}}}
+        .dump();
+
+/// Nobody says in these cases what the library answered; it is told beside them.
 TEST(Judge, TakesWhatALibrarySaid) {
-    const json shallow = json::parse(judge(dump("coal144.txt")).out);
+    const json shallow = json::parse(judge(coal144).out);
     EXPECT_NEAR(shallow["exact"]["depth"], 1e-4, 1e-15);
-    const Outcome apart = judge(dump("coal685.txt"), {"--said", "coal=-0.1"});
+    const Outcome apart = judge(coal685, {"--said", "coal=-0.1"});
     EXPECT_EQ(apart.exit_code, 1);
     const json verdict = json::parse(apart.out);
     EXPECT_NEAR(verdict["exact"]["distance"], 1.075 - 0.03 - (0.845416 + 0.37 / 2), 1e-14);
     EXPECT_EQ(verdict["wrong"][0], "coal, as reported");
-    EXPECT_EQ(judge(dump("coal685.txt"), {"--said", "coal=0.014584", "--peers", "none"}).exit_code, 2);
+    EXPECT_EQ(judge(coal685, {"--said", "coal=0.014584", "--peers", "none"}).exit_code, 2);
+}
+
+/// A user sees what was read before any verdict, and also where there is none.
+TEST(Judge, SaysFirstWhatItRead) {
+    const json read = json::parse(judge(coal685).out)["read"];
+    EXPECT_EQ(read["a"]["vertices"], 8);
+    EXPECT_EQ(read["b"]["extent"], (json{5.898, 0.06, 2.69}));
+    EXPECT_EQ(read["b"]["low"], (json{-5.898 / 2, -0.03, -2.69 / 2}));
+    EXPECT_EQ(read["pose_a"]["translation"], (json{1.490670, 0.845416, -0.194226}));
+    EXPECT_NEAR(read["pose_a"]["degrees"], 120, 1e-12);
+    EXPECT_NEAR(read["pose_a"]["axis"][0], -std::sqrt(1 / 3.0), 1e-15);
+    EXPECT_EQ(read["pose_b"]["degrees"], 0);
+    EXPECT_TRUE(read["pose_b"]["axis"].is_null());
+
+    const Folder folder;
+    folder.write("pair.json", coal144);
+    folder.write("huge.json", R"({"id": "1", "a": {"vertices": [[0,0,0], [1e200,0,0], [0,1,0], [0,0,1]]},)"
+                              R"( "b": {"vertices": [[0,0,0]]}, "pose_b": {"R": [-1,0,0,0,-1,0,0,0,1]}})");
+    const std::string out = run({"judge", "pair.json", "--layouts", "aos_f64"}, folder).out;
+    EXPECT_EQ(
+        out.find(
+            "read: case line\n  A: 8 vertices from (-1, -1, -1) to (1, 1, 1), extent 2 x 2 x 2\n     at the "
+            "identity\n  B: 8 vertices from (-1, -1, -1) to (1, 1, 1), extent 2 x 2 x 2\n     at (1.9999, 0, "
+            "0), not turned\nexact: "),
+        0U)
+        << out;
+    const Outcome refused = run({"judge", "huge.json", "--layouts", "aos_f64"}, folder);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.out, HasSubstr("at (0, 0, 0), turned by 180 degrees about (0, 0, 1)"));
+    EXPECT_THAT(refused.out, testing::Not(HasSubstr("exact")));
+}
+
+/// Of every turn about every kind of axis, the axis and the angle that were meant.
+TEST(Judge, SaysTurnsByAxisAndAngle) {
+    const Folder folder;
+    for (const double degrees : {0.001, 1.0, 45.0, 90.0, 179.0, 179.99999, 180.0}) {
+        for (const auto& [x, y, z] : std::vector<std::array<double, 3>>{
+                 {1, 0, 0}, {0, 0, -1}, {0.6, 0, 0.8}, {-0.6, 0.8, 0}, {2 / 3.0, -2 / 3.0, 1 / 3.0}}) {
+            const double angle = degrees / 180 * std::acos(-1.0), c = std::cos(angle), s = std::sin(angle),
+                         d = 1 - c;
+            const json r = {c + d * x * x,     d * x * y - s * z, d * x * z + s * y,
+                            d * x * y + s * z, c + d * y * y,     d * y * z - s * x,
+                            d * x * z - s * y, d * y * z + s * x, c + d * z * z};
+            folder.write("pair.json", json{{"id", "1"},
+                                           {"a", {{"vertices", {{0, 0, 0}}}}},
+                                           {"b", {{"vertices", {{3, 0, 0}}}}},
+                                           {"pose_a", {{"R", r}}}}
+                                          .dump());
+            const json read = json::parse(
+                run({"judge", "pair.json", "--json", "--layouts", "aos_f64"}, folder).out)["read"]["pose_a"];
+            EXPECT_NEAR(read["degrees"], degrees, 1e-9);
+            const double sign = degrees == 180 && read["axis"][0].get<double>() * x < 0 ? -1 : 1;
+            EXPECT_NEAR(read["axis"][0].get<double>() * sign, x, 1e-9) << degrees << " " << x << " " << y;
+            EXPECT_NEAR(read["axis"][1].get<double>() * sign, y, 1e-9) << degrees << " " << x << " " << y;
+            if (degrees < 180) {
+                EXPECT_NEAR(read["axis"][2], z, 1e-9);
+            }
+        }
+    }
+}
+
+TEST(Judge, PrintsACaseToFillIn) {
+    const Folder folder;
+    const Outcome outcome = run({"judge", "--template"}, folder);
+    EXPECT_EQ(outcome.exit_code, 0);
+    ASSERT_EQ(lines_of(outcome.out).size(), 1U);
+    const std::string pretty = json::parse(outcome.out).dump(4);
+    for (const std::string& text : {outcome.out, pretty}) {
+        const json verdict = json::parse(judge(text).out);
+        EXPECT_EQ(verdict["exact"]["distance"], 1) << text;
+        EXPECT_EQ(verdict["read"]["pose_b"]["degrees"], 90);
+    }
+    folder.write("cases.jsonl", outcome.out);
+    EXPECT_EQ(run({"query", "cases.jsonl"}, folder).exit_code, 0);
+}
+
+/// What other programs print is not guessed.
+TEST(Judge, RefusesProgramCode) {
+    for (
+        const char* code :
+        {"tf1.translation() = Vector3<double>(0.0, 4.0, 0.0);\nauto s1 = std::make_shared<Box<double>>(1, 1, 1);\n"
+         "auto s2 = std::make_shared<Box<double>>(1, 1, 1);",
+         "s1 = hppfcl.Box(2, 2, 2)\ns2 = hppfcl.Box(2, 2, 2)\no2.setTranslation(np.array([1.9999, 0, 0]))",
+         "btBoxShape a(btVector3(1, 1, 1)); btBoxShape b(btVector3(1, 1, 1));",
+         "a = np.array([[0,0,0],[1,0,0]])\nb = np.array([[0,0,0],[1,0,0]])\nT = np.array([[1,0,0,5.0]])",
+         "box1 = fcl.Box(1, 1, 4)\nT2 = fcl.Transform([1, 0, 0, 0], [0, 0, 3])"}) {
+        const Outcome outcome = judge(code);
+        EXPECT_EQ(outcome.exit_code, 2) << code;
+        EXPECT_EQ(outcome.out, "");
+        ASSERT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+        EXPECT_THAT(outcome.err, testing::AllOf(HasSubstr("a case line of JSON, a message of FCL or Drake"),
+                                                HasSubstr("--template")));
+    }
+}
+
+/// Far beyond single precision everybody in it refuses: that is no confirmation.
+TEST(Judge, ThatComparedNothingSaysSo) {
+    const std::string far =
+        R"({"id": "1", "a": {"vertices": [[0,0,0]]}, "b": {"vertices": [[0,0,0]]}, "pose_b": {"t": [1e12,0,0]}})";
+    const Folder folder;
+    folder.write("far.json", far);
+    const Arguments in_single = {"judge", "far.json", "--layouts", "aos_f32,points_soa_f32"};
+    const Outcome outcome = run(in_single, folder);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.out, HasSubstr("nothing was compared"));
+    EXPECT_THAT(outcome.out, testing::Not(HasSubstr("nobody is wrong")));
+    EXPECT_EQ(
+        json::parse(run({"judge", "far.json", "--layouts", "aos_f32", "--json"}, folder).out)["compared"],
+        false);
+    EXPECT_EQ(run({"judge", "far.json", "--layouts", "aos_f32,aos_f64"}, folder).exit_code, 0);
+}
+
+/// The exact answer, too, is about the rotation that was used.
+TEST(Judge, UsesTheNearestRotationForAll) {
+    const auto with = [](const json& r) {
+        return json{
+            {"id", "1"}, {"a", box(1, 1, 1)}, {"b", box(1, 1, 1)}, {"pose_b", {{"R", r}, {"t", {3, 0, 0}}}}}
+            .dump();
+    };
+    const Outcome nearly = judge(with({1.0004, 0, 0, 0, 1.0004, 0, 0, 0, 1.0004}));
+    EXPECT_EQ(nearly.exit_code, 0) << nearly.out;
+    EXPECT_THAT(nearly.err, HasSubstr("pose_b.R is 0.0008 from a rotation; the nearest rotation is used"));
+    EXPECT_EQ(lines_of(nearly.err).size(), 1U);
+    EXPECT_EQ(json::parse(nearly.out)["exact"]["distance"], 2);
+    EXPECT_LT(json::parse(nearly.out)["exact"]["band"], 1e-13);
+    const Outcome scaled = judge(with({0.001, 0, 0, 0, 0.001, 0, 0, 0, 0.001}));
+    EXPECT_EQ(scaled.exit_code, 2);
+    EXPECT_EQ(scaled.out, "");
+    EXPECT_THAT(scaled.err, HasSubstr("pose_b.R is 0.001 times a rotation: scale the vertices instead"));
 }
 
 /// The cube and the tetrahedron of FCL's issue 508: 3.1622776601683795 was answered where the distance is 3.
@@ -132,6 +282,21 @@ TEST(Judge, TakesMeshesWithPoses) {
                                       .out);
     EXPECT_EQ(json::parse(outcome.out)["exact"]["distance"], same["exact"]["distance"]);
     EXPECT_GT(same["exact"]["distance"], 1.9);
+    for (const auto& [pose, why] :
+         {std::pair{"0.001,0,0,3,0,0.001,0,0,0,0,0.001,0", "0.001 times a rotation"},
+          {"1,0,0,3,0,1,0,0,0,0,1,0,0,0,0,2", "the fourth row"},
+          {"3,0,0,", ""},
+          {"3,0,0x", "'x'"},
+          {"3,0", "2 numbers"},
+          {"3,,0,0", "no number where one is wanted"},
+          {"3,0,nan", "'nan' is no number"}}) {
+        const Outcome posed =
+            run({"judge", "--a", "a.obj", "--b", "b.obj", "--pose-b", pose, "--layouts", "aos_f64"}, folder);
+        EXPECT_EQ(posed.exit_code == 2, *why != 0) << pose << posed.err;
+        if (*why) {
+            EXPECT_THAT(posed.err, testing::AllOf(HasSubstr("--pose-b"), HasSubstr(why)));
+        }
+    }
 }
 
 TEST(Judge, RefusesWhatItCannotJudge) {

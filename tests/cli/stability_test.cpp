@@ -39,6 +39,16 @@ TEST(Stability, WritesARowForEachFamilyAlgorithmAndTableType) {
     EXPECT_THAT(text_of(folder / "pages/index.html"), HasSubstr("data-chart=\"tolerance\""));
 }
 
+/// V-Clip takes no table without faces.
+TEST(Stability, ThatComparedNothingIsNotPassed) {
+    const Folder folder;
+    const Outcome nobody = run({"stability", "--families", "grazing", "--layouts", "points_soa_f64",
+                                "--algorithms", "vclip", "--count", "5", "--store", "s.db"},
+                               folder);
+    EXPECT_EQ(nobody.exit_code, 1);
+    EXPECT_THAT(nobody.err, HasSubstr("nothing was compared"));
+}
+
 TEST(Stability, AnUnknownFamilyIsOneLineThatListsTheKnown) {
     const Folder folder;
     const Outcome outcome = run({"stability", "--families", "easy", "--store", "s.db"}, folder);

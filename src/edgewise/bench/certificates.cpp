@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "edgewise/geometry/message.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
 namespace edgewise::bench {
@@ -62,6 +63,8 @@ double moved_by(const Polyhedron& given, std::span<const Vec3d> points, const Po
 Result<Certificates> certificates_of(const NamedAnswer& answer, const scene::Query& query,
                                      std::span<const Polyhedron> given, std::span<const Polyhedron> stored,
                                      std::span<const Vec3d> points_a, std::span<const Vec3d> points_b) {
+    if (answer.distance.status == Status::failed)
+        return Result<Certificates>::failure("the query failed: no answer to certify");
     const Polyhedron& a = stored[query.body_a];
     const Polyhedron& b = stored[query.body_b];
     const bool separated = answer.proof_a.empty();
@@ -74,6 +77,14 @@ Result<Certificates> certificates_of(const NamedAnswer& answer, const scene::Que
     const double moved_a = moved_by(given[query.body_a], points_a, a, query.pose_a.rotation);
     const double moved_b = moved_by(given[query.body_b], points_b, b, query.pose_b.rotation);
     return Result<Certificates>::success({*held, truth::widen(*held, moved_a, moved_b)});
+}
+
+std::string contradiction(double distance, const truth::Certificate& certificate, double too_short,
+                          double too_long) {
+    // Written so that NaN is outside.
+    if (distance >= certificate.lower - too_short && distance <= certificate.upper + too_long) return {};
+    return message("the distance found, ", distance, ", contradicts its own certificate [", certificate.lower,
+                   ", ", certificate.upper, "]");
 }
 
 }  // namespace edgewise::bench

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "edgewise/bench/named_answer.hpp"
 #include "edgewise/scene/workload.hpp"
@@ -23,5 +24,10 @@ struct Certificates {
                                                    std::span<const Polyhedron> stored,
                                                    std::span<const Vec3d> points_a = {},
                                                    std::span<const Vec3d> points_b = {});
+
+/// Why a distance cannot be that of bodies with this certificate: it is outside the interval by more than it
+/// may be too short, or too long. Empty if it can be.
+[[nodiscard]] std::string contradiction(double distance, const truth::Certificate& certificate,
+                                        double too_short, double too_long);
 
 }  // namespace edgewise::bench

@@ -109,11 +109,13 @@ void measure_contact(const AskedPair<Table>& asked, const Pair& pair, const Dist
     answer.normal = query.pose_a.rotation * overlap.normal;
 }
 
-/// `pair` as the query left it. Depth and proofs only where `needs` asks for them and the bodies are in
-/// contact.
+/// `pair` as the query left it: a failed query left nothing in it, and its answer has no more than that
+/// status. Depth and proofs only where `needs` asks for them and the bodies are in contact.
 template <class Table, class Pair>
 void name_answer(const AskedPair<Table>& asked, const Pair& pair, const Distance& distance, Needs needs,
                  NamedAnswer& answer) {
+    answer.distance = distance;
+    if (distance.status == Status::failed) return;
     answer.distance = to_world(distance, asked.query.pose_a);
     const bool separated = distance.status == Status::separated || distance.distance > 0;
     if (!separated && needs >= Needs::depth) measure_contact(asked, pair, distance, answer);

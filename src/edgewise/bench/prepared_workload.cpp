@@ -88,10 +88,21 @@ void PreparedWorkload::take_queries(const scene::Workload& workload) {
     given_ = nullptr;
 }
 
+namespace {
+
+/// A matrix that is no rotation becomes zero, with which every query fails: orthonormalised, it would be
+/// another pose, and two scales may cancel each other out.
+Pose ready(const Pose& pose, const Vec3d& about) {
+    if (!(ortho_error(pose.rotation) <= sloppiest_rotation)) return {Mat3d::Zero(), pose.translation};
+    return orthonormalised(pose, about);
+}
+
+}  // namespace
+
 scene::Query PreparedWorkload::prepared(const scene::Query& given) const {
     scene::Query query = scale_.into(given);
-    query.pose_a = orthonormalised(query.pose_a, bodies_[query.body_a].vertices[0]);
-    query.pose_b = orthonormalised(query.pose_b, bodies_[query.body_b].vertices[0]);
+    query.pose_a = ready(query.pose_a, bodies_[query.body_a].vertices[0]);
+    query.pose_b = ready(query.pose_b, bodies_[query.body_b].vertices[0]);
     return query;
 }
 

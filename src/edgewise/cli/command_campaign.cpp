@@ -107,7 +107,10 @@ int finish(const CampaignProgress& progress, const std::vector<Cell>& cells, con
         fmt::print("{}\n", campaign_json(progress, cells).dump());
     else
         print_campaign(progress, cells, state);
-    return progress.tally.all_families().wrong > 0 || !progress.is_done() ? exit_check_failed : exit_done;
+    const FamilyTally all = progress.tally.all_families();
+    const bool nothing = progress.pairs() > 0 && all.answers == 0;
+    if (nothing) warn("nothing was compared: every answer was refused");
+    return nothing || all.wrong > 0 || !progress.is_done() ? exit_check_failed : exit_done;
 }
 
 int add_up(const CampaignArguments& options, bool json) {

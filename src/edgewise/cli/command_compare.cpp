@@ -3,6 +3,8 @@
 // `edgewise compare`: machine records of many machines beside each other: which layout wins where.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "edgewise/cli/command.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/reports/records/compare_records.hpp"
@@ -26,7 +28,14 @@ int run_compare(const CompareArguments& options, bool json) {
         fmt::print("{}\n", reports::comparison_json(records).dump());
     else
         fmt::print("{}", reports::comparison_text(records));
-    return exit_done;
+    const auto in_several = [](const reports::ComparedQuestion& question) {
+        return std::ranges::count_if(question.machines, [](const auto& place) { return place.has_value(); }) >
+               1;
+    };
+    if (records.size() == 1 || std::ranges::any_of(reports::compare_records(records), in_several))
+        return exit_done;
+    warn("nothing was compared: no two of the records have a question in common");
+    return exit_check_failed;
 }
 
 }  // namespace

@@ -158,8 +158,12 @@ int run_effort(const EffortArguments& options, bool json) {
     } else {
         print(rows, options);
     }
-    const auto failed = [](const studies::EffortRow& row) { return row.cell.status == "failed"; };
-    return std::any_of(rows.begin(), rows.end(), failed) ? exit_check_failed : exit_done;
+    const auto has = [](const char* status) {
+        return [status](const studies::EffortRow& row) { return row.cell.status == status; };
+    };
+    const bool nothing = !rows.empty() && std::ranges::all_of(rows, has("unavailable"));
+    if (nothing) warn("nothing was measured; each row says why");
+    return nothing || std::ranges::any_of(rows, has("failed")) ? exit_check_failed : exit_done;
 }
 
 }  // namespace

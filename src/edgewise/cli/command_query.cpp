@@ -7,6 +7,8 @@
 
 #include <fstream>
 #include <iostream>
+#include <memory>
+#include <new>
 #include <optional>
 #include <stdexcept>
 
@@ -16,6 +18,8 @@
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/scene/case_file.hpp"
+#include "edgewise/studies/parts/allowed_errors.hpp"
+#include "edgewise/truth/accuracy_band.hpp"
 
 namespace edgewise::cli {
 
@@ -100,8 +104,28 @@ Json answer_json(const std::string& id, const bench::NamedAnswer& answer, Needs 
     return line;
 }
 
+/// The cell that answers.
+struct Respondent {
+    const bench::TableType& type;
+    std::unique_ptr<bench::Runner> runner;
+};
+
+/// Why the distance cannot be right, by the certificate of the bodies as stored; empty if it can be.
+std::string contradiction(const bench::NamedAnswer& answer, const truth::Certificate& stored,
+                          const scene::Query& query, const Respondent& by, const QueryArguments& options) {
+    const auto bodies = by.runner->stored_bodies();
+    const auto band = truth::accuracy_band(bodies[query.body_a].vertices, query.pose_a,
+                                           bodies[query.body_b].vertices, query.pose_b, by.type.eps);
+    const double allowed =
+        studies::allowed_errors(by.type, options.algorithm).distance * band.scale + band.band;
+    const double distance = answer.distance.distance,
+                 given_away = options.query.contact_tolerance + options.query.gap_tolerance * distance;
+    return bench::contradiction(distance, stored, allowed, allowed + given_away);
+}
+
 /// Both bodies' tables are built anew for each case: cases rarely share bodies.
-Json answer_case(const scene::Case& given, bench::Runner& runner, const QueryArguments& options) {
+Json answer_case(const scene::Case& given, const Respondent& by, const QueryArguments& options) {
+    bench::Runner& runner = *by.runner;
     const auto a = scene::body_from_case(given.a);
     if (!a) return failed_answer(given.id, a.error);
     const auto b = scene::body_from_case(given.b);
@@ -127,12 +151,25 @@ Json answer_case(const scene::Case& given, bench::Runner& runner, const QueryArg
     const auto certificates = bench::certificates_of(answer, query, bodies, runner.stored_bodies(),
                                                      given.a.vertices, given.b.vertices);
     if (!certificates) return failed_answer(given.id, certificates.error);
+    const std::string wrong = contradiction(answer, certificates->stored, query, by, options);
+    if (!wrong.empty()) return failed_answer(given.id, wrong);
     line["certificate"] = certificate_json(certificates->given);
     line["stored_certificate"] = certificate_json(certificates->stored);
     return line;
 }
 
-std::unique_ptr<bench::Runner> chosen_runner(const QueryArguments& options) {
+/// A case that fails, however it does so, fails alone.
+Json answer_alone(const scene::Case& given, const Respondent& by, const QueryArguments& options) {
+    try {
+        return answer_case(given, by, options);
+    } catch (const std::bad_alloc&) {
+        return failed_answer(given.id, "out of memory: ask for smaller bodies");
+    } catch (const std::exception& problem) {
+        return failed_answer(given.id, problem.what());
+    }
+}
+
+Respondent chosen_respondent(const QueryArguments& options) {
     const auto types = bench::select_table_types(std::vector{options.layout});
     if (types.size() != 1) {
         throw std::invalid_argument(fmt::format("--layout takes one table type, such as {}; '{}' names {}",
@@ -149,12 +186,45 @@ std::unique_ptr<bench::Runner> chosen_runner(const QueryArguments& options) {
     runner->configure({.query = options.query,
                        .needs = needs == Needs::nearer ? needs : Needs::witnesses,
                        .margin = options.margin.value_or(bench::usual_margin)});
-    return runner;
+    return {*types.front(), std::move(runner)};
+}
+
+struct Asked {
+    std::size_t lines = 0, unreadable = 0, failed = 0;
+
+    [[nodiscard]] std::size_t bad() const { return unreadable + failed; }
+    /// Bad input only if it is nothing else: a line that fails takes none of the others with it.
+    [[nodiscard]] int exit_code() const {
+        if (unreadable == lines) return exit_bad_input;
+        return bad() > 0 ? exit_check_failed : exit_done;
+    }
+};
+
+/// Prints an answer for every line.
+Asked ask(scene::CaseReader& reader, const Respondent& by, const QueryArguments& options) {
+    Asked asked;
+    while (const auto line = reader.next()) {
+        ++asked.lines;
+        const Json answer =
+            *line ? answer_alone(**line, by, options) : failed_answer(reader.id(), line->error);
+        if (!*line) {
+            ++asked.unreadable;
+        } else if (answer["status"] == "failed") {
+            ++asked.failed;
+        }
+        if (!answer["error"].is_null() && asked.bad() <= most_warnings) {
+            const auto error = answer["error"].get<std::string>();
+            const std::string where = fmt::format("{}:{}: ", options.cases, reader.line());
+            warn(error.starts_with(where) ? error : where + error);
+        }
+        fmt::print("{}\n", answer.dump(-1, ' ', false, Json::error_handler_t::replace));
+    }
+    return asked;
 }
 
 int run_query(const QueryArguments& options, bool /*Json*/) {
     static_cast<void>(chosen_needs(options));
-    const auto runner = chosen_runner(options);
+    const Respondent by = chosen_respondent(options);
     std::ifstream file;
     if (options.cases != "-") {
         if (const std::string wrong = input::what_is_wrong_with(options.cases); !wrong.empty())
@@ -163,29 +233,17 @@ int run_query(const QueryArguments& options, bool /*Json*/) {
         file.open(options.cases);
     }
     scene::CaseReader reader(options.cases == "-" ? std::cin : file, options.cases);
-    std::size_t asked = 0, unreadable = 0, failed = 0;
-    while (const auto line = reader.next()) {
-        ++asked;
-        Json answer;
-        if (*line) {
-            answer = answer_case(**line, *runner, options);
-            failed += answer["status"] == "failed";
-        } else {
-            answer = failed_answer(reader.id(), line->error);
-            ++unreadable;
-        }
-        if (!answer["error"].is_null() && unreadable + failed <= most_warnings)
-            warn(answer["error"].get<std::string>());
-        fmt::print("{}\n", answer.dump());
-    }
-    if (unreadable + failed > most_warnings)
+    const Asked asked = ask(reader, by, options);
+    if (asked.bad() > most_warnings)
         warn(fmt::format(
             "and {} more: {} lines could not be read, {} had no answer; each answer's line says why",
-            unreadable + failed - most_warnings, unreadable, failed));
-    if (asked == 0)
+            asked.bad() - most_warnings, asked.unreadable, asked.failed));
+    if (const std::string note = reader.rotation_note(); !note.empty()) warn(note);
+    if (asked.lines == 0)
         throw std::invalid_argument(fmt::format(
-            "{}: no case in it; a case is one line of JSON, and --help shows one", options.cases));
-    return unreadable > 0 ? exit_bad_input : failed > 0 ? exit_check_failed : exit_done;
+            "{}: no case in it; a case is one line of JSON, and edgewise judge --template prints one",
+            options.cases));
+    return asked.exit_code();
 }
 
 }  // namespace

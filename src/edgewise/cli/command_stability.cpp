@@ -135,7 +135,9 @@ int run_stability(const StabilityArguments& options, bool json) {
             summary.rows, summary.rows - summary.failed - summary.unavailable, summary.failed,
             summary.unavailable, options.store, options.store);
     }
-    return summary.failed > 0 || summary.stopped ? exit_check_failed : exit_done;
+    const bool nothing = summary.rows == summary.unavailable && any;
+    if (nothing) warn("nothing was compared: no row has an answer; each says why");
+    return nothing || summary.failed > 0 || summary.stopped ? exit_check_failed : exit_done;
 }
 
 }  // namespace

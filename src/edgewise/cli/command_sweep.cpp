@@ -185,7 +185,11 @@ int finish_sweep(const SweepArguments& options, const PartsSummary& outcome, con
     }
     print_summary(outcome, store, report, json);
     if (options.fom) print_figures_of_merit(store);
-    return outcome.sweep.failed + outcome.stability.failed > 0 ? exit_check_failed : exit_done;
+    const sweep::SweepSummary& cells = outcome.sweep;
+    const studies::StabilitySummary& rows = outcome.stability;
+    const bool nothing = cells.cells > 0 && cells.cells == cells.unavailable && rows.rows == rows.unavailable;
+    if (nothing) warn("nothing was compared: no cell has an answer; the report says why");
+    return nothing || cells.failed + rows.failed > 0 ? exit_check_failed : exit_done;
 }
 
 /// A part's own folder is made where nobody named one.

@@ -6,13 +6,15 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <vector>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
+#include "edgewise/geometry/nearest_rotation.hpp"
 #include "edgewise/input/json_text.hpp"
 
 namespace edgewise::scene {
@@ -29,6 +31,44 @@ const Json& member(const Json& object, const char* key) {
     static const Json absent;
     const auto found = object.find(key);
     return found == object.end() ? absent : *found;
+}
+
+/// The members that a case is made of come first. The others are carried along and not read: sources, notes,
+/// and what an answer should be (`expect`).
+std::vector<std::string> line_members() {
+    return {"id",
+            "a",
+            "b",
+            "pose_a",
+            "pose_b",
+            "source",
+            "expect",
+            "note",
+            "kind",
+            "tags",
+            "shapes",
+            "offset",
+            "max_extent",
+            "ortho_err",
+            "input_precision",
+            "thread_says",
+            "agrees_with_thread",
+            "disagreement"};
+}
+
+void refuse_unknown(const Json& object, const std::string& what, const std::vector<std::string>& known) {
+    if (!object.is_object()) return;
+    if (const std::string unknown = input::unknown_member(object, what, known); !unknown.empty())
+        throw Fault{unknown};
+}
+
+void refuse_unknown_members(const Json& line) {
+    static const std::vector<std::string> of_line = line_members(), of_body = {"vertices", "faces"},
+                                          of_pose = {"R", "t"};
+    refuse_unknown(line, "a case line", of_line);
+    for (const char* body : {"a", "b"})
+        refuse_unknown(member(line, body), std::string("body ") + body, of_body);
+    for (const char* pose : {"pose_a", "pose_b"}) refuse_unknown(member(line, pose), pose, of_pose);
 }
 
 /// All that a line lacks, so that it need not be mended member by member.
@@ -129,12 +169,33 @@ CaseBody body_of(const Json& line, const char* key, const std::string& where) {
     return body;
 }
 
-Pose pose_of(const Json& line, const char* key) {
+/// Nine numbers, or three rows of three.
+Mat3d matrix_of(const Json& list, const std::string& field) {
+    if (!list.is_array()) throw Fault{fmt::format("{} is not an array", field)};
+    const bool in_rows = std::ranges::any_of(list, [](const Json& row) { return row.is_array(); });
+    if (!in_rows) return Eigen::Map<const Mat3d>(numbers<9>(list, field).data());
+    if (list.size() != 3) throw Fault{fmt::format("{} has {} rows, wants 3", field, list.size())};
+    Mat3d matrix;
+    for (int i = 0; i < 3; ++i)
+        matrix.row(i) = point(list[static_cast<std::size_t>(i)], fmt::format("{}[{}]", field, i));
+    return matrix;
+}
+
+/// The identity for what is left out. `note` tells if the matrix is not taken as written.
+Pose pose_of(const Json& line, const char* key, std::string& note) {
     const std::string name = key;
     if (member(line, key).is_null()) return {};
     const Json& object = object_at(line, key, name);
-    const std::array<double, 9> entries = numbers<9>(array_at(object, "R", name + ".R"), name + ".R");
-    return {Eigen::Map<const Mat3d>(entries.data()), point(array_at(object, "t", name + ".t"), name + ".t")};
+    const Json &r = member(object, "R"), &t = member(object, "t");
+    if (r.is_null() && t.is_null()) throw Fault{name + " has neither R nor t; leave it out for the identity"};
+    Pose pose;
+    if (!t.is_null()) pose.translation = point(t, name + ".t");
+    if (r.is_null()) return pose;
+    const auto rotation = nearest_rotation(matrix_of(r, name + ".R"));
+    if (!rotation) throw Fault{fmt::format("{}.R {}", name, rotation.error)};
+    pose.rotation = *rotation;
+    if (note.empty() && !rotation.warning.empty()) note = fmt::format("{}.R {}", name, rotation.warning);
+    return pose;
 }
 
 std::string id_of(const Json& line) {
@@ -144,9 +205,23 @@ std::string id_of(const Json& line) {
     throw Fault{"id is neither a string nor a whole number"};
 }
 
+/// What a text is that begins as JSON and is no case line: a part of a longer one, or a list of cases.
+std::string other_json(std::string_view text) {
+    const bool opens = text.starts_with('{') || text.starts_with('[');
+    if (!opens || !input::ends_inside(text)) return {};
+    return "; the text ends inside an object or list: write each case on one line";
+}
+
 Json parse_line(std::string_view line) {
     auto parsed = input::parse_json(line);
-    if (!parsed) throw Fault{parsed.error};
+    if (!parsed) throw Fault{parsed.error + other_json(line)};
+    const bool list_of_cases = parsed->is_array() && !parsed->empty() && parsed->front().is_object();
+    if (list_of_cases)
+        throw Fault{
+            fmt::format("the line is a list of {} cases: write each on a line of its own, without "
+                        "the brackets and commas of the list",
+                        parsed->size())};
+    if (!parsed->is_object()) throw Fault{"the line is not a JSON object"};
     return *std::move(parsed.value);
 }
 
@@ -156,11 +231,14 @@ Result<Case> parse_case(std::string_view line, const std::string& where, std::st
     id.clear();
     try {
         const Json object = parse_line(line);
-        if (!object.is_object()) throw Fault{"the line is not a JSON object"};
         if (!member(object, "id").is_null()) id = id_of(object);
+        refuse_unknown_members(object);
         check_members(object);
-        return Result<Case>::success({id, body_of(object, "a", where), body_of(object, "b", where),
-                                      pose_of(object, "pose_a"), pose_of(object, "pose_b")});
+        Case read{id, body_of(object, "a", where), body_of(object, "b", where), {}, {}};
+        std::string note;
+        read.pose_a = pose_of(object, "pose_a", note);
+        read.pose_b = pose_of(object, "pose_b", note);
+        return Result<Case>::success(std::move(read), note);
     } catch (const Fault& fault) {
         return Result<Case>::failure(fmt::format("{}: {}", where, fault.what));
     }
@@ -178,9 +256,19 @@ std::optional<Result<Case>> CaseReader::next() {
                                                      where, most_line_bytes));
         }
         if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-        return parse_case(text, where, id_);
+        auto read = parse_case(text, where, id_);
+        if (!read.warning.empty() && replaced_++ == 0)
+            first_replaced_ = fmt::format("line {}: {}", line_, read.warning);
+        return read;
     }
     return std::nullopt;
+}
+
+std::string CaseReader::rotation_note() const {
+    if (replaced_ == 0) return {};
+    return fmt::format("{}: {} {} a matrix that is nearly a rotation; the nearest rotation is used ({}{})",
+                       name_, replaced_, replaced_ == 1 ? "line has" : "lines have",
+                       replaced_ == 1 ? "" : "first ", first_replaced_);
 }
 
 bool CaseReader::read_line(std::string& line) {

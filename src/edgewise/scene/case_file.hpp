@@ -2,9 +2,11 @@
 //
 // Case files: pairs of bodies with poses, one JSON object per line:
 //   {"id", "a": {"vertices": [[x,y,z]...], "faces": [[i,j,k...]...]?}, "b": {...},
-//    "pose_a": {"R": [9, row-major], "t": [3]}?, "pose_b": {...}?}
-// Poses are the identity when left out (or null); faces, when present, are taken as given. Other keys are
-// ignored. Line by line, so that one bad line does not lose the rest; each error names file, line and field.
+//    "pose_a": {"R": [9, row-major] or [[3],[3],[3]], "t": [3]}?, "pose_b": {...}?}
+// What is left out of a pose (or is null) is the identity; faces, when present, are taken as given. A matrix
+// that is nearly a rotation is replaced by the nearest one, any other is refused (nearest_rotation.hpp).
+// `source`, `note`, `expect` and some others may stand beside them; unknown members are refused. Line by
+// line, so that one bad line does not lose the rest; each error names file, line and field.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +35,8 @@ struct Case {
 };
 
 /// One line. `where` opens every message, e.g. "cases.jsonl:12"; `id` is set as soon as it could be read,
-/// also when the rest of the line is bad, so that an answer can name the line it belongs to.
+/// also when the rest of the line is bad, so that an answer can name the line it belongs to. The warning says
+/// which matrix was replaced by the nearest rotation, and how far it was from one.
 [[nodiscard]] Result<Case> parse_case(std::string_view line, const std::string& where, std::string& id);
 
 /// A body of a million vertices has no more; what is longer is no line but a stream without end.
@@ -50,13 +53,17 @@ class CaseReader {
     [[nodiscard]] std::size_t line() const { return line_; }     ///< of the last case; the first is 1
     [[nodiscard]] const std::string& id() const { return id_; }  ///< of the last case; empty if unreadable
 
+    /// How many of the lines so far had a matrix that was replaced by the nearest rotation, and the first of
+    /// them; empty if none had.
+    [[nodiscard]] std::string rotation_note() const;
+
   private:
     /// False at the end. A line that is too long is cut there.
     bool read_line(std::string& line);
 
     std::istream& stream_;
-    std::string name_, id_;
-    std::size_t line_ = 0;
+    std::string name_, id_, first_replaced_;
+    std::size_t line_ = 0, replaced_ = 0;  ///< replaced_: lines with such a matrix
 };
 
 /// The hull of the vertices, or the faces as given; an error opens with where the body stands.

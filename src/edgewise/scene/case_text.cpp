@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/hull.hpp"
 
 namespace edgewise::scene {
@@ -25,6 +28,11 @@ LineJson pose_json(const Pose& pose) {
     LineJson entries = LineJson::array();
     for (int k = 0; k < 9; ++k) entries.push_back(pose.rotation(k / 3, k % 3));
     return {{"R", entries}, {"t", {pose.translation.x(), pose.translation.y(), pose.translation.z()}}};
+}
+
+/// Of "(1, 2, 3)", in few enough digits to be read.
+std::string point_text(const Vec3d& p) {
+    return fmt::format("({:.10g}, {:.10g}, {:.10g})", p.x(), p.y(), p.z());
 }
 
 bool is_identity(const Pose& pose) { return pose.rotation.isIdentity(0) && pose.translation.isZero(0); }
@@ -69,6 +77,41 @@ std::string bullet_pose(const char* name, const Pose& pose) {
 }
 
 }  // namespace
+
+Turn turn_of(const Mat3d& r) {
+    constexpr double degrees_of_pi = 180, least_sine = 1e-4;
+    const Vec3d twist(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));  // 2 sin(angle) axis
+    const double sine = norm(twist) / 2, cosine = (r(0, 0) + r(1, 1) + r(2, 2) - 1) / 2;
+    Turn turn;
+    turn.degrees = std::atan2(sine, cosine) * degrees_of_pi / std::numbers::pi;
+    if (sine > 0) turn.axis = twist / (2 * sine);
+    if (cosine > 0 || sine > least_sine) return turn;
+    // Nearly half a turn: (R + I) / 2 is the axis times itself.
+    int longest = 0;
+    for (int i = 1; i < 3; ++i)
+        if (r(i, i) > r(longest, longest)) longest = i;
+    Vec3d axis = r.col(longest);
+    axis[longest] += 1;
+    turn.axis = axis * ((dot(axis, twist) < 0 ? -1 : 1) / norm(axis));
+    return turn;
+}
+
+std::string text_of(const CaseBody& body) {
+    const Aabb box = box_of(body.vertices);
+    const Vec3d sides = box.sides();
+    return fmt::format("{} {} from {} to {}, extent {:.10g} x {:.10g} x {:.10g}{}", body.vertices.size(),
+                       body.vertices.size() == 1 ? "vertex" : "vertices", point_text(box.low),
+                       point_text(box.high), sides.x(), sides.y(), sides.z(),
+                       body.faces ? fmt::format(", {} faces as given", body.faces->size()) : "");
+}
+
+std::string text_of(const Pose& pose) {
+    if (is_identity(pose)) return "at the identity";
+    const std::string place = "at " + point_text(pose.translation);
+    if (pose.rotation.isIdentity(0)) return place + ", not turned";
+    const Turn turn = turn_of(pose.rotation);
+    return fmt::format("{}, turned by {:.10g} degrees about {}", place, turn.degrees, point_text(turn.axis));
+}
 
 std::string case_line(const Case& pair, const std::string& source,
                       const std::optional<ExpectedAnswer>& expected) {

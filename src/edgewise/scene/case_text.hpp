@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A pair as text that others can use: a case line of ours, and C++ for FCL and Bullet. Numbers are the
-// shortest that read back the same.
+// A pair as text that others can use: a case line of ours, and C++ for FCL and Bullet, where numbers are the
+// shortest that read back the same; and a pair in words, for a user who checks that it was read as meant.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,26 @@
 #include "edgewise/scene/case_file.hpp"
 
 namespace edgewise::scene {
+
+/// A case to fill in, on one line, as CaseReader takes it.
+inline constexpr const char* case_template =
+    R"({"id": "1", "a": {"vertices": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]]}, )"
+    R"("b": {"vertices": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]]}, )"
+    R"("pose_a": {"R": [[1,0,0], [0,1,0], [0,0,1]], "t": [0,0,0]}, )"
+    R"("pose_b": {"R": [[0,-1,0], [1,0,0], [0,0,1]], "t": [3,0,0]}, )"
+    R"("note": "each body in its own frame; in the world R v + t"})";
+
+/// A rotation by an angle about an axis.
+struct Turn {
+    Vec3d axis = Vec3d::Zero();  ///< unit; zero for no turn
+    double degrees = 0;          ///< 0 to 180
+};
+[[nodiscard]] Turn turn_of(const Mat3d& rotation);
+
+/// "8 vertices from (0, 0, 0) to (1, 1, 2), extent 1 x 1 x 2"
+[[nodiscard]] std::string text_of(const CaseBody& body);
+/// "at the identity", "at (1.5, 0, 0), turned by 45 degrees about (0, 0, 1)"
+[[nodiscard]] std::string text_of(const Pose& pose);
 
 /// What an answer to the pair should be, for a test.
 struct ExpectedAnswer {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise judge`: a pair as people post it, and who is wrong about it: exact answer, every algorithm's and
-// every library's, a smaller pair that still fails, and a test case for either side.
+// `edgewise judge`: a pair as people post it, and who is wrong about it: what was read, exact answer, every
+// algorithm's and every library's, a smaller pair that still fails, and a test case for either side.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 #include <string_view>
 
@@ -12,6 +14,7 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/judge/judge_input.hpp"
 #include "edgewise/cli/terminal/text_table.hpp"
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/studies/judge/smaller_pair.hpp"
@@ -28,6 +31,7 @@ struct JudgeArguments {
     std::vector<std::string> said;  ///< LIBRARY=DISTANCE
     bool as_given = false;          ///< no smaller pair is looked for
     bool tests = false;             ///< C++ for FCL and Bullet
+    bool case_to_fill_in = false;   ///< nothing is judged
 };
 
 scene::ReportedAnswer said_answer(const std::string& text) {
@@ -55,13 +59,19 @@ struct Judged {
     std::vector<studies::JudgedResponse> answers;
     std::optional<studies::SmallerPair> smaller;
     std::vector<std::string> wrong;  ///< who
+
+    /// False if every answer was refused.
+    [[nodiscard]] bool is_compared() const {
+        return std::ranges::any_of(
+            answers, [](const auto& answer) { return answer.is != studies::AnswerIs::refused; });
+    }
 };
 
-Judged judge(const JudgeArguments& options) {
+Judged judge(const JudgeArguments& options, const scene::PastedPair& pasted) {
     std::vector<scene::ReportedAnswer> said;
     for (const std::string& text : options.said) said.push_back(said_answer(text));
     Judged judged;
-    judged.pasted = read_judge_input(options.input);
+    judged.pasted = pasted;
     const scene::Case& pair = judged.pasted.pair;
     judged.truth = studies::truth_of(pair).or_throw();
     const auto respondents =
@@ -101,6 +111,33 @@ std::string line_of(const Judged& judged) {
     return scene::case_line(pair, source, expected_of(truth));
 }
 
+Json json_of(const Vec3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Json json_of(const scene::CaseBody& body) {
+    const Aabb box = box_of(body.vertices);
+    return {{"vertices", body.vertices.size()},
+            {"faces", body.faces ? Json(body.faces->size()) : Json()},
+            {"low", json_of(box.low)},
+            {"high", json_of(box.high)},
+            {"extent", json_of(box.sides())}};
+}
+
+Json json_of(const Pose& pose) {
+    const scene::Turn turn = scene::turn_of(pose.rotation);
+    return {{"translation", json_of(pose.translation)},
+            {"axis", turn.degrees == 0 ? Json() : json_of(turn.axis)},
+            {"degrees", turn.degrees}};
+}
+
+/// The pair as it was read.
+Json json_of(const scene::PastedPair& pasted) {
+    const scene::Case& pair = pasted.pair;
+    return {{"a", json_of(pair.a)},
+            {"pose_a", json_of(pair.pose_a)},
+            {"b", json_of(pair.b)},
+            {"pose_b", json_of(pair.pose_b)}};
+}
+
 Json json_of(const studies::JudgedResponse& answer) {
     return {{"who", answer.who},
             {"same", answer.same},
@@ -132,8 +169,10 @@ Json json_of(const Judged& judged, bool tests) {
     for (const auto& answer : judged.answers) answers.push_back(json_of(answer));
     Json json = {{"id", judged.pasted.pair.id},
                  {"format", judged.pasted.format},
+                 {"read", json_of(judged.pasted)},
                  {"exact", json_of(judged.truth)},
                  {"answers", answers},
+                 {"compared", judged.is_compared()},
                  {"wrong", judged.wrong},
                  {"case", Json::parse(line_of(judged))},
                  {"smaller", nullptr}};
@@ -208,24 +247,43 @@ void print_tests(const Judged& judged) {
                scene::bullet_test(pair, expected_of(truth)));
 }
 
+void print_read(const scene::PastedPair& pasted) {
+    const scene::Case& pair = pasted.pair;
+    fmt::print("read: {}\n  A: {}\n     {}\n  B: {}\n     {}\n", pasted.format, scene::text_of(pair.a),
+               scene::text_of(pair.pose_a), scene::text_of(pair.b), scene::text_of(pair.pose_b));
+    std::fflush(stdout);  // before the verdict, and also where there is none
+}
+
+std::string conclusion(const Judged& judged) {
+    if (!judged.is_compared()) return "nothing was compared: every answer was refused";
+    if (!judged.wrong.empty()) return fmt::format("wrong: {}", fmt::join(judged.wrong, ", "));
+    return "nobody is wrong";
+}
+
+void print_judged(const Judged& judged, bool tests) {
+    print_truth(judged.truth, "exact");
+    print_answers(judged.answers);
+    print_smaller(judged);
+    fmt::print("\nfor a case file of Edgewise:\n{}\n", line_of(judged));
+    if (tests) print_tests(judged);
+    fmt::print("\n{}\n", conclusion(judged));
+}
+
 int run_judge(const JudgeArguments& options, bool json) {
-    const Judged judged = judge(options);
+    if (options.case_to_fill_in) {
+        fmt::print("{}\n", scene::case_template);
+        return exit_done;
+    }
+    const scene::PastedPair pasted = read_judge_input(options.input);
+    if (!json) print_read(pasted);
+    const Judged judged = judge(options, pasted);
     if (json) {
         fmt::print("{}\n",
                    json_of(judged, options.tests).dump(-1, ' ', false, Json::error_handler_t::replace));
     } else {
-        const scene::Case& pair = judged.pasted.pair;
-        fmt::print("{}: {} and {} vertices\n", judged.pasted.format, pair.a.vertices.size(),
-                   pair.b.vertices.size());
-        print_truth(judged.truth, "exact");
-        print_answers(judged.answers);
-        print_smaller(judged);
-        fmt::print("\nfor a case file of Edgewise:\n{}\n", line_of(judged));
-        if (options.tests) print_tests(judged);
-        fmt::print("\n{}\n", judged.wrong.empty() ? "nobody is wrong"
-                                                  : fmt::format("wrong: {}", fmt::join(judged.wrong, ", ")));
+        print_judged(judged, options.tests);
     }
-    return judged.wrong.empty() ? exit_done : exit_check_failed;
+    return judged.wrong.empty() && judged.is_compared() ? exit_done : exit_check_failed;
 }
 
 }  // namespace
@@ -242,6 +300,7 @@ void add_judge(CLI::App& app, Context& context) {
         "--said", options.said,
         "what a library printed, LIBRARY=DISTANCE, judged with the others; a depth is negative");
     command->add_flag("--as-given", options.as_given, "look for no smaller pair that still fails");
+    command->add_flag("--template", options.case_to_fill_in, "print a case to fill in, and judge nothing");
     command->add_flag("--tests", options.tests, "also the pair as a test in C++ for FCL and for Bullet");
 }
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/input/file_text.hpp"
@@ -27,10 +27,11 @@ std::vector<Vec3d> obj_vertices(const std::string& path) {
     std::vector<Vec3d> vertices;
     for (std::string line; std::getline(file, line);) {
         if (!line.starts_with("v ") && !line.starts_with("v\t")) continue;
-        const auto numbers = scene::numbers_from(line, 1, 3);
-        if (numbers.size() != 3)
+        scene::WordReader words(std::string_view(line).substr(1));
+        const auto x = words.number(), y = words.number(), z = words.number();
+        if (!x || !y || !z)
             throw std::invalid_argument(fmt::format("{}: '{}' is no vertex of three numbers", path, line));
-        vertices.emplace_back(numbers[0], numbers[1], numbers[2]);
+        vertices.emplace_back(*x, *y, *z);
     }
     if (vertices.empty()) throw std::invalid_argument(fmt::format("{}: no vertices in it", path));
     return vertices;
@@ -46,33 +47,38 @@ scene::CaseBody mesh_body(const std::string& path) {
 }
 
 /// 3 numbers: a translation; 12 or 16: rows of a matrix with the translation last.
-Pose pose_from(const std::string& text, const char* option) {
-    const auto m = scene::numbers_from(text, 0, 17);
-    Pose pose;
-    if (m.size() == 3) {
-        pose.translation = {m[0], m[1], m[2]};
-    } else if (m.size() == 12 || m.size() == 16) {
-        pose.rotation << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];
-        pose.translation = {m[3], m[7], m[11]};
-    } else if (!text.empty()) {
+Pose pose_from(const std::string& text, const std::string& option) {
+    if (text.empty()) return {};
+    const auto m = scene::numbers_in(text);
+    if (!m) throw std::invalid_argument(fmt::format("{}: {}", option, m.error));
+    if (m->size() == 3) return {Mat3d::Identity(), {(*m)[0], (*m)[1], (*m)[2]}};
+    if (m->size() != 12 && m->size() != 16)
         throw std::invalid_argument(
             fmt::format("{}: {} numbers; write x,y,z, or the 12 (or 16) numbers of a matrix, row by row",
-                        option, m.size()));
-    }
-    return pose;
+                        option, m->size()));
+    auto pose = scene::pose_from_rows(*m, option);
+    if (!pose.warning.empty()) warn(pose.warning + "; the nearest rotation is used");
+    return std::move(pose).or_throw();
 }
 
 std::string text_from(const std::string& file) {
     if (file != "-") return input::read_file_text(file).or_throw();
-    return {std::istreambuf_iterator<char>(std::cin), {}};
+    std::string text;
+    char buffer[65536];
+    while (std::cin.read(buffer, sizeof buffer), std::cin.gcount() > 0) {
+        text.append(buffer, static_cast<std::size_t>(std::cin.gcount()));
+        if (text.size() > input::most_text_bytes)
+            throw std::invalid_argument(
+                fmt::format("-: more than the {} bytes that are read of a text", input::most_text_bytes));
+    }
+    return text;
 }
 
 }  // namespace
 
 void add_judge_input(CLI::App& command, JudgeInput& input) {
     CLI::Option* const text = command.add_option(
-        "pair", input.text,
-        "a file, or - for stdin: a case line, what FCL or Drake printed, code for Coal, FCL or Bullet");
+        "pair", input.text, "a file, or - for stdin: a case line, or what FCL or Drake printed");
     CLI::Option* const a =
         command.add_option("--a", input.mesh_a, "mesh file of the first body")->excludes(text);
     CLI::Option* const b = command.add_option("--b", input.mesh_b, "mesh file of the second body");
@@ -85,8 +91,14 @@ void add_judge_input(CLI::App& command, JudgeInput& input) {
 
 scene::PastedPair read_judge_input(const JudgeInput& input) {
     if (input.text.empty() && input.mesh_a.empty())
-        throw std::invalid_argument("no pair: name a file or - for stdin, or --a and --b; --help shows one");
-    if (!input.text.empty()) return scene::read_pasted(text_from(input.text), input.text).or_throw();
+        throw std::invalid_argument(
+            "no pair: name a file or - for stdin, or --a and --b; --template prints a case to fill in");
+    if (!input.text.empty()) {
+        auto pasted = scene::read_pasted(text_from(input.text), input.text);
+        if (!pasted.warning.empty())
+            warn(fmt::format("{}: {}; the nearest rotation is used", input.text, pasted.warning));
+        return std::move(pasted).or_throw();
+    }
     return {{"meshes", mesh_body(input.mesh_a), mesh_body(input.mesh_b), pose_from(input.pose_a, "--pose-a"),
              pose_from(input.pose_b, "--pose-b")},
             "mesh files",

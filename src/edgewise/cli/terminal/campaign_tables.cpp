@@ -79,12 +79,12 @@ void print_campaign(const CampaignProgress& progress, std::span<const Cell> cell
     print_cells(progress, cells);
     const FamilyTally all = progress.tally.all_families();
     fmt::print(
-        "\n{} of {} pairs of shard {}, {} answers in {:.1f} s: {} wrong\nRates are of one thread and take in "
+        "\n{} of {} pairs of shard {}, {} answers in {:.1f} s: {}\nRates are of one thread and take in "
         "making the pairs, asking every cell and proving. double, wide, exact: how the distance became known, in "
         "percent of pairs and storages. Of the pairs: separated, grazing (distance or depth within the band, verdict not asked), touching, overlapping. Errors are bounds, divided by the scale, beyond the band.\nstate: {}{}\n",
         progress.pairs(), progress.question.pairs, progress.question.shard.text(), all.answers,
-        progress.seconds, all.wrong, state,
-        progress.is_done() ? "" : "; not done: the same command goes on from it");
+        progress.seconds, all.answers == 0 ? "nothing was compared" : fmt::format("{} wrong", all.wrong),
+        state, progress.is_done() ? "" : "; not done: the same command goes on from it");
 }
 
 nlohmann::json campaign_json(const CampaignProgress& progress, std::span<const Cell> cells) {

@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "edgewise/scene/case_text.hpp"
+
 namespace edgewise::cli {
 
 namespace {
@@ -16,10 +18,8 @@ struct Examples {
 };
 
 /// A case on one line, as `query` and `judge` read it.
-constexpr const char* example_case =
-    "\nA case, one per line (faces and poses may be left out):\n"
-    R"(  {"id": "1", "a": {"vertices": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]]}, "b": {"vertices": [[3,0,0], [4,0,0], [3,1,0], [3,0,1]]}, "pose_b": {"R": [1,0,0, 0,1,0, 0,0,1], "t": [0.5,0,0]}})"
-    "\n";
+const std::string example_case = fmt::format(
+    "\nA case, one per line (faces, poses, R and t may be left out):\n  {}\n", scene::case_template);
 
 const std::map<std::string, Examples> examples = {
     {"advise",
@@ -46,8 +46,8 @@ const std::map<std::string, Examples> examples = {
     {"heat",
      {"heat --table aos_f64 --shape sphere386 --queries 500", "heat --table lean_f32 --svg > lean_heat.svg"}},
     {"judge",
-     {"judge message.txt --tests", "judge --a link.obj --b wall.obj --pose-b 0.5,0,0 --said fcl=0.02",
-      example_case}},
+     {"judge --template > pair.json", "judge --a link.obj --b wall.obj --pose-b 0.5,0,0 --said fcl=0.02",
+      example_case.c_str()}},
     {"list", {"list layouts", "list machines --json"}},
     {"lock", {"lock --table lean_f32 --queries 200 > lean.lock.json", "lock --check lean.lock.json"}},
     {"machine", {"machine", "machine --json"}},
@@ -56,7 +56,7 @@ const std::map<std::string, Examples> examples = {
     {"progress", {"progress", "progress mine.db --json"}},
     {"query",
      {"query cases.jsonl --algorithm gjk --layout aos_f64", "query - --needs certificate < cases.jsonl",
-      example_case}},
+      example_case.c_str()}},
     {"report", {"report", "report mine.db --out mine"}},
     {"scaling", {"scaling --table lean_f64 --threads 2", "scaling --scene pressure --parameter bodies=2000"}},
     {"stability", {"stability --count 20 --layouts aos_f64", "stability --families slivers --count 1000"}},

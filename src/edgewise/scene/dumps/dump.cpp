@@ -3,44 +3,62 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <utility>
+
+#include "edgewise/geometry/nearest_rotation.hpp"
+#include "edgewise/input/json_text.hpp"
 
 namespace edgewise::scene {
 
-std::vector<Vec3d> box_corners(double x, double y, double z) {
-    std::vector<Vec3d> corners;
-    for (int i = 0; i < 8; ++i)
-        corners.emplace_back(i & 1 ? x / 2 : -x / 2, i & 2 ? y / 2 : -y / 2, i & 4 ? z / 2 : -z / 2);
-    return corners;
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+constexpr const char* what_is_read =
+    "judge reads a case line of JSON, a message of FCL or Drake (Shape 1, X_FS1, Shape 2, X_FS2), or body files "
+    "(--a, --b, --pose-a, --pose-b); edgewise judge --template prints a case to fill in";
+
+/// Why a text of several lines is no case, if its first line is one.
+std::string behind_first_case(std::string_view text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const bool more = text.find_first_not_of(" \t\r\n", end) != text.npos;
+    if (!more || !input::parse_json(text.substr(0, end))) return {};
+    return "; judge takes one case, and more stands behind the first line (edgewise query answers all of a file)";
 }
 
-std::string curved_shape(std::string_view text) {
-    constexpr std::array names = {"Sphere", "Cylinder", "Capsule", "Cone", "Ellipsoid"};
-    for (const char* name : names) {
-        const std::size_t at = text.find(name);
-        if (at == text.npos) continue;
-        return fmt::format(
-            "a {} is no polyhedron, and this judges polyhedra; give the vertices that stand for it", name);
-    }
-    return {};
-}
+}  // namespace
 
 Result<PastedPair> read_pasted(std::string_view text, const std::string& where) {
     using Pasted = Result<PastedPair>;
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin == text.npos)
-        return Pasted::failure(where +
-                               ": nothing in it; paste a case line, an FCL or Drake message, or code");
-    if (text[begin] == '{') {
-        std::string line(text.substr(begin));
+    if (begin == text.npos) return Pasted::failure(fmt::format("{}: nothing in it; {}", where, what_is_read));
+    if (text[begin] == '{' || text[begin] == '[') {
+        text.remove_prefix(begin);
         std::string id;
-        auto given = parse_case(line.substr(0, line.find('\n')), where, id);
-        // A case may be pasted over several lines.
-        if (!given) given = parse_case(line, where, id);
-        if (!given) return Pasted::failure(given.error);
-        return Pasted::success({*std::move(given), "case line", std::nullopt});
+        auto given = parse_case(text, where, id);
+        if (!given) return Pasted::failure(given.error + behind_first_case(text));
+        return Pasted::success({*std::move(given.value), "case line", std::nullopt}, given.warning);
     }
-    return text.find("Shape 1") != text.npos ? read_fcl_dump(text, where) : read_code_dump(text, where);
+    if (text.find("X_FS1") != text.npos || text.find("Shape 1") != text.npos)
+        return read_fcl_dump(text, where);
+    return Pasted::failure(fmt::format("{}: is none of what is read; {}", where, what_is_read));
+}
+
+Result<Pose> pose_from_rows(const std::vector<double>& m, const std::string& name) {
+    using Failure = Result<Pose>;
+    if (m.size() != 12 && m.size() != 16)
+        return Failure::failure(fmt::format("{} has {} numbers, wants 12 or 16", name, m.size()));
+    const bool affine = m.size() == 12 || (m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1);
+    if (!affine) return Failure::failure(fmt::format("the fourth row of {} is not 0 0 0 1", name));
+    Mat3d given;
+    given << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];
+    const auto rotation = nearest_rotation(given);
+    if (!rotation) return Failure::failure(fmt::format("the matrix of {} {}", name, rotation.error));
+    std::string note;
+    if (!rotation.warning.empty()) note = fmt::format("the matrix of {} {}", name, rotation.warning);
+    return Result<Pose>::success({*rotation, {m[3], m[7], m[11]}}, note);
 }
 
 }  // namespace edgewise::scene

@@ -40,14 +40,14 @@ void count_proof(const KnownPair& known, FamilyTally& family) {
 
 void count_answer(const CheckedAnswer& checked, std::uint64_t pair, FamilyTally& family, CellTally& cell) {
     CellTally one;
-    one.answers = 1;
+    one.answers = !checked.refused;
     one.refused = checked.refused;
     one.in_band = checked.in_band;
     one.wrong = !checked.wrong.empty();
     one.worst_error = checked.error;
     one.worst_pair = pair;
     cell.add(one);
-    family.answers += 1;
+    family.answers += one.answers;
     family.refused += one.refused;
     family.in_band += one.in_band;
     family.wrong += one.wrong;
