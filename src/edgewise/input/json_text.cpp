@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/input/json_text.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "edgewise/input/known_names.hpp"
 
 namespace edgewise::input {
 
@@ -29,6 +32,30 @@ std::string place_in(std::string_view text, std::size_t byte) {
     const auto lines = std::ranges::count(before, '\n');
     const std::size_t column = before.size() - (lines > 0 ? before.rfind('\n') + 1 : 0) + 1;
     return (lines > 0 ? "line " + std::to_string(lines + 1) + ", " : "") + "column " + std::to_string(column);
+}
+
+std::string not_json_at(std::string_view text, std::size_t byte) {
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    std::size_t begin = std::min(byte > 0 ? byte - 1 : 0, text.size()), end = begin;
+    while (begin > 0 && is_letter(text[begin - 1])) --begin;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    const std::string word = known_names_detail::lower_case(text.substr(begin, end - begin));
+    const bool no_number = word == "nan" || word == "inf" || word == "infinity";
+    return "not JSON at " + place_in(text, byte) + (no_number ? " (NaN and Infinity are not numbers)" : "");
+}
+
+void RepeatedMember::take(std::string name) {
+    Object& object = objects_.back();
+    object.last = name;
+    if (object.names.insert(std::move(name)).second || !path_.empty()) return;
+    for (const Object& outer : objects_) path_ += (path_.empty() ? "" : ".") + outer.last;
+    path_ = path_.empty() ? "''" : on_one_line(path_);
+}
+
+std::string not_a_member(std::string_view name, std::string_view what,
+                         const std::vector<std::string>& known) {
+    return fmt::format("{} is not a member of {}{} known: {}", name.empty() ? "''" : on_one_line(name), what,
+                       did_you_mean(name, known), fmt::join(known, ", "));
 }
 
 }  // namespace edgewise::input

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
 // JSON that users write: scene files, plans, machines, case lines, locks, baselines. One reader for all of
-// them, by nlohmann-json, which follows nested values by recursion when it copies, compares and prints them:
-// a file of 100,000 brackets would end the program. So the depth is looked at before.
+// them, by nlohmann-json. It follows nested values by recursion when it copies, compares and prints them, so
+// a file of 100,000 brackets would end the program: the depth is checked before. Of a member that is given
+// twice it keeps the last one without a word: such a text is refused. Members that no reader knows are
+// refused by `unknown_member`.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <unordered_set>
+#include <vector>
 
 #include "edgewise/geometry/result.hpp"
 
@@ -24,20 +29,68 @@ inline constexpr std::size_t deepest_json = 64;
 /// "column 12", or "line 3, column 12" where that is not the first line; both count from 1.
 [[nodiscard]] std::string place_in(std::string_view text, std::size_t byte);
 
-/// Fails with one line without the file's name: "not JSON at column 12", "nested deeper than 64 levels".
+/// "not JSON at column 12", and that NaN is not a number if NaN or Infinity stands there.
+[[nodiscard]] std::string not_json_at(std::string_view text, std::size_t byte);
+
+/// Finds the first member that an object has twice, while a text is parsed.
+class RepeatedMember {
+  public:
+    void begin_object() { objects_.emplace_back(); }
+    void end_object() { objects_.pop_back(); }
+    void take(std::string name);
+
+    /// Its path, such as "a.vertices"; empty if no object has a member twice.
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+  private:
+    struct Object {
+        std::unordered_set<std::string> names;
+        std::string last;
+    };
+    std::vector<Object> objects_;  ///< from the outermost to the one that is being read
+    std::string path_;
+};
+
+/// Fails with one line without the file's name: "not JSON at column 12", "nested deeper than 64 levels",
+/// "a.vertices is given twice; keep one of them".
 template <class Json = nlohmann::json>
 [[nodiscard]] Result<Json> parse_json(std::string_view text) {
     using Parsed = Result<Json>;
+    using Event = typename Json::parse_event_t;
     if (nesting_of(text) > deepest_json)
         return Parsed::failure("nested deeper than " + std::to_string(deepest_json) + " levels");
+    RepeatedMember repeated;
+    const auto look = [&](int, Event event, Json& value) {
+        if (event == Event::key) repeated.take(value.template get<std::string>());
+        if (event == Event::object_start) repeated.begin_object();
+        if (event == Event::object_end) repeated.end_object();
+        return true;
+    };
     try {
-        return Parsed::success(Json::parse(text));
+        auto json = Json::parse(text, look);
+        if (!repeated.path().empty())
+            return Parsed::failure(repeated.path() + " is given twice; keep one of them");
+        return Parsed::success(std::move(json));
     } catch (const nlohmann::json::parse_error& problem) {
-        return Parsed::failure("not JSON at " + place_in(text, problem.byte) +
-                               " (NaN and Infinity are not numbers)");
+        return Parsed::failure(not_json_at(text, problem.byte));
     } catch (const nlohmann::json::out_of_range&) {
         return Parsed::failure("a number is too large for double precision");
     }
+}
+
+/// The line that refuses one member: "poseB is not a member of a case line; did you mean 'pose_b'? known:
+/// id, a, b, pose_a, pose_b".
+[[nodiscard]] std::string not_a_member(std::string_view name, std::string_view what,
+                                       const std::vector<std::string>& known);
+
+/// The first member of the object that is not a known one, as the line of `not_a_member`; empty if all are
+/// known. `what`: the kind of object, with its article ("a case line").
+template <class Json>
+[[nodiscard]] std::string unknown_member(const Json& object, std::string_view what,
+                                         const std::vector<std::string>& known) {
+    for (const auto& [name, value] : object.items())
+        if (std::ranges::find(known, name) == known.end()) return not_a_member(name, what, known);
+    return {};
 }
 
 }  // namespace edgewise::input

@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -30,8 +29,8 @@ struct Fault {
     std::string what;
 };
 
-constexpr std::array members = {"scene",   "shapes",     "time_step", "needs",   "margin",
-                                "sharing", "parameters", "vary",      "queries", "note"};
+const std::vector<std::string> members = {"scene",   "shapes",     "time_step", "needs",   "margin",
+                                          "sharing", "parameters", "vary",      "queries", "note"};
 
 constexpr double usual_time_step = 1.0 / 60;  ///< s: a step per frame of a screen
 constexpr double longest_time_step = 1000;    ///< s
@@ -69,10 +68,8 @@ Value member(const Json& json, const char* key, const Value& standard, const cha
 
 void check_members(const Json& json) {
     if (!json.is_object()) throw Fault{"wants one object: {\"scene\": ..., \"shapes\": [...], ...}"};
-    for (const auto& [key, value] : json.items()) {
-        if (std::find(members.begin(), members.end(), key) == members.end())
-            throw Fault{unknown_name("member", key, {members.begin(), members.end()})};
-    }
+    if (const std::string unknown = input::unknown_member(json, "a scene file", members); !unknown.empty())
+        throw Fault{unknown};
     for (const char* key : {"scene", "shapes"}) {
         if (!json.contains(key)) throw Fault{fmt::format("{} is missing", key)};
     }

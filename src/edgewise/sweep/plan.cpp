@@ -47,10 +47,8 @@ class Members {
 
     /// A misspelt member would be ignored in silence.
     void refuse_others() const {
-        for (const auto& [key, value] : json_.items()) {
-            if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-            throw std::invalid_argument(unknown_name("member", key, known_));
-        }
+        const std::string unknown = input::unknown_member(json_, "a plan", known_);
+        if (!unknown.empty()) throw std::invalid_argument(unknown);
     }
 
   private:

@@ -145,7 +145,7 @@ TEST(CaseFile, ABadLineDoesNotLoseTheRest) {
         seen.push_back(std::to_string(reader.line()) + " '" + reader.id() + "' " + (*c ? "read" : c->error));
     }
     const std::vector<std::string> want = {
-        "1 'x' read", "4 '' dir/cases.jsonl:4: not JSON at column 1 (NaN and Infinity are not numbers)",
+        "1 'x' read", "4 '' dir/cases.jsonl:4: not JSON at column 1",
         "5 '17' dir/cases.jsonl:5: a.vertices is missing", "6 'x' read"};
     EXPECT_EQ(seen, want);
 }
