@@ -6,12 +6,14 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/scene/dumps/dump_text.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
@@ -47,7 +49,9 @@ scene::CaseBody mesh_body(const std::string& path) {
 
 /// 3 numbers: a translation; 12 or 16: rows of a matrix with the translation last.
 Pose pose_from(const std::string& text, const char* option) {
-    const auto m = scene::numbers_from(text, 0, 17);
+    const auto numbers = input::parse_numbers(text);
+    if (!numbers) throw std::invalid_argument(fmt::format("{} {}: {}", option, text, numbers.error));
+    const std::vector<double>& m = *numbers;
     Pose pose;
     if (m.size() == 3) {
         pose.translation = {m[0], m[1], m[2]};
@@ -60,6 +64,10 @@ Pose pose_from(const std::string& text, const char* option) {
                         option, m.size()));
     }
     return pose;
+}
+
+std::function<void(std::string)> is_pose(const char* option) {
+    return [option](const std::string& text) { static_cast<void>(pose_from(text, option)); };
 }
 
 std::string text_from(const std::string& file) {
@@ -79,8 +87,13 @@ void add_judge_input(CLI::App& command, JudgeInput& input) {
     a->needs(b);
     b->needs(a);
     command.add_option("--pose-a", input.pose_a, "x,y,z, or a matrix of 12 or 16 numbers, row by row")
+        ->type_name("NUMBERS")
+        ->each(is_pose("--pose-a"))
         ->needs(a);
-    command.add_option("--pose-b", input.pose_b, "likewise of the second body")->needs(b);
+    command.add_option("--pose-b", input.pose_b, "likewise of the second body")
+        ->type_name("NUMBERS")
+        ->each(is_pose("--pose-b"))
+        ->needs(b);
 }
 
 scene::PastedPair read_judge_input(const JudgeInput& input) {
