@@ -12,7 +12,9 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <iostream>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -80,7 +82,10 @@ int run(int argc, char** argv, std::string& problem) {
         app.parse(argc, argv);
         return parse_only ? exit_done : context.action();
     } catch (const CLI::ParseError& slip) {
-        return app.exit(slip) == 0 ? exit_done : exit_bad_input;
+        std::ostringstream help;
+        const int code = app.exit(slip, help, std::cerr) == 0 ? exit_done : exit_bad_input;
+        if (std::fputs(help.str().c_str(), stdout) == EOF) problem = std::strerror(errno);
+        return code;
     } catch (const std::bad_array_new_length& impossible) {
         problem = fmt::format("an impossible count ({}): this is a defect to report", impossible.what());
     } catch (const std::bad_alloc&) {

@@ -9,8 +9,8 @@
 
 namespace edgewise::cli {
 
-/// An option that names a file to be written (input/output_file.hpp). What cannot be written is refused before
-/// any work is done.
+/// An option that names a file to be written (input/output_file.hpp). What cannot be written is refused
+/// before any work is done.
 CLI::Option* add_output_file(CLI::App& command, const std::string& name, std::string& to,
                              const std::string& what);
 
