@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/reports/page/files.hpp"
 
-#include <fmt/core.h>
-
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
+
+#include "edgewise/input/output_file.hpp"
 
 namespace edgewise::reports {
 
@@ -19,19 +18,7 @@ std::optional<std::string> read_file(const std::filesystem::path& path) {
 }
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
-    std::filesystem::path temporary = path;
-    temporary += ".tmp";
-    {
-        std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-        out.write(text.data(), static_cast<std::streamsize>(text.size()));
-        out.close();
-        if (!out)
-            throw std::runtime_error(
-                fmt::format("cannot write {}: check that the directory is writable", path.string()));
-    }
-    std::error_code failed;
-    std::filesystem::rename(temporary, path, failed);
-    if (failed) throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), failed.message()));
+    input::write_output(path.string(), text);
 }
 
 }  // namespace edgewise::reports

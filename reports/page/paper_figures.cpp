@@ -29,16 +29,14 @@ void add_field(CsvRow& row, const ChartJson& value) {
 
 /// Empty when the PDF is there, else why not. A PDF bears a date, which the store does not have: 0.
 std::string convert(const fs::path& svg, const fs::path& pdf) {
-    const std::string unfinished = pdf.string() + ".tmp";
-    const auto outcome = measure::run_program({"env", "SOURCE_DATE_EPOCH=0", "rsvg-convert", "--format",
-                                               "pdf", "--output", unfinished, svg.string()});
+    const auto outcome =
+        measure::run_program({"env", "SOURCE_DATE_EPOCH=0", "rsvg-convert", "--format", "pdf", svg.string()});
     if (!outcome.value) return "env cannot be started: " + outcome.reason;
     if (outcome.value->exit_code == 127) return "rsvg-convert is not installed (Debian: librsvg2-bin)";
     if (outcome.value->exit_code != 0)
         return fmt::format("rsvg-convert ended with exit code {}", outcome.value->exit_code);
-    std::error_code failed;
-    fs::rename(unfinished, pdf, failed);
-    return failed ? "it cannot be written: " + failed.message() : "";
+    write_file(pdf, outcome.value->out);
+    return {};
 }
 
 std::string pdf_of(const Chart& chart, const StaticPictures& pictures, const fs::path& figures) {

@@ -66,9 +66,19 @@ Value member(const nlohmann::json& object, const char* key, const std::string& w
     }
 }
 
+void refuse_others(const nlohmann::json& object, const char* what, const std::vector<std::string>& known,
+                   const std::string& where) {
+    const std::string unknown = input::unknown_member(object, what, known);
+    if (!unknown.empty()) throw std::runtime_error(fmt::format("{}: {}", where, unknown));
+}
+
 RecordRow row_from(const nlohmann::json& object, const std::string& where) {
     RecordRow row;
     row.scene = member<std::string>(object, "scene", where);
+    refuse_others(
+        object, "a row",
+        {"scene", "parameters", "shape", "algorithm", "table", "ratio", "low", "high", "bytes_per_edge"},
+        where);
     row.parameters = member<nlohmann::json>(object, "parameters", where).dump();
     row.shape = member<std::string>(object, "shape", where);
     row.algorithm = member<std::string>(object, "algorithm", where);
@@ -156,11 +166,17 @@ nlohmann::ordered_json to_json(const MachineRecord& record) {
 
 MachineRecord parse_record(const std::string& text, const std::string& where) {
     const auto parsed = input::parse_json(text);
-    const nlohmann::json object = parsed ? *parsed : nlohmann::json();
+    if (!parsed)
+        throw std::runtime_error(fmt::format(
+            "{}: {}; wants a record (edgewise_machine_record) of edgewise export --machine-record", where,
+            parsed.error));
+    const nlohmann::json& object = *parsed;
     const int version = member<int>(object, "edgewise_machine_record", where);
     if (version != record_version)
         throw std::runtime_error(fmt::format("{}: a record of version {}, not {}; take a newer edgewise",
                                              where, version, record_version));
+    refuse_others(object, "a record",
+                  {"edgewise_machine_record", "machine", "times", "cpu", "caches", "rows"}, where);
     MachineRecord record;
     record.machine = member<std::string>(object, "machine", where);
     record.is_model = member<std::string>(object, "times", where) != "measured";

@@ -91,6 +91,39 @@ Outcome run(const Arguments& arguments, const Folder& folder) {
     return Process(program_path, arguments, folder).wait();
 }
 
+Outcome run_in_shell(const std::string& script, const Arguments& arguments, const Folder& folder) {
+    Arguments words = {"-c", script, program_path};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return Process("/bin/sh", words, folder).wait();
+}
+
+std::vector<std::string> listed_commands(const Folder& folder) {
+    std::vector<std::string> names;
+    bool below = false;
+    for (const std::string& line : lines_of(run({"--help"}, folder).out)) {
+        if (below && line.starts_with("  ") && line.size() > 2 && line[2] != ' ')
+            names.push_back(line.substr(2, line.find(' ', 2) - 2));
+        below = below || line.starts_with("Subcommands");
+    }
+    return names;
+}
+
+std::vector<ListedOption> listed_options(const std::string& command, const Folder& folder) {
+    std::vector<ListedOption> options;
+    for (const std::string& line : lines_of(run({command, "--help"}, folder).out)) {
+        if (!line.starts_with("  -")) continue;
+        std::istringstream words(line);
+        ListedOption option;
+        words >> option.name >> option.type;
+        option.name = option.name.substr(option.name.find("--"));
+        option.name = option.name.substr(0, option.name.find(','));
+        if (!option.type.ends_with("=NUMBER"))  // what else follows is the value that is taken
+            option.type = option.type.substr(0, option.type.find('='));
+        options.push_back(option);
+    }
+    return options;
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream stream(text);

@@ -61,6 +61,19 @@ class Process {
 /// The program under test, to its end.
 [[nodiscard]] Outcome run(const Arguments& arguments, const Folder& folder);
 
+/// Likewise, by a shell: the script calls it as "$0" "$@".
+[[nodiscard]] Outcome run_in_shell(const std::string& script, const Arguments& arguments,
+                                   const Folder& folder);
+
+/// Names of the commands that --help lists: each stands at the begin of a line, two blanks in.
+[[nodiscard]] std::vector<std::string> listed_commands(const Folder& folder);
+
+/// An option of a command as its --help shows it, such as "--margin" and "NUMBER".
+struct ListedOption {
+    std::string name, type;
+};
+[[nodiscard]] std::vector<ListedOption> listed_options(const std::string& command, const Folder& folder);
+
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 [[nodiscard]] std::string text_of(const std::filesystem::path& file);
 

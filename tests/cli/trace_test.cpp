@@ -58,6 +58,37 @@ TEST(Traces, OfLackeyLeaveFetchesOutUntilAsked) {
                                HasSubstr("2 distinct lines"), HasSubstr("L1D")));
 }
 
+/// From a handout that many courses copy: one blank after I.
+TEST(Traces, OfHandoutsAreRead) {
+    const Folder folder;
+    folder.write("one_space.lackey",
+                 "==3815== Lackey, an example Valgrind tool\n==3815== Command: ./a.out\n==3815== \n"
+                 "I 04001100,3\nI 04001103,5\n S 1ffefff858,8\nI 04001d70,1\n L 0421c7f0,4\n==3815== \n"
+                 "==3815== Exit code:       0\n");
+    const json read = caches_of({"--trace", "one_space.lackey"}, folder);
+    EXPECT_EQ(read["reads"], 1);
+    EXPECT_EQ(read["writes"], 1);
+    EXPECT_EQ(read["fetches"], 3);
+    EXPECT_EQ(read["distinct_lines"], 2);
+    EXPECT_EQ(caches_of({"--trace", "one_space.lackey", "--fetches"}, folder)["distinct_lines"], 4);
+}
+
+/// Addresses without a letter are read as hexadecimal, as the form has it, but not without a word.
+TEST(Traces, ThatLookDecimalAreWarnedAbout) {
+    const Folder folder;
+    std::string decimal;
+    for (int i = 0; i < 200; ++i) decimal += "0 " + std::to_string(20734016 + 64 * i) + "\n";
+    folder.write("cpu.trace", decimal);
+    folder.write("hexadecimal.din", decimal + "0 20734a40\n");
+    const auto warning = [&](const std::string& file) {
+        const Outcome outcome = run({"caches", "--trace", file}, folder);
+        EXPECT_EQ(outcome.exit_code, 0);
+        return outcome.err;
+    };
+    EXPECT_THAT(warning("cpu.trace"), HasSubstr("cpu.trace: no address has a digit above 9"));
+    EXPECT_EQ(warning("hexadecimal.din"), "");
+}
+
 TEST(Traces, ThatAreNoneAreOneLineOfComplaint) {
     const Folder folder;
     folder.write("bad.din", "r 10 8\nr 18\n");
@@ -73,9 +104,19 @@ TEST(Traces, ThatAreNoneAreOneLineOfComplaint) {
         return outcome.err;
     };
     EXPECT_THAT(complaint({"--trace", "bad.din"}),
-                testing::AllOf(HasSubstr("bad.din:2: wants"), HasSubstr("SIZE")));
+                testing::AllOf(HasSubstr("bad.din:2: 'r 18' wants"), HasSubstr("SIZE")));
     EXPECT_THAT(complaint({"--trace", "text"}),
-                testing::AllOf(HasSubstr("text:1: wants"), HasSubstr("lackey")));
+                testing::AllOf(HasSubstr("text:1: 'once upon a time' wants"), HasSubstr("lackey")));
+    folder.write("dinero4.din", "r 1f40 8\nw 1f48 8\nm 1f50 4\nc 1f40 40\nv 1f40 40\ni 400 4\n");
+    EXPECT_THAT(complaint({"--trace", "dinero4.din"}),
+                testing::AllOf(HasSubstr("dinero4.din:4: 'c 1f40 40' wants an access"),
+                               HasSubstr("delete such lines")));
+    folder.write("commands.din", "3 20734016\n");
+    EXPECT_THAT(complaint({"--trace", "commands.din"}),
+                HasSubstr("commands.din:1: '3 20734016' wants an access"));
+    folder.write("sized.din", "0 3019b6c8 2\n");
+    EXPECT_THAT(complaint({"--trace", "sized.din"}),
+                testing::AllOf(HasSubstr("sized.din:1: '0 3019b6c8 2' wants"), HasSubstr("no sizes")));
     EXPECT_THAT(complaint({"--trace", "empty"}), HasSubstr("no accesses"));
     EXPECT_THAT(complaint({"--trace", "missing"}), HasSubstr("missing: no such file"));
     EXPECT_THAT(complaint({"--trace", "bad.din", "--shape", "cube8"}), HasSubstr("--shape"));

@@ -205,18 +205,6 @@ TEST(Help, GoesToStdout) {
     }
 }
 
-/// Names of the commands that --help lists: each stands at the begin of a line, two blanks in.
-std::vector<std::string> listed_commands(const Folder& folder) {
-    std::vector<std::string> names;
-    bool below = false;
-    for (const std::string& line : lines_of(run({"--help"}, folder).out)) {
-        if (below && line.starts_with("  ") && line.size() > 2 && line[2] != ' ')
-            names.push_back(line.substr(2, line.find(' ', 2) - 2));
-        below = below || line.starts_with("Subcommands");
-    }
-    return names;
-}
-
 /// Every --help ends with two lines that can be typed; of `query` with a case, too. They are read by the
 /// program as a shell would hand them over.
 TEST(Help, EndsWithTwoExamplesThatCanBeTyped) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/input/known_names.hpp"
 
 #include <fmt/format.h>
@@ -19,13 +19,13 @@ void take_parameter(const std::string& text, scene::SceneParameters& parameters)
     parameters[text.substr(0, equals)] = *number;
 }
 
-std::uint64_t count_of(const std::string& option, const std::string& text, const input::CountRange& range) {
-    const auto count = input::parse_count(text, range);
-    if (!count) throw CLI::ValidationError(fmt::format("{} {}", option, count.error));
-    return *count;
-}
-
 namespace {
+
+template <class Value>
+Value accepted(const std::string& option, const Result<Value>& value) {
+    if (!value) throw CLI::ValidationError(fmt::format("{} {}", option, value.error));
+    return *value;
+}
 
 Needs needs_named(const std::string& name) {
     if (const auto needs = needs_from(name)) return *needs;
@@ -35,13 +35,23 @@ Needs needs_named(const std::string& name) {
 
 }  // namespace
 
+std::uint64_t value_of(const std::string& option, const std::string& text, const input::CountRange& range) {
+    return accepted(option, input::parse_count(text, range));
+}
+
+double value_of(const std::string& option, const std::string& text, const input::NumberRange& range) {
+    return accepted(option, input::parse_number(text, range));
+}
+
 CLI::Option* add_parameter_option(CLI::App& command, scene::SceneParameters& parameters) {
-    return command.add_option_function<std::vector<std::string>>(
-        "--parameter",
-        [&parameters](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) take_parameter(text, parameters);
-        },
-        "parameters of the scene, NAME=NUMBER");
+    return command
+        .add_option_function<std::vector<std::string>>(
+            "--parameter",
+            [&parameters](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) take_parameter(text, parameters);
+            },
+            "parameters of the scene")
+        ->type_name("NAME=NUMBER");
 }
 
 void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver) {
@@ -61,12 +71,10 @@ void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver) {
 }
 
 void add_margin_option(CLI::App& command, std::optional<double>& margin) {
-    command
-        .add_option("--margin", margin,
-                    fmt::format("of --needs nearer: the distance asked about, over the larger body's extent "
-                                "(else {})",
-                                bench::usual_margin))
-        ->check(CLI::PositiveNumber);
+    add_number(command, "--margin", margin, input::above_0,
+               fmt::format("of --needs nearer: the distance asked about, over the larger body's extent "
+                           "(else {})",
+                           bench::usual_margin));
 }
 
 void add_cell_options(CLI::App& command, studies::CellChoice& choice) {

@@ -3,7 +3,7 @@
 // `edgewise bench`: how fast Edgewise's own measuring is; with --gate, whether queries became slower.
 #include <fmt/format.h>
 
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/parts/bench_gate.hpp"
 #include "edgewise/studies/model_speed.hpp"
 

@@ -9,7 +9,9 @@
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/file_text.hpp"
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/traces/trace_caches.hpp"
 
@@ -62,6 +64,11 @@ Traced trace_file(const CachesArguments& options, measure::TraceCaches& caches) 
     const measure::TraceCounts counts =
         measure::read_trace(stream, options.trace, {form, options.fetches},
                             [&](const measure::FileAccess& access) { caches.access(access); });
+    constexpr std::uint64_t surely_hexadecimal = 100;  // so many addresses without a letter are decimal
+    if (!counts.has_letters && counts.reads + counts.writes + counts.fetches >= surely_hexadecimal)
+        warn(options.trace +
+             ": no address has a digit above 9: addresses are read as hexadecimal, and these look "
+             "decimal");
     const char* const name = form == measure::TraceForm::din ? "din" : "lackey";
     return {fmt::format("{} ({})", options.trace, name), counts, options.fetches};
 }
@@ -72,11 +79,11 @@ Traced trace_cell(const CachesArguments& options, measure::TraceCaches& caches) 
     if (options.write.empty()) {
         static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), accesses));
     } else {
-        std::ofstream stream(options.write);
-        measure::DinWriter writer(stream);
+        input::OutputFile file(options.write);
+        measure::DinWriter writer(file.stream());
         measure::TraceFanOut both({&accesses, &writer});
-        if (stream) static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), both));
-        if (!stream.flush()) throw std::runtime_error(options.write + ": cannot be written");
+        static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), both));
+        file.finish();
     }
     return {fmt::format("{} {}, {} {}", options.cell.table, options.cell.algorithm, options.cell.scene,
                         options.cell.shape),
@@ -120,7 +127,7 @@ void print(const Traced& traced, const measure::TraceCaches& caches,
                    traced.fetches ? "as reads" : "left out");
     fmt::print("\n{} distinct lines of 64 bytes; knee {} bytes\n", caches.distinct_lines(),
                caches.knee_bytes());
-    fmt::print("{:<22}{:<10}{:>14}{:>14}{:>10}{:>14}\n", "machine", "level", "accesses", "misses", "of them",
+    fmt::print("{:<21} {:<10}{:>14}{:>14}{:>10}{:>14}\n", "machine", "level", "accesses", "misses", "of them",
                "write-backs");
     std::size_t next = 0;
     for (const measure::MachineChoice& choice : choices) {
@@ -130,7 +137,7 @@ void print(const Traced& traced, const measure::TraceCaches& caches,
         }
         for (const auto& [level, counts] : caches.levels(next++))
             fmt::print(
-                "{:<22}{:<10}{:>14}{:>14}{:>10}{:>14}\n", choice.name, level, counts.accesses, counts.misses,
+                "{:<21} {:<10}{:>14}{:>14}{:>10}{:>14}\n", choice.name, level, counts.accesses, counts.misses,
                 counts.accesses == 0 ? "-"
                                      : fmt::format("{:.2f} %", 100.0 * static_cast<double>(counts.misses) /
                                                                    static_cast<double>(counts.accesses)),
@@ -164,7 +171,7 @@ void add_caches(CLI::App& app, Context& context) {
         command->add_option("--trace", options.trace,
                             "file of Dinero (.din) or of Valgrind's lackey --trace-mem=yes; else one cell");
     add_cell_options(*command, options.cell);
-    command->add_option("--write", options.write, "the cell's trace as extended din, to this file");
+    add_output_file(*command, "--write", options.write, "the cell's trace as extended din, to this file");
     for (CLI::Option* option : command->get_options())
         if (option != trace && option != command->get_help_ptr() && option->get_name() != "--json")
             trace->excludes(option);

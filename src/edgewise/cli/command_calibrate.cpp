@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/counters/calibration.hpp"
 #include "edgewise/measure/machine/machine.hpp"
@@ -66,9 +66,8 @@ void add_calibrate(CLI::App& app, Context& context) {
     auto [command, options] =
         add_command(app, context, "calibrate",
                     "Misses of random loads, modelled and counted, by level and size", run_calibrate);
-    command->add_option("--times", options.times, "memory sizes, as multiples of each level's size")
-        ->delimiter(',')
-        ->check(CLI::Range(0.01, 1000.0));
+    add_number(*command, "--times", options.times, {0.01, 1000},
+               "memory sizes, as multiples of each level's size");
     add_count(*command, "--loads", options.loads, {1000, 1'000'000'000, "loads"}, "loads per pass");
 }
 

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/parts/shard_options.hpp"
 #include "edgewise/cli/terminal/campaign_tables.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
@@ -90,7 +92,9 @@ class FailureLog {
         const auto cell = std::ranges::find(cells_, failure.cell, &Cell::name);
         const std::string line = failing_line(source_, failure, *cell);
         fmt::print(stderr, "{}\n", line);
-        std::ofstream(path_, std::ios::app) << line << '\n';
+        std::ofstream file(path_, std::ios::app);
+        if (!(file << line << std::endl))
+            throw std::runtime_error(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
     }
 
   private:
@@ -164,9 +168,7 @@ void add_campaign(CLI::App& app, Context& context) {
     auto [command, options] =
         add_command(app, context, "campaign", "Up to 10^9 pairs through every class of answers, each proven",
                     run_campaign);
-    command->add_option("--pairs", options.pairs, "pairs in all, as 1e9")
-        ->check(CLI::Range(1.0, 1e15))
-        ->capture_default_str();
+    add_number(*command, "--pairs", options.pairs, {1, 1e15, "pairs"}, "pairs in all, as 1e9");
     add_count(*command, "--seed", options.seed, input::seed_range, "seed of the generators");
     add_shard_option(*command, options.shard);
     add_names(*command, "--families", options.families,
@@ -176,11 +178,10 @@ void add_campaign(CLI::App& app, Context& context) {
     add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
     command->add_flag("--every-type", options.every_type,
                       "every table type, not one of each class of equal answers");
-    command->add_option("--state", options.state, "file that it goes on from, and leaves its sums in")
+    add_output_file(*command, "--state", options.state, "file that it goes on from, and leaves its sums in")
         ->capture_default_str();
-    command
-        ->add_option("--failures", options.failures,
-                     "file that failing pairs are added to, minimised, as cases")
+    add_output_file(*command, "--failures", options.failures,
+                    "file that failing pairs are added to, minimised, as cases")
         ->capture_default_str();
     command->add_option("--add", options.add, "no run: the state files of all shards added up into --state");
     add_count(*command, "--pair", options.pair, {}, "no run: this pair as a case for edgewise query");

@@ -10,7 +10,7 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/terminal/phase_tables.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/store/vocabulary.hpp"

@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/usage/folders.hpp"
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
-#include "edgewise/reports/page/files.hpp"
 #include "edgewise/reports/records/machine_record.hpp"
 #include "edgewise/reports/results/export.hpp"
 
@@ -53,7 +54,7 @@ int run_export(const ExportArguments& options, bool json) {
     if (options.out.empty())
         fmt::print("{}", text);
     else
-        reports::write_file(options.out, text);
+        input::write_output(options.out, text);
     return exit_done;
 }
 
@@ -75,7 +76,7 @@ void add_export(CLI::App& app, Context& context) {
                           "what the store says of its machine, without names and paths, as JSON");
     command->add_option("--modelled", options.modelled, "of this machine, whose caches the sweep modelled")
         ->needs(record);
-    command->add_option("--out", options.out, "file to write; stdout if not given");
+    add_output_file(*command, "--out", options.out, "file to write; stdout if not given");
 }
 
 }  // namespace edgewise::cli

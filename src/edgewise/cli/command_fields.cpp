@@ -4,12 +4,13 @@
 // and what became of it when a table was built so.
 #include <fmt/format.h>
 
-#include <fstream>
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/cli/usage/folders.hpp"
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/charts/co_access_picture.hpp"
 #include "edgewise/studies/fields/fields.hpp"
 #include "edgewise/studies/fields/group_text.hpp"
@@ -46,20 +47,14 @@ reports::CoAccessParts parts_of(const studies::FieldCounts& counts, std::uint64_
     return parts;
 }
 
-void write_file(const std::string& file, const std::string& text) {
-    std::ofstream stream(file);
-    stream << text;
-    if (!stream.flush()) throw std::runtime_error(file + ": cannot be written");
-}
-
 void write_picture(const FieldsAdvice& advice, const FieldsArguments& options) {
     std::vector<reports::CoAccessField> fields;
     for (const RecordField& field : advice.fields)
         fields.push_back({std::string(field.name), std::string(field.record)});
-    write_file(options.svg,
-               reports::draw_co_access(title_of(advice, options.plan.cell), fields,
-                                       parts_of(advice.together.by_query, advice.together.queries),
-                                       parts_of(advice.together.by_step, advice.together.steps)));
+    input::write_output(options.svg,
+                        reports::draw_co_access(title_of(advice, options.plan.cell), fields,
+                                                parts_of(advice.together.by_query, advice.together.queries),
+                                                parts_of(advice.together.by_step, advice.together.steps)));
 }
 
 nlohmann::json json_of(const studies::TraceCost& cost) {
@@ -202,7 +197,7 @@ int run_fields(const FieldsArguments& options, bool json) {
     progress.clear();
     if (!options.svg.empty()) write_picture(advice, options);
     if (!options.write.empty())
-        write_file(
+        input::write_output(
             options.write,
             nlohmann::json{{"groups", studies::groups_json(advice.advised, advice.fields)}}.dump() + "\n");
     if (json)
@@ -226,8 +221,8 @@ void add_fields(CLI::App& app, Context& context) {
               "whose caches are modelled: names, or your own NAME.json");
     command->add_option("--beside", plan.beside, "a table type made by hand, timed beside [hot_cold]");
     command->add_option("--groups", plan.groups_file, "a file of groups to try, in place of advised ones");
-    command->add_option("--write", options.write, "the advised groups as JSON, to this file");
-    command->add_option("--svg", options.svg, "the matrix of fields as a picture, to this file");
+    add_output_file(*command, "--write", options.write, "the advised groups as JSON, to this file");
+    add_output_file(*command, "--svg", options.svg, "the matrix of fields as a picture, to this file");
     add_count(*command, "--rounds", plan.rounds, interval_rounds, "interleaved rounds of timing");
 }
 

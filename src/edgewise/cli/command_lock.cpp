@@ -9,7 +9,7 @@
 
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/lock/lock_program.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"

@@ -56,8 +56,8 @@ void add_merge(CLI::App& app, Context& context) {
     auto [command, options] =
         add_command(app, context, "merge", "The stores of a campaign's parts as one", run_merge);
     command->add_option("stores", options.stores, "stores of the parts")->required();
-    command
-        ->add_option("--out", options.out, "SQLite file to write; an earlier merged store there is replaced")
+    add_output_file(*command, "--out", options.out,
+                    "SQLite file to write; an earlier merged store there is replaced")
         ->required();
     command->add_flag("--mixed", options.mixed, "take stores of several plans, seeds or revisions together");
     command->add_flag("--fom", options.fom, "print figures of merit too: FOM name = value unit");

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/paging.hpp"
@@ -126,12 +126,11 @@ void add_paging(CLI::App& app, Context& context) {
     command->add_option("--shape", options.shape, "built-in shape of all bodies")->capture_default_str();
     add_count(*command, "--bodies", options.bodies, {2, 100'000, "bodies"}, "number of bodies");
     add_count(*command, "--steps", options.steps, {1, 1000, "steps"}, "steps of the scene in each pass");
-    command->add_option("--rotation-step", options.rotation_step, "turn of every body per step, rad");
+    add_number(*command, "--rotation-step", options.rotation_step, {0, 100, "rad"},
+               "turn of every body per step, rad");
     command->add_flag("--same-order", options.same_order,
                       "ask the pairs in the same order every step, instead of in a new one");
-    command->add_option("--limits", options.limits, "memory limits, MiB; 0: no limit")
-        ->delimiter(',')
-        ->check(CLI::Range(0.0, 1e6));
+    add_number(*command, "--limits", options.limits, {0, 1e6, "MiB"}, "memory limits, MiB; 0: no limit");
     add_count(*command, "--seed", options.seed, input::seed_range, "seed of the scene");
 }
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/measure/process/callgrind_region.hpp"
 
 namespace edgewise::cli {

@@ -15,6 +15,7 @@
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/scene/case_file.hpp"
@@ -259,16 +260,10 @@ void add_query(CLI::App& app, Context& context) {
         ->capture_default_str();
     add_margin_option(*command, options.margin);
     add_sub_distance_option(*command, options.query.sub_distance);
-    command
-        ->add_option("--contact-tolerance", options.query.contact_tolerance,
-                     "bodies as near as this or nearer are touching, in the bodies' own unit")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    command
-        ->add_option("--gap-tolerance", options.query.gap_tolerance,
-                     "GJK ends when the squared distance is known to this relative width")
-        ->check(CLI::Range(0.0, 0.999))
-        ->capture_default_str();
+    add_number(*command, "--contact-tolerance", options.query.contact_tolerance, input::from_0,
+               "bodies as near as this or nearer are touching, in the bodies' own unit");
+    add_number(*command, "--gap-tolerance", options.query.gap_tolerance, {0, 0.999},
+               "GJK ends when the squared distance is known to this relative width");
 }
 
 }  // namespace edgewise::cli

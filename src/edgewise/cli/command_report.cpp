@@ -6,6 +6,7 @@
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/reports/page/report.hpp"
@@ -79,10 +80,8 @@ void add_report(CLI::App& app, Context& context) {
         ->add_flag("--explain", options.explain, "what each change is made of, and which causes are excluded")
         ->needs(compare);
     command->add_flag("--gate", options.gate, "exit code 1 where something became worse")->needs(compare);
-    command->add_option("--slack", options.slack, "a time may become longer by this part of itself")
-        ->needs(compare)
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
+    add_number(*command, "--slack", options.slack, {0, 10}, "a time may become longer by this part of itself")
+        ->needs(compare);
 }
 
 }  // namespace edgewise::cli

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/studies/threads/scaling.hpp"
 
@@ -89,8 +89,8 @@ void add_scaling(CLI::App& app, Context& context) {
         "Queries per second over threads that share tables, and over threads with their own", run_scaling);
     add_cell_options(*command, options.cell);
     add_count(*command, "--checked", options.cell.checked, input::queries_range, "queries checked exactly");
-    add_counts(*command, "--threads", options.threads, {0, 1'000'000, "threads"},
-               "numbers of threads, such as 2,4; 1 is always measured; else 1, 2, 4, ... and all cores");
+    add_count(*command, "--threads", options.threads, {0, 1'000'000, "threads"},
+              "numbers of threads, such as 2,4; 1 is always measured; else 1, 2, 4, ... and all cores");
     add_count(*command, "--rounds", options.rounds, {1, 1000, "rounds"}, "rounds; medians are printed");
 }
 

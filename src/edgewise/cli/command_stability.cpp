@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/parts/shard_options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/cli/usage/folders.hpp"

@@ -10,7 +10,7 @@
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/parts/figures_of_merit.hpp"
 #include "edgewise/cli/parts/run_note.hpp"
 #include "edgewise/cli/parts/shard_options.hpp"

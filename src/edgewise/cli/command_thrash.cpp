@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
 
@@ -211,17 +211,14 @@ void add_thrash(CLI::App& app, Context& context) {
         run_thrash);
     thrash::Levels& levels = options.levels;
     command->add_option("--layouts", levels.tables, "table types")->delimiter(',');
-    add_counts(*command, "--bodies", levels.bodies, {2, 10'000, "bodies"}, "numbers of bodies");
-    add_counts(*command, "--memory", levels.memories_mib, {1, 100'000, "MiB"}, "memories, MiB");
-    command->add_option("--fault-ns", levels.fault_costs_ns, "costs of a fault, ns")
-        ->delimiter(',')
-        ->check(CLI::Range(1.0, 1e9));
+    add_count(*command, "--bodies", levels.bodies, {2, 10'000, "bodies"}, "numbers of bodies");
+    add_count(*command, "--memory", levels.memories_mib, {1, 100'000, "MiB"}, "memories, MiB");
+    add_number(*command, "--fault-ns", levels.fault_costs_ns, {1, 1e9, "ns"}, "costs of a fault, ns");
     add_count(*command, "--steps", levels.steps, {12, 10'000, "steps"},
               "steps traced; the first sixth of them counts nothing");
     add_count(*command, "--realised", options.realised, {0, 100, "cells"},
               "how many cells are made real; 0: none");
-    command->add_option("--wait", options.wait_s, "of each realised point, s")
-        ->check(CLI::Range(0.01, 100.0));
+    add_number(*command, "--wait", options.wait_s, {0.01, 100, "seconds"}, "of each realised point, s");
     add_count(*command, "--seed", levels.seed, input::seed_range, "seed of the scenes");
 }
 

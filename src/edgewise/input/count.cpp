@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,16 @@ Count refuse(std::string_view what, const CountRange& range) {
 Count within(std::uint64_t value, std::string_view what, const CountRange& range) {
     if (value < range.least || value > range.most) return refuse(what, range);
     return Count::success(value);
+}
+
+/// ", 5 to 3600", ", above 0"; nothing where any finite number will do.
+std::string bounds_text(const NumberRange& range) {
+    const bool is_bounded = range.most < any_number.most;
+    if (range.least == any_number.least && !is_bounded) return "";
+    if (range.is_above)
+        return fmt::format(", above {}{}", range.least, is_bounded ? fmt::format(", to {}", range.most) : "");
+    return is_bounded ? fmt::format(", {} to {}", range.least, range.most)
+                      : fmt::format(", {} or more", range.least);
 }
 
 /// Doubles count one by one up to here.
@@ -48,13 +59,30 @@ Count count_from(const nlohmann::json& value, const CountRange& range) {
     return within(static_cast<std::uint64_t>(number), what, range);
 }
 
-Result<double> parse_number(std::string_view text) {
+Result<double> parse_number(std::string_view text, const NumberRange& range) {
     double value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || stop != end || !std::isfinite(value))
-        return Result<double>::failure(fmt::format("'{}' wants a finite number, in decimal", text));
+    const bool is_number = error == std::errc{} && stop == end && std::isfinite(value);
+    if (!is_number || value < range.least || value > range.most || (range.is_above && value == range.least))
+        return Result<double>::failure(fmt::format("'{}' wants a decimal number{}{}{}", text,
+                                                   range.unit.empty() ? "" : " of ", range.unit,
+                                                   bounds_text(range)));
     return Result<double>::success(value);
+}
+
+Result<std::vector<double>> parse_numbers(std::string_view text) {
+    constexpr std::string_view between = ", \t";
+    std::vector<double> numbers;
+    while (true) {
+        text.remove_prefix(std::min(text.find_first_not_of(between), text.size()));
+        if (text.empty()) return Result<std::vector<double>>::success(std::move(numbers));
+        const std::string_view word = text.substr(0, text.find_first_of(between));
+        const auto number = parse_number(word);
+        if (!number) return Result<std::vector<double>>::failure(number.error);
+        numbers.push_back(*number);
+        text.remove_prefix(word.size());
+    }
 }
 
 }  // namespace edgewise::input

@@ -6,8 +6,10 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
+#include <vector>
 
 #include "edgewise/geometry/result.hpp"
 
@@ -35,7 +37,20 @@ inline constexpr CountRange seed_range{};
 /// A JSON number without a fraction: 30000, or 3e4.
 [[nodiscard]] Result<std::uint64_t> count_from(const nlohmann::json& value, const CountRange& range);
 
-/// A finite number in decimal: "0.5", "-1e-3".
-[[nodiscard]] Result<double> parse_number(std::string_view text);
+/// From `least` to `most`, both allowed; `least` is not where `is_above` says so.
+struct NumberRange {
+    double least = std::numeric_limits<double>::lowest(), most = std::numeric_limits<double>::max();
+    std::string_view unit = "";  ///< of what it is a number, such as "seconds"
+    bool is_above = false;
+};
+
+inline constexpr NumberRange any_number{}, from_0{0}, above_0{.least = 0, .is_above = true};
+
+/// A finite number in decimal: "0.5", "-1e-3". The error has no place in it: "'nan' wants a decimal number of
+/// seconds, 5 to 3600".
+[[nodiscard]] Result<double> parse_number(std::string_view text, const NumberRange& range = any_number);
+
+/// Finite numbers in decimal with commas or blanks between them; none of an empty text.
+[[nodiscard]] Result<std::vector<double>> parse_numbers(std::string_view text);
 
 }  // namespace edgewise::input

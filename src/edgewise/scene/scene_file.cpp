@@ -36,6 +36,9 @@ constexpr double usual_time_step = 1.0 / 60;  ///< s: a step per frame of a scre
 constexpr double longest_time_step = 1000;    ///< s
 constexpr double largest_margin = 1e6;        ///< extents of the larger body
 
+// A scene has a file of results and a row of every table; more are a slip.
+constexpr std::size_t most_varied = 1000, most_points = 10'000;
+
 // Velocities in the units of scenes, which know steps alone: rad per step, and body sizes per step.
 constexpr std::string_view random_turn = "random";  ///< in place of a number
 
@@ -124,7 +127,14 @@ std::vector<std::pair<std::string, Json>> varied(const Json& json) {
     for (const auto& [name, list] : vary.items()) {
         if (!list.is_array() || list.empty())
             throw Fault{fmt::format("vary.{} wants a list of values", name)};
-        for (const Json& value : list) values.emplace_back(name, value);
+        if (list.size() > most_varied)
+            throw Fault{fmt::format("vary.{} has {} values, more than the {} of one file", name, list.size(),
+                                    most_varied)};
+        for (const Json& value : list) {
+            if (std::ranges::find(values, value, &std::pair<std::string, Json>::second) != values.end())
+                throw Fault{fmt::format("vary.{} has {} twice: leave one of them out", name, value.dump())};
+            values.emplace_back(name, value);
+        }
     }
     return values;
 }
@@ -162,11 +172,15 @@ std::vector<NamedShape> shapes_of(const Json& json, const std::filesystem::path&
          member<std::vector<std::string>>(json, "shapes", {}, "a list of shapes' names and mesh files"))
         shapes.push_back(shape_called(name, folder, warning));
     if (shapes.empty()) throw Fault{"shapes wants at least one name"};
+    if (const std::string twice = shape_given_twice(shapes); !twice.empty()) throw Fault{"shapes: " + twice};
     return shapes;
 }
 
 void add_points(const Json& json, SceneFile& file) {
     const auto values = varied(json);
+    if (const std::size_t points = values.size() * file.shapes.size(); points > most_points)
+        throw Fault{fmt::format("{} shapes with {} values each are {} scenes, more than the {} of one file",
+                                file.shapes.size(), values.size(), points, most_points)};
     for (const NamedShape& shape : file.shapes) {
         if (values.empty()) file.points.push_back(make_point(json, file, shape, nullptr));
         for (const auto& value : values) file.points.push_back(make_point(json, file, shape, &value));
@@ -226,6 +240,20 @@ SceneFile read(const std::string& name, const Json& json, const SceneFileContext
 }
 
 }  // namespace
+
+std::string shape_given_twice(std::span<const NamedShape> shapes) {
+    std::map<std::string_view, const NamedShape*> known;
+    for (const NamedShape& shape : shapes) {
+        const auto [first, is_new] = known.emplace(shape.name, &shape);
+        if (is_new) continue;
+        if (first->second->source == shape.source)
+            return fmt::format("'{}' ({}) is given twice: leave one out, or rename it", shape.name,
+                               shape.source);
+        return fmt::format("two bodies are called '{}' ({} and {}): rename one", shape.name,
+                           first->second->source, shape.source);
+    }
+    return {};
+}
 
 Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text,
                                    const SceneFileContext& context) {

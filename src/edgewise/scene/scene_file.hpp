@@ -63,6 +63,9 @@ struct SceneFileContext {
 [[nodiscard]] Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text,
                                                  const SceneFileContext& context = {});
 
+/// Figures are kept by the names of shapes. Empty, or one line that names a shape that is there twice.
+[[nodiscard]] std::string shape_given_twice(std::span<const NamedShape> shapes);
+
 struct SceneText {
     std::string_view name, json;
 };

@@ -14,6 +14,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/store/find_figure.hpp"
 #include "edgewise/store/merge_source.hpp"
 #include "edgewise/store/read_rows.hpp"
@@ -235,7 +236,7 @@ MergeSummary merge_stores(const std::vector<std::string>& stores, const std::str
     if (!mixed) check_same_campaign(sources);
     MergeSummary summary;
     summary.missing = missing_parts(sources);
-    const FileBeside beside(out);
+    const FileBeside beside(input::output_place(out).file);
     { const Store created(beside.path()); }
     {
         Merge merge(beside.path());

@@ -37,9 +37,22 @@ const char* remedy(int code) {
     }
 }
 
+/// SQLite would open a device or a pipe, and leave a journal next to it. A name that begins with a colon
+/// would be one of its own, such as a database in memory.
+std::string file_to_write(const std::string& path) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw std::runtime_error(
+            fmt::format("store {}: is {}: name a file; nothing was written", path,
+                        std::filesystem::is_directory(status) ? "a folder" : "a device, a pipe or the like"));
+    return path.starts_with(':') ? "./" + path : path;
+}
+
 }  // namespace
 
-Database::Database(const std::string& path) : Database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) {}
+Database::Database(const std::string& path)
+    : Database(file_to_write(path), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) {}
 
 Database Database::for_reading(const std::string& path) {
     std::error_code ignored;

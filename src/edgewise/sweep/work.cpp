@@ -202,6 +202,8 @@ std::vector<scene::NamedShape> shapes_of(const Plan& plan,
     for (const std::string& name : plan.shapes)
         result.push_back({name, "built-in", scene::make_shape(name).or_throw(), {}});
     for (const std::string& file : plan.meshes) add_mesh(plan, file, result, warn);
+    if (const std::string twice = scene::shape_given_twice(result); !twice.empty())
+        throw std::invalid_argument(twice);
     return result;
 }
 

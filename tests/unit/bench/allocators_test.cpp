@@ -4,13 +4,15 @@
 // memory can be used and given back; and the C library's malloc is still the program's own.
 #include "edgewise/bench/memory/allocators.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <malloc.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstring>
 
 #include "edgewise/bench/memory/arena.hpp"
+#include "edgewise/input/guarded.hpp"
 #include "edgewise/scene/rng.hpp"
 
 namespace edgewise::bench {
@@ -91,6 +93,33 @@ TEST(Arena, TakesPagesOnlyForWhatIsWritten) {
     memory[0] = memory[500000] = std::byte{1};
     EXPECT_EQ(arena.resident(), 2U * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
     EXPECT_THROW(static_cast<void>(arena.allocate(std::size_t{1} << 40, 64)), std::bad_alloc);
+}
+
+/// Two arenas in turn, each with one table of 3 MiB after the other; what the last says that has no room.
+std::string filled_in_turn() {
+    Arena first, second;
+    for (std::ptrdiff_t offset = 0;; offset += 3 << 20) {
+        for (Arena* arena : {&first, &second}) {
+            try {
+                auto* const memory = static_cast<std::byte*>(arena->allocate(3 << 20, 64));
+                if (memory - arena->base() != offset) return "elsewhere";
+                std::memset(memory, 1, 3 << 20);
+            } catch (const std::runtime_error& problem) {
+                return std::to_string(offset >> 20) + ": " + problem.what();
+            }
+        }
+    }
+}
+
+/// With 64 MiB of addresses instead of the 16 GiB that are reserved elsewhere, at the same offsets.
+TEST(Arena, GrowsWhereAddressesAreShort) {
+#ifdef __SANITIZE_THREAD__
+    GTEST_SKIP() << "ThreadSanitizer chooses addresses itself";
+#endif
+    const auto said = input::run_guarded(filled_in_turn, {std::uint64_t{64} << 20, std::chrono::seconds(60)});
+    ASSERT_TRUE(said) << said.error;
+    EXPECT_THAT(*said, testing::ContainsRegex("^(24|27|30): no address space for .* MiB of tables: raise its "
+                                              "limit .ulimit -v, now [0-9]+ MiB., or ask for fewer"));
 }
 
 TEST(Arena, IsNotSoonFull) {

@@ -74,5 +74,25 @@ TEST(Number, IsFiniteAndDecimal) {
         EXPECT_FALSE(parse_number(text)) << text;
 }
 
+TEST(Number, IsInItsRange) {
+    const NumberRange seconds{5, 3600, "seconds"};
+    EXPECT_EQ(*parse_number("5", seconds), 5);
+    EXPECT_EQ(*parse_number("3.6e3", seconds), 3600);
+    for (const char* text : {"4.999", "3600.1", "-5", "nan"})
+        EXPECT_EQ(parse_number(text, seconds).error,
+                  "'" + std::string(text) + "' wants a decimal number of seconds, 5 to 3600");
+    EXPECT_FALSE(parse_number("0", above_0));
+    EXPECT_TRUE(parse_number("1e-300", above_0));
+    EXPECT_EQ(parse_number("-1", from_0).error, "'-1' wants a decimal number, 0 or more");
+    EXPECT_EQ(parse_number("half").error, "'half' wants a decimal number");
+}
+
+TEST(Numbers, AreBetweenCommasAndBlanks) {
+    EXPECT_EQ(*parse_numbers("1,-2e3, .5\t4"), (std::vector<double>{1, -2000, 0.5, 4}));
+    EXPECT_TRUE(parse_numbers("")->empty());
+    for (const char* text : {"1,nan", "1;2", "0x10,0,0", "[1,2]", "1,2,3x"})
+        EXPECT_FALSE(parse_numbers(text)) << text;
+}
+
 }  // namespace
 }  // namespace edgewise::input

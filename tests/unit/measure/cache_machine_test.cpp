@@ -104,6 +104,11 @@ const Wrong wrong_files[] = {
     {"/memory", nullptr, "memory", "an object"},
     {"/memory/latency_cycles", -1, "memory.latency_cycles", "a number from 0"},
     {"/tlb", json::object({{"page_bytes", 4096}}), "tlb.levels", "a list, not empty"},
+    {"/levels/1/ways", 0, "levels[1].ways", "full associativity: that is 1024 here"},
+    {"/levels/1/bytes", "64X", "levels[1].bytes", "as 49152 or \"48K\""},
+    {"/levels/1/bytes", "384 KiB (8 instances)", "levels[1].bytes", "as 49152 or \"48K\""},
+    {"/levels/1/name", "L1", "levels[1].name", "another level is called 'L1'"},
+    {"/levels/0/line_bytes", 128, "levels[0].line_bytes", "several sizes are not modelled"},
 };
 
 /// A wrong file gives one line: the file, the field, what is wanted.
@@ -122,6 +127,76 @@ TEST(CacheMachine, SaysWhatIsWrongWithAFile) {
     }
     EXPECT_THROW(static_cast<void>(parse_cache_machine("{", "my.json")), std::runtime_error);
     EXPECT_THROW(static_cast<void>(parse_cache_machine("[]", "my.json")), std::runtime_error);
+}
+
+/// A misspelt member, wherever it stands, is refused with the known name that is nearest.
+TEST(CacheMachine, HasNoMemberThatNobodyKnows) {
+    json full = right_machine();
+    full["levels"][1].update({{"inclusion", "inclusive"}, {"replacement", "lru"}, {"unverified", {"ways"}}});
+    full["tlb"] = {{"page_bytes", 4096}, {"levels", {{{"name", "dTLB"}, {"entries", 64}, {"ways", 4}}}}};
+    const json flat = full.flatten();
+    int misspelt = 0;
+    for (const auto& [pointer, value] : flat.items()) {
+        const std::size_t slash = pointer.rfind('/');
+        const std::string name = pointer.substr(slash + 1);
+        if (!std::isalpha(static_cast<unsigned char>(name[0]))) continue;
+        json wrong = full;
+        json& object = wrong[json::json_pointer(pointer.substr(0, slash))];
+        object[name + name.back()] = value;
+        ++misspelt;
+        try {
+            static_cast<void>(parse_cache_machine(wrong.dump(), "my.json"));
+            FAIL() << pointer << " misspelt passed";
+        } catch (const std::runtime_error& problem) {
+            EXPECT_THAT(problem.what(), HasSubstr(name + name.back() + " is not a member of")) << pointer;
+            EXPECT_THAT(problem.what(), HasSubstr("did you mean '" + name + "'?")) << pointer;
+        }
+    }
+    EXPECT_GE(misspelt, 17);
+}
+
+/// Files as people have them: read with these values, or refused with this line.
+TEST(CacheMachine, OfPeopleIsReadOrRefusedWithAnAdvice) {
+    const CacheMachine lion_cove = parse_cache_machine(
+        R"({"what": "Arrow Lake: first level 48K, then 192K, then L2 3M", "line_bytes": 64, "levels": [)"
+        R"({"name": "L0D", "bytes": 49152, "ways": 12}, {"name": "L1D", "bytes": 196608, "ways": 12}, )"
+        R"({"name": "L2", "bytes": 3145728, "ways": 12}, {"name": "L3", "bytes": 37748736, "ways": 12}]})",
+        "arrow");
+    const std::vector<std::pair<std::string, std::uint64_t>> levels = {
+        {"L0D", 49152}, {"L1D", 196608}, {"L2", 3145728}, {"L3", 37748736}};
+    ASSERT_EQ(lion_cove.caches.levels.size(), levels.size());
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        EXPECT_EQ(lion_cove.caches.levels[i].name, levels[i].first);
+        EXPECT_EQ(lion_cove.caches.levels[i].ways, 12U);
+        EXPECT_EQ(lion_cove.caches.bytes_of(i), levels[i].second);
+    }
+    const auto complaint = [](const std::string& text) -> std::string {
+        try {
+            static_cast<void>(parse_cache_machine(text, "mine.json"));
+        } catch (const std::runtime_error& problem) {
+            return problem.what();
+        }
+        return {};
+    };
+    EXPECT_EQ(
+        complaint(R"({"what": "sysfs says ways 0 where fully associative", "line_bytes": 64, )"
+                  R"("levels": [{"name": "L1D", "bytes": 32768, "ways": 0}]})"),
+        "mine.json: levels[0].ways: wants a number from 1 to 512; the kernel writes 0 where it does not know "
+        "them, or for full associativity: that is 512 here");
+    EXPECT_EQ(
+        complaint(R"({"what": "M1 with lines of 128 in L2", "line_bytes": 64, "levels": [)"
+                  R"({"name": "L1D", "bytes": 131072, "ways": 8, "line_bytes": 64}, )"
+                  R"({"name": "L2", "bytes": 12582912, "ways": 12, "line_bytes": 128}]})"),
+        "mine.json: levels[0].line_bytes: wants to stand before the levels, once: caches with lines of several "
+        "sizes are not modelled");
+}
+
+TEST(CacheMachine, TakesSizesAsTheyAreWritten) {
+    for (const char* size : {"64K", "64 KiB", "64k", "65536"}) {
+        json machine = right_machine();
+        machine["levels"][1]["bytes"] = size;
+        EXPECT_EQ(parse_cache_machine(machine.dump(), "my.json").caches.bytes_of(1), 65536U) << size;
+    }
 }
 
 }  // namespace

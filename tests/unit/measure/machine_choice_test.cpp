@@ -102,6 +102,18 @@ TEST_F(MachineChoices, TakeTheHostFromSysfs) {
     EXPECT_FALSE(host.value->latencies_known());
 }
 
+/// As Linux tells of Intel's Lion Cove: 48K, then 192K, both of level 1.
+TEST_F(MachineChoices, HaveLevelsOfDifferentNames) {
+    add_cache(0, "Data", 1, "48K", 12);
+    add_cache(1, "Data", 1, "192K", 12);
+    add_cache(2, "Unified", 2, "3072K", 12);
+    const auto host = host_machine(folder_);
+    ASSERT_TRUE(host.value) << host.reason;
+    std::vector<std::string> names;
+    for (const LevelGeometry& level : host.value->caches.levels) names.push_back(level.name);
+    EXPECT_THAT(names, testing::ElementsAre("L1D", "L1D_2", "L2"));
+}
+
 TEST_F(MachineChoices, SayWhenTheHostDoesNotTell) {
     EXPECT_FALSE(host_machine(folder_ / "nowhere").reason.empty());
     add_cache(0, "Instruction", 1, "32K", 8);

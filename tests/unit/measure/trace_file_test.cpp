@@ -45,7 +45,7 @@ std::string complaint(const std::string& text, TraceForm form) {
 
 TEST(TraceFile, ReadsBothFormsOfDin) {
     const std::string text =
-        "r 1f40 10\nw 0x1f4f 1 a comment\ni 400 4\nm 1f50 8\n0 1f43\n1\t1f44 8 ignored\n2 404\n";
+        "r 1f40 10\nw 0x1f4f 1 a comment\ni 400 4\nm 1f50 8\n\n# a comment\n0 1f43\n1\t1f44 8fa40000 ignored\n \n2 404\n";
     TraceCounts counts;
     EXPECT_THAT(accesses(text, {TraceForm::din, false}, &counts),
                 ElementsAre("r 1f40 10", "w 1f4f 1", "r 1f50 8", "r 1f40 4", "w 1f44 4"));
@@ -65,6 +65,9 @@ TEST(TraceFile, ReadsLackeysLines) {
     EXPECT_EQ(counts.writes, 2U);
     EXPECT_EQ(counts.fetches, 1U);
     EXPECT_THAT(accesses("I  0401ab70,3\n", {TraceForm::lackey, true}), ElementsAre("r 401ab70 3"));
+    EXPECT_THAT(accesses("I 10,3\n\nL 20,8\n  S  30,4 \n# a comment\n", {TraceForm::lackey, true}),
+                ElementsAre("r 10 3", "r 20 8", "w 30 4"))
+        << "with other blanks, as handouts have them";
 }
 
 TEST(TraceFile, FindsItsFormByItself) {
@@ -74,6 +77,8 @@ TEST(TraceFile, FindsItsFormByItself) {
     };
     EXPECT_EQ(form("==1== Lackey\nI  0401ab70,3\n"), TraceForm::lackey);
     EXPECT_EQ(form(" M 5,1\n"), TraceForm::lackey);
+    EXPECT_EQ(form("I 0401ab70,3\n"), TraceForm::lackey);
+    EXPECT_EQ(form("\n# from simplescalar\n0 0401ab70\n"), TraceForm::din);
     EXPECT_EQ(form("i 0401ab70 3\n"), TraceForm::din);
     EXPECT_EQ(form("2 0401ab70\n"), TraceForm::din);
     EXPECT_THROW(static_cast<void>(form("")), std::runtime_error);
@@ -82,17 +87,27 @@ TEST(TraceFile, FindsItsFormByItself) {
 }
 
 TEST(TraceFile, NamesTheLineThatIsNone) {
-    for (const char* bad :
-         {"", "x 10 8", "3 10", "c 10 8", "r", "r 10", "r 10,8", "r 10 0", "r 10 100001", "r zz 8", "r 10 8x",
-          "0", "0 10x", "00 10", "r 11111111111111111 8", "r ffffffffffffffff 2"}) {
+    for (const char* bad : {"x 10 8", "r", "r 10", "r 10,8", "r 10 0", "r 10 100001", "r zz 8", "r 10 8x",
+                            "0", "0 10x", "00 10", "r 11111111111111111 8", "r ffffffffffffffff 2"}) {
         const std::string text = complaint("r 10 8\n" + std::string(bad) + "\n", TraceForm::din);
-        EXPECT_THAT(text, testing::AllOf(testing::StartsWith("t:2: wants "), HasSubstr("SIZE"))) << bad;
+        EXPECT_THAT(text, testing::AllOf(testing::StartsWith("t:2: '" + std::string(bad) + "' wants "),
+                                         HasSubstr("SIZE")))
+            << bad;
     }
     for (const char* bad :
-         {"", " L 10", " L 10,", " L 10,x", "L 10,8", "I 10,8", " L 10,8 ", " L ,8", " L 10,0", " X 10,8"}) {
+         {" L 10", " L 10,", " L 10,x", "L10,8", "LS 10,8", " L 10,8 x", " L ,8", " L 10,0", " X 10,8"}) {
         const std::string text = complaint("==1== a\n L 10,8\n" + std::string(bad) + "\n", TraceForm::lackey);
-        EXPECT_THAT(text, testing::AllOf(testing::StartsWith("t:3: wants "), HasSubstr("lackey"))) << bad;
+        EXPECT_THAT(text, testing::AllOf(testing::StartsWith("t:3: '" + std::string(bad) + "' wants "),
+                                         HasSubstr("lackey")))
+            << bad;
     }
+    for (const char* command : {"3 10", "4 0", "c 10 8", "v 1f40 40"})
+        EXPECT_THAT(
+            complaint("r 10 8\n" + std::string(command) + "\n", TraceForm::din),
+            testing::AllOf(HasSubstr("t:2: '" + std::string(command)), HasSubstr("delete such lines")));
+    for (const char* sized : {"0 3019b6c8 2", "1 10 8", "2 400 10"})
+        EXPECT_THAT(complaint("r 10 8\n" + std::string(sized) + "\n", TraceForm::din),
+                    testing::AllOf(HasSubstr("t:2: '" + std::string(sized)), HasSubstr("no sizes")));
     EXPECT_EQ(complaint("r ffffffffffffffff 1", TraceForm::din), "");
 }
 

@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"scene": "tumble", "shapes": "cube8"})", "shapes", "a list"},
         BadFile{R"({"scene": "tumbel", "shapes": ["cube8"]})", "'tumbel'", "tumble"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube9"]})", "shapes", "cube8"},
-        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "gravity": 9.81})", "'gravity'", "time_step"},
+        BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "gravity": 9.81})", "gravity", "time_step"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "time_step": 0})", "time_step", "above 0"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "needs": "all"})", "'all'", "certificate"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "margin": 1})", "margin", "nearer"},
@@ -175,6 +175,29 @@ INSTANTIATE_TEST_SUITE_P(
                 "a list"},
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "vary": {"bodies": [2], "margin": [1]}})", "vary",
                 "one parameter"}));
+
+/// What is there twice, or far too often, is a slip that would be measured without a word.
+TEST(SceneFile, HasNothingTwiceAndNotTooMuch) {
+    std::string many = "2", most = "2";
+    for (int i = 3; i <= 1002; ++i) many += "," + std::to_string(i);
+    for (int i = 3; i <= 501; ++i) most += "," + std::to_string(i);
+    std::string spheres;
+    for (int k = 1; k <= 21; ++k)
+        spheres += (k > 1 ? R"(", ")" : "") + std::string("sphere") + std::to_string(4 * k * k + 2);
+    const auto error_of = [](const std::string& shapes, const std::string& values) {
+        return parse_scene_file("mine", R"({"scene": "tumble", "shapes": [")" + shapes +
+                                            R"("], "vary": {"bodies": [)" + values + "]}}")
+            .error;
+    };
+    EXPECT_EQ(error_of("cube8", most), "");
+    EXPECT_THAT(error_of(R"(cube8", "tetra4", "cube8)", "2"), HasSubstr("'cube8' (built-in) is given twice"));
+    EXPECT_THAT(error_of("cube8", "2,3,2"), HasSubstr("vary.bodies has 2 twice"));
+    EXPECT_THAT(error_of("cube8", many), HasSubstr("vary.bodies has 1001 values, more than the 1000"));
+    EXPECT_THAT(error_of(spheres, most), HasSubstr("10500 scenes, more than the 10000"));
+    EXPECT_THAT(
+        parse_scene_file("mine", R"({"scene": "tumble", "shapes": ["cube8"], "scene": "cold"})").error,
+        HasSubstr("scene is given twice"));
+}
 
 TEST(SceneFile, IsRefusedOnOneLineWhateverItsNamesHold) {
     // A parameter and a member with a line's end in them, both found by fuzzing.

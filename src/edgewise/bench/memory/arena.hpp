@@ -27,6 +27,7 @@ class Arena final : public TableAllocator {
     void* do_allocate(std::size_t bytes, std::size_t align) override {
         const std::size_t start = (taken_ + align - 1) / align * align;
         if (bytes > TableMapping::bytes() || start > TableMapping::bytes() - bytes) throw std::bad_alloc();
+        mapping_.make_room(start + bytes);
         taken_ = start + bytes;
         requested_ += bytes;
         return mapping_.base() + start;

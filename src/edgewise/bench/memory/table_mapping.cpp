@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Addresses are reserved once, far more than any scene needs: mmap without a swap reservation, of a sparse
-// file where there is one. Read-ahead is off: a page that comes is a page that was asked for. For that the
-// device's read-ahead is set to none while the file is opened, which the file then keeps, and set back at
-// once; where that is not permitted the mapping is advised as random, which has Linux 6.3 and later forget
-// which of its pages were used last (vma_has_recency).
+// Addresses are reserved once, far more than any scene needs, so that all tables lie in one stretch and none
+// has to move: mmap without a swap reservation, of a sparse file where there is one. Where there are not so
+// many addresses, the stretch starts small at a place with free addresses behind it, and grows there.
+// Read-ahead is off: a page that comes is a page that was asked for. For that the device's read-ahead is set
+// to none while the file is opened, which the file then keeps, and set back at once; where that is not
+// permitted the mapping is advised as random, which has Linux 6.3 and later forget which of its pages were
+// used last (vma_has_recency).
 #include "edgewise/bench/memory/table_mapping.hpp"
 
 #include <fcntl.h>
@@ -12,15 +14,16 @@
 #include <linux/magic.h>
 #include <sys/file.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <sys/vfs.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,6 +32,21 @@ namespace edgewise::bench {
 namespace {
 
 constexpr std::size_t reserve_bytes = std::size_t{16} << 30;
+
+/// Where stretches start that grow: from 16 TiB on, where Linux places nothing of its own.
+constexpr std::uintptr_t first_place = std::uintptr_t{16} << 40;
+constexpr std::uintptr_t between_places = 2 * reserve_bytes, places = 512;
+
+std::string no_addresses(std::size_t bytes) {
+    rlimit limit{};
+    getrlimit(RLIMIT_AS, &limit);
+    const std::string now =
+        limit.rlim_cur == RLIM_INFINITY ? "none" : fmt::format("{} MiB", limit.rlim_cur >> 20);
+    return fmt::format(
+        "no address space for {} MiB of tables: raise its limit (ulimit -v, now {}), or ask for fewer or "
+        "smaller bodies",
+        (bytes + (1 << 20) - 1) >> 20, now);
+}
 
 bool is_in_memory(int file) {
     struct statfs system {};
@@ -115,23 +133,60 @@ TableMapping::TableMapping(Backing backing) : backing_(backing) {
         keeps_recency_ = file.read_ahead_off;
     }
     if (backing == Backing::shared_memory) file_ = shared_memory();
-    const int sharing = backing == Backing::memory ? MAP_PRIVATE | MAP_ANONYMOUS : MAP_SHARED;
-    void* const place =
-        mmap(nullptr, reserve_bytes + alignment, PROT_READ | PROT_WRITE, sharing | MAP_NORESERVE, file_, 0);
-    if (place == MAP_FAILED) {
-        if (file_ >= 0) close(file_);
-        throw std::bad_alloc();
-    }
-    reserved_ = static_cast<std::byte*>(place);
-    const auto address = reinterpret_cast<std::uintptr_t>(place);
-    base_ = reserved_ + (alignment - address % alignment) % alignment;
-    madvise(base_, reserve_bytes, MADV_NOHUGEPAGE);
-    if (backing == Backing::file && !keeps_recency_) madvise(base_, reserve_bytes, MADV_RANDOM);
+    if (!reserve_all()) start_small();
+    if (base_ != nullptr) return;
+    if (file_ >= 0) close(file_);
+    throw std::runtime_error(no_addresses(alignment));
 }
 
 TableMapping::~TableMapping() {
-    munmap(reserved_, reserve_bytes + alignment);
+    munmap(reserved_, reserved_bytes_);
     if (file_ >= 0) close(file_);
+}
+
+/// At any place if `at` is null. Null if there are no addresses, or if that place is taken.
+std::byte* TableMapping::map(std::byte* at, std::size_t bytes, std::size_t offset) const {
+    const int sharing = backing_ == Backing::memory ? MAP_PRIVATE | MAP_ANONYMOUS : MAP_SHARED;
+    const int fixed = at != nullptr ? MAP_FIXED_NOREPLACE : 0;
+    void* const place = mmap(at, bytes, PROT_READ | PROT_WRITE, sharing | MAP_NORESERVE | fixed, file_,
+                             static_cast<off_t>(offset));
+    if (place == MAP_FAILED) return nullptr;
+    if (at == nullptr || place == at) return static_cast<std::byte*>(place);
+    munmap(place, bytes);  // Linux before 4.17 knows no MAP_FIXED_NOREPLACE
+    return nullptr;
+}
+
+void TableMapping::advise(std::byte* from, std::size_t bytes) const {
+    madvise(from, bytes, MADV_NOHUGEPAGE);
+    if (backing_ == Backing::file && !keeps_recency_) madvise(from, bytes, MADV_RANDOM);
+}
+
+bool TableMapping::reserve_all() {
+    reserved_ = map(nullptr, reserve_bytes + alignment, 0);
+    if (reserved_ == nullptr) return false;
+    reserved_bytes_ = reserve_bytes + alignment;
+    base_ = reserved_ + (alignment - reinterpret_cast<std::uintptr_t>(reserved_) % alignment) % alignment;
+    room_ = reserve_bytes;
+    advise(base_, room_);
+    return true;
+}
+
+void TableMapping::start_small() {
+    static std::atomic<std::uintptr_t> next{0};
+    for (std::uintptr_t i = 0; i < places && base_ == nullptr; ++i) {
+        const std::uintptr_t place = first_place + next.fetch_add(1) % places * between_places;
+        base_ = reserved_ = map(reinterpret_cast<std::byte*>(place), alignment, 0);
+    }
+    if (base_ == nullptr) return;
+    reserved_bytes_ = room_ = alignment;
+    advise(base_, room_);
+}
+
+void TableMapping::grow(std::size_t bytes) {
+    const std::size_t more = (bytes - room_ + alignment - 1) / alignment * alignment;
+    if (map(base_ + room_, more, room_) == nullptr) throw std::runtime_error(no_addresses(bytes));
+    advise(base_ + room_, more);
+    reserved_bytes_ = room_ += more;
 }
 
 std::optional<std::size_t> TableMapping::resident(std::size_t used) const {

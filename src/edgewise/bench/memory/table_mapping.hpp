@@ -19,8 +19,8 @@ class TableMapping {
     /// resident is what was written.
     static constexpr std::size_t alignment = std::size_t{2} << 20;
 
-    /// Takes no memory yet, only addresses. Throws std::bad_alloc when there are not even those, and
-    /// std::runtime_error when no folder takes a file that is not kept in memory itself.
+    /// Takes no memory yet, only addresses. Throws std::runtime_error when there are not even those, or when
+    /// no folder takes a file that is not kept in memory itself.
     explicit TableMapping(Backing backing);
     ~TableMapping();
     TableMapping(const TableMapping&) = delete;
@@ -28,6 +28,12 @@ class TableMapping {
 
     [[nodiscard]] std::byte* base() const { return base_; }
     [[nodiscard]] static std::size_t bytes();
+
+    /// To be called before the first so many bytes are used. Where address space is short (ulimit -v, strict
+    /// overcommit) addresses come step by step. Throws std::runtime_error when none are left.
+    void make_room(std::size_t bytes) {
+        if (bytes > room_) grow(bytes);
+    }
 
     /// Whether the system throws out the pages that were not used for longest, as it does with other memory;
     /// else it may take any.
@@ -41,11 +47,18 @@ class TableMapping {
     [[nodiscard]] bool evict(std::size_t used) const;
 
   private:
+    [[nodiscard]] std::byte* map(std::byte* at, std::size_t bytes, std::size_t offset) const;
+    [[nodiscard]] bool reserve_all();
+    void start_small();
+    void grow(std::size_t bytes);
+    void advise(std::byte* from, std::size_t bytes) const;
+
     Backing backing_;
     int file_ = -1;
     bool keeps_recency_ = true;
-    std::byte* reserved_ = nullptr;
+    std::byte* reserved_ = nullptr;  ///< base_ is the first multiple of `alignment` from here on
     std::byte* base_ = nullptr;
+    std::size_t reserved_bytes_ = 0, room_ = 0;  ///< mapped from reserved_ on; to be used from base_ on
 };
 
 }  // namespace edgewise::bench

@@ -11,7 +11,7 @@
 
 #include "edgewise/cli/advise/advice.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
@@ -212,22 +212,19 @@ void add_advise(CLI::App& app, Context& context) {
         ->excludes(scene)
         ->excludes(shape);
     add_count(*command, "--bodies", options.bodies, population_range, "how many bodies")->excludes(scene);
-    command->add_option("--turn", options.turn, "rad by which every body turns per step")
-        ->check(CLI::NonNegativeNumber)
+    add_number(*command, "--turn", options.turn, {0, input::any_number.most, "rad"},
+               "rad by which every body turns per step")
         ->excludes(scene);
     CLI::Option* const own =
         command->add_flag("--own-tables", options.own, "every body has a table of its own");
     command->add_flag("--shared-tables", options.shared, "all bodies have one table")->excludes(own);
-    command->add_option("--error", options.error, "largest error of a distance, over the size of the pair")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
+    add_number(*command, "--error", options.error, input::above_0,
+               "largest error of a distance, over the size of the pair");
     command->add_option("--needs", options.needs, "what is asked of every answer")
         ->default_str(std::string(to_string(usual_needs)));
     add_names(*command, "--machines,--machine", options.machines,
               "whose caches are modelled: names, host, NAME.json, or sizes as in l2=256K,l3=8M");
-    command->add_option("--time", options.seconds, "seconds that it may take")
-        ->check(CLI::Range(5.0, 3600.0))
-        ->capture_default_str();
+    add_number(*command, "--time", options.seconds, {5, 3600, "seconds"}, "seconds that it may take");
     command->add_option("--store", options.store, "answer from this store, and measure nothing");
     add_count(*command, "--seed", options.seed, input::seed_range, "seed of the scene");
 }

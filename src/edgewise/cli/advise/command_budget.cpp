@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/cli/terminal/text_table.hpp"
 #include "edgewise/geometry/hull.hpp"
@@ -135,8 +136,8 @@ void add_budget(CLI::App& app, Context& context) {
         "How few vertices a body can have, and the exact worst error of distances then", run_budget);
     CLI::Option* const mesh = command->add_option("--mesh", options.mesh, "mesh file of the body");
     command->add_option("--shape", options.shape, "built-in shape")->capture_default_str()->excludes(mesh);
-    command->add_option("--tolerance", options.tolerance, "largest error of any distance, in the body's unit")
-        ->check(CLI::PositiveNumber);
+    add_number(*command, "--tolerance", options.tolerance, input::above_0,
+               "largest error of any distance, in the body's unit");
     command->add_option("--table", options.table, "table type that is timed")->capture_default_str();
     command->add_option("--algorithm", options.algorithm, "vclip or gjk")->capture_default_str();
 }

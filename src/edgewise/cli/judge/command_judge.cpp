@@ -296,9 +296,11 @@ void add_judge(CLI::App& app, Context& context) {
     add_names(*command, "--layouts", options.layouts, "these layouts or table types; all if not given");
     add_names(*command, "--algorithms", options.algorithms, "these algorithms; all if not given");
     add_names(*command, "--peers", options.peers, "these libraries; all that are built if not given");
-    command->add_option(
-        "--said", options.said,
-        "what a library printed, LIBRARY=DISTANCE, judged with the others; a depth is negative");
+    command
+        ->add_option("--said", options.said,
+                     "what a library printed, judged with the others; a depth is a negative distance")
+        ->type_name("LIBRARY=NUMBER")
+        ->each([](const std::string& text) { static_cast<void>(said_answer(text)); });
     command->add_flag("--as-given", options.as_given, "look for no smaller pair that still fails");
     command->add_flag("--template", options.case_to_fill_in, "print a case to fill in, and judge nothing");
     command->add_flag("--tests", options.tests, "also the pair as a test in C++ for FCL and for Bullet");

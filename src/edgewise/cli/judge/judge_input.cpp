@@ -6,12 +6,14 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/scene/dumps/dump_text.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
@@ -47,18 +49,29 @@ scene::CaseBody mesh_body(const std::string& path) {
 }
 
 /// 3 numbers: a translation; 12 or 16: rows of a matrix with the translation last.
-Pose pose_from(const std::string& text, const std::string& option) {
-    if (text.empty()) return {};
-    const auto m = scene::numbers_in(text);
-    if (!m) throw std::invalid_argument(fmt::format("{}: {}", option, m.error));
-    if (m->size() == 3) return {Mat3d::Identity(), {(*m)[0], (*m)[1], (*m)[2]}};
-    if (m->size() != 12 && m->size() != 16)
+std::vector<double> pose_numbers(const std::string& text, const std::string& option) {
+    auto numbers = input::parse_numbers(text);
+    if (!numbers) throw std::invalid_argument(fmt::format("{} {}: {}", option, text, numbers.error));
+    const std::size_t count = numbers->size();
+    if (count != 3 && count != 12 && count != 16)
         throw std::invalid_argument(
             fmt::format("{}: {} numbers; write x,y,z, or the 12 (or 16) numbers of a matrix, row by row",
-                        option, m->size()));
-    auto pose = scene::pose_from_rows(*m, option);
+                        option, count));
+    return *std::move(numbers);
+}
+
+Pose pose_from(const std::string& text, const std::string& option) {
+    if (text.empty()) return {};
+    const std::vector<double> m = pose_numbers(text, option);
+    if (m.size() == 3) return {Mat3d::Identity(), {m[0], m[1], m[2]}};
+    auto pose = scene::pose_from_rows(m, option);
     if (!pose.warning.empty()) warn(pose.warning + "; the nearest rotation is used");
     return std::move(pose).or_throw();
+}
+
+/// Refused on the command line already.
+std::function<void(std::string)> is_pose(const char* option) {
+    return [option](const std::string& text) { static_cast<void>(pose_numbers(text, option)); };
 }
 
 std::string text_from(const std::string& file) {
@@ -85,8 +98,13 @@ void add_judge_input(CLI::App& command, JudgeInput& input) {
     a->needs(b);
     b->needs(a);
     command.add_option("--pose-a", input.pose_a, "x,y,z, or a matrix of 12 or 16 numbers, row by row")
+        ->type_name("NUMBERS")
+        ->each(is_pose("--pose-a"))
         ->needs(a);
-    command.add_option("--pose-b", input.pose_b, "likewise of the second body")->needs(b);
+    command.add_option("--pose-b", input.pose_b, "likewise of the second body")
+        ->type_name("NUMBERS")
+        ->each(is_pose("--pose-b"))
+        ->needs(b);
 }
 
 scene::PastedPair read_judge_input(const JudgeInput& input) {

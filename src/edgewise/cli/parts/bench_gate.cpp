@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/cli/parts/bench_gate.hpp"
-#include "edgewise/cli/count_option.hpp"
+#include "edgewise/cli/number_option.hpp"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/studies/gate/file.hpp"
 #include "edgewise/studies/gate/run.hpp"
@@ -100,6 +101,7 @@ void print(const GateReport& report, const studies::GateRun& run, double slack, 
 }
 
 int write_baseline(const GateArguments& gate, std::size_t queries, bool json) {
+    static_cast<void>(input::output_place(gate.file));  // refused before minutes of measuring
     auto run = measure_gate(gate, queries);
     if (!run) return exit_check_failed;
     run->record.slack = gate.slack.value_or(usual_slack);
@@ -162,12 +164,10 @@ void add_gate_options(CLI::App& command, GateArguments& gate) {
               {static_cast<std::uint64_t>(measure::least_sample(0.95)), 10'000, "rounds"},
               "of the gate; each is a ratio")
         ->needs(file);
-    command
-        .add_option("--slack", gate.slack,
-                    fmt::format("by how much a ratio of the gate may grow (else the FILE's; {} where it is "
-                                "written)",
-                                usual_slack))
-        ->check(CLI::Range(0.0, 100.0))
+    add_number(command, "--slack", gate.slack, {0, 100},
+               fmt::format("by how much a ratio of the gate may grow (else the FILE's; {} where it is "
+                           "written)",
+                           usual_slack))
         ->needs(file);
     command.add_option("--layouts", gate.layouts, "table types that the gate measures")
         ->delimiter(',')

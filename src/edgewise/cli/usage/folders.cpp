@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/input/output_file.hpp"
 
 namespace edgewise::cli {
 
@@ -24,6 +25,19 @@ fs::path named_folder(const std::string& folder) {
 bool is_usual(const std::string& folder) { return folder == folder_of(default_store); }
 
 }  // namespace
+
+CLI::Option* add_output_file(CLI::App& command, const std::string& name, std::string& to,
+                             const std::string& what) {
+    const auto is_fit = [](const std::string& path) -> std::string {
+        try {
+            static_cast<void>(input::output_place(path));
+            return {};
+        } catch (const std::exception& problem) {
+            return problem.what();
+        }
+    };
+    return command.add_option(name, to, what)->type_name("FILE")->check(CLI::Validator(is_fit, ""));
+}
 
 void check_folder(const std::string& folder, const std::string& option) {
     const fs::path named = named_folder(folder), above = named.parent_path();

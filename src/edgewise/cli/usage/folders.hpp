@@ -4,9 +4,15 @@
 // which do not exist is a slip of the pen.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 
 namespace edgewise::cli {
+
+/// An option that names a file to be written (input/output_file.hpp). What cannot be written is refused
+/// before any work is done.
+CLI::Option* add_output_file(CLI::App& command, const std::string& name, std::string& to,
+                             const std::string& what);
 
 /// Throws std::invalid_argument where neither the folder nor the one above it exists. `option`: what the path
 /// was given as.

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/measure/cache/machine_of_sizes.hpp"
 
 namespace edgewise::measure {
 
@@ -48,6 +49,11 @@ struct Place {
         }
         return places;
     }
+    /// A misspelt member would be left out without a word.
+    void refuse_others(std::string_view what, const std::vector<std::string>& known) const {
+        const std::string unknown = input::unknown_member(json, what, known);
+        if (!unknown.empty()) throw std::runtime_error(fmt::format("{}: {}{}", file, path, unknown));
+    }
     /// From least to most.
     [[nodiscard]] double number(std::string_view field, double least, double most) const {
         const double value = at(field).is_number() ? at(field).get<double>() : std::nan("");
@@ -59,6 +65,16 @@ struct Place {
         const double value = number(field, least, most);
         if (value != std::floor(value)) refuse(field, "a whole number");
         return static_cast<std::uint64_t>(value);
+    }
+    /// 49152, "48K" or "48 KiB".
+    [[nodiscard]] std::uint64_t bytes(std::string_view field, double least) const {
+        if (!at(field).is_string()) return whole(field, least, most_bytes);
+        std::string size = at(field).get<std::string>();
+        std::erase(size, ' ');
+        const auto value = bytes_of_size(size);
+        if (!value || static_cast<double>(*value) < least)
+            refuse(field, fmt::format("bytes, as 49152 or \"48K\", {} or more", least));
+        return *value;
     }
     /// What may be left out, but not be wrong.
     [[nodiscard]] std::string text_or(std::string_view field, const char* standard) const {
@@ -99,14 +115,23 @@ LevelOrigin read_origin(const Place& place, bool has_latency) {
 }
 
 /// Of so many lines in all.
-LevelGeometry read_level(const Place& place, std::uint64_t lines, std::string_view counted) {
+LevelGeometry read_level(const Place& place, std::uint64_t lines, std::string_view counted,
+                         const std::vector<LevelGeometry>& above) {
     LevelGeometry level;
     level.name = place.text("name");
+    if (std::ranges::find(above, level.name, &LevelGeometry::name) != above.end())
+        place.refuse("name", fmt::format("a name of its own: another level is called '{}'", level.name));
     level.inclusion =
         static_cast<Inclusion>(place.choice("inclusion", {"non_inclusive", "inclusive", "exclusive"}));
     level.replacement = static_cast<Replacement>(place.choice("replacement", {"lru", "tree_plru", "random"}));
     const double most = level.replacement == Replacement::tree_plru ? most_tree_ways : 65536;
-    const std::uint64_t ways = place.whole("ways", 1, std::min(most, static_cast<double>(lines)));
+    const double most_ways = std::min(most, static_cast<double>(lines));
+    if (place.at("ways") == 0)
+        place.refuse(
+            "ways", fmt::format("a number from 1 to {0}; the kernel writes 0 where it does not know them, or "
+                                "for full associativity: that is {0} here",
+                                most_ways));
+    const std::uint64_t ways = place.whole("ways", 1, most_ways);
     if (lines % ways != 0) place.refuse(counted, "whole sets: a multiple of the ways' size");
     level.ways = static_cast<std::uint32_t>(ways);
     level.sets = static_cast<std::uint32_t>(lines / ways);
@@ -122,23 +147,36 @@ std::uint32_t read_line(const Place& place, std::string_view field, double least
 void read_caches(const Place& file, CacheMachine& machine) {
     machine.caches.line_bytes = read_line(file, "line_bytes", 16, 1024);
     for (const Place& place : file.list("levels")) {
-        const std::uint64_t bytes = place.whole("bytes", machine.caches.line_bytes, most_bytes);
+        if (place.json.contains("line_bytes"))
+            place.refuse(
+                "line_bytes",
+                "to stand before the levels, once: caches with lines of several sizes are not modelled");
+        place.refuse_others("a cache level", {"name", "bytes", "ways", "inclusion", "replacement",
+                                              "latency_cycles", "source", "unverified"});
+        const std::uint64_t bytes = place.bytes("bytes", machine.caches.line_bytes);
         if (bytes % machine.caches.line_bytes != 0) place.refuse("bytes", "whole lines");
-        machine.caches.levels.push_back(read_level(place, bytes / machine.caches.line_bytes, "bytes"));
+        machine.caches.levels.push_back(
+            read_level(place, bytes / machine.caches.line_bytes, "bytes", machine.caches.levels));
         machine.origins.push_back(read_origin(place, true));
     }
     if (machine.caches.levels[0].inclusion == Inclusion::exclusive)
         file.list("levels")[0].refuse("inclusion", "non_inclusive: nothing is above the first level");
     machine.memory.source = "the file names none";
-    if (file.json.contains("memory")) machine.memory = read_origin(file.in("memory"), true);
+    if (!file.json.contains("memory")) return;
+    file.in("memory").refuse_others("the memory", {"latency_cycles", "source", "unverified"});
+    machine.memory = read_origin(file.in("memory"), true);
 }
 
 void read_tlbs(const Place& file, CacheMachine& machine) {
     if (!file.json.contains("tlb")) return;
     const Place tlb = file.in("tlb");
+    tlb.refuse_others("the TLBs", {"page_bytes", "levels"});
     machine.tlbs.line_bytes = read_line(tlb, "page_bytes", 512, 1 << 30);
     for (const Place& place : tlb.list("levels")) {
-        machine.tlbs.levels.push_back(read_level(place, place.whole("entries", 1, 1e7), "entries"));
+        place.refuse_others("a TLB level",
+                            {"name", "entries", "ways", "inclusion", "replacement", "source", "unverified"});
+        machine.tlbs.levels.push_back(
+            read_level(place, place.whole("entries", 1, 1e7), "entries", machine.tlbs.levels));
         machine.tlb_origins.push_back(read_origin(place, false));
     }
 }
@@ -156,6 +194,7 @@ CacheMachine parse_cache_machine(const std::string& json, const std::string& nam
     const Json& parsed = *read;
     const Place file{parsed, name, ""};
     if (!parsed.is_object()) file.refuse("the file", "an object");
+    file.refuse_others("a machine", {"name", "what", "clock_mhz", "line_bytes", "levels", "memory", "tlb"});
     CacheMachine machine;
     machine.name = name;
     machine.what = file.text_or("what", name.c_str());

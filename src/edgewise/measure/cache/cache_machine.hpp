@@ -11,7 +11,8 @@
 //
 // Levels may add "inclusion" (non_inclusive, inclusive, exclusive), "replacement" (lru, tree_plru, random)
 // and "unverified" (a list of the level's own fields). Needed are "line_bytes" and of each level name, bytes
-// and ways. Without clock, latencies or memory no time is computed of misses; "tlb" may be left out.
+// and ways; bytes may be a size, as "48K". Other members are refused. Without clock, latencies or memory no
+// time is computed of misses; "tlb" may be left out.
 #pragma once
 
 #include <span>

@@ -22,13 +22,18 @@ constexpr const char* source =
 std::string add_level(const Cache& cache, CacheMachine& machine) {
     const auto known = [](const Expected<std::int64_t>& fact) { return fact.value && *fact.value > 0; };
     if (!known(cache.level) || !known(cache.bytes) || !known(cache.ways) || !known(cache.line_bytes))
-        return "sysfs does not tell level, size, ways and line of every cache";
+        return "sysfs does not tell level, size, ways and line of every cache; write what you know of it, as "
+               "in --machines l1=32K,l2=256K";
     const std::int64_t line = *cache.line_bytes.value, ways = *cache.ways.value;
     if (*cache.bytes.value % (line * ways) != 0) return "a cache's size is no multiple of its ways' size";
     if (machine.caches.levels.empty()) machine.caches.line_bytes = static_cast<std::uint32_t>(line);
     if (line != machine.caches.line_bytes) return "caches with lines of several sizes are not modelled";
     const auto sets = static_cast<std::uint32_t>(*cache.bytes.value / (line * ways));
-    const std::string name = fmt::format("L{}{}", *cache.level.value, *cache.level.value == 1 ? "D" : "");
+    std::string name = fmt::format("L{}{}", *cache.level.value, *cache.level.value == 1 ? "D" : "");
+    // Intel's Lion Cove has two data caches before its L2, and the kernel calls both level 1.
+    const auto same = std::ranges::count_if(
+        machine.caches.levels, [&](const LevelGeometry& level) { return level.name.starts_with(name); });
+    if (same > 0) name += fmt::format("_{}", same + 1);
     machine.caches.levels.push_back({name, sets, static_cast<std::uint32_t>(ways)});
     machine.origins.push_back({0, source, {"inclusion", "replacement"}});
     return {};

@@ -125,6 +125,10 @@ LayoutLock parse_lock(const std::string& json, const std::string& file) {
             fmt::format("{}: {}; wants a lock, as this program prints it", file, read.error));
     const Json& parsed = *read;
     if (!parsed.is_object()) refuse(file, "the file", "an object");
+    if (const std::string unknown =
+            input::unknown_member(parsed, "a lock", {"edgewise_lock", "of", "figures"});
+        !unknown.empty())
+        throw std::runtime_error(fmt::format("{}: {}", file, unknown));
     if (!parsed.contains("edgewise_lock") || parsed["edgewise_lock"] != form)
         refuse(file, "edgewise_lock", "1, the form that this program knows");
     return {members<std::string>(parsed, "of", file, "a text", &Json::is_string),

@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "edgewise/input/known_names.hpp"
+
 namespace edgewise::measure {
 
 namespace {
@@ -28,6 +30,11 @@ constexpr const char* din_wants =
     "'LABEL ADDRESS' with a label 0, 1 or 2, or 'r|w|i|m ADDRESS SIZE'; hexadecimal, sizes to 100000";
 constexpr const char* lackey_wants =
     "'I  ADDRESS,SIZE' or ' L|S|M ADDRESS,SIZE', as lackey --trace-mem=yes --log-file=FILE writes";
+constexpr const char* wants_no_commands =
+    "an access: labels 3 and 4 (escapes), c (copy back) and v (invalidate) are commands to a cache, which this model "
+    "does not have; delete such lines";
+constexpr const char* wants_no_size =
+    "no number after the address: labels 0, 1 and 2 have no sizes; write 'r|w|i ADDRESS SIZE', both hexadecimal";
 
 void skip_blanks(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
@@ -48,46 +55,85 @@ bool is_sound(const Access& access) {
            access.address + (access.bytes - 1) >= access.address;
 }
 
-std::optional<Access> din_access(std::string_view line) {
-    using enum Access::Label;
+bool at_word_end(std::string_view text) { return text.empty() || text[0] == ' ' || text[0] == '\t'; }
+
+/// The label of one letter that the line begins with, taken off with the blanks behind it; 0 if there is
+/// none.
+char take_label(std::string_view& line) {
     skip_blanks(line);
-    constexpr std::string_view labels = "012rwim";
-    const std::size_t which = line.empty() ? labels.npos : labels.find(line[0]);
-    if (which == labels.npos || line.size() < 2 || (line[1] != ' ' && line[1] != '\t')) return std::nullopt;
-    constexpr Access::Label meanings[] = {read, write, fetch, read, write, fetch, read};
+    if (line.size() < 2 || at_word_end(line) || !at_word_end(line.substr(1))) return 0;
+    const char label = line[0];
     line.remove_prefix(1);
     skip_blanks(line);
+    return label;
+}
+
+/// A short number after the address of a traditional line, which can only be meant as a size. (A long one is
+/// the word that was read, as other simulators write; Dinero leaves it out, too.)
+bool has_size(std::string_view rest) {
+    constexpr std::size_t most_digits = 3;
+    skip_blanks(rest);
+    const std::size_t before = rest.size();
+    return take_number(rest, 16) && at_word_end(rest) && before - rest.size() <= most_digits;
+}
+
+bool has_letter(std::uint64_t address) {
+    while (address > 0 && address % 16 < 10) address /= 16;
+    return address > 0;
+}
+
+std::optional<Access> din_access(std::string_view line) {
+    using enum Access::Label;
+    constexpr std::string_view labels = "012rwim";
+    constexpr Access::Label meanings[] = {read, write, fetch, read, write, fetch, read};
+    const char label = take_label(line);
+    const std::size_t which = label == 0 ? labels.npos : labels.find(label);
     const auto address = take_number(line, 16);
-    if (!address || (!line.empty() && line[0] != ' ' && line[0] != '\t')) return std::nullopt;
-    if (which < 3) return Access{*address & ~std::uint64_t{3}, 4, meanings[which]};
+    if (which == labels.npos || !address || !at_word_end(line)) return std::nullopt;
+    if (which < 3) {
+        if (has_size(line)) return std::nullopt;
+        return Access{*address & ~std::uint64_t{3}, 4, meanings[which]};
+    }
     skip_blanks(line);
     const auto bytes = take_number(line, 16);
-    if (!bytes || (!line.empty() && line[0] != ' ' && line[0] != '\t')) return std::nullopt;
+    if (!bytes || !at_word_end(line)) return std::nullopt;
     return Access{*address, *bytes, meanings[which]};
 }
 
 std::optional<Access> lackey_access(std::string_view line) {
     using enum Access::Label;
-    constexpr std::string_view starts[] = {"I  ", " L ", " S ", " M "};
+    constexpr std::string_view labels = "ILSM";
     constexpr Access::Label meanings[] = {fetch, read, write, modify};
-    for (std::size_t i = 0; i < std::size(starts); ++i) {
-        if (!line.starts_with(starts[i])) continue;
-        line.remove_prefix(starts[i].size());
-        const auto address = take_number(line, 16);
-        if (!address || !line.starts_with(",")) return std::nullopt;
-        line.remove_prefix(1);
-        const auto bytes = take_number(line, 10);
-        if (!bytes || !line.empty()) return std::nullopt;
-        return Access{*address, *bytes, meanings[i]};
-    }
-    return std::nullopt;
+    const char label = take_label(line);
+    const std::size_t which = label == 0 ? labels.npos : labels.find(label);
+    const auto address = take_number(line, 16);
+    if (which == labels.npos || !address || !line.starts_with(",")) return std::nullopt;
+    line.remove_prefix(1);
+    const auto bytes = take_number(line, 10);
+    skip_blanks(line);
+    if (!bytes || !line.empty()) return std::nullopt;
+    return Access{*address, *bytes, meanings[which]};
 }
 
-[[noreturn]] void refuse(const std::string& file, std::uint64_t number, const char* wanted) {
-    throw std::runtime_error(fmt::format("{}:{}: wants {}", file, number, wanted));
+/// What a line of a din file that is no access should be.
+const char* wanted_of_din(std::string_view line) {
+    const char label = take_label(line);
+    if (!take_number(line, 16) || !at_word_end(line)) return din_wants;
+    if (label == '3' || label == '4' || label == 'c' || label == 'v') return wants_no_commands;
+    return label >= '0' && label <= '2' && has_size(line) ? wants_no_size : din_wants;
 }
 
-bool is_message(std::string_view line) { return line.starts_with("=="); }
+[[noreturn]] void refuse(const std::string& file, std::uint64_t number, std::string_view line,
+                         std::string_view wanted) {
+    throw std::runtime_error(fmt::format("{}:{}: '{}' wants {}", file, number, on_one_line(line), wanted));
+}
+
+/// Blank lines, comments, and what Valgrind says itself.
+bool is_no_access(std::string_view line) {
+    if (line.starts_with("==")) return true;
+    skip_blanks(line);
+    return line.empty() || line[0] == '#';
+}
 
 bool next_line(std::istream& stream, std::string& line) {
     if (!std::getline(stream, line)) return false;
@@ -120,11 +166,12 @@ TraceForm form_of(std::istream& stream, const std::string& file) {
     std::uint64_t number = 0;
     for (std::string line; next_line(stream, line);) {
         ++number;
-        if (is_message(line)) continue;
+        if (is_no_access(line)) continue;
         if (lackey_access(line)) return TraceForm::lackey;
-        if (din_access(line)) return TraceForm::din;
-        refuse(file, number,
-               "a line of Dinero's din ('r 1f40 8', '0 1f40') or of Valgrind's lackey (' L 1f40,8')");
+        if (din_access(line) || wanted_of_din(line) != din_wants) return TraceForm::din;
+        refuse(file, number, line,
+               "to be a line of Dinero's din ('r 1f40 8', '0 1f40') or of Valgrind's lackey ('I  1f40,3', "
+               "' L 1f40,8')");
     }
     throw std::runtime_error(file + ": has no accesses, or cannot be read");
 }
@@ -136,9 +183,11 @@ TraceCounts read_trace(std::istream& stream, const std::string& file, const Trac
     std::uint64_t number = 0;
     for (std::string line; next_line(stream, line);) {
         ++number;
-        if (!is_din && is_message(line)) continue;
+        if (is_no_access(line)) continue;
         const std::optional<Access> access = is_din ? din_access(line) : lackey_access(line);
-        if (!access || !is_sound(*access)) refuse(file, number, is_din ? din_wants : lackey_wants);
+        if (!access || !is_sound(*access))
+            refuse(file, number, line, is_din ? wanted_of_din(line) : lackey_wants);
+        counts.has_letters = counts.has_letters || has_letter(access->address);
         tell(*access, reading, counts, use);
     }
     if (stream.bad()) throw std::runtime_error(file + ": cannot be read to its end");

@@ -4,11 +4,13 @@
 //   din     Dinero's (Edler and Hill, "Dinero IV", 1998), in both of its forms. Traditional: a label (0 is
 //           a read, 1 a write, 2 an instruction fetch) and an address in hexadecimal; it has no sizes, so
 //           that an access is the word of 4 bytes at the address, as in Dinero. Extended: r, w, i or m (as a
-//           read), address and size, both in hexadecimal. What follows on a line is a comment. Labels that
-//           are no accesses (3, 4; c, v) are refused: the model has no commands.
+//           read), address and size, both in hexadecimal. What follows on a line is a comment; a size there,
+//           which the traditional form does not have, is refused. So are labels that are no accesses (3, 4;
+//           c, v): the model has no commands.
 //   lackey  what `valgrind --tool=lackey --trace-mem=yes --log-file=FILE` writes: a letter of I (fetch), S
 //           (write), L (read) or M (both, of the same bytes), an address in hexadecimal, a comma, and a size
-//           in decimal. Valgrind's own lines ("==pid== ...") say nothing.
+//           in decimal, with any blanks around the letter. Valgrind's own lines ("==pid== ...") say nothing.
+// Blank lines and lines that begin with # are left out.
 // A user's own traces are written in the extended form of din (write_din).
 #pragma once
 
@@ -33,6 +35,7 @@ struct FileAccess {
 /// What a file had.
 struct TraceCounts {
     std::uint64_t reads = 0, writes = 0, fetches = 0;
+    bool has_letters = false;  ///< a digit above 9 in any address; else they may be decimal
 };
 
 struct TraceReading {
@@ -40,8 +43,8 @@ struct TraceReading {
     bool fetches = false;  ///< instruction fetches are reads like others, else they are left out
 };
 
-/// By the file's first line that is no message of Valgrind's: din begins with a label, lackey with I or a
-/// blank. Throws std::runtime_error as read_trace does.
+/// By the file's first line that may be an access: lackey has a comma after the address. Throws
+/// std::runtime_error as read_trace does.
 [[nodiscard]] TraceForm form_of(std::istream& stream, const std::string& file);
 
 /// Calls use(access) for each, in order; fetches are counted in any case. Throws std::runtime_error with one

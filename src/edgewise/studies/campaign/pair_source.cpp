@@ -81,7 +81,8 @@ void PairSource::add(const std::string& family, const std::vector<std::string>& 
     }
     for (const std::string& shape : shapes) {
         const std::string name = std::string(random_family) + " " + shape;
-        shapes_[name] = scene::make_shape(shape).or_throw();
+        if (!shapes_.emplace(name, scene::make_shape(shape).or_throw()).second)
+            throw std::invalid_argument(fmt::format("shape '{}' is given twice: leave one out", shape));
         names_.push_back(name);
     }
 }

@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/input/known_names.hpp"
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/studies/campaign/pair_source.hpp"
 
 namespace edgewise::studies::campaign {
@@ -31,6 +32,11 @@ CampaignProgress progress_of(const nlohmann::json& object) {
     progress.next_block = object.at("next_block").get<std::uint64_t>();
     progress.seconds = object.at("seconds").get<double>();
     progress.tally = tally_of(object);
+    const nlohmann::json written = to_json(progress);
+    std::vector<std::string> known;
+    for (const auto& [name, value] : written.items()) known.push_back(name);
+    if (const std::string unknown = input::unknown_member(object, "a state", known); !unknown.empty())
+        throw std::invalid_argument(unknown);
     return progress;
 }
 
@@ -68,16 +74,7 @@ nlohmann::json to_json(const CampaignProgress& progress) {
 }
 
 void write_progress(const CampaignProgress& progress, const std::string& path) {
-    namespace fs = std::filesystem;
-    const std::string unfinished = path + ".part";
-    {
-        std::ofstream stream(unfinished);
-        stream << to_json(progress).dump(1) << '\n';
-        stream.flush();
-        if (!stream)
-            throw std::runtime_error(fmt::format("{}: cannot be written; is the disk full?", unfinished));
-    }
-    fs::rename(unfinished, path);
+    input::write_output(path, to_json(progress).dump(1) + "\n");
 }
 
 std::optional<CampaignProgress> read_progress(const std::string& path) {
@@ -85,9 +82,10 @@ std::optional<CampaignProgress> read_progress(const std::string& path) {
     const std::string text = input::read_file_text(path).or_throw();
     try {
         return progress_of(input::parse_json(text).or_throw());
-    } catch (const std::exception&) {
+    } catch (const std::exception& problem) {
         throw std::invalid_argument(
-            fmt::format("{}: no progress of a campaign; name another file with --state, or remove it", path));
+            fmt::format("{}: no progress of a campaign ({}); name another file with --state, or remove it",
+                        path, without_controls(problem.what())));
     }
 }
 

@@ -31,7 +31,11 @@ Names read_names(const std::string& file) {
     const auto json = input::parse_json(input::read_file_text(file).or_throw());
     std::string problem = json.error;
     try {
-        if (json) return json->at("groups").get<Names>();
+        if (json) {
+            Names names = json->at("groups").get<Names>();
+            problem = input::unknown_member(*json, "a file of groups", {"groups"});
+            if (problem.empty()) return names;
+        }
     } catch (const nlohmann::json::exception& wrong) {
         problem = wrong.what();
     }

@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <stdexcept>
 
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/input/known_names.hpp"
+#include "edgewise/input/output_file.hpp"
 
 namespace edgewise::studies {
 
@@ -49,6 +49,12 @@ double gate_number(const json& object, const std::string& place, const char* key
     return value;
 }
 
+void refuse_others(const json& object, const std::string& place, const char* what,
+                   const std::vector<std::string>& known) {
+    const std::string unknown = input::unknown_member(object, what, known);
+    if (!unknown.empty()) throw GateFault{place + unknown};
+}
+
 template <class Whole>
 Whole gate_whole(const json& object, const char* key) {
     constexpr double most = 1e9;
@@ -67,6 +73,9 @@ GateOver over_of(const json& object, const std::string& place) {
 
 GateEntry entry_of(const json& object, const std::string& place) {
     constexpr double tiniest = 1e-30;
+    if (!object.is_object()) throw GateFault{place + " wants to be an object"};
+    refuse_others(object, place, "an entry of a baseline",
+                  {"algorithm", "table", "scene", "shape", "axes", "over", "ratio", "low", "high"});
     GateEntry entry;
     entry.algorithm = gate_text(object, place, "algorithm");
     entry.table = gate_text(object, place, "table");
@@ -81,11 +90,14 @@ GateEntry entry_of(const json& object, const std::string& place) {
 
 GateRecord record_of(const json& object) {
     if (!object.is_object()) throw GateFault{"wants one object, as --write makes it"};
+    refuse_others(object, "", "a baseline",
+                  {"gate", "machine", "build", "rounds", "queries", "slack", "entries"});
     if (gate_number(object, "", "gate", 0) != gate_version)
         throw GateFault{fmt::format("gate wants {}, the only version there is", gate_version)};
     GateRecord record;
     record.machine = gate_text(object, "", "machine");
-    const auto build = gate_member<json>(object, "", "build", "an object");
+    const json build = gate_member<json::object_t>(object, "", "build", "an object");
+    refuse_others(build, "build.", "a build", {"git_revision", "compiler", "flags", "build_type"});
     record.git_revision = gate_text(build, "build.", "git_revision");
     record.compiler = gate_text(build, "build.", "compiler");
     record.flags = gate_text(build, "build.", "flags");
@@ -148,10 +160,7 @@ Result<GateRecord> read_gate(const std::string& path) {
 }
 
 void write_gate(const std::string& path, const GateRecord& record) {
-    std::ofstream stream(path, std::ios::binary);
-    stream << gate_json(record).dump(1) << '\n';
-    if (!stream.flush())
-        throw std::runtime_error(path + ": cannot be written; name a file in a folder of yours");
+    input::write_output(path, gate_json(record).dump(1) + "\n");
 }
 
 }  // namespace edgewise::studies

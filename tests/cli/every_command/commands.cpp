@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgewise::cli_test {
+
+namespace {
+
+constexpr const char* a_case =
+    R"({"id":"1","a":{"vertices":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]},"b":{"vertices":[[3,0,0],[4,0,0],[3,1,0],[3,0,1]]}})"
+    "\n";
+
+}  // namespace
+
+void fill(const Folder& folder) {
+    ASSERT_EQ(run({"sweep", "--scenes", "cold", "--shapes", "cube8", "--layouts", "aos_f64", "--queries",
+                   "50", "--checked", "10", "--rounds", "2", "--store", "s.db", "--no-report"},
+                  folder)
+                  .exit_code,
+              0);
+    ASSERT_EQ(run({"export", "s.db", "--machine-record", "--out", "r.json"}, folder).exit_code, 0);
+    folder.write("c.jsonl", a_case);
+}
+
+const std::map<std::string, Arguments>& printing() {
+    static const std::map<std::string, Arguments> arguments = {
+        {"advise", {"--store", "s.db"}},
+        {"bench", {"--shape", "cube8", "--queries", "20", "--repetitions", "1"}},
+        {"budget", {"--shape", "sphere38"}},
+        {"bytes", {"--layouts", "aos_f64"}},
+        {"caches", {"--shape", "cube8", "--queries", "20"}},
+        {"calibrate", {"--loads", "1000", "--times", "0.01"}},
+        {"campaign", {"--pairs", "50", "--families", "random", "--shapes", "cube8", "--layouts", "aos_f64"}},
+        {"claims", {"s.db"}},
+        {"compare", {"r.json"}},
+        {"crosscheck", {"--shape", "cube8", "--queries", "20"}},
+        {"draw", {"layout", "aos_f64", "--shape", "tetra4"}},
+        {"effort", {"--shape", "cube8", "--queries", "20", "--layouts", "aos_f64", "--checked", "5"}},
+        {"export", {"s.db"}},
+        {"fields", {"--shape", "cube8", "--queries", "50", "--rounds", "9", "--checked", "5"}},
+        {"heat", {"--shape", "cube8", "--queries", "20"}},
+        {"judge", {"c.jsonl", "--layouts", "aos_f64"}},
+        {"list", {"layouts"}},
+        {"lock", {"--shape", "cube8", "--queries", "10"}},
+        {"machine", {}},
+        {"merge", {"s.db", "--out", "m.db"}},
+        {"paging",
+         {"--bodies", "4", "--steps", "1", "--shape", "cube8", "--layouts", "aos_f64", "--limits", "0"}},
+        {"progress", {"s.db"}},
+        {"query", {"c.jsonl"}},
+        {"report", {"s.db", "--out", "report"}},
+        {"scaling",
+         {"--shape", "cube8", "--queries", "50", "--rounds", "1", "--threads", "1", "--checked", "5"}},
+        {"stability",
+         {"--count", "1", "--layouts", "aos_f64", "--families", "slivers_and_needles", "--store", "t.db"}},
+        {"sweep",
+         {"--scenes", "cold", "--shapes", "cube8", "--layouts", "aos_f64", "--queries", "50", "--checked",
+          "10", "--rounds", "2", "--store", "s.db", "--no-report"}},
+        {"thrash",
+         {"--layouts", "aos_f64", "--bodies", "8", "--memory", "1", "--fault-ns", "1000", "--steps", "12",
+          "--realised", "0"}},
+    };
+    return arguments;
+}
+
+}  // namespace edgewise::cli_test

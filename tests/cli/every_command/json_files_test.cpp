@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// Every command that reads a JSON file refuses a member that is there twice, and one that nobody knows.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace edgewise::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+struct Reader {
+    std::string what;
+    Arguments reading;       ///< of x.json
+    Arguments writing = {};  ///< with which the program makes x.json, or prints it
+    std::string text = {};   ///< of x.json where the program makes none
+};
+
+const Arguments of_fields = {"fields",   "--shape", "cube8",     "--queries", "50",
+                             "--rounds", "9",       "--checked", "5"};
+
+Arguments and_then(Arguments words, const Arguments& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+const Arguments of_small_sweep = {"--layouts", "aos_f64", "--queries", "50",   "--checked",  "10",
+                                  "--rounds",  "2",       "--store",   "s.db", "--no-report"};
+const Arguments of_gate = {"bench",     "--gate", "x.json",    "--rounds", "9",
+                           "--queries", "50",     "--layouts", "aos_f64"};
+const Arguments of_campaign = {"campaign", "--pairs",   "50",      "--families", "random", "--shapes",
+                               "cube8",    "--layouts", "aos_f64", "--state",    "x.json"};
+
+const std::vector<Reader> readers = {
+    {"scene",
+     and_then({"sweep", "--scenes", "x.json"}, of_small_sweep),
+     {},
+     R"({"scene": "cold", "shapes": ["cube8"], "queries": 50})"},
+    {"plan",
+     and_then({"sweep", "--plan", "x.json", "--scenes", "cold", "--shapes", "cube8"}, of_small_sweep),
+     {},
+     R"({"rounds": 2, "seed": 3})"},
+    {"machine",
+     {"caches", "--shape", "cube8", "--queries", "20", "--machines", "x.json"},
+     {},
+     R"({"line_bytes": 64, "levels": [{"name": "L1D", "bytes": "32K", "ways": 8}]})"},
+    {"lock", {"lock", "--check", "x.json"}, {"lock", "--shape", "cube8", "--queries", "10"}},
+    {"baseline", of_gate, and_then(of_gate, {"--write"})},
+    {"state", of_campaign, of_campaign},
+    {"record", {"compare", "x.json"}, {"export", "s.db", "--machine-record"}},
+    {"groups", and_then(of_fields, {"--groups", "x.json"}), and_then(of_fields, {"--write", "x.json"})},
+};
+
+/// A text that the reader takes.
+std::string right_text(const Reader& reader, const Folder& folder) {
+    if (reader.writing.empty()) return reader.text;
+    std::filesystem::remove(folder / "x.json");
+    const Outcome outcome = run(reader.writing, folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return std::filesystem::exists(folder / "x.json") ? text_of(folder / "x.json") : outcome.out;
+}
+
+TEST(JsonFiles, HaveNoMemberTwiceAndNoneThatNobodyKnows) {
+    const Folder folder;
+    ASSERT_EQ(
+        run(and_then({"sweep", "--scenes", "cold", "--shapes", "cube8"}, of_small_sweep), folder).exit_code,
+        0);
+    for (const Reader& reader : readers) {
+        const std::string right = right_text(reader, folder);
+        const auto reading = [&](const std::string& first_member) {
+            folder.write("x.json", "{" + first_member + right.substr(right.find('{') + 1));
+            return run(reader.reading, folder);
+        };
+        const Outcome taken = reading("");
+        EXPECT_NE(taken.exit_code, 2) << reader.what << ": " << taken.err;
+        const std::string name = json::parse(right).begin().key();
+        const std::string value = json::parse(right).begin()->dump();
+        for (const auto& [member, complaint] : std::vector<std::pair<std::string, std::string>>{
+                 {"\"" + name + "\":" + value + ",", name + " is given twice"},
+                 {"\"" + name + "x\":" + value + ",", name + "x is not a member of"}}) {
+            const Outcome refused = reading(member);
+            EXPECT_EQ(refused.exit_code, 2) << reader.what;
+            EXPECT_EQ(refused.out, "") << reader.what;
+            EXPECT_EQ(lines_of(refused.err).size(), 1U) << refused.err;
+            EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("x.json"), HasSubstr(complaint)))
+                << reader.what;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace edgewise::cli_test
