@@ -27,20 +27,23 @@ constexpr const char* no_time = "no time was left (--time)";
 class Race {
   public:
     Race(const CaseAsked& asked, const std::vector<ScreenedCell>& finalists, const RaceOptions& options)
-        : asked_(asked), finalists_(finalists), seconds_(options.seconds), sweep_(sweep_of(finalists)) {
-        sweep_.machines = options.machines;
-        if (std::ranges::find(sweep_.machines, studies::advise::this_machine) == sweep_.machines.end())
-            sweep_.machines.emplace_back(studies::advise::this_machine);
-    }
+        : asked_(asked), finalists_(finalists), named_(options.machines), seconds_(options.seconds) {}
 
+    /// Machines that were named are modelled by the first process, this one for the prediction by the last.
     Finals run() {
+        if (!named_.empty()) drop_what_does_not_fit();
+        sweep_ = sweep_of(finalists_);
         const RacePlan plan = studies::advise::race_within(seconds_, cost());
         sweep_.rounds = plan.rounds;
         int ended = 0;
         std::string problem;
         while (ended < plan.processes && problem.empty()) {
             sweep_.times_in_cache = ended == 0;
-            sweep_.traces = ended + 1 == plan.processes;
+            sweep_.machines.clear();
+            if (ended == 0) sweep_.machines = named_;
+            if (ended + 1 == plan.processes && !names_this_machine())
+                sweep_.machines.emplace_back(studies::advise::this_machine);
+            sweep_.traces = !sweep_.machines.empty();
             sweep_.store = folder_.file(std::to_string(ended) + ".db");
             problem = run_process();
             if (problem.empty()) ++ended;
@@ -54,6 +57,22 @@ class Race {
   private:
     [[nodiscard]] double seconds_left() const { return seconds_ - watch_.elapsed_ns() * 1e-9; }
 
+    [[nodiscard]] bool names_this_machine() const {
+        return std::ranges::find(named_, studies::advise::this_machine) != named_.end();
+    }
+
+    /// Of the slowest finalists first; the fastest and the baseline stay: fewer cells on the machines that
+    /// were named rather than none.
+    void drop_what_does_not_fit() {
+        while (studies::advise::race_seconds(cost(), studies::advise::least_race) > seconds_) {
+            const auto slowest = std::find_if(finalists_.rbegin(), finalists_.rend(), [&](const auto& cell) {
+                return !cell.is_baseline() && &cell != &finalists_.front();
+            });
+            if (slowest == finalists_.rend()) return;
+            finalists_.erase(std::prev(slowest.base()));
+        }
+    }
+
     /// By what the first look took. A traced query takes about 60 times as long, and as long again for the
     /// caches of each machine; processors share that.
     [[nodiscard]] RaceCost cost() const {
@@ -63,7 +82,7 @@ class Race {
             cost.process += checks_over_first_look * cell.seconds;
             cost.round += cell.ns * 1e-9 * static_cast<double>(sweep_.queries);
         }
-        const double traces = traced_over_timed * (1 + static_cast<double>(sweep_.machines.size()));
+        const double traces = traced_over_timed * (2 + static_cast<double>(named_.size()));
         cost.traces = traces * cost.round / std::max(1U, std::thread::hardware_concurrency());
         return cost;
     }
@@ -125,7 +144,8 @@ class Race {
     }
 
     const CaseAsked& asked_;
-    const std::vector<ScreenedCell>& finalists_;
+    std::vector<ScreenedCell> finalists_;
+    std::vector<std::string> named_;  ///< machines
     double seconds_;
     RaceSweep sweep_;  ///< of the process in hand
     WorkFolder folder_;

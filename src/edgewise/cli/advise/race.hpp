@@ -2,7 +2,8 @@
 //
 // The finalists of an advice in processes of their own, one after the other: what differs between processes
 // is what an interval within one does not know. Each is a sweep of this program into a store of its own. The
-// first times a few bodies that fit the cache, too; the last traces lines and caches.
+// first times a few bodies that fit the cache, too, and models the machines that were named; the last models
+// this one.
 #pragma once
 
 #include <string>
