@@ -65,7 +65,11 @@ std::vector<Row> rows_of(const BudgetArguments& options, const Polyhedron& body,
     if (answer && answer->vertices.size() < body.vertex_count()) {
         const auto place = std::ranges::find_if(
             rows, [&](const Row& row) { return row.body.vertices.size() >= answer->vertices.size(); });
-        rows.insert(place, {*answer, {}, true});
+        if (place != rows.end() && place->body.vertices == answer->vertices) {
+            place->is_answer = true;
+        } else {
+            rows.insert(place, {*answer, {}, true});
+        }
     }
     rows.push_back({{body.vertices, 0}, {}});
     std::vector<Polyhedron> bodies;
