@@ -43,7 +43,7 @@ TEST(ObjFile, ReadsEveryFormOfABodyAlike) {
         expect_tetrahedron(start + with_pattern(plain, "\n", (std::string("\n") + start).c_str()));
     for (const char* blank : {"  ", "\t", " \t", " \\\n", "\\\n ", " \\\r\n\t", " \\ # a note\n "})
         expect_tetrahedron(with_pattern(plain, " ", blank));
-    for (const char* comment : {"# C:\\models\\\n", "#\\\n", "#!\\\r\n", "  # indented \\\n"})
+    for (const char* comment : {"# parts\\models\\\n", "#\\\n", "#!\\\r\n", "  # indented \\\n"})
         expect_tetrahedron(comment + plain + comment);
     expect_tetrahedron(plain.substr(0, plain.size() - 1));
     expect_tetrahedron(std::string(four_sides) + four_corners);  // OBJ lets a face stand before its vertices
@@ -58,7 +58,7 @@ TEST(ObjFile, ReadsEveryFormOfANumberAndACorner) {
     for (const char* corner : {"$1/1", "$1/1/1", "$1//3", "$1/-1/-2", "$1/"})
         expect_tetrahedron(std::string(four_corners) + with_pattern(four_sides, "([1-4])", corner));
     expect_tetrahedron(std::string(four_corners) + "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n");
-    for (const char* line : {"vt 0 0\n", "vn 0 0 1\n", "s off\n", "mtllib C:\\x\\\n", "usemtl steel\n",
+    for (const char* line : {"vt 0 0\n", "vn 0 0 1\n", "s off\n", "mtllib x\\y\\\n", "usemtl steel\n",
                              "o a # b \\\n", "g a b\n", "vn 0 \\\n 0 1\n"})
         expect_tetrahedron(line + plain);
 }
@@ -118,53 +118,54 @@ TEST(ObjFile, TakesAllPointsWhereThereIsNoFace) {
     EXPECT_EQ(part_sizes("o a\nv 1 1 1\nusemtl x\nv 2 2 2\nusemtl y\nv 3 3 3\n"), Sizes{3});
 }
 
-/// Put into the fifth line.
+/// Each is put into the fifth line.
+constexpr std::pair<const char*, const char*> refused_lines[] = {
+    {"v 0,5 0 0", "'0,5' has a decimal comma; write a point"},
+    {"v -1,5e3 0 0", "decimal comma"},
+    {"v 0 0 ,5", "decimal comma"},
+    {"v 1, 2, 3", "'1,' has a decimal comma"},
+    {"v nan 0 0", "'nan': every coordinate must be a finite number"},
+    {"v 0 -NaN 0", "finite"},
+    {"v 0 inf 0", "finite"},
+    {"v 0 0 -Infinity", "finite"},
+    {"v 1e999 0 0", "finite"},
+    {"v 1e61 0 0", "beyond 1e+60"},
+    {"v -1.IND 0 0", "no number"},
+    {"v x 0 0", "'x' is no number"},
+    {"v 0x10 0 0", "no number"},
+    {"v 1.5f 0 0", "no number"},
+    {"v 1-2 0 0", "no number"},
+    {"v", "0 numbers"},
+    {"v 1", "1 number;"},
+    {"v 1 2", "2 numbers"},
+    {"v 1 2 3 4 5", "5 numbers"},
+    {"v 1 2 3 4 5 6 7", "7 numbers"},
+    {"v 1 2 3 2", "a weight of 2"},
+    {"v 1 2 3 0", "a weight of 0"},
+    {"v 1 2 3 0.5 0,5 0.5", "decimal comma"},
+    {"v0 0 0", "'v0' is nothing that is read"},
+    {"V 0 0 0", "'V' is nothing that is read"},
+    {"F 1 2 3", "'F' is nothing that is read"},
+    {"solid cube", "'solid'"},
+    {"surf 0 1 0 1 1 2 3", "'surf'"},
+    {"cstype bezier", "points, lines and polygons are"},
+    {"f 0 1 2", "vertex 0: OBJ counts vertices from 1"},
+    {"f 1 2 0/1", "counts vertices from 1"},
+    {"f 1 2 9", "no vertex 9: the file has 4"},
+    {"f 1 2 99999999999", "no vertex 99999999999"},
+    {"f 1 2 -5", "no vertex -5: 4 stand before this line"},
+    {"f 1 2 x", "'x' is no vertex of a face"},
+    {"f 1 2 3.5", "'3.5' is no vertex"},
+    {"f 1,2,3 2 3", "is no vertex"},
+    {"f 1 2 3\\4", "is no vertex"},
+    {"f", "'f' with 0 vertices"},
+    {"f 1", "'f' with 1 vertices, and at least 3"},
+    {"f 1 2", "'f' with 2 vertices"},
+    {"l 1", "at least 2"},
+    {"p 9", "no vertex 9"}};
+
 TEST(ObjFile, RefusesALineWithItsNumber) {
-    const std::pair<const char*, const char*> lines[] = {
-        {"v 0,5 0 0", "'0,5' has a decimal comma; write a point"},
-        {"v -1,5e3 0 0", "decimal comma"},
-        {"v 0 0 ,5", "decimal comma"},
-        {"v 1, 2, 3", "'1,' has a decimal comma"},
-        {"v nan 0 0", "'nan': every coordinate must be a finite number"},
-        {"v 0 -NaN 0", "finite"},
-        {"v 0 inf 0", "finite"},
-        {"v 0 0 -Infinity", "finite"},
-        {"v 1e999 0 0", "finite"},
-        {"v 1e61 0 0", "beyond 1e+60"},
-        {"v -1.IND 0 0", "no number"},
-        {"v x 0 0", "'x' is no number"},
-        {"v 0x10 0 0", "no number"},
-        {"v 1.5f 0 0", "no number"},
-        {"v 1-2 0 0", "no number"},
-        {"v", "0 numbers"},
-        {"v 1", "1 number;"},
-        {"v 1 2", "2 numbers"},
-        {"v 1 2 3 4 5", "5 numbers"},
-        {"v 1 2 3 4 5 6 7", "7 numbers"},
-        {"v 1 2 3 2", "a weight of 2"},
-        {"v 1 2 3 0", "a weight of 0"},
-        {"v 1 2 3 0.5 0,5 0.5", "decimal comma"},
-        {"v0 0 0", "'v0' is nothing that is read"},
-        {"V 0 0 0", "'V' is nothing that is read"},
-        {"F 1 2 3", "'F' is nothing that is read"},
-        {"solid cube", "'solid'"},
-        {"surf 0 1 0 1 1 2 3", "'surf'"},
-        {"cstype bezier", "points, lines and polygons are"},
-        {"f 0 1 2", "vertex 0: OBJ counts vertices from 1"},
-        {"f 1 2 0/1", "counts vertices from 1"},
-        {"f 1 2 9", "no vertex 9: the file has 4"},
-        {"f 1 2 99999999999", "no vertex 99999999999"},
-        {"f 1 2 -5", "no vertex -5: 4 stand before this line"},
-        {"f 1 2 x", "'x' is no vertex of a face"},
-        {"f 1 2 3.5", "'3.5' is no vertex"},
-        {"f 1,2,3 2 3", "is no vertex"},
-        {"f 1 2 3\\4", "is no vertex"},
-        {"f", "'f' with 0 vertices"},
-        {"f 1", "'f' with 1 vertices, and at least 3"},
-        {"f 1 2", "'f' with 2 vertices"},
-        {"l 1", "at least 2"},
-        {"p 9", "no vertex 9"}};
-    for (const auto& [line, said] : lines) {
+    for (const auto& [line, said] : refused_lines) {
         for (const char* end : {"\n", "\r\n", "\r"}) {
             const std::string text =
                 with_pattern(std::string(four_corners) + line + "\n" + four_sides, "\n", end);

@@ -27,6 +27,24 @@ constexpr double parts = 8;
 
 constexpr const char* no_time = "no time was left (--time)";
 
+/// By what the first look took. A traced query takes about 60 times as long, and as long again for the
+/// caches of each machine; processors share that. A sweep is of every table with every algorithm of the
+/// finalists.
+RaceCost cost_of(const std::vector<ScreenedCell>& finalists, std::size_t machines) {
+    constexpr double traced_over_timed = 60, checks_over_first_look = 2;
+    const RaceSweep sweep = sweep_of(finalists);
+    const double swept = static_cast<double>(sweep.tables.size() * sweep.algorithms.size()) /
+                         static_cast<double>(finalists.size());
+    RaceCost cost;
+    for (const ScreenedCell& cell : finalists) {
+        cost.process += swept * checks_over_first_look * cell.seconds;
+        cost.round += swept * cell.ns * 1e-9 * static_cast<double>(sweep.queries);
+    }
+    cost.traces = traced_over_timed * static_cast<double>(1 + std::max<std::size_t>(machines, 1)) *
+                  cost.round / std::max(1U, std::thread::hardware_concurrency());
+    return cost;
+}
+
 class Race {
   public:
     Race(const CaseAsked& asked, const std::vector<ScreenedCell>& finalists, const RaceOptions& options)
@@ -38,7 +56,7 @@ class Race {
 
     Finals run() {
         std::string problem = named_.empty() ? "" : model_named_machines();
-        RacePlan plan = studies::advise::race_within(seconds_left(), cost());
+        RacePlan plan = studies::advise::race_within(seconds_left(), cost_of(finalists_, named_.size()));
         plan.processes = std::min(plan.processes, studies::advise::whole_race.processes - ended_);
         const bool hosts_caches = std::ranges::find(named_, studies::advise::this_machine) == named_.end();
         for (int left = plan.processes; left > 0 && problem.empty(); --left) {
@@ -81,7 +99,7 @@ class Race {
 
     /// Of one process that traces.
     [[nodiscard]] double expected_seconds(const RacePlan& plan) const {
-        const RaceCost one = cost();
+        const RaceCost one = cost_of(finalists_, named_.size());
         return one.process + plan.rounds * one.round + one.traces;
     }
 
@@ -93,25 +111,6 @@ class Race {
         if (slowest == finalists_.rend()) return false;
         finalists_.erase(std::prev(slowest.base()));
         return true;
-    }
-
-    /// By what the first look took. A traced query takes about 60 times as long, and as long again for the
-    /// caches of each machine; processors share that. A sweep is of every table with every algorithm of the
-    /// finalists.
-    [[nodiscard]] RaceCost cost() const {
-        constexpr double traced_over_timed = 60, checks_over_first_look = 2;
-        const RaceSweep sweep = sweep_of(finalists_);
-        const double swept = static_cast<double>(sweep.tables.size() * sweep.algorithms.size()) /
-                             static_cast<double>(finalists_.size());
-        RaceCost cost;
-        for (const ScreenedCell& cell : finalists_) {
-            cost.process += swept * checks_over_first_look * cell.seconds;
-            cost.round += swept * cell.ns * 1e-9 * static_cast<double>(sweep.queries);
-        }
-        const double machines = static_cast<double>(std::max<std::size_t>(named_.size(), 1));
-        cost.traces = traced_over_timed * (1 + machines) * cost.round /
-                      std::max(1U, std::thread::hardware_concurrency());
-        return cost;
     }
 
     /// Empty, or why it did not come to its end.

@@ -34,6 +34,35 @@ struct ObjPart {
     std::vector<ObjElement> elements;
 };
 
+/// Without a comment, and with the lines that a backslash at the end adds.
+std::string whole_statement(TextLines& lines) {
+    std::string statement;
+    for (;;) {
+        const std::string_view line = lines.line();
+        statement += line.substr(0, line.find('#'));
+        statement.resize(statement.find_last_not_of(" \t") + 1);
+        if (!statement.ends_with('\\')) return statement;
+        statement.back() = ' ';
+        if (!lines.next()) return statement;
+    }
+}
+
+/// x y z, then nothing, a weight of 1, or a colour of three numbers.
+Result<Vec3d> vertex_from(const Words& words) {
+    using Vertex = Result<Vec3d>;
+    const std::size_t count = words.size() - 1;
+    if (count != 3 && count != 4 && count != 6)
+        return Vertex::failure(message(count, count == 1 ? " number" : " numbers",
+                                       "; a vertex is x y z, with a weight of 1 or a colour r g b behind"));
+    for (std::size_t k = 4; k < words.size(); ++k) {
+        const auto more = coordinate_from(words[k]);
+        if (!more) return Vertex::failure(more.error);
+        if (count == 4 && *more != 1)
+            return Vertex::failure(message("a weight of ", *more, "; only vertices of weight 1 are read"));
+    }
+    return point_from(words[1], words[2], words[3]);
+}
+
 class ObjReader {
   public:
     void read(std::string_view text) {
@@ -76,23 +105,12 @@ class ObjReader {
   private:
     [[noreturn]] void fail(const std::string& what) const { throw MeshFault{line_, what}; }
 
-    /// Without a comment, and with the lines that a backslash at the end adds.
-    static std::string whole_statement(TextLines& lines) {
-        std::string statement;
-        for (;;) {
-            const std::string_view line = lines.line();
-            statement += line.substr(0, line.find('#'));
-            statement.resize(statement.find_last_not_of(" \t") + 1);
-            if (!statement.ends_with('\\')) return statement;
-            statement.back() = ' ';
-            if (!lines.next()) return statement;
-        }
-    }
-
     void take(const Words& words) {
         if (words.empty()) return;
         if (words[0] == "v") {
-            take_vertex(words);
+            const auto vertex = vertex_from(words);
+            if (!vertex) fail(vertex.error);
+            vertices_.push_back(*vertex);
         } else if (words[0] == "f" || words[0] == "fo") {
             take_element(words, true);
         } else if (words[0] == "l" || words[0] == "p") {
@@ -101,23 +119,6 @@ class ObjReader {
             fail(message("'", on_one_line(words[0]),
                          "' is nothing that is read of an OBJ file; points, lines and polygons are"));
         }
-    }
-
-    /// x y z, then nothing, a weight of 1, or a colour of three numbers.
-    void take_vertex(const Words& words) {
-        const std::size_t count = words.size() - 1;
-        if (count != 3 && count != 4 && count != 6)
-            fail(message(count, count == 1 ? " number" : " numbers",
-                         "; a vertex is x y z, with a weight of 1 or a colour r g b behind"));
-        const auto point = point_from(words[1], words[2], words[3]);
-        if (!point) fail(point.error);
-        for (std::size_t k = 4; k < words.size(); ++k) {
-            const auto more = coordinate_from(words[k]);
-            if (!more) fail(more.error);
-            if (count == 4 && *more != 1)
-                fail(message("a weight of ", *more, "; only vertices of weight 1 are read"));
-        }
-        vertices_.push_back(*point);
     }
 
     void take_element(const Words& words, bool is_face) {
