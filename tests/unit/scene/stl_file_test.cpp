@@ -107,7 +107,7 @@ TEST(StlFile, SaysTheSizeThatACountMakes) {
     const std::string whole = box_bytes();
     ASSERT_EQ(whole.size(), 684U);
     for (const char* header : {"", "solid box", "a box"}) {
-        for (const std::uint32_t count : {0U, 1U, 11U, 13U, 1000U, 0xffffffffU}) {
+        for (const std::uint32_t count : {0U, 1U, 11U, 13U, 1000U, 0xffffffU}) {
             const std::string wanted = std::to_string(84 + 50 * std::uint64_t{count});
             expect_stl_refused(box_bytes(count, header), ": announces " + std::to_string(count) +
                                                              " facets, which make " + wanted +
@@ -162,6 +162,7 @@ TEST(StlFile, RefusesATextThatIsCutShort) {
         ASSERT_FALSE(stl_parts(text.substr(0, size))) << size;
     EXPECT_GT(refused, 1000);
     expect_stl_refused(text.substr(0, text.find("endsolid")), "cut short");
+    expect_stl_refused(text.substr(text.find("facet")), "neither a text that begins with 'solid'");
     expect_stl_refused(text + "facet normal 0 0 0\n", "'facet' where 'solid' should be");
 }
 

@@ -39,10 +39,10 @@ bool is_text(std::string_view bytes) {
 }
 
 std::string size_error(std::string_view bytes) {
-    if (bytes.size() < head_bytes)
+    // The count of a binary of less than 2^24 facets ends in a zero.
+    if (bytes.size() < head_bytes || bytes.find('\0') >= head_bytes)
         return message(": cannot be read as a mesh: its ", bytes.size(),
-                       " bytes are neither a text that begins with 'solid' nor a binary STL, which has ",
-                       head_bytes, " at least");
+                       " bytes are neither a text that begins with 'solid' nor a binary STL");
     const std::uint64_t facets = announced_facets(bytes), wanted = head_bytes + facet_bytes * facets;
     const bool more = bytes.size() > wanted;
     return message(": announces ", facets, " facets, which make ", wanted, " bytes, and has ", bytes.size(),
