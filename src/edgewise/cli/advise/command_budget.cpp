@@ -129,10 +129,11 @@ void print_answer(const BudgetArguments& options, const SmallerBody& answer, std
     if (answer.vertices.size() == all) {
         fmt::print("{}: all {} vertices\n", at, all);
     } else {
-        fmt::print("{}: {} vertices {}, with a worst error of {:.6g} ({}fewer may exist)\n", at,
+        fmt::print("{}: {} vertices {}, with a worst error of {:.6g} ({}{} may exist)\n", at,
                    answer.vertices.size(),
                    is_within(options, answer) ? "do" : "are not enough as they are chosen here",
-                   answer.worst_error, options.out.empty() ? "--out FILE.obj writes them; " : "");
+                   answer.worst_error, options.out.empty() ? "--out FILE.obj writes them; " : "",
+                   is_within(options, answer) ? "fewer" : "a better choice");
     }
     if (!options.out.empty()) fmt::print("written: {}\n", options.out);
 }
