@@ -173,7 +173,7 @@ class ObjReader {
         for (const ObjElement& element : part.elements)
             places.insert(places.end(), element.vertices.begin(), element.vertices.end());
         std::ranges::sort(places);
-        places.erase(std::ranges::unique(places).begin(), places.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
         MeshPart mesh{part.name, {}, {}};
         for (const Index place : places) {
             mesh.points.push_back(vertices_[place]);
