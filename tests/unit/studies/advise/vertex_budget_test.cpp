@@ -113,7 +113,7 @@ TEST(VertexBudget, GivesSolidsOfBoxesPrismsAndPlates) {
         ASSERT_TRUE(body) << body.error;
         std::vector<SmallerBody> bodies = smaller_bodies(*body, {4, 5, 6, 8, 16});
         EXPECT_FALSE(bodies.empty() && body->vertex_count() > 4);
-        for (const std::size_t most : {4, 5, 7}) bodies.push_back(within_count(*body, most));
+        for (const std::size_t most : {4U, 5U, 7U}) bodies.push_back(within_count(*body, most));
         for (const double tolerance : {1e-9, 1e-3, 0.1, 0.5, 100.0})
             bodies.push_back(within_tolerance(*body, tolerance));
         for (const SmallerBody& smaller : bodies) {
@@ -127,14 +127,14 @@ TEST(VertexBudget, GivesSolidsOfBoxesPrismsAndPlates) {
 TEST(VertexBudget, KeepsToACount) {
     const Polyhedron body = *scene::make_shape("sphere98");
     double last = 2;
-    for (const std::size_t most : {4, 5, 9, 33, 97}) {
+    for (const std::size_t most : {4U, 5U, 9U, 33U, 97U}) {
         const SmallerBody smaller = within_count(body, most);
         EXPECT_EQ(smaller.vertices.size(), most);
         EXPECT_LE(smaller.worst_error, last);
         EXPECT_GT(smaller.worst_error, 0);
         last = smaller.worst_error;
     }
-    for (const std::size_t most : {98, 99, 1000}) {
+    for (const std::size_t most : {98U, 99U, 1000U}) {
         EXPECT_EQ(within_count(body, most).vertices.size(), 98U);
         EXPECT_EQ(within_count(body, most).worst_error, 0);
     }
