@@ -110,6 +110,25 @@ TEST(Advise, SaysWhatItHadNoTimeFor) {
     }
 }
 
+/// What was dropped for time comes before all else, and the machine that was named first of that.
+TEST(Advise, NamesFirstWhatItDropped) {
+    const Folder folder;
+    const Arguments command = {"advise",       "--shape", "sphere386", "--bodies",   "600",
+                               "--own-tables", "--time",  "5",         "--machines", "l2=256K,zen5"};
+    Arguments in_json = command;
+    in_json.emplace_back("--json");
+    const json advice = json::parse(run(in_json, folder).out);
+    ASSERT_FALSE(advice["not_asked"].empty());
+    std::size_t place = 0;
+    for (const char* machine : {"l2_256K", "zen5"}) {
+        if (!advice["take"].is_null() && advice["take"]["misses_per_query"].contains(machine)) continue;
+        EXPECT_THAT(advice["not_asked"][place++].get<std::string>(), HasSubstr(machine));
+    }
+    const auto lines = lines_of(run(command, folder).out);
+    ASSERT_GT(lines.size(), 3U);
+    EXPECT_THAT(lines[2], testing::StartsWith("  left out"));
+}
+
 /// The program with a wrong layout linked in (crooked.hpp) beside a right one, and no baseline.
 TEST(Advise, LeavesOutWhoIsWrong) {
     const Folder folder;

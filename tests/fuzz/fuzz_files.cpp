@@ -27,6 +27,9 @@
 #include "edgewise/scene/case_file.hpp"
 #include "edgewise/scene/dumps/dump.hpp"
 #include "edgewise/scene/mesh/mesh_header.hpp"
+#include "edgewise/scene/mesh/mesh_rows.hpp"
+#include "edgewise/scene/mesh/obj_file.hpp"
+#include "edgewise/scene/mesh/stl_file.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/reader.hpp"
 #include "edgewise/store/store.hpp"
@@ -108,10 +111,17 @@ void read_svg(const std::string& text) {
     static_cast<void>(reports::slim_svg(*shown, text));
 }
 
-/// The header's check alone: no parser of others.
+/// The readers here and the checks before others: no parser of others.
 void read_mesh(const std::string& text) {
-    for (const char* ending : {".ply", ".off", ".obj"})
-        check_line(scene::mesh_header_error(ending, text, text.size()));
+    check_line(scene::obj_parts(text).error);
+    check_line(scene::stl_parts(text).error);
+    for (const char* ending : {".ply", ".off"}) {
+        const std::string wrong = scene::mesh_header_error(ending, text, text.size());
+        check_line(wrong);
+        if (wrong.empty())
+            check_line(std::string_view(ending) == ".ply" ? scene::ply_rows_error(text)
+                                                          : scene::off_rows_error(text));
+    }
 }
 
 /// A store of some cells, as bytes; the file is used again.

@@ -22,8 +22,7 @@ namespace edgewise::cli {
 namespace {
 
 struct BytesArguments {
-    std::string shape = "sphere386";
-    std::string mesh;
+    BodyChoice body;
     std::vector<std::string> layouts = {"all"};
     bool slopes = false, footnotes = false;
 };
@@ -221,7 +220,7 @@ void print_footnotes() {
 }
 
 int run_bytes(const BytesArguments& options, bool json) {
-    const scene::MeshBody shape = chosen_body(options.shape, options.mesh);
+    const scene::MeshBody shape = chosen_body(options.body);
     const nlohmann::json rows = rows_of(options, shape);
     if (json) {
         nlohmann::json out;
@@ -244,8 +243,7 @@ int run_bytes(const BytesArguments& options, bool json) {
 
 void add_bytes(CLI::App& app, Context& context) {
     auto [command, options] = add_command(app, context, "bytes", "The bytes-per-edge ledger", run_bytes);
-    auto* shape = command->add_option("--shape", options.shape, "built-in shape")->capture_default_str();
-    command->add_option("--mesh", options.mesh, "mesh file instead of a built-in shape")->excludes(shape);
+    add_body_options(*command, options.body);
     command->add_option("--layouts", options.layouts, "layouts or table types, e.g. aos soa_f32")
         ->delimiter(',');
     command->add_flag(

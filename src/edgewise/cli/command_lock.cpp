@@ -5,14 +5,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/lock/lock_program.hpp"
-#include "edgewise/scene/mesh/mesh_file.hpp"
+#include "edgewise/scene/mesh/mesh_shapes.hpp"
 #include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::cli {
@@ -23,15 +25,17 @@ struct LockArguments {
     studies::CellChoice cell;
     std::vector<std::string> machines = {"pentium3_coppermine", "zen5"};
     std::string check;
+    bool as_stored = false;
 };
 
+/// Of a lock whose mesh was read with --as-stored; no other lock has it.
+constexpr const char* stored_condition = "as_stored";
+
 /// A built-in body, or all meshes of a file as one hull: names of files have a dot.
-scene::NamedShape shape_named(const std::string& name) {
-    if (name.find('.') == std::string::npos)
-        return {name, "built-in", scene::make_shape(name).or_throw(), {}};
-    auto bodies = scene::read_mesh_file(name, scene::MeshGrouping::one_hull);
-    if (bodies && !bodies.warning.empty()) warn(bodies.warning);
-    return {name, name, std::move(bodies).or_throw().front().body, {}};
+scene::NamedShape shape_named(const std::string& name, bool as_stored) {
+    if (scene::names_mesh_file(name)) return {name, name, mesh_body(name, as_stored).body, {}};
+    if (as_stored) throw std::invalid_argument("--as-stored is of mesh files: name one with --shape");
+    return {name, "built-in", scene::make_shape(name).or_throw(), {}};
 }
 
 const bench::TableType& type_named(const LockArguments& options) {
@@ -62,16 +66,19 @@ std::vector<std::pair<std::string, std::string>> conditions(const LockArguments&
     std::vector<std::string> parameters;
     for (const auto& [name, value] : options.cell.parameters)
         parameters.push_back(fmt::format("{}={}", name, value));
-    return {{"table", options.cell.table},
-            {"algorithm", options.cell.algorithm},
-            {"shape", options.cell.shape},
-            {"vertices", std::to_string(stored.vertex_count())},
-            {"edges", std::to_string(stored.edge_count())},
-            {"scene", options.cell.scene},
-            {"parameters", fmt::format("{}", fmt::join(parameters, ","))},
-            {"queries", std::to_string(options.cell.queries)},
-            {"seed", std::to_string(options.cell.seed)},
-            {"machines", fmt::format("{}", fmt::join(options.machines, ","))}};
+    std::vector<std::pair<std::string, std::string>> of = {
+        {"table", options.cell.table},
+        {"algorithm", options.cell.algorithm},
+        {"shape", options.cell.shape},
+        {"vertices", std::to_string(stored.vertex_count())},
+        {"edges", std::to_string(stored.edge_count())},
+        {"scene", options.cell.scene},
+        {"parameters", fmt::format("{}", fmt::join(parameters, ","))},
+        {"queries", std::to_string(options.cell.queries)},
+        {"seed", std::to_string(options.cell.seed)},
+        {"machines", fmt::format("{}", fmt::join(options.machines, ","))}};
+    if (options.as_stored) of.emplace_back(stored_condition, "yes");
+    return of;
 }
 
 measure::LayoutLock lock_of(const LockArguments& options) {
@@ -81,7 +88,7 @@ measure::LayoutLock lock_of(const LockArguments& options) {
     plan.queries = options.cell.queries;
     plan.seed = options.cell.seed;
     const sweep::SharedQueries queries(plan, {options.cell.scene, options.cell.parameters},
-                                       shape_named(options.cell.shape));
+                                       shape_named(options.cell.shape, options.as_stored));
     const auto runner = type.make_runner(options.cell.algorithm);
     runner->configure({});
     if (const std::string error = runner->load(queries.workload()); !error.empty())
@@ -109,6 +116,8 @@ LockArguments options_of(const measure::LayoutLock& lock, const std::string& fil
     options.cell.table = lock.condition("table", file);
     options.cell.algorithm = lock.condition("algorithm", file);
     options.cell.shape = lock.condition("shape", file);
+    options.as_stored = std::ranges::find(lock.of, stored_condition,
+                                          &std::pair<std::string, std::string>::first) != lock.of.end();
     options.cell.scene = lock.condition("scene", file);
     options.cell.queries = number_in(lock, "queries", file);
     options.cell.seed = number_in(lock, "seed", file);
@@ -152,7 +161,8 @@ void add_lock(CLI::App& app, Context& context) {
         add_parameter_option(*command, options.cell.parameters),
         command->add_option("--machines", options.machines, "whose caches: names, or your own NAME.json")
             ->delimiter(',')
-            ->capture_default_str()};
+            ->capture_default_str(),
+        add_as_stored_option(*command, options.as_stored)};
     CLI::Option* const check =
         command->add_option("--check", options.check, "compare with this lock, of what it says itself");
     for (CLI::Option* option : of) check->excludes(option);

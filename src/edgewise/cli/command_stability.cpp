@@ -11,6 +11,7 @@
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/cli/parts/shard_options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/cli/usage/folders.hpp"
@@ -29,6 +30,7 @@ struct StabilityArguments {
     std::vector<std::string> families, layouts = {"all"}, algorithms = {"all"}, meshes;
     std::size_t count = 200, proofs = 200;
     std::uint64_t seed = 1;
+    bool as_stored = false;
 };
 
 /// Hulls of these mesh files, or of the usual ones, of which those that cannot be read are passed over; none
@@ -43,6 +45,7 @@ std::vector<Polyhedron> real_bodies(const StabilityArguments& options) {
     if (!options.meshes.empty()) {
         plan.meshes = options.meshes;
         plan.meshes_required = true;
+        plan.as_stored = options.as_stored;
     }
     std::vector<Polyhedron> bodies;
     for (scene::NamedShape& shape : sweep::shapes_of(plan, warn)) {
@@ -149,7 +152,9 @@ void add_stability(CLI::App& app, Context& context) {
     add_names(*command, "--families", options.families, "only these families (edgewise list families)");
     add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
     add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
-    command->add_option("--mesh", options.meshes, "mesh files for the family of real hulls");
+    CLI::Option* const mesh =
+        command->add_option("--mesh", options.meshes, "mesh files for the family of real hulls");
+    add_as_stored_option(*command, options.as_stored)->needs(mesh);
     add_count(*command, "--count", options.count, input::cases_range, "poses per family");
     add_count(*command, "--proofs", options.proofs, input::cases_or_none,
               "poses per family with depth, certificate and time, at most");

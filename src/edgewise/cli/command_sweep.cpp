@@ -11,6 +11,7 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/cli/parts/figures_of_merit.hpp"
 #include "edgewise/cli/parts/run_note.hpp"
 #include "edgewise/cli/parts/shard_options.hpp"
@@ -35,7 +36,7 @@ struct SweepArguments {
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
     std::optional<std::size_t> stability, effort;
-    bool each_mesh = false, no_report = false;
+    bool each_mesh = false, as_stored = false, no_report = false;
     std::optional<std::uint64_t> seed;
     const CLI::App* command = nullptr;  ///< what was typed
 };
@@ -64,6 +65,8 @@ bool narrowed(const SweepArguments& options) {
 void refuse_unused(const SweepArguments& options) {
     if (options.each_mesh && options.meshes.empty())
         throw std::invalid_argument("--each-mesh is of --mesh: name mesh files, or leave it out");
+    if (options.as_stored && options.meshes.empty() && options.scenes.empty())
+        throw std::invalid_argument("--as-stored is of mesh files: name some, or leave it out");
     const bool some_caches = options.plan != "quick" || !options.caches.empty() || !narrowed(options);
     if (!options.machines.empty() && !some_caches)
         throw std::invalid_argument(
@@ -111,6 +114,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
         plan.meshes_required = plan.bodies_for_files = true;
         plan.each_mesh = options.each_mesh;
     }
+    plan.as_stored = plan.as_stored || options.as_stored;
     if (!options.scenes.empty()) {
         std::vector<sweep::SceneChoice> kept;
         for (const std::string& name : options.scenes) {
@@ -271,6 +275,7 @@ void add_sweep(CLI::App& app, Context& context) {
     command->add_option("--mesh", options.meshes, "these mesh files instead of the plan's bodies");
     command->add_flag("--each-mesh", options.each_mesh,
                       "one body for each mesh of a file, not one for the file");
+    add_as_stored_option(*command, options.as_stored);
     add_count(*command, "--queries", options.queries, input::queries_range, "queries per cell and round");
     add_count(*command, "--checked", options.checked, input::queries_range,
               "queries checked exactly per cell");

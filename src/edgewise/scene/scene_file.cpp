@@ -153,24 +153,23 @@ ScenePoint make_point(const Json& json, const SceneFile& file, const NamedShape&
 }
 
 /// A built-in body, or that of a mesh file beside the scene file.
-NamedShape shape_called(const std::string& name, const std::filesystem::path& folder, std::string& warning) {
+NamedShape shape_called(const std::string& name, const SceneFileContext& context, std::string& warning) {
     if (!names_mesh_file(name)) {
         auto body = make_shape(name);
         if (!body) throw Fault{"shapes: " + body.error};
         return {name, "built-in", *std::move(body), {}};
     }
-    auto shapes = mesh_shapes((folder / name).string(), MeshGrouping::one_hull);
+    auto shapes = mesh_shapes((context.folder / name).string(), {.as_stored = context.as_stored});
     if (!shapes) throw Fault{"shapes: " + shapes.error};
     warning += (warning.empty() ? "" : "; ") + shapes.warning;
     return std::move(shapes->front());
 }
 
-std::vector<NamedShape> shapes_of(const Json& json, const std::filesystem::path& folder,
-                                  std::string& warning) {
+std::vector<NamedShape> shapes_of(const Json& json, const SceneFileContext& context, std::string& warning) {
     std::vector<NamedShape> shapes;
     for (const auto& name :
          member<std::vector<std::string>>(json, "shapes", {}, "a list of shapes' names and mesh files"))
-        shapes.push_back(shape_called(name, folder, warning));
+        shapes.push_back(shape_called(name, context, warning));
     if (shapes.empty()) throw Fault{"shapes wants at least one name"};
     if (const std::string twice = shape_given_twice(shapes); !twice.empty()) throw Fault{"shapes: " + twice};
     return shapes;
@@ -225,7 +224,7 @@ SceneFile read(const std::string& name, const Json& json, const SceneFileContext
     file.name = name;
     file.text = json.dump();
     file.kind = member<std::string>(json, "scene", "", "the name of a scene");
-    file.shapes = context.bodies.empty() ? shapes_of(json, context.folder, warning) : context.bodies;
+    file.shapes = context.bodies.empty() ? shapes_of(json, context, warning) : context.bodies;
     file.time_step = member(json, "time_step", usual_time_step, "a number of seconds");
     if (!(file.time_step > 0 && file.time_step <= longest_time_step))
         throw Fault{fmt::format("time_step = {} is out of bounds; choose above 0, to {} s", file.time_step,
@@ -269,11 +268,12 @@ Result<SceneFile> parse_scene_file(const std::string& name, const std::string& t
     }
 }
 
-Result<SceneFile> read_scene_file(const std::string& path, const std::vector<NamedShape>& bodies) {
+Result<SceneFile> read_scene_file(const std::string& path, SceneFileContext context) {
     const auto text = input::read_file_text(path);
     if (!text) return Result<SceneFile>::failure("scene file " + text.error);
     const std::filesystem::path file = path;
-    return parse_scene_file(file.stem().string(), *text, {file.parent_path(), bodies});
+    context.folder = file.parent_path();
+    return parse_scene_file(file.stem().string(), *text, context);
 }
 
 bool is_scene_file(const std::string& name_or_path) {
@@ -282,12 +282,11 @@ bool is_scene_file(const std::string& name_or_path) {
 }
 
 std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path,
-                                                 const std::vector<NamedShape>& bodies) {
+                                                 const SceneFileContext& context) {
     for (const SceneText& text : scene_texts()) {
-        if (text.name == name_or_path)
-            return parse_scene_file(name_or_path, std::string(text.json), {{}, bodies});
+        if (text.name == name_or_path) return parse_scene_file(name_or_path, std::string(text.json), context);
     }
-    if (name_or_path.ends_with(".json")) return read_scene_file(name_or_path, bodies);
+    if (name_or_path.ends_with(".json")) return read_scene_file(name_or_path, context);
     return std::nullopt;
 }
 

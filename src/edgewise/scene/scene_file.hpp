@@ -54,11 +54,12 @@ struct SceneFile {
 struct SceneFileContext {
     std::filesystem::path folder = {};    ///< where the file lies; empty: the working folder
     std::vector<NamedShape> bodies = {};  ///< in place of the file's own shapes; none: its own
+    bool as_stored = false;               ///< of its mesh files (MeshReading)
 };
 
 /// Fails with one line: the file, the place in it, what is allowed there. The warning is about its meshes.
-[[nodiscard]] Result<SceneFile> read_scene_file(const std::string& path,
-                                                const std::vector<NamedShape>& bodies = {});
+/// The folder of the context is that of the path.
+[[nodiscard]] Result<SceneFile> read_scene_file(const std::string& path, SceneFileContext context = {});
 /// Likewise from its text, under a name.
 [[nodiscard]] Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text,
                                                  const SceneFileContext& context = {});
@@ -78,9 +79,8 @@ struct SceneText {
 /// Whether a scene of that name is a file: one that comes along, or a path that ends in .json.
 [[nodiscard]] bool is_scene_file(const std::string& name_or_path);
 
-/// The scene file of that name, or at that path if it ends in .json; nothing for any other name. `bodies`: in
-/// place of the file's own, if there are any.
+/// The scene file of that name, or at that path if it ends in .json; nothing for any other name.
 [[nodiscard]] std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path,
-                                                               const std::vector<NamedShape>& bodies = {});
+                                                               const SceneFileContext& context = {});
 
 }  // namespace edgewise::scene

@@ -80,6 +80,7 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
         .take("shapes", plan.shapes)
         .take("meshes", plan.meshes)
         .take("each_mesh", plan.each_mesh)
+        .take("as_stored", plan.as_stored)
         .take("layouts", plan.layouts)
         .take("algorithms", plan.algorithms)
         .take("peers", plan.peers)

@@ -33,6 +33,7 @@ struct Plan {
     std::vector<std::string> shapes;      ///< built-in names
     std::vector<std::string> meshes;      ///< mesh files
     bool each_mesh = false;               ///< one body for each mesh of a file, instead of one for the file
+    bool as_stored = false;               ///< COLLADA files without the turn and the scale that they name
     bool meshes_required = false;         ///< an unreadable mesh file ends the sweep before it starts
     bool bodies_for_files = false;        ///< scene files are of these bodies, too, in place of their own
     std::vector<std::string> layouts;     ///< as for select_table_types

@@ -25,7 +25,8 @@ namespace {
 void add_mesh(const Plan& plan, const std::string& file, std::vector<scene::NamedShape>& to,
               const std::function<void(const std::string&)>& warn) {
     auto shapes = scene::mesh_shapes(
-        file, plan.each_mesh ? scene::MeshGrouping::each_mesh : scene::MeshGrouping::one_hull);
+        file,
+        {plan.each_mesh ? scene::MeshGrouping::each_mesh : scene::MeshGrouping::one_hull, plan.as_stored});
     if (shapes) {
         // Of the plan's own bodies the report says it; of a user's, who may not know, so does this line.
         if (!shapes.warning.empty() && plan.meshes_required) warn(shapes.warning);
@@ -141,7 +142,8 @@ bool add_if_file(const SceneChoice& choice, SweepWork& work,
                  const std::function<void(const std::string&)>& warn) {
     if (!scene::is_scene_file(choice.name)) return false;
     auto file = scene::find_scene_file(
-        choice.name, work.plan.bodies_for_files ? work.shapes : std::vector<scene::NamedShape>{});
+        choice.name, {.bodies = work.plan.bodies_for_files ? work.shapes : std::vector<scene::NamedShape>{},
+                      .as_stored = work.plan.as_stored});
     if (!file->warning.empty()) warn(file->warning);
     if (!choice.parameters.empty())
         throw std::invalid_argument("scene file " + choice.name + ": its parameters are in the file");

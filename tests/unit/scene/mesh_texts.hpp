@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "geometry_bodies.hpp"
 
@@ -65,6 +66,14 @@ inline std::string stl_text(const Points& points, const Faces& faces) {
     }
     return text + "endsolid body\n";
 }
+
+inline std::string obj_text(const Points& points, const Faces& faces) {
+    return obj_object("part", points, faces);
+}
+
+using MeshWriter = std::string (*)(const Points&, const Faces&);
+inline constexpr std::pair<const char*, MeshWriter> every_format[] = {
+    {"body.obj", obj_text}, {"body.stl", stl_text}, {"body.ply", ply_text}, {"body.off", off_text}};
 
 /// A unit cube under two nested nodes, each with its own matrix.
 inline std::string collada_text(const std::string& outer_matrix, const std::string& inner_matrix) {

@@ -25,7 +25,8 @@ struct Advice {
     /// looked at, or no such way.
     std::vector<studies::advise::ScreenedCell> other_tables;
     double seconds = 0;                  ///< that it took
-    std::vector<std::string> not_asked;  ///< what was left out, and why
+    std::vector<std::string> dropped;    ///< what no time was left for; what the user named first
+    std::vector<std::string> not_asked;  ///< what else was left out, and why
 };
 
 /// Measures it in so many seconds: a line to `say` for each step. What there is no time for is left out, and

@@ -59,12 +59,20 @@ AdviceJson json_of(const studies::advise::ScreenedCell& cell) {
 
 AdviceJson advice_json(const Advice& advice) {
     const Finals& finals = advice.finals;
-    AdviceJson json = {{"asked", asked_json(advice)},         {"take", nullptr},
-                       {"next", AdviceJson::array()},         {"out", AdviceJson::array()},
-                       {"changes_it", AdviceJson::array()},   {"held", or_null(finals.prediction_held())},
-                       {"processes", finals.processes},       {"noise", nullptr},
-                       {"latencies_ns", finals.latencies_ns}, {"seconds", advice.seconds},
-                       {"not_asked", advice.not_asked},       {"command", advice.command}};
+    std::vector<std::string> not_asked = advice.dropped;
+    not_asked.insert(not_asked.end(), advice.not_asked.begin(), advice.not_asked.end());
+    AdviceJson json = {{"asked", asked_json(advice)},
+                       {"take", nullptr},
+                       {"next", AdviceJson::array()},
+                       {"out", AdviceJson::array()},
+                       {"changes_it", AdviceJson::array()},
+                       {"held", or_null(finals.prediction_held())},
+                       {"processes", finals.processes},
+                       {"noise", nullptr},
+                       {"latencies_ns", finals.latencies_ns},
+                       {"seconds", advice.seconds},
+                       {"not_asked", not_asked},
+                       {"command", advice.command}};
     for (const auto& cell : advice.screen.cells)
         if (!cell.is_in()) json["out"].push_back(json_of(cell));
     for (const Finalist& one : finals.over_limit) {

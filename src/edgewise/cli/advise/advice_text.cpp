@@ -169,6 +169,8 @@ std::string nothing_text(const Advice& advice) {
 
 std::string advice_text(const Advice& advice) {
     std::string text = sentence_of(advice.asked) + "\n\n";
+    for (const std::string& dropped : advice.dropped)
+        text += labelled(&dropped == &advice.dropped.front() ? "left out" : "", dropped);
     for (const std::string& assumed : advice.assumed)
         text += labelled(&assumed == &advice.assumed.front() ? "assumed" : "", assumed);
     if (advice.finals.ranked.empty()) {

@@ -12,6 +12,7 @@
 #include "edgewise/cli/advise/advice.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
@@ -29,7 +30,7 @@ struct AdviseArguments {
     std::string shape, scene, store, needs;
     std::optional<std::size_t> bodies, vertices;
     std::optional<double> turn;
-    bool own = false, shared = false;
+    bool own = false, shared = false, as_stored = false;
     double error = 1e-6, seconds = 45;
     std::uint64_t seed = 1;
 };
@@ -50,7 +51,7 @@ std::string shape_name(const AdviseArguments& options) {
 
 scene::NamedShape chosen_shape(const AdviseArguments& options) {
     if (!options.meshes.empty()) {
-        auto shapes = scene::mesh_shapes(options.meshes.front(), scene::MeshGrouping::one_hull);
+        auto shapes = scene::mesh_shapes(options.meshes.front(), {.as_stored = options.as_stored});
         if (!shapes.warning.empty()) warn(shapes.warning);
         return std::move(shapes).or_throw().front();
     }
@@ -114,6 +115,7 @@ studies::advise::CaseAsked case_asked(const AdviseArguments& options) {
     if (options.scene.empty()) {
         asked.shape = chosen_shape(options);
         if (!options.meshes.empty()) asked.mesh = options.meshes.front();
+        asked.as_stored = options.as_stored;
         asked.scene = studies::advise::tumbling(options.bodies.value_or(usual_bodies),
                                                 options.turn.value_or(usual_turn));
         asked.own_tables = options.own;
@@ -140,6 +142,7 @@ std::string command_text(const AdviseArguments& options, const studies::advise::
         text += " --scene " + options.scene;
     } else {
         text += asked.mesh.empty() ? " --shape " + asked.shape.name : " --mesh " + asked.mesh;
+        if (asked.as_stored) text += " --as-stored";
         text += fmt::format(" --bodies {} --turn {}", options.bodies.value_or(usual_bodies),
                             options.turn.value_or(usual_turn));
     }
@@ -199,6 +202,7 @@ void add_advise(CLI::App& app, Context& context) {
         add_command(app, context, "advise",
                     "Which layout to take for your bodies, measured in less than a minute", run_advise);
     CLI::Option* const mesh = command->add_option("--mesh", options.meshes, "mesh file of the body");
+    add_as_stored_option(*command, options.as_stored)->needs(mesh);
     CLI::Option* const scene =
         command->add_option("--scene", options.scene, "a scene file, NAME.json, for all else")
             ->excludes(mesh);

@@ -5,6 +5,7 @@
 
 #include "edgewise/cli/advise/advice.hpp"
 #include "edgewise/cli/advise/race.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/studies/advise/time_limit.hpp"
 
@@ -19,6 +20,7 @@ using studies::advise::TimeLimit;
 
 // Parts of the time at which the first look and the race have to be over.
 constexpr double until_screened = 0.4, until_raced = 0.8;
+constexpr double until_screened_for_machines = 0.3;  ///< where machines were named, which the race models
 constexpr std::size_t most_finalists = 5;
 
 /// The fastest few, the baseline, and the best of the algorithm that is not among them.
@@ -70,15 +72,15 @@ class Measuring {
     }
 
     void look() {
-        TimeLimit limit = until(until_screened);
+        TimeLimit limit = until(advice_.machines.empty() ? until_screened : until_screened_for_machines);
         advice_.screen = screen(advice_.asked, {}, [&] { return !limit.begin_piece(); });
         say_(fmt::format("looked at {} cells, {} are out ({:.1f} s)", advice_.screen.cells.size(),
                          count_out(advice_.screen), elapsed()));
         looked_seconds_ = elapsed();
         if (advice_.screen.left_out > 0)
-            advice_.not_asked.push_back(
-                fmt::format("{} of {} cells: no time was left to look at them (--time)",
-                            advice_.screen.left_out, advice_.screen.cells.size() + advice_.screen.left_out));
+            advice_.dropped.push_back(fmt::format("{} of {} cells: no time was left to look at them (--time)",
+                                                  advice_.screen.left_out,
+                                                  advice_.screen.cells.size() + advice_.screen.left_out));
     }
 
     void race(const std::vector<ScreenedCell>& finalists) {
@@ -87,12 +89,33 @@ class Measuring {
         say_(fmt::format("raced {} of them in {} processes ({:.1f} s)", finals.ranked.size(),
                          finals.processes, elapsed()));
         const int wanted = studies::advise::whole_race.processes;
+        name_unmodelled_machines();
+        const auto lost = std::ranges::count_if(finalists, [&](const ScreenedCell& cell) {
+            return !finals.find(cell.algorithm, cell.type->name);
+        });
+        if (lost > 0 && finals.processes > 0)
+            advice_.dropped.push_back(
+                fmt::format("{} of the {} fastest cells: no time was left to race them (--time)", lost,
+                            finalists.size()));
         if (finals.processes < wanted)
-            advice_.not_asked.push_back(fmt::format(
+            advice_.dropped.push_back(fmt::format(
                 "{} of {} processes: {}", wanted - finals.processes, wanted,
                 finals.problem.empty() ? "too long for the time that was left (--time)" : finals.problem));
         if (!finals.ranked.empty() && !finals.ranked.front().lines)
-            advice_.not_asked.emplace_back("lines, misses and a prediction: no time was left (--time)");
+            advice_.dropped.emplace_back("lines, misses and a prediction: no time was left (--time)");
+    }
+
+    /// Before all else that there was no time for.
+    void name_unmodelled_machines() {
+        const std::vector<studies::advise::Finalist>& ranked = advice_.finals.ranked;
+        std::vector<std::string> unmodelled;
+        for (const measure::MachineChoice& choice : measure::choose_machines(advice_.machines)) {
+            const bool modelled = !ranked.empty() && ranked.front().misses.contains(choice.name);
+            if (choice.machine.value && !modelled)
+                unmodelled.push_back(
+                    fmt::format("the caches of {}: no time was left to model them (--time)", choice.name));
+        }
+        advice_.dropped.insert(advice_.dropped.begin(), unmodelled.begin(), unmodelled.end());
     }
 
     /// Of the case with its tables the other way, shorter than the first look; half of a look says nothing.
@@ -103,13 +126,13 @@ class Measuring {
         TimeLimit limit = until(1);
         const std::string no_time = fmt::format("{}: no time was left for all of it (--time)", name);
         if (limit.left() < looked_seconds_ / 2) {
-            advice_.not_asked.push_back(no_time);
+            advice_.dropped.push_back(no_time);
             return;
         }
         const Screen screen = studies::advise::screen(other, {.queries = 1000, .checked = 20, .passes = 3},
                                                       [&] { return !limit.begin_piece(); });
         if (screen.left_out > 0) {
-            advice_.not_asked.push_back(no_time);
+            advice_.dropped.push_back(no_time);
             return;
         }
         std::ranges::copy_if(screen.cells, std::back_inserter(advice_.other_tables),

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The finalists of an advice in processes of their own, one after the other: what differs between processes
-// is what an interval within one does not know. Each is a sweep of this program into a store of its own. The
-// first times a few bodies that fit the cache, too; the last traces lines and caches.
+// is what an interval within one does not know. Each is a sweep of this program into a store of its own.
+// Where machines were named, the first models their caches; the next times a few bodies that fit the cache,
+// too; the last models this machine.
 #pragma once
 
 #include <string>

@@ -93,6 +93,7 @@ std::vector<std::string> command_of(const RaceSweep& sweep, const CaseAsked& ask
         option("--caches", "all");
         option("--machines", comma_list(sweep.machines));
     }
+    if (asked.as_stored) command.emplace_back("--as-stored");
     option("--scenes", scene_file(case_scene, asked, scene_of(asked), folder));
     if (sweep.times_in_cache) command.push_back(scene_file(small_scene, asked, in_cache(asked), folder));
     return command;

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
-// OBJ files are read here by their vertex lines, in double: Assimp reads coordinates as float, and a pair is
-// judged as it was given to the last bit.
 #include "edgewise/cli/judge/judge_input.hpp"
 
 #include <fmt/format.h>
@@ -13,39 +10,18 @@
 #include <string_view>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/scene/dumps/dump_text.hpp"
-#include "edgewise/scene/mesh/mesh_file.hpp"
 
 namespace edgewise::cli {
 
 namespace {
 
-constexpr std::uint64_t most_mesh_bytes = std::uint64_t{1} << 30;
-
-std::vector<Vec3d> obj_vertices(const std::string& path) {
-    std::istringstream file(input::read_file_text(path, most_mesh_bytes).or_throw());
-    std::vector<Vec3d> vertices;
-    for (std::string line; std::getline(file, line);) {
-        if (!line.starts_with("v ") && !line.starts_with("v\t")) continue;
-        scene::WordReader words(std::string_view(line).substr(1));
-        const auto x = words.number(), y = words.number(), z = words.number();
-        if (!x || !y || !z)
-            throw std::invalid_argument(fmt::format("{}: '{}' is no vertex of three numbers", path, line));
-        vertices.emplace_back(*x, *y, *z);
-    }
-    if (vertices.empty()) throw std::invalid_argument(fmt::format("{}: no vertices in it", path));
-    return vertices;
-}
-
-scene::CaseBody mesh_body(const std::string& path) {
-    if (path.ends_with(".obj") || path.ends_with(".OBJ")) return {path, obj_vertices(path), {}};
-    auto bodies = scene::read_mesh_file(path, scene::MeshGrouping::one_hull);
-    if (bodies && !bodies.warning.empty()) warn(bodies.warning);
-    const std::vector<scene::MeshBody> read = std::move(bodies).or_throw();
-    warn(path + ": coordinates are read in single precision; an OBJ file is read as it is written");
-    return {path, read.front().body.vertices, {}};
+/// Every point of the mesh, since a pair is judged as it was given to the last bit.
+scene::CaseBody body_from_mesh(const std::string& path, bool as_stored) {
+    return {path, mesh_body(path, as_stored, true).points, {}};
 }
 
 /// 3 numbers: a translation; 12 or 16: rows of a matrix with the translation last.
@@ -54,9 +30,8 @@ std::vector<double> pose_numbers(const std::string& text, const std::string& opt
     if (!numbers) throw std::invalid_argument(fmt::format("{} {}: {}", option, text, numbers.error));
     const std::size_t count = numbers->size();
     if (count != 3 && count != 12 && count != 16)
-        throw std::invalid_argument(
-            fmt::format("{}: {} numbers; write x,y,z, or the 12 (or 16) numbers of a matrix, row by row",
-                        option, count));
+        throw std::invalid_argument(fmt::format(
+            "{}: {} numbers; write x,y,z, or the 12 (or 16) numbers of a matrix, row by row", option, count));
     return *std::move(numbers);
 }
 
@@ -95,6 +70,7 @@ void add_judge_input(CLI::App& command, JudgeInput& input) {
     CLI::Option* const a =
         command.add_option("--a", input.mesh_a, "mesh file of the first body")->excludes(text);
     CLI::Option* const b = command.add_option("--b", input.mesh_b, "mesh file of the second body");
+    add_as_stored_option(command, input.as_stored)->needs(a);
     a->needs(b);
     b->needs(a);
     command.add_option("--pose-a", input.pose_a, "x,y,z, or a matrix of 12 or 16 numbers, row by row")
@@ -117,7 +93,8 @@ scene::PastedPair read_judge_input(const JudgeInput& input) {
             warn(fmt::format("{}: {}; the nearest rotation is used", input.text, pasted.warning));
         return std::move(pasted).or_throw();
     }
-    return {{"meshes", mesh_body(input.mesh_a), mesh_body(input.mesh_b), pose_from(input.pose_a, "--pose-a"),
+    return {{"meshes", body_from_mesh(input.mesh_a, input.as_stored),
+             body_from_mesh(input.mesh_b, input.as_stored), pose_from(input.pose_a, "--pose-a"),
              pose_from(input.pose_b, "--pose-b")},
             "mesh files",
             std::nullopt};

@@ -14,6 +14,7 @@ struct JudgeInput {
     std::string text;            ///< a file, or - for stdin
     std::string mesh_a, mesh_b;  ///< instead
     std::string pose_a, pose_b;  ///< of these
+    bool as_stored = false;      ///< of these (scene::MeshReading)
 };
 
 void add_judge_input(CLI::App& command, JudgeInput& input);

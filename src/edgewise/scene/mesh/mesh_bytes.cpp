@@ -55,6 +55,7 @@ class Taker {
 std::string bytes_of(const Parts& parts) {
     std::string bytes;
     put(bytes, parts.error);
+    put(bytes, parts.warning);
     put(bytes, parts ? parts->size() : 0);
     if (!parts) return bytes;
     for (const MeshPart& part : *parts) {
@@ -63,6 +64,7 @@ std::string bytes_of(const Parts& parts) {
         for (const Vec3d& point : part.points) put(bytes, point.data(), 3 * sizeof(double));
         put(bytes, 3 * part.triangles.size());
         for (const auto& triangle : part.triangles) put(bytes, triangle.data(), 3 * sizeof(Index));
+        put(bytes, std::uint64_t{part.in_single});
     }
     return bytes;
 }
@@ -70,6 +72,7 @@ std::string bytes_of(const Parts& parts) {
 Parts parts_from(std::string_view bytes) {
     Taker taker(bytes);
     if (std::string error = taker.items<std::string>(); !error.empty()) return Parts::failure(error);
+    std::string warning = taker.items<std::string>();
     std::vector<MeshPart> parts;
     for (std::uint64_t left = taker.number(); left > 0 && taker.whole(); --left) {
         MeshPart& part = parts.emplace_back();
@@ -80,9 +83,11 @@ Parts parts_from(std::string_view bytes) {
         const auto corners = taker.items<std::vector<Index>>();
         for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
             part.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+        part.in_single = taker.number() != 0;
     }
-    if (!taker.whole()) return Parts::failure("cannot be read as a mesh: the reader's answer was cut short");
-    return Parts::success(std::move(parts));
+    if (!taker.whole())
+        return Parts::failure(": cannot be read as a mesh: the reader's answer was cut short");
+    return Parts::success(std::move(parts), std::move(warning));
 }
 
 }  // namespace edgewise::scene

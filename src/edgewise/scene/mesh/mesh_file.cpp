@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <regex>
 #include <utility>
 
 #include "edgewise/geometry/hull.hpp"
@@ -26,6 +27,7 @@ using Bodies = Result<std::vector<MeshBody>>;
 MeshPart joined(const std::vector<MeshPart>& parts) {
     MeshPart all;
     for (const MeshPart& part : parts) {
+        all.in_single = all.in_single || part.in_single;
         const auto start = static_cast<Index>(all.points.size());
         all.points.insert(all.points.end(), part.points.begin(), part.points.end());
         for (const auto& [a, b, c] : part.triangles)
@@ -63,34 +65,82 @@ std::optional<double> mesh_volume(const MeshPart& part) {
 
 /// What the hull adds to the mesh; empty when the mesh is convex or has no faces.
 std::string hull_warning(const MeshPart& part, const Polyhedron& hull) {
-    if (part.triangles.empty()) return {};
+    if (part.triangles.empty() || hull.face_count() <= 2) return {};
     const std::optional<double> inside = mesh_volume(part);
     if (!inside) return "the mesh is not closed; its hull is used, hull volume / mesh volume is unknown";
     const double whole = volume(hull);
+    if (*inside < single_planarity * whole) return "the mesh encloses no volume; its hull is used";
     if (*inside >= convex_volume_share * whole) return {};
     return message("the mesh is concave; its hull is used, hull volume / mesh volume = ",
                    rounded(whole / *inside, 5));
 }
 
+/// Each point once, in the order of the mesh.
+std::vector<Vec3d> distinct(std::span<const Vec3d> points) {
+    std::vector<Index> order = distinct_points(points);
+    std::ranges::sort(order);
+    std::vector<Vec3d> result;
+    for (const Index i : order) result.push_back(points[i]);
+    return result;
+}
+
+double single_step(std::span<const Vec3d> points) {
+    double largest = 0;
+    for (const Vec3d& point : points) largest = std::max(largest, max_abs(point));
+    constexpr int bits_behind_first = 23;
+    return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - bits_behind_first) : 0;
+}
+
+/// Empty where single precision is fine enough for the body.
+std::string step_warning(const MeshBody& mesh) {
+    constexpr double coarse = 1e-6;
+    const double size = extent(mesh.points);
+    if (mesh.step <= coarse * size || size == 0) return {};
+    return message("read in single precision, whose steps of ", rounded(mesh.step), " there are ",
+                   rounded(mesh.step / size),
+                   " of the body's size; move it to the origin, or write it as OBJ, which is read in double");
+}
+
+/// A vertex has no number of the user's: readers number corners, and geometry counts from 0.
+std::string hull_error(const std::string& error) {
+    const std::string text = std::regex_replace(error, std::regex("vertex [0-9]+"), "a vertex");
+    return text.starts_with("flat") ? text + "; a solid is needed here: judge takes flat meshes" : text;
+}
+
+Result<MeshBody> body_of(const MeshPart& part, const MeshReading& reading) {
+    if (const std::string error = coordinate_error(part.points); !error.empty())
+        return Result<MeshBody>::failure(hull_error(error));
+    MeshBody mesh{{}, {}, distinct(part.points)};
+    Result<Polyhedron> hull = reading.takes_flat ? hull_of_any(mesh.points) : convex_hull(mesh.points);
+    if (!hull) return Result<MeshBody>::failure(hull_error(hull.error));
+    mesh.body = std::move(*hull);
+    if (part.in_single) mesh.step = single_step(mesh.points);
+    std::string warning = hull_warning(part, mesh.body);
+    const std::string step = step_warning(mesh);
+    warning += (warning.empty() || step.empty() ? "" : "; ") + step;
+    return Result<MeshBody>::success(std::move(mesh), std::move(warning));
+}
+
 }  // namespace
 
-Bodies read_mesh_file(const std::string& path, MeshGrouping grouping) {
-    Result<std::vector<MeshPart>> parts = read_mesh_parts(path);
-    if (!parts) return Bodies::failure(path + ": " + parts.error);
-    if (grouping == MeshGrouping::one_hull) *parts = {joined(*parts)};
+Bodies read_mesh_file(const std::string& path, const MeshReading& reading) {
+    Result<std::vector<MeshPart>> parts = read_mesh_parts(path, reading.as_stored);
+    if (!parts) return Bodies::failure(parts.error);
+    if (reading.grouping == MeshGrouping::one_hull) *parts = {joined(*parts)};
     const std::string stem = std::filesystem::path(path).stem().string();
     const bool several = parts->size() > 1;
     std::vector<MeshBody> bodies;
-    std::string warnings;
+    std::string warnings = parts.warning;
     for (std::size_t k = 0; k < parts->size(); ++k) {
         const MeshPart& part = (*parts)[k];
         std::string where = path;
         if (several) where += message(" (mesh ", k + 1, part.name.empty() ? "" : " '" + part.name + "'", ")");
-        Result<Polyhedron> hull = convex_hull(part.points);
-        if (!hull) return Bodies::failure(where + ": " + hull.error);
-        const std::string warning = hull_warning(part, *hull);
-        if (!warning.empty()) warnings += message(warnings.empty() ? "" : "; ", where, ": ", warning);
-        bodies.push_back({several ? message(stem, "#", k + 1) : stem, std::move(*hull)});
+        Result<MeshBody> mesh = body_of(part, reading);
+        if (!mesh) return Bodies::failure(where + ": " + mesh.error);
+        if (!mesh.warning.empty())
+            warnings += message(warnings.empty() ? "" : "; ", where, ": ", mesh.warning);
+        (*mesh).name = several ? message(stem, "#", k + 1) : stem;
+        bodies.push_back(std::move(*mesh));
     }
     return Bodies::success(std::move(bodies), std::move(warnings));
 }

@@ -2,7 +2,6 @@
 #include "edgewise/scene/mesh/mesh_header.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
@@ -12,17 +11,13 @@
 #include <sstream>
 
 #include "edgewise/geometry/message.hpp"
+#include "edgewise/scene/mesh/mesh_text.hpp"
 
 namespace edgewise::scene {
 namespace {
 
 /// A header of a hundred elements of a hundred properties each has less.
 constexpr std::size_t most_header_bytes = std::size_t{1} << 20;
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
 
 /// The file's first bytes.
 std::string head_of(const std::string& path) {
@@ -39,15 +34,6 @@ std::optional<std::uint64_t> count_in(const std::string& word) {
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     return error == std::errc::result_out_of_range ? std::numeric_limits<std::uint64_t>::max() : value;
-}
-
-/// Bytes of a PLY scalar; 1 of an unknown one.
-std::uint64_t ply_bytes(const std::string& type) {
-    if (type == "double" || type == "float64") return 8;
-    if (type.starts_with("int32") || type.starts_with("uint32") || type == "int" || type == "uint" ||
-        type == "float" || type == "float32")
-        return 4;
-    return type == "short" || type == "ushort" || type == "int16" || type == "uint16" ? 2 : 1;
 }
 
 std::string too_many(const std::string& what, std::uint64_t count, std::uint64_t bytes) {
@@ -109,7 +95,7 @@ std::string ply_error(const std::string& head, std::uint64_t file_bytes) {
         if (line.ends_with('\r')) line.pop_back();
         return true;
     };
-    if (!next() || lower(line) != "ply") return "cannot be read as a mesh: its first line is not 'ply'";
+    if (!next() || lowered(line) != "ply") return "cannot be read as a mesh: its first line is not 'ply'";
     PlyHeader header;
     while (next()) {
         if (header.take(line)) continue;
@@ -128,8 +114,8 @@ std::string off_error(const std::string& head, std::uint64_t file_bytes) {
         std::istringstream words(line.substr(0, line.find('#')));
         std::string vertices, faces;
         words >> vertices;
-        if (lower(vertices).ends_with("off")) words >> vertices;
-        if (vertices.empty() || lower(vertices).ends_with("off")) continue;
+        if (lowered(vertices).ends_with("off")) words >> vertices;
+        if (vertices.empty() || lowered(vertices).ends_with("off")) continue;
         words >> faces;
         const auto vertex_count = count_in(vertices), face_count = count_in(faces);
         if (!vertex_count || !face_count) return {};  // the parser says what it wants there
@@ -143,6 +129,14 @@ std::string off_error(const std::string& head, std::uint64_t file_bytes) {
 
 }  // namespace
 
+std::uint64_t ply_bytes(std::string_view type) {
+    if (type == "double" || type == "float64") return 8;
+    if (type.starts_with("int32") || type.starts_with("uint32") || type == "int" || type == "uint" ||
+        type == "float" || type == "float32")
+        return 4;
+    return type == "short" || type == "ushort" || type == "int16" || type == "uint16" ? 2 : 1;
+}
+
 std::string mesh_header_error(const std::string& path) {
     std::error_code error;
     return mesh_header_error(std::filesystem::path(path).extension().string(), head_of(path),
@@ -150,7 +144,7 @@ std::string mesh_header_error(const std::string& path) {
 }
 
 std::string mesh_header_error(const std::string& ending, const std::string& head, std::uint64_t bytes) {
-    const std::string format = lower(ending), start = lower(head.substr(0, head.find_first_of("\r\n")));
+    const std::string format = lowered(ending), start = lowered(head.substr(0, head.find_first_of("\r\n")));
     if (format == ".ply" || start.starts_with("ply")) return ply_error(head, bytes);
     if (format == ".off" || start.starts_with("off")) return off_error(head, bytes);
     return {};

@@ -1,143 +1,60 @@
 // SPDX-License-Identifier: MIT
-//
-// Assimp's scene tree, flattened. No post-processing is asked for: polygons become fans here, which gives the
-// same signed volume, and equal points are welded where it matters. It runs in a child process under limits:
-// some of its readers never end on damaged files, or take all memory.
 #include "edgewise/scene/mesh/mesh_parts.hpp"
 
-#include <assimp/scene.h>
-
-#include <assimp/Importer.hpp>
-#include <exception>
 #include <filesystem>
-#include <new>
 
-#include "edgewise/geometry/pose.hpp"
 #include "edgewise/input/file_text.hpp"
-#include "edgewise/scene/mesh/mesh_bytes.hpp"
+#include "edgewise/scene/mesh/assimp_file.hpp"
 #include "edgewise/scene/mesh/mesh_header.hpp"
+#include "edgewise/scene/mesh/mesh_rows.hpp"
+#include "edgewise/scene/mesh/mesh_text.hpp"
+#include "edgewise/scene/mesh/obj_file.hpp"
+#include "edgewise/scene/mesh/stl_file.hpp"
 
 namespace edgewise::scene {
 namespace {
 
 using Parts = Result<std::vector<MeshPart>>;
 
-/// A node's map, whose matrix need not be a rotation.
-Pose from_assimp(const aiMatrix4x4& m) {
-    Pose map;
-    map.rotation << double{m.a1}, double{m.a2}, double{m.a3}, double{m.b1}, double{m.b2}, double{m.b3},
-        double{m.c1}, double{m.c2}, double{m.c3};
-    map.translation = Vec3d(double{m.a4}, double{m.b4}, double{m.c4});
-    return map;
-}
-
-Pose after(const Pose& outer, const Pose& inner) {
-    return {multiply(outer.rotation, inner.rotation), outer.apply(inner.translation)};
-}
-
-bool mirrors(const Pose& map) {
-    const Vec3d x = map.rotation.col(0);
-    const Vec3d y = map.rotation.col(1);
-    return dot(cross(x, y), map.rotation.col(2)) < 0;
-}
-
-/// Adds the triangles of one face; false if it names a vertex that does not exist.
-bool add_fan(const aiFace& face, bool mirrored, MeshPart& part) {
-    for (unsigned k = 0; k < face.mNumIndices; ++k) {
-        if (face.mIndices[k] >= part.points.size()) return false;
-    }
-    for (unsigned k = 1; k + 1 < face.mNumIndices; ++k) {
-        const Index second = face.mIndices[mirrored ? k + 1 : k];
-        const Index third = face.mIndices[mirrored ? k : k + 1];
-        part.triangles.push_back({face.mIndices[0], second, third});
-    }
-    return true;
-}
-
-/// False if the mesh contradicts itself.
-bool add_part(const aiMesh& mesh, const Pose& map, std::vector<MeshPart>& parts) {
-    MeshPart part{mesh.mName.C_Str(), {}, {}};
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-        const aiVector3D& p = mesh.mVertices[v];
-        const Vec3d raw(double{p.x}, double{p.y}, double{p.z});
-        part.points.push_back(raw.array().isFinite().all() ? map.apply(raw)
-                                                           : raw);  // for the error line: Inf * 0 is NaN
-    }
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-        if (!add_fan(mesh.mFaces[f], mirrors(map), part)) return false;
-    }
-    if (!part.points.empty()) parts.push_back(std::move(part));
-    return true;
-}
-
-bool add_node(const aiScene& scene, const aiNode& node, const Pose& above, std::vector<MeshPart>& parts) {
-    const Pose map = after(above, from_assimp(node.mTransformation));
-    for (unsigned k = 0; k < node.mNumMeshes; ++k) {
-        if (node.mMeshes[k] >= scene.mNumMeshes) return false;
-        if (!add_part(*scene.mMeshes[node.mMeshes[k]], map, parts)) return false;
-    }
-    for (unsigned k = 0; k < node.mNumChildren; ++k) {
-        if (!add_node(scene, *node.mChildren[k], map, parts)) return false;
-    }
-    return true;
-}
-
-/// What can be said before a parser looks inside; empty when nothing is wrong.
-std::string file_error(const std::string& path) {
-    if (std::string wrong = input::what_is_wrong_with(path); !wrong.empty()) return wrong;
-    std::error_code code;
-    if (std::filesystem::file_size(path, code) == 0) return "is empty (0 bytes)";
-    return mesh_header_error(path);
-}
-
-/// Assimp's reason on one line.
-std::string one_line(std::string reason) {
-    reason = reason.substr(0, reason.find_first_of("\r\n"));
-    return reason.empty() ? "unknown reason" : reason;
-}
-
-Parts parts_of(const std::string& path) {
-    Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFile(path, 0);
-    if (scene == nullptr) {
-        return Parts::failure("cannot be read as a mesh: " + one_line(importer.GetErrorString()));
-    }
-    std::vector<MeshPart> parts;
-    if (scene->mRootNode != nullptr && !add_node(*scene, *scene->mRootNode, {}, parts)) {
-        return Parts::failure("is damaged: a face names a vertex that does not exist");
-    }
-    if (parts.empty()) return Parts::failure("has no mesh inside");
-    return Parts::success(std::move(parts));
-}
-
-/// In the child.
-std::string parts_as_bytes(const std::string& path) {
-    try {
-        return bytes_of(parts_of(path));
-    } catch (const std::bad_alloc&) {
-        throw;  // the limit's to tell
-    } catch (const std::exception& thrown) {
-        return bytes_of(Parts::failure("cannot be read as a mesh: " + one_line(thrown.what())));
-    } catch (...) {
-        return bytes_of(Parts::failure("cannot be read as a mesh: the reader failed"));
-    }
-}
+constexpr std::uint64_t most_mesh_bytes = std::uint64_t{1} << 30;
 
 /// Assimp keeps what it reads several times over, in nodes of its own; text of a megabyte takes it 0.1 s.
-input::GuardLimits usual_limits(const std::string& path) {
+input::GuardLimits usual_limits(std::uint64_t bytes) {
+    return {(std::uint64_t{1} << 30) + 200 * bytes, std::chrono::seconds(10 + bytes / 200'000)};
+}
+
+/// Errors and warnings without the path.
+Parts parts_of(const std::string& path, bool as_stored, const std::optional<input::GuardLimits>& limits) {
+    if (std::string wrong = input::what_is_wrong_with(path); !wrong.empty())
+        return Parts::failure(": " + wrong);
     std::error_code code;
     const std::uint64_t bytes = std::filesystem::file_size(path, code);
-    return {(std::uint64_t{1} << 30) + 200 * bytes, std::chrono::seconds(10 + bytes / 200'000)};
+    if (bytes == 0) return Parts::failure(": is empty (0 bytes)");
+    const std::string ending = lowered(std::filesystem::path(path).extension().string());
+    if (ending == ".obj" || ending == ".stl") {
+        const auto text = input::read_file_text(path, most_mesh_bytes);
+        if (!text) return Parts::failure(text.error.substr(path.size()));
+        return ending == ".obj" ? obj_parts(*text) : stl_parts(*text);
+    }
+    if (std::string wrong = mesh_header_error(path); !wrong.empty()) return Parts::failure(": " + wrong);
+    if (ending == ".ply" || ending == ".off") {
+        const auto text = input::read_file_text(path, most_mesh_bytes);
+        if (!text) return Parts::failure(text.error.substr(path.size()));
+        if (std::string wrong = ending == ".ply" ? ply_rows_error(*text) : off_rows_error(*text);
+            !wrong.empty())
+            return Parts::failure(std::move(wrong));
+    }
+    return assimp_parts(path, as_stored, limits.value_or(usual_limits(bytes)));
 }
 
 }  // namespace
 
-Parts read_mesh_parts(const std::string& path, const std::optional<input::GuardLimits>& limits) {
-    if (std::string error = file_error(path); !error.empty()) return Parts::failure(std::move(error));
-    const auto bytes =
-        input::run_guarded([&] { return parts_as_bytes(path); }, limits.value_or(usual_limits(path)));
-    if (!bytes) return Parts::failure("cannot be read as a mesh: its reader " + bytes.error);
-    return parts_from(*bytes);
+Parts read_mesh_parts(const std::string& path, bool as_stored,
+                      const std::optional<input::GuardLimits>& limits) {
+    Parts parts = parts_of(path, as_stored, limits);
+    if (!parts.error.empty()) parts.error = path + parts.error;
+    if (!parts.warning.empty()) parts.warning = path + ": " + parts.warning;
+    return parts;
 }
 
 }  // namespace edgewise::scene

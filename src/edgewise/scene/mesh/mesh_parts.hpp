@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a mesh file holds, as plain points and triangles in the file's world frame. The one place that talks
-// to Assimp, which knows the formats.
+// What a mesh file holds, as plain points and triangles in the file's world frame.
 #pragma once
 
 #include <array>
@@ -19,13 +18,13 @@ struct MeshPart {
     std::string name;
     std::vector<Vec3d> points;
     std::vector<std::array<Index, 3>> triangles;  ///< polygons as fans; none for points and lines
+    bool in_single = false;                       ///< the format or its reader keeps single precision
 };
 
-/// One part for each use of a mesh by a node, with the transforms of all nodes above it applied in double
-/// (Assimp itself may have read the numbers in single precision). Fails on a file that cannot be read or has
-/// no mesh, or whose reader takes more than the limits: those that its size tells, or these. The message does
-/// not name the file.
+/// OBJ and STL files by the readers here, all others by Assimp in a child process: under the limits that the
+/// file's size allows, or under these. `as_stored`: a COLLADA file's up axis and unit are left out. The error
+/// and the warning are one line each, and begin with the path; errors about a line with "path:LINE: ".
 [[nodiscard]] Result<std::vector<MeshPart>> read_mesh_parts(
-    const std::string& path, const std::optional<input::GuardLimits>& limits = {});
+    const std::string& path, bool as_stored = false, const std::optional<input::GuardLimits>& limits = {});
 
 }  // namespace edgewise::scene

@@ -7,11 +7,12 @@
 
 namespace edgewise::scene {
 
-Result<std::vector<NamedShape>> mesh_shapes(const std::string& file, MeshGrouping grouping) {
+Result<std::vector<NamedShape>> mesh_shapes(const std::string& file, const MeshReading& reading) {
     using Shapes = Result<std::vector<NamedShape>>;
-    auto bodies = read_mesh_file(file, grouping);
+    auto bodies = read_mesh_file(file, reading);
     if (!bodies) return Shapes::failure(bodies.error);
-    const std::string source = std::filesystem::path(file).filename().string() + ", scaled by 4/3";
+    const std::string source = std::filesystem::path(file).filename().string() +
+                               (reading.as_stored ? ", as stored" : "") + ", scaled by 4/3";
     std::vector<NamedShape> shapes;
     for (MeshBody& mesh : *bodies) {
         for (Vec3d& v : mesh.body.vertices) v *= mesh_scale;

@@ -21,7 +21,8 @@ inline constexpr double mesh_scale = 1.0 + 1.0 / 3.0;
 /// Whether a shape's name is that of a mesh file: built-in ones have no dot.
 [[nodiscard]] inline bool names_mesh_file(std::string_view shape) { return shape.find('.') != shape.npos; }
 
-/// Scaled by mesh_scale, hulls anew. The warning says which of them was concave.
-[[nodiscard]] Result<std::vector<NamedShape>> mesh_shapes(const std::string& file, MeshGrouping grouping);
+/// Scaled by mesh_scale, hulls anew. The warning is that of read_mesh_file.
+[[nodiscard]] Result<std::vector<NamedShape>> mesh_shapes(const std::string& file,
+                                                          const MeshReading& reading = {});
 
 }  // namespace edgewise::scene

@@ -16,6 +16,7 @@ namespace edgewise::studies::advise {
 struct CaseAsked {
     scene::NamedShape shape;
     std::string mesh;          ///< the file that the shape is of; empty: built-in
+    bool as_stored = false;    ///< of the mesh (scene::MeshReading)
     sweep::SceneChoice scene;  ///< a kind of scene with its parameters
     bool own_tables = false;   ///< a table for each body; else one for all
     Needs needs = Needs::distance;

@@ -10,7 +10,7 @@ namespace edgewise::studies::advise {
 struct RaceCost {
     double process = 0;  ///< of each process, before its rounds: bodies and tables made, answers checked
     double round = 0;    ///< every finalist timed once
-    double traces = 0;   ///< of the last process: lines and caches
+    double traces = 0;   ///< lines and caches, of the processes that trace
 };
 
 struct RacePlan {

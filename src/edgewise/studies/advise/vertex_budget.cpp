@@ -2,10 +2,12 @@
 #include "edgewise/studies/advise/vertex_budget.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <span>
 
 #include "edgewise/bench/parallel.hpp"
+#include "edgewise/geometry/hull/point_set.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
 namespace edgewise::studies::advise {
@@ -16,15 +18,38 @@ double distance_from_hull(const Vec3d& point, std::span<const Vec3d> subset) {
     return truth::exact_distance(std::span(&point, 1), {}, subset, {}).or_throw().distance;
 }
 
+/// The point for which `size` is largest, the first of equals.
+template <class Size>
+const Vec3d& largest(const std::vector<Vec3d>& points, const Size& size) {
+    return *std::ranges::max_element(points, {}, size);
+}
+
+/// Vertices that span a solid: a cube's farthest four in turn may lie in one plane.
+std::vector<Vec3d> spanning_four(const std::vector<Vec3d>& points) {
+    const auto from = [&](const Vec3d& end) {
+        return [&](const Vec3d& point) { return squared_norm(point - end); };
+    };
+    const Vec3d& a = largest(points, from(points.front()));
+    const Vec3d& b = largest(points, from(a));
+    const Vec3d line = b - a;
+    const Vec3d& c =
+        largest(points, [&](const Vec3d& point) { return squared_norm(cross(Vec3d(point - a), line)); });
+    const Vec3d normal = cross(line, Vec3d(c - a));
+    const Vec3d& d =
+        largest(points, [&](const Vec3d& point) { return std::abs(dot(Vec3d(point - a), normal)); });
+    return {a, b, c, d};
+}
+
+constexpr std::size_t fewest = 4;  ///< vertices at least
+
 /// Vertices in the order in which the farthest is added, with the distance that each had then.
 class FarthestFirst {
   public:
     explicit FarthestFirst(std::vector<Vec3d> points) : points_(std::move(points)) {
-        const auto [low, high] =
-            std::ranges::minmax_element(points_, {}, [](const Vec3d& v) { return v.x(); });
-        chosen_ = {*low, *high};
+        chosen_ = spanning_four(points_);
         for (const Vec3d& point : points_) {
-            if (point != *low && point != *high) bounds_.push({distance_from_hull(point, chosen_), point});
+            if (std::ranges::find(chosen_, point) == chosen_.end())
+                bounds_.push({distance_from_hull(point, chosen_), point});
         }
     }
 
@@ -54,13 +79,17 @@ class FarthestFirst {
     struct Bound {
         double distance;
         Vec3d point;
-        std::size_t of = 2;  ///< how many were chosen when it was computed
+        std::size_t of = fewest;  ///< how many were chosen when it was computed
         bool operator<(const Bound& other) const { return distance < other.distance; }
     };
 
     std::vector<Vec3d> points_, chosen_;
     std::priority_queue<Bound> bounds_;
 };
+
+bool is_solid(const std::vector<Vec3d>& points) {
+    return flatness_error(points, distinct_points(points)).empty();
+}
 
 /// Whether every point lies within the tolerance of the subset's hull.
 bool holds(const std::vector<Vec3d>& points, const std::vector<Vec3d>& subset, double tolerance) {
@@ -90,18 +119,24 @@ std::vector<SmallerBody> smaller_bodies(const Polyhedron& body, const std::vecto
     return bodies;
 }
 
+SmallerBody within_count(const Polyhedron& body, std::size_t most) {
+    if (most >= body.vertex_count()) return {body.vertices, 0};
+    FarthestFirst order(body.vertices);
+    while (order.chosen().size() < most && order.add()) continue;
+    return {order.chosen(), worst_error_of(body.vertices, order.chosen())};
+}
+
 SmallerBody within_tolerance(const Polyhedron& body, double tolerance) {
     FarthestFirst order(body.vertices);
-    constexpr std::size_t solid = 4;
-    while (order.chosen().size() < solid || !holds(body.vertices, order.chosen(), tolerance)) {
+    while (!holds(body.vertices, order.chosen(), tolerance)) {
         if (!order.add()) break;
     }
     std::vector<Vec3d> subset = order.chosen();
     // The last that were added are the most needed.
-    for (std::size_t i = 0; i < subset.size() && subset.size() > solid;) {
+    for (std::size_t i = 0; i < subset.size() && subset.size() > fewest;) {
         std::vector<Vec3d> fewer = subset;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-        if (holds(body.vertices, fewer, tolerance)) {
+        if (is_solid(fewer) && holds(body.vertices, fewer, tolerance)) {
             subset = std::move(fewer);
         } else {
             ++i;

@@ -14,9 +14,10 @@
 // So h, the directed Hausdorff distance from P to Q, is the worst error of a distance. Vertices of Q have
 // distance 0; the largest over the others is computed in exact arithmetic (truth/exact_distance).
 //
-// Which vertices: the farthest from what is there next, from the two that are farthest apart along an axis on
-// (Gonzalez 1985, clustering to minimise the maximum intercluster distance); then, for a tolerance, those are
-// taken out that it does without. Greedy: fewer vertices may do.
+// Which vertices: first four that span a solid (far ends, the farthest from their line, the farthest from the
+// plane of these three), then the farthest from what is there (Gonzalez 1985, clustering to minimise the
+// maximum intercluster distance); then, for a tolerance, those are taken out that it does without. Greedy:
+// fewer vertices may do.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +37,10 @@ struct SmallerBody {
 [[nodiscard]] std::vector<SmallerBody> smaller_bodies(const Polyhedron& body,
                                                       const std::vector<std::size_t>& counts);
 
-/// With as few vertices as are found whose worst error is at most the tolerance.
+/// With so many vertices at most; fewer where these are all that matter.
+[[nodiscard]] SmallerBody within_count(const Polyhedron& body, std::size_t most);
+
+/// With as few vertices as are found whose worst error is at most the tolerance; a solid.
 [[nodiscard]] SmallerBody within_tolerance(const Polyhedron& body, double tolerance);
 
 /// The largest exact distance of any of the points from the hull of the subset.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/rng.hpp"
@@ -81,6 +82,62 @@ TEST(VertexBudget, FindsTheCubeInACubeWithBumps) {
     const SmallerBody fitting = within_tolerance(body, 1.5e-4);
     EXPECT_EQ(fitting.vertices.size(), 8U);
     EXPECT_NEAR(fitting.worst_error, 1e-4, 1e-12);
+}
+
+/// A regular n-gon below another.
+std::vector<Vec3d> prism(int sides, double height) {
+    std::vector<Vec3d> points;
+    for (const double z : {0.0, height}) {
+        for (int i = 0; i < sides; ++i)
+            points.emplace_back(std::cos(2 * M_PI * i / sides), std::sin(2 * M_PI * i / sides), z);
+    }
+    return points;
+}
+
+std::vector<Vec3d> box(const Vec3d& sides) {
+    std::vector<Vec3d> points;
+    for (int corner = 0; corner < 8; ++corner)
+        points.emplace_back(corner & 1 ? sides.x() : 0, corner & 2 ? sides.y() : 0,
+                            corner & 4 ? sides.z() : 0);
+    return points;
+}
+
+/// Bodies whose farthest vertices in turn may lie in one plane: every smaller body is a solid all the same.
+TEST(VertexBudget, GivesSolidsOfBoxesPrismsAndPlates) {
+    std::vector<std::vector<Vec3d>> all = {scene::make_shape("cube8")->vertices, box({1, 2, 3}),
+                                           box({1, 1, 5}), box({1, 1, 1e-6}), box({1e-5, 1, 1})};
+    for (const int sides : {3, 4, 5, 6, 12, 32})
+        for (const double height : {1e-4, 0.1, 1.0, 2.0, 10.0}) all.push_back(prism(sides, height));
+    for (const std::vector<Vec3d>& points : all) {
+        const auto body = convex_hull(points);
+        ASSERT_TRUE(body) << body.error;
+        std::vector<SmallerBody> bodies = smaller_bodies(*body, {4, 5, 6, 8, 16});
+        EXPECT_FALSE(bodies.empty() && body->vertex_count() > 4);
+        for (const std::size_t most : {4U, 5U, 7U}) bodies.push_back(within_count(*body, most));
+        for (const double tolerance : {1e-9, 1e-3, 0.1, 0.5, 100.0})
+            bodies.push_back(within_tolerance(*body, tolerance));
+        for (const SmallerBody& smaller : bodies) {
+            const auto hull = convex_hull(smaller.vertices);
+            EXPECT_TRUE(hull) << hull.error << ": " << smaller.vertices.size() << " of " << points.size();
+            EXPECT_EQ(smaller.worst_error, worst_error_of(body->vertices, smaller.vertices));
+        }
+    }
+}
+
+TEST(VertexBudget, KeepsToACount) {
+    const Polyhedron body = *scene::make_shape("sphere98");
+    double last = 2;
+    for (const std::size_t most : {4U, 5U, 9U, 33U, 97U}) {
+        const SmallerBody smaller = within_count(body, most);
+        EXPECT_EQ(smaller.vertices.size(), most);
+        EXPECT_LE(smaller.worst_error, last);
+        EXPECT_GT(smaller.worst_error, 0);
+        last = smaller.worst_error;
+    }
+    for (const std::size_t most : {98U, 99U, 1000U}) {
+        EXPECT_EQ(within_count(body, most).vertices.size(), 98U);
+        EXPECT_EQ(within_count(body, most).worst_error, 0);
+    }
 }
 
 }  // namespace
