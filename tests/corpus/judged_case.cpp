@@ -106,6 +106,10 @@ class Judge {
         const auto given = truth::exact_distance(a, query_.pose_a, b, query_.pose_b);
         if (!(known->stored.lower <= exact_.distance && exact_.distance <= known->stored.upper))
             complain("the certificate of the stored bodies misses the exact distance");
+        const double most = allowed(verified_error_double);
+        if (const auto why = bench::contradiction(answer.distance.distance, known->stored, most, most);
+            !why.empty())
+            complain(why);
         if (!(known->given.lower <= given->distance && given->distance <= known->given.upper))
             complain("the certificate of the given bodies misses the exact distance");
     }

@@ -11,12 +11,6 @@
 
 namespace edgewise {
 
-/// Pure number, the largest entry of |R^T R - I|: up to here a written matrix is taken as it is.
-inline constexpr double written_rotation_rounding = 1e-12;
-/// Up to here it is replaced by the nearest rotation: three digits are typed with care. Farther away it is
-/// refused.
-inline constexpr double sloppiest_written_rotation = 1e-3;
-
 /// The rotation nearest to the matrix R (its orthogonal polar factor), or R itself where that is one to
 /// rounding. The warning says how far R was from a rotation, if it was changed. The error says what R is:
 /// zero, flat, a scale, a mirror image. Neither names the place of R: "is 0.001 times a rotation: ...".

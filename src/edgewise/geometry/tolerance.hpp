@@ -156,6 +156,12 @@ inline constexpr double sloppy_rotation = 0x1p-14;
 /// which features are closest.
 inline constexpr double sloppy_steps = 16;
 
+/// Pure number, the largest entry of |R^T R - I| of a rotation that somebody wrote (geometry/
+/// nearest_rotation.hpp): up to the first it is taken as it is, up to the second, which is three digits typed
+/// with care, it is replaced by the nearest rotation; farther away it is refused.
+inline constexpr double written_rotation_rounding = 1e-12;
+inline constexpr double sloppiest_written_rotation = 1e-3;
+
 /// Relative to the largest coordinate: the rounding of a plane's offset far from the origin.
 inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsilon();
 

@@ -8,6 +8,7 @@
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/studies/parts/allowed_errors.hpp"
 
 namespace edgewise::studies {
 
@@ -99,8 +100,10 @@ void StabilitySubject::prove_pose(StabilityPose at, StabilityTally& tally) {
     if (certificates) {
         const auto of_given = truth::exact_distance(given.a.vertices, pose_a, given.b.vertices, pose_b);
         proof.certificate_width = certificates->stored.width() / (band.scale > 0 ? band.scale : 1);
+        const double allowed = allowed_errors(type_, algorithm_).distance * band.scale + band.band;
         proof.certificate_missed =
-            !holds(certificates->stored, exact) || !of_given || !holds(certificates->given, *of_given);
+            !holds(certificates->stored, exact) || !of_given || !holds(certificates->given, *of_given) ||
+            !bench::contradiction(answer.distance.distance, certificates->stored, allowed, allowed).empty();
     }
     if (exact.verdict != truth::ExactVerdict::separated && answer.distance.status != Status::separated)
         proof.depth_error = error_beyond(std::abs(answer.depth - cases_.depth(at, stored)), band);

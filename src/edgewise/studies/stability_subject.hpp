@@ -18,7 +18,12 @@ class StabilitySubject {
     /// `warm`: poses of a case keep the pair's cache. At most `proofs` poses get depth, certificate and time.
     StabilitySubject(const bench::TableType& type, const std::string& algorithm, bool warm,
                      StabilityCases& cases, std::size_t proofs)
-        : type_(type), runner_(type.make_runner(algorithm)), warm_(warm), cases_(cases), proofs_(proofs) {}
+        : type_(type),
+          algorithm_(algorithm),
+          runner_(type.make_runner(algorithm)),
+          warm_(warm),
+          cases_(cases),
+          proofs_(proofs) {}
 
     /// Before it runs: as raw V-Clip.
     void make_raw() { runner_->configure({.query = {.hardened = false}}); }
@@ -36,6 +41,7 @@ class StabilitySubject {
     [[nodiscard]] scene::Workload workload_of(std::size_t index) const;
 
     const bench::TableType& type_;
+    std::string algorithm_;
     std::unique_ptr<bench::Runner> runner_;
     bool warm_;
     StabilityCases& cases_;

@@ -37,10 +37,12 @@ struct StabilityJudgement {
 
 /// One answer with depth and certificate.
 struct StabilityProof {
-    double depth_error = 0;           ///< over scale, beyond the band; 0 unless in contact
-    double certificate_width = 0;     ///< over scale; of the stored bodies
-    bool certificate_missed = false;  ///< of the stored or of the given bodies; or there was none
-    bool depth_cut_short = false;     ///< EPA reached its face limit: the depth is an upper bound
+    double depth_error = 0;        ///< over scale, beyond the band; 0 unless in contact
+    double certificate_width = 0;  ///< over scale; of the stored bodies
+    /// Of the stored or of the given bodies: it does not hold the exact distance, or the answer contradicts
+    /// it; or there was none.
+    bool certificate_missed = false;
+    bool depth_cut_short = false;  ///< EPA reached its face limit: the depth is an upper bound
 };
 
 class StabilityTally {

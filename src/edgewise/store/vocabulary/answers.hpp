@@ -66,7 +66,7 @@ inline constexpr FigureInfo answers[] = {
     {"stability.cap_hits", "queries", Population::cold, Repeats::exactly, "depths cut short by the cap on the polytope"},
     {"stability.worst_certificate_width", "of scale", Population::cold, Repeats::exactly, "widest certified interval of a distance"},
     {"stability.certificates", "queries", Population::cold, Repeats::exactly, "answers with a certificate"},
-    {"stability.certificates_missed", "queries", Population::cold, Repeats::exactly, "certificates that do not hold the exact distance"},
+    {"stability.certificates_missed", "queries", Population::cold, Repeats::exactly, "certificates that do not hold the exact distance, or that the answer contradicts"},
     {"stability.control_asked", "queries", Population::cold, Repeats::exactly, "cases that the paper's control answers"},
     {"stability.control_disagrees", "queries", Population::cold, Repeats::exactly, "of these, verdicts other than the control's"},
     {"stability.control_disagrees_outside_band", "queries", Population::cold, Repeats::exactly, "of these, outside the band"},
