@@ -41,8 +41,6 @@ if(EDGEWISE_SANITIZE)
     # alignment is looked at where bytes are laid out by hand: below, in tables.
     target_compile_options(edgewise_flags INTERFACE -fsanitize=address,undefined
         -fno-sanitize=null,object-size,vptr,alignment -fno-sanitize-recover=all
-        # Query loops flattened and sanitized would take minutes each to compile; the attribute has no option of its own.
-        -Dflatten=noinline
         -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(edgewise_flags INTERFACE -fsanitize=address,undefined)
     set(EDGEWISE_QUERY_LOOP_OPTIONS -fsanitize=alignment)
