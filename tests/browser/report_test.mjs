@@ -257,6 +257,16 @@ async function narrowAndDark(browser) {
     check('charts too', text !== 'rgb(0, 0, 0)', text);
 }
 
+async function wideWithAllOpen(browser) {
+    const page = await browser.open({ width: 1400 });
+    await page.go(url);
+    await drawAll(page);
+    await page.value("document.querySelectorAll('details').forEach(one => { one.open = true; })");
+    await page.value("document.querySelectorAll('h1, caption, li, td, .lead').forEach(one => { one.append('x'.repeat(3000)); })");
+    const width = await page.value('document.documentElement.scrollWidth');
+    check('1400 px wide with all details open and long names nothing is wider than the page', width <= 1400, width);
+}
+
 async function withoutScripts(browser) {
     const page = await browser.open({ scripts: false });
     await page.go(url);
@@ -282,7 +292,7 @@ async function printed(browser) {
 
 const browser = await Browser.start(chromium);
 try {
-    for (const test of [looksRight, narrowAndDark, withoutScripts, printed]) await test(browser);
+    for (const test of [looksRight, narrowAndDark, wideWithAllOpen, withoutScripts, printed]) await test(browser);
 } finally {
     await browser.stop();
 }

@@ -104,7 +104,7 @@ class FailureLog {
 int finish(const CampaignProgress& progress, const std::vector<Cell>& cells, const std::string& state,
            bool json) {
     if (json)
-        fmt::print("{}\n", campaign_json(progress, cells).dump());
+        print_json(campaign_json(progress, cells));
     else
         print_campaign(progress, cells, state);
     return progress.tally.all_families().wrong > 0 || !progress.is_done() ? exit_check_failed : exit_done;

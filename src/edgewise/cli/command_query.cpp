@@ -176,7 +176,7 @@ int run_query(const QueryArguments& options, bool /*Json*/) {
         }
         if (!answer["error"].is_null() && unreadable + failed <= most_warnings)
             warn(answer["error"].get<std::string>());
-        fmt::print("{}\n", answer.dump());
+        print_json(answer);
     }
     if (unreadable + failed > most_warnings)
         warn(fmt::format(

@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
                    stderr);
         return exit_bad_input;
     } catch (const std::exception& problem) {
-        std::fprintf(stderr, "edgewise: %s\n", problem.what());
+        warn(problem.what());
         return exit_bad_input;
     }
 }

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON that users write: scene files, plans, machines, case lines, locks, baselines. One reader for all of
-// them, by nlohmann-json, which follows nested values by recursion when it copies, compares and prints them:
-// a file of 100,000 brackets would end the program. So the depth is looked at before.
+// JSON that users write, and texts of a store: scene files, plans, machines, case lines, locks, baselines.
+// One reader for all of them, by nlohmann-json, which follows nested values by recursion when it copies,
+// compares and prints them: a file of 100,000 brackets would end the program. So the depth is looked at
+// before.
 #pragma once
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "edgewise/geometry/result.hpp"
+#include "edgewise/input/shown_text.hpp"
 
 namespace edgewise::input {
 
@@ -37,6 +40,38 @@ template <class Json = nlohmann::json>
                                " (NaN and Infinity are not numbers)");
     } catch (const nlohmann::json::out_of_range&) {
         return Parsed::failure("a number is too large for double precision");
+    }
+}
+
+/// JSON in a text of a store; null where it is none or nested too deep.
+template <class Json = nlohmann::json>
+[[nodiscard]] Json json_or_null(std::string_view text) {
+    auto parsed = parse_json<Json>(text);
+    return parsed ? std::move(*parsed) : Json();
+}
+
+/// The same with texts that are valid UTF-8: a byte that is not is written as its number.
+template <class Json>
+[[nodiscard]] Json with_valid_texts(const Json& json) {
+    if (json.is_string()) return valid_utf8(json.template get_ref<const std::string&>());
+    if (!json.is_structured()) return json;
+    Json copy = json.is_object() ? Json::object() : Json::array();
+    for (const auto& [name, value] : json.items()) {
+        if (json.is_object())
+            copy[valid_utf8(name)] = with_valid_texts(value);
+        else
+            copy.push_back(with_valid_texts(value));
+    }
+    return copy;
+}
+
+/// JSON for others to read, whatever its texts hold; in one line where `indent` is negative.
+template <class Json>
+[[nodiscard]] std::string json_text(const Json& json, int indent = -1) {
+    try {
+        return json_escaped(json.dump(indent));
+    } catch (const nlohmann::json::type_error&) {  // a text is no UTF-8
+        return json_escaped(with_valid_texts(json).dump(indent));
     }
 }
 

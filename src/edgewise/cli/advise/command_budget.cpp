@@ -110,7 +110,7 @@ int run_budget(const BudgetArguments& options, bool json) {
                         options.algorithm, types.front()->name));
     const std::vector<Row> rows = rows_of(options, body.body, *types.front());
     if (json) {
-        fmt::print("{}\n", json_of(options, body, rows).dump());
+        print_json(json_of(options, body, rows));
         return exit_done;
     }
     fmt::print("{}: {} vertices, {:.6g} in size, {} on {}\n", body.name, body.body.vertex_count(),

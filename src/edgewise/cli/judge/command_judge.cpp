@@ -211,8 +211,7 @@ void print_tests(const Judged& judged) {
 int run_judge(const JudgeArguments& options, bool json) {
     const Judged judged = judge(options);
     if (json) {
-        fmt::print("{}\n",
-                   json_of(judged, options.tests).dump(-1, ' ', false, Json::error_handler_t::replace));
+        fmt::print("{}\n", input::json_text(json_of(judged, options.tests)));
     } else {
         const scene::Case& pair = judged.pasted.pair;
         fmt::print("{}: {} and {} vertices\n", judged.pasted.format, pair.a.vertices.size(),
