@@ -147,7 +147,7 @@ async function wordsAreExplained(page) {
     check('terms are linked where they are used, to what explains them', links.length > 15 && dead.length === 0,
           `${links.length} links to ${new Set(links).size} terms ${dead.join(' ')}`);
     const layouts = query(`select distinct cell.layout, meta.value from cell join meta on meta.key = 'layout ' || cell.layout
-                           where axes = '' and status = 'verified' and scene not like 'thrash%'`);
+                           where axes = '' and status = 'verified' and run not like 'thrash%'`);
     const shown = await page.value(`Object.fromEntries([...document.querySelectorAll('dt[id^=layout-]')].map(
         term => [term.textContent, term.nextElementSibling.textContent]))`);
     const wrong = layouts.filter(row => shown[row.layout] !== row.value);
@@ -169,7 +169,7 @@ async function foldsAndCells(page) {
     let compared = 0, wrong = 0, missing = 0;
     const build = query(`select value from meta where key = 'build'`)[0]?.value;
     for (const row of query(`select hash, probe || '.' || name as name, value from figure join cell using (build, hash)
-                             where build = '${build}' and scene not like 'thrash%'`)) {
+                             where build = '${build}' and run not like 'thrash%'`)) {
         const shown = columns.get(row.name)?.values[place.get(row.hash)];
         ++compared;
         if (row.value === null) missing += typeof shown !== 'string';

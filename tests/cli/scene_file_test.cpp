@@ -144,20 +144,17 @@ Outcome sweep_files(const Folder& folder, const std::vector<std::string>& files)
     return run(arguments, folder);
 }
 
-TEST(SceneFileNames, AreFree) {
+/// At most as many as the answer has rows for.
+void expect_shown(const std::vector<std::string>& names) {
     const Folder folder;
-    std::vector<std::string> names, files;
-    for (const char* name :
-         {"thrashing", "stability", "fields", "paging", "effort", "thrash", "sweep", "cells", "map", "answer",
-          "tumble2", "cold_start", "stat", "paper_mine", "effort tumble"}) {
-        names.emplace_back(name);
-        files.push_back(folder.write(names.back() + ".json", small_scene));
-    }
+    std::vector<std::string> files;
+    for (const std::string& name : names) files.push_back(folder.write(name + ".json", small_scene));
     const Outcome outcome = sweep_files(folder, files);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(json::parse(outcome.out)["verified"], 2 * names.size());
-    const auto store = folder / "reports/out/edgewise.db";
-    EXPECT_EQ(rows_of(store, "select distinct run from cell"), std::vector<std::string>{"sweep"});
+    EXPECT_FALSE(std::filesystem::exists(folder / "reports/out/edgewise.db-shm")) << "readers leave nothing";
+    EXPECT_EQ(rows_of(folder / "reports/out/edgewise.db", "select distinct run from cell"),
+              std::vector<std::string>{"sweep"});
     const std::string page = text_of(folder / "reports/out/report.md");
     for (const std::string& name : names) {
         EXPECT_THAT(page, HasSubstr("| " + name + " | shared |")) << "a row of the answer";
@@ -167,7 +164,11 @@ TEST(SceneFileNames, AreFree) {
                     HasSubstr(",sweep," + name + ","));
         EXPECT_TRUE(std::filesystem::exists(folder / ("reports/out/figures/scene_" + file + ".vl.json")));
     }
-    EXPECT_FALSE(std::filesystem::exists(folder / "reports/out/edgewise.db-shm")) << "readers leave nothing";
+}
+
+TEST(SceneFileNames, AreFree) {
+    expect_shown({"thrashing", "stability", "fields", "paging", "effort", "thrash", "effort tumble"});
+    expect_shown({"sweep", "cells", "map", "answer", "tumble2", "cold_start", "stat", "paper_mine"});
 }
 
 TEST(SceneFileNames, OfTwoFilesInTwoRunsAreRefusedNamingBoth) {
