@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/scene_label.hpp"
 #include "edgewise/store/schema.hpp"
 
@@ -54,7 +55,7 @@ void name_by_file(std::vector<ReportCell>& cells,
     for (ReportCell& cell : cells) {
         const std::string& text = *texts.at(cell.scene);
         cell.scene_label = scene_label(cell, text);
-        const auto json = nlohmann::json::parse(text, nullptr, false);
+        const auto json = input::json_or_null(text);
         if (json.is_object() && json.contains("scene") && json["scene"].is_string())
             cell.scene_kind = json["scene"];
     }
@@ -69,17 +70,15 @@ void sort_out(ReportData& data) {
         data.scene_files.emplace_back(key.substr(prefix.size()), value);
         names.insert(data.scene_files.back().first);
     }
-    const auto of_scene = [](const char* name) {
-        return [name](const ReportCell& cell) { return cell.scene == name; };
-    };
-    data.stability = take_out(data.cells, of_scene("stability"));
-    data.paging = take_out(data.cells, of_scene("paging"));
-    data.thrash =
-        take_out(data.cells, [](const ReportCell& cell) { return cell.scene.starts_with("thrash"); });
-    data.effort =
-        take_out(data.cells, [](const ReportCell& cell) { return cell.scene.starts_with("effort "); });
-    data.fields =
-        take_out(data.cells, [](const ReportCell& cell) { return cell.scene.starts_with("fields "); });
+    using store::Run;
+    const auto of = [](Run run) { return [run](const ReportCell& cell) { return cell.run == run; }; };
+    data.stability = take_out(data.cells, of(Run::stability));
+    data.paging = take_out(data.cells, of(Run::paging));
+    data.thrash = take_out(data.cells, [](const ReportCell& cell) {
+        return cell.run == Run::thrash || cell.run == Run::thrash_realised;
+    });
+    data.effort = take_out(data.cells, of(Run::effort));
+    data.fields = take_out(data.cells, of(Run::fields));
     data.from_files =
         take_out(data.cells, [&](const ReportCell& cell) { return names.contains(cell.scene); });
     name_by_file(data.from_files, data.scene_files);
@@ -97,7 +96,7 @@ std::vector<const ReportCell*> ReportData::swept() const {
     return all;
 }
 
-std::size_t ReportData::count(const std::string& status) const {
+std::size_t ReportData::count(store::CellStatus status) const {
     const auto has_it = [&](const ReportCell& cell) { return cell.status == status; };
     return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), has_it) +
                                     std::count_if(from_files.begin(), from_files.end(), has_it));
@@ -110,14 +109,14 @@ std::optional<std::string> ReportData::meta_value(std::string_view key) const {
 }
 
 bool ReportData::any_failed() const {
-    const auto failed = [](const ReportCell& row) { return row.status == "failed"; };
-    return count("failed") > 0 || std::any_of(stability.begin(), stability.end(), failed) ||
+    const auto failed = [](const ReportCell& row) { return row.failed(); };
+    return count(store::CellStatus::failed) > 0 || std::any_of(stability.begin(), stability.end(), failed) ||
            std::any_of(effort.begin(), effort.end(), failed) ||
            std::any_of(fields.begin(), fields.end(), failed);
 }
 
-ReportData read_report(const std::string& store, const std::string& build) {
-    store::StoredBuild stored = store::read_build(store, build);
+ReportData read_report(const std::string& store, const std::string& build, const store::OnCell& on_cell) {
+    store::StoredBuild stored = store::read_build(store, build, on_cell);
     ReportData data;
     data.meta = std::move(stored.meta);
     data.build = std::move(stored.build);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,13 +44,14 @@ struct ReportData {
     /// The sweep's cells, of built-in scenes and of files, in this order; no peers, no rows of other runs.
     [[nodiscard]] std::vector<const ReportCell*> swept() const;
     [[nodiscard]] std::size_t cell_count() const { return cells.size() + from_files.size(); }
-    [[nodiscard]] std::size_t count(const std::string& status) const;  ///< of all cells
-    [[nodiscard]] bool any_failed() const;                             ///< cell or stability row
+    [[nodiscard]] std::size_t count(store::CellStatus status) const;  ///< of all cells
+    [[nodiscard]] bool any_failed() const;                            ///< cell or stability row
     /// What `meta` has under a key; null where it has none.
     [[nodiscard]] std::optional<std::string> meta_value(std::string_view key) const;
 };
 
 /// Reads one build as store::read_build does.
-[[nodiscard]] ReportData read_report(const std::string& store, const std::string& build = {});
+[[nodiscard]] ReportData read_report(const std::string& store, const std::string& build = {},
+                                     const store::OnCell& on_cell = {});
 
 }  // namespace edgewise::reports

@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "edgewise/input/json_text.hpp"
+
 namespace edgewise::reports {
 
 namespace {
@@ -19,7 +21,7 @@ namespace {
 using SceneLabelJson = nlohmann::json;
 
 SceneLabelJson parse_parameters(const std::string& text) {
-    SceneLabelJson parsed = SceneLabelJson::parse(text, nullptr, false);
+    SceneLabelJson parsed = input::json_or_null(text);
     if (parsed.is_object()) return parsed;
     return text.empty() ? SceneLabelJson::object() : SceneLabelJson{{"parameters", text}};
 }
@@ -92,7 +94,7 @@ std::span<const SceneStandard> scene_standards() {
 }
 
 std::optional<double> parameter_of(const store::CellRow& cell, const std::string& name) {
-    const SceneLabelJson parameters = SceneLabelJson::parse(cell.scene_parameters, nullptr, false);
+    const SceneLabelJson parameters = input::json_or_null(cell.scene_parameters);
     if (!parameters.is_object() || !parameters.contains(name) || !parameters[name].is_number())
         return std::nullopt;
     return parameters[name].get<double>();
@@ -100,7 +102,7 @@ std::optional<double> parameter_of(const store::CellRow& cell, const std::string
 
 std::string scene_label(const store::CellRow& cell, const std::string& file_text) {
     const SceneLabelJson parameters = parse_parameters(cell.scene_parameters);
-    const SceneLabelJson file = SceneLabelJson::parse(file_text, nullptr, false);
+    const SceneLabelJson file = input::json_or_null(file_text);
     const std::string varied = varied_by(file);
     if (!varied.empty() && parameters.contains(varied))
         return label(cell.scene, {varied + " " + shown(parameters[varied])});
@@ -109,7 +111,8 @@ std::string scene_label(const store::CellRow& cell, const std::string& file_text
     std::vector<std::string> inside;
     for (const auto& [name, value] : parameters.items())
         if (!goes_without_saying(kind, name, value)) inside.push_back(name + " " + shown(value));
-    return label(cell.scene, inside);
+    const bool of_study = cell.run != store::Run::sweep && cell.scene != to_string(cell.run);
+    return label(of_study ? fmt::format("{} {}", to_string(cell.run), cell.scene) : cell.scene, inside);
 }
 
 }  // namespace edgewise::reports

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "edgewise/reports/answer/contest.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
@@ -44,22 +45,14 @@ const std::vector<const ReportCell*>* chosen_shape(const ByShape& shapes, const 
             })->second;
 }
 
-NoiseBand noise_of(const std::vector<const SceneAnswer*>& scenes) {
-    NoiseBand band;
-    for (const SceneAnswer* scene : scenes) {
-        const Candidate* baseline = scene->baseline();
-        if (!baseline) continue;
-        const bool first = band.cells++ == 0;
-        band.low = first ? baseline->ratio : std::min(band.low, baseline->ratio);
-        band.high = first ? baseline->ratio : std::max(band.high, baseline->ratio);
-    }
-    return band;
-}
-
 CellCounts counts_of(const ReportData& data) {
-    CellCounts counts{data.cell_count(),         data.count("verified"), data.count("failed"),
-                      data.count("unavailable"), data.stability.size(),  0};
-    for (const ReportCell& row : data.stability) counts.stability_failed += row.status == "failed";
+    CellCounts counts{data.cell_count(),
+                      data.count(store::CellStatus::verified),
+                      data.count(store::CellStatus::failed),
+                      data.count(store::CellStatus::unavailable),
+                      data.stability.size(),
+                      0};
+    for (const ReportCell& row : data.stability) counts.stability_failed += row.failed();
     return counts;
 }
 
@@ -95,18 +88,19 @@ Answer answer_of_scenes(const ReportData& data, const Question& question) {
     answer.baseline = baseline_of(data);
     answer.shape = question.shape.value_or(reference_shape(data));
     const StoredScenes stored = scenes_of(data);
+    std::vector<SceneAnswer> scenes;
     for (const std::string& key : stored.order) {
         const auto* cells = chosen_shape(stored.by_key.at(key), question, answer.shape);
         if (!cells) continue;
         SceneAnswer scene = scene_answer(*cells, question, answer.baseline);
-        if (scene.candidates.empty() || scene.own_tables != question.own_tables.value_or(scene.own_tables))
-            continue;
+        if (!scene.candidates.empty()) scenes.push_back(std::move(scene));
+    }
+    check_contests(scenes);
+    for (SceneAnswer& scene : scenes) {
+        if (scene.own_tables != question.own_tables.value_or(scene.own_tables)) continue;
         if (scene.shape == answer.shape) answer.vertices = scene.vertices;
         (scene.own_tables ? answer.own : answer.shared).push_back(std::move(scene));
     }
-    answer.noise = noise_of(answer.scenes());
-    for (auto* group : {&answer.shared, &answer.own})
-        for (SceneAnswer& scene : *group) judge_against_noise(scene, answer.noise);
     return answer;
 }
 
@@ -134,13 +128,23 @@ bool Take::beats_baseline_somewhere() const {
                        [](const Place& place) { return place.ties && place.scene->beats_baseline; });
 }
 
+std::optional<double> worst_error_of(const std::vector<SceneAnswer>& scenes, const std::string& algorithm,
+                                     const std::string& table) {
+    std::optional<double> worst;
+    for (const SceneAnswer& scene : scenes) {
+        const Candidate* one = scene.recommends() ? scene.find(algorithm, table) : nullptr;
+        if (one && one->worst_error) worst = std::max(worst.value_or(0), *one->worst_error);
+    }
+    return worst;
+}
+
 std::optional<Take> take_of(const std::vector<SceneAnswer>& scenes) {
     std::map<std::pair<std::string, std::string>, Tally> tallies;
     const bool any_quiet = std::any_of(scenes.begin(), scenes.end(), [](const SceneAnswer& scene) {
-        return scene.winner() && !scene.too_noisy;
+        return scene.winner() && scene.recommends() && !scene.too_noisy;
     });
     for (const SceneAnswer& scene : scenes) {
-        if (any_quiet && scene.too_noisy) continue;
+        if (!scene.recommends() || (any_quiet && scene.too_noisy)) continue;
         for (const Candidate& one : scene.candidates) {
             Tally& tally = tallies[{one.cell->algorithm, one.table}];
             ++(scene.ties_with_winner(one) ? tally.ties : tally.losses);
@@ -153,8 +157,9 @@ std::optional<Take> take_of(const std::vector<SceneAnswer>& scenes) {
         return a.second.better_than(b.second);
     });
     Take take{best->first.first, best->first.second, {}};
+    take.worst_error = worst_error_of(scenes, take.algorithm, take.table);
     for (const SceneAnswer& scene : scenes) {
-        if (!scene.winner()) continue;
+        if (!scene.winner() || !scene.recommends()) continue;
         const Candidate* candidate = scene.find(take.algorithm, take.table);
         take.places.push_back({&scene, candidate, candidate && scene.ties_with_winner(*candidate)});
     }

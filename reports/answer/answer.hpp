@@ -3,9 +3,10 @@
 // The report's answer: which layout to take, scene by scene, how sure that is, and what was not measured. One
 // function from a store to it; page, Markdown, the end of a sweep and `edgewise advise` show the same object.
 //
-// Per scene the fastest table type within the error limit wins, and all whose interval reaches its own tie
-// with it. Where the baseline ties, or the ratio lies within what the baseline differs from itself, nothing
-// beats the baseline, and of the ties the smallest is named.
+// Per scene the fastest table type within the error limit wins, and those tie with it that the scene's times
+// cannot tell from it (scene_answer.hpp). Where the baseline ties, or the ratio lies within what the baseline
+// differs from itself in that scene, nothing beats the baseline, and of the ties the smallest is named. A
+// scene in which V-Clip or GJK lacks a small or a fast layout recommends nothing (contest.hpp).
 #pragma once
 
 #include <string>
@@ -31,7 +32,6 @@ struct Answer {
     Baseline baseline;
     std::vector<SceneAnswer> shared;  ///< scenes whose bodies share a table, in the order of the cells
     std::vector<SceneAnswer> own;     ///< scenes with a table for each body
-    NoiseBand noise;                  ///< over the baseline's own cells of these scenes
     CellCounts counts;
     std::vector<SweepRun> runs;  ///< that filled the store, in order of their commands
     Gaps gaps;
@@ -45,7 +45,7 @@ struct Answer {
 /// The data must outlive the answer. Of scenes without the asked shape none; without an asked shape each
 /// scene answers for the reference shape if it has it, else for its largest.
 [[nodiscard]] Answer answer_of(const ReportData& data, const Question& question = {});
-/// Its scenes and noise alone: counts, runs and gaps are the same whatever is asked.
+/// Its scenes alone: counts, runs and gaps are the same whatever is asked.
 [[nodiscard]] Answer answer_of_scenes(const ReportData& data, const Question& question);
 
 /// One algorithm and table type for several scenes.
@@ -56,14 +56,20 @@ struct Take {
         const Candidate* candidate;  ///< null: not measured there
         bool ties;                   ///< with the winner, or is it
     };
-    std::vector<Place> places;  ///< one for each scene that has a winner
+    std::vector<Place> places;  ///< one for each scene that has a winner and recommends something
+    std::optional<double> worst_error = {};  ///< over all scenes that recommend something
 
     [[nodiscard]] const Candidate& example() const;  ///< where it ties; the smallest ratio
     [[nodiscard]] bool is(const Baseline& baseline) const;
     [[nodiscard]] bool beats_baseline_somewhere() const;
 };
 /// The most scenes in which it ties, then the fewest in which it is beaten, then the smallest tables; scenes
-/// that are too noisy count only where all are. Null where no scene has a winner.
+/// that are too noisy count only where all are, and those that recommend nothing never. Null where no scene
+/// is left with a winner.
 [[nodiscard]] std::optional<Take> take_of(const std::vector<SceneAnswer>& scenes);
+
+/// The largest error of this table type in the scenes that recommend something; null where it has none.
+[[nodiscard]] std::optional<double> worst_error_of(const std::vector<SceneAnswer>& scenes,
+                                                   const std::string& algorithm, const std::string& table);
 
 }  // namespace edgewise::reports

@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "edgewise/reports/answer/answer_text.hpp"
@@ -18,15 +20,28 @@ constexpr std::size_t runners_up = 2;  ///< named after those that tie
 
 AnswerJson or_null(const std::optional<double>& value) { return value ? AnswerJson(*value) : AnswerJson(); }
 
-AnswerJson band_json(const NoiseBand& noise) {
-    if (noise.cells == 0) return {};
-    return {{"low", noise.low}, {"high", noise.high}, {"cells", noise.cells}};
+/// Of the noisiest scene, and of how many it is known.
+AnswerJson noise_json(const Answer& answer) {
+    NoiseBand widest;
+    std::size_t cells = 0;
+    for (const SceneAnswer* scene : answer.scenes()) {
+        if (!scene->noise.factor) continue;
+        ++cells;
+        widest.factor = std::max(widest.high(), scene->noise.high());
+    }
+    return cells == 0 ? AnswerJson()
+                      : AnswerJson{{"low", widest.low()}, {"high", widest.high()}, {"cells", cells}};
 }
 
 AnswerJson scene_json(const SceneAnswer& scene) {
-    AnswerJson json = {{"scene", scene.label},           {"sentence", scene.sentence},
-                       {"shape", scene.shape},           {"vertices", scene.vertices},
-                       {"own_tables", scene.own_tables}, {"beats_baseline", scene.beats_baseline}};
+    AnswerJson json = {{"scene", scene.label},
+                       {"sentence", scene.sentence},
+                       {"shape", scene.shape},
+                       {"vertices", scene.vertices},
+                       {"own_tables", scene.own_tables},
+                       {"beats_baseline", scene.beats_baseline},
+                       {"noise", or_null(scene.noise.factor)},
+                       {"not_measured", scene.not_measured}};
     json["candidates"] = AnswerJson::array();
     for (const Candidate& one : scene.candidates) {
         json["candidates"].push_back(candidate_json(one));
@@ -73,27 +88,29 @@ AnswerJson out_json(const SceneAnswer& scene, double limit) {
 }
 
 /// Who would win under a larger limit: the fastest of those that are out, if it is faster than the winner.
-void add_larger_limit(const SceneAnswer& scene, std::vector<std::string>& changes) {
+void add_larger_limit(const std::vector<SceneAnswer>& scenes, const SceneAnswer& scene,
+                      std::vector<std::string>& changes) {
     for (const std::size_t place : scene.out) {
         const Candidate& one = scene.candidates[place];
-        if (!one.worst_error || !scene.winner()) continue;
+        const auto worst_error = worst_error_of(scenes, one.cell->algorithm, one.table);
+        if (!worst_error || !scene.winner()) continue;
         const Candidate& winner = *scene.winner();
         const bool smaller = one.bytes_per_edge && winner.bytes_per_edge &&
                              *one.bytes_per_edge < *winner.bytes_per_edge && one.low() <= winner.high();
         if (!smaller && one.high() >= winner.low()) continue;
         changes.push_back(
             fmt::format("an error of {} or more allowed: {}, {} of the paper's time, {} bytes per edge",
-                        number_text(*one.worst_error, "scale"), one.name(), ratio_text(one),
+                        number_text(*worst_error, "scale"), one.name(), ratio_text(one),
                         one.bytes_per_edge ? number_text(*one.bytes_per_edge, "B/edge") : "?"));
         return;
     }
 }
 
 /// Below which limit the taken one goes out.
-void add_smaller_limit(const Candidate& taken, std::vector<std::string>& changes) {
-    if (taken.worst_error && *taken.worst_error > 0)
+void add_smaller_limit(const Take& take, std::vector<std::string>& changes) {
+    if (take.worst_error && *take.worst_error > 0)
         changes.push_back(fmt::format("an error below {} asked for: {} goes out",
-                                      number_text(*taken.worst_error, "scale"), taken.name()));
+                                      number_text(*take.worst_error, "scale"), take.example().name()));
 }
 
 void add_other_tables(const Answer& answer, const std::vector<SceneAnswer>& scenes, const Take& take,
@@ -133,16 +150,16 @@ std::vector<std::string> what_changes_it(const Answer& answer, const std::vector
     const std::optional<Take> take = take_of(scenes);
     if (!take) return changes;
     add_other_tables(answer, scenes, *take, changes);
-    add_larger_limit(shown_scene(*take), changes);
-    add_smaller_limit(take->example(), changes);
+    add_larger_limit(scenes, shown_scene(*take), changes);
+    add_smaller_limit(*take, changes);
     return changes;
 }
 
-std::string advise_command(const Answer& answer) {
+std::string advise_command(const Answer& answer, std::optional<bool> own_tables) {
+    if (!own_tables) own_tables = answer.question.own_tables;
     std::string command = "edgewise advise";
     if (answer.vertices > 0) command += fmt::format(" --vertices {}", answer.vertices);
-    if (answer.question.own_tables)
-        command += *answer.question.own_tables ? " --own-tables" : " --shared-tables";
+    if (own_tables) command += *own_tables ? " --own-tables" : " --shared-tables";
     return command + " --error " + limit_text(answer.question.error_limit);
 }
 
@@ -159,7 +176,7 @@ AnswerJson answer_json(const Answer& answer) {
         {"changes_it", AnswerJson::array()},
         {"held", nullptr},
         {"command", advise_command(answer)},
-        {"noise", band_json(answer.noise)}};
+        {"noise", noise_json(answer)}};
     json["scenes"] = AnswerJson::array();
     for (const SceneAnswer* scene : answer.scenes()) json["scenes"].push_back(scene_json(*scene));
     const std::vector<SceneAnswer>& scenes = answer.shared.empty() ? answer.own : answer.shared;
@@ -167,6 +184,7 @@ AnswerJson answer_json(const Answer& answer) {
     if (!take) return json;
     const SceneAnswer& shown = shown_scene(*take);
     json["take"] = candidate_json(take->example());
+    json["take"]["error"] = or_null(take->worst_error);
     json["take"]["scene"] = shown.label;
     json["take"]["own_tables"] = shown.own_tables;
     json["take"]["beats_baseline"] = take->beats_baseline_somewhere();

@@ -22,7 +22,7 @@ namespace edgewise::reports {
 [[nodiscard]] std::vector<std::string> what_changes_it(const Answer& answer,
                                                        const std::vector<SceneAnswer>& scenes);
 
-/// `edgewise advise` with the options that ask the same.
-[[nodiscard]] std::string advise_command(const Answer& answer);
+/// `edgewise advise` with the options that ask the same; for one kind of tables where it is given.
+[[nodiscard]] std::string advise_command(const Answer& answer, std::optional<bool> own_tables = {});
 
 }  // namespace edgewise::reports

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "edgewise/reports/answer/answer_json.hpp"
+#include "edgewise/reports/answer/contest.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -29,15 +31,17 @@ std::string condition_of(bool own_tables) {
     return own_tables ? "If every body has a table of its own" : "If your bodies share a table";
 }
 
-/// "139 bytes per edge instead of 234, error 2e-7"
-std::string costs(const Candidate& candidate, const Candidate* baseline) {
+/// "139 bytes per edge instead of 234, worst error 2e-7"
+std::string costs(const Take& take) {
+    const Candidate& candidate = take.example();
+    const Candidate* baseline = take.places.front().scene->baseline();
     std::string text;
     if (candidate.bytes_per_edge) {
         text = number_text(*candidate.bytes_per_edge, "B/edge") + " bytes per edge";
         if (baseline && baseline->bytes_per_edge && baseline->bytes_per_edge != candidate.bytes_per_edge)
             text += " instead of " + number_text(*baseline->bytes_per_edge, "B/edge");
     }
-    if (candidate.worst_error) append(text, "worst error " + number_text(*candidate.worst_error, "scale"));
+    if (take.worst_error) append(text, "worst error " + number_text(*take.worst_error, "scale"));
     return text;
 }
 
@@ -49,7 +53,7 @@ std::string gjk_sentence(const Take& take) {
         const Candidate* gjk = place.scene->best("gjk");
         if (gjk && place.candidate) range.add(gjk->ratio / place.candidate->ratio);
     }
-    if (!range.low) return " GJK was not measured there.";
+    if (!range.low) return " No GJK is within the error.";
     return fmt::format(" The best GJK within the error takes {} times as long.", range.text());
 }
 
@@ -129,21 +133,32 @@ AdviceText keep_baseline(const Take& take, const Answer& answer, bool own_tables
         return {fmt::format("{}, keep {}.", condition_of(own_tables), paper),
                 fmt::format("Nothing beats it by more than noise in {}.", scenes)};
     const Candidate& chosen = take.example();
-    const Candidate* baseline = take.places.front().scene->baseline();
     return {fmt::format("{}, nothing beats the paper's layout ({} on {}): take {}.", condition_of(own_tables),
                         algorithm_title(answer.baseline.algorithm), answer.baseline.table, chosen.name()),
             fmt::format("It ties in {} of {} and is the smallest that does: {}.",
                         std::count_if(take.places.begin(), take.places.end(),
                                       [](const Take::Place& place) { return place.ties; }),
-                        scenes, costs(chosen, baseline))};
+                        scenes, costs(take))};
 }
 
 AdviceText take_winner(const Take& take, bool own_tables) {
-    const Candidate& chosen = take.example();
-    const Candidate* baseline = take.places.front().scene->baseline();
-    const std::string cost = costs(chosen, baseline);
-    return {fmt::format("{}, take {}.", condition_of(own_tables), chosen.name()),
+    const std::string cost = costs(take);
+    return {fmt::format("{}, take {}.", condition_of(own_tables), take.example().name()),
             (cost.empty() ? "" : "It has " + cost + ".") + ratios_sentence(take)};
+}
+
+/// What was not measured in scenes that therefore recommend nothing, and how to measure it.
+std::string missing_sentence(const std::vector<SceneAnswer>& scenes, const Answer& answer) {
+    std::string missing;
+    for (const SceneAnswer& scene : scenes) {
+        if (!scene.winner() || scene.recommends()) continue;
+        std::string cells;
+        for (const std::string& cell : scene.not_measured) append(cells, cell);
+        append(missing, fmt::format("{}: {}", scene.label, cells), "; ");
+    }
+    if (missing.empty()) return {};
+    return fmt::format("Not measured: {}. {} Measure them with: {}.", missing, contest_rule(),
+                       advise_command(answer, scenes.front().own_tables));
 }
 
 std::string conditions_of(const Answer& answer, const ReportData& data) {
@@ -164,8 +179,10 @@ std::string unfinished_sentence(const Answer& answer) {
 
 std::optional<AdviceText> advice_of(const std::vector<SceneAnswer>& scenes, const Answer& answer) {
     const std::optional<Take> take = take_of(scenes);
-    if (!take) return std::nullopt;
+    const std::string missing = missing_sentence(scenes, answer);
+    if (!take && missing.empty()) return std::nullopt;
     const bool own_tables = scenes.front().own_tables;
+    if (!take) return AdviceText{condition_of(own_tables) + ", nothing is recommended.", missing};
     if (std::all_of(take->places.begin(), take->places.end(),
                     [](const Take::Place& place) { return place.scene->too_noisy; }))
         return AdviceText{condition_of(own_tables) + ", these times are too noisy to choose by.",
@@ -174,11 +191,23 @@ std::optional<AdviceText> advice_of(const std::vector<SceneAnswer>& scenes, cons
                                                        : keep_baseline(*take, answer, own_tables);
     if (own_tables) text.rest += memory_sentence(*take);
     text.rest += noisy_sentence(scenes) + exceptions(*take) + gjk_sentence(*take);
+    if (!missing.empty()) text.rest += " Of other scenes nothing is recommended. " + missing;
     return text;
 }
 
-std::string noise_text(const NoiseBand& noise) {
-    return fmt::format("{:+.0f} % to {:+.0f} %", (noise.low - 1) * 100, (noise.high - 1) * 100);
+std::string noise_text(const Answer& answer) {
+    const SceneAnswer *quietest = nullptr, *noisiest = nullptr;
+    for (const SceneAnswer* scene : answer.scenes()) {
+        if (!scene->noise.factor) continue;
+        if (!quietest || scene->noise.high() < quietest->noise.high()) quietest = scene;
+        if (!noisiest || scene->noise.high() > noisiest->noise.high()) noisiest = scene;
+    }
+    if (!quietest) return {};
+    const auto text = [](const SceneAnswer& scene) {
+        const double percent = (scene.noise.high() - 1) * 100;
+        return fmt::format("{:.{}f} % ({})", percent, percent < 9.95 ? 1 : 0, scene.label);
+    };
+    return quietest == noisiest ? text(*quietest) : text(*quietest) + " to " + text(*noisiest);
 }
 
 std::string cells_sentence(const Answer& answer) {
@@ -220,14 +249,16 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
             {"No cell of this store answers the question.",
              "It takes cells that were timed beside the baseline and whose errors are known."});
     text.conditions = conditions_of(answer, data);
+    const std::string noise = noise_text(answer);
     text.noise =
-        answer.noise.cells == 0
-            ? "What a cell timed against itself differs by was not measured: the baseline is not among the "
-              "cells."
+        noise.empty()
+            ? "What a cell timed against itself differs by was not measured: the baseline is not among "
+              "the cells."
             : fmt::format(
-                  "The baseline timed against itself differs by {} in {}: read less as none. "
+                  "The baseline timed against itself differs by {}. In each scene, a smaller "
+                  "difference than that scene's counts as none. "
                   "Intervals are over the rounds of one process.",
-                  noise_text(answer.noise), plural(answer.noise.cells, "scene"));
+                  noise);
     text.counts = cells_sentence(answer) + " " + gaps_sentence(answer);
     if (any_unfinished(answer.runs)) text.counts = unfinished_sentence(answer) + " " + text.counts;
     return text;

@@ -18,7 +18,7 @@ struct AdviceText {
 struct AnswerText {
     std::vector<AdviceText> advice;  ///< for a shared table, then for a table each, where these were measured
     std::string conditions;          ///< which bodies, which error, which machine
-    std::string noise;               ///< what less than is none, and what the intervals hold for
+    std::string noise;               ///< which differences count as none, and what the intervals hold for
     std::string counts;              ///< cells verified and failed, figures not measured
 };
 
@@ -36,8 +36,9 @@ struct AnswerText {
 [[nodiscard]] std::string cells_sentence(const Answer& answer);
 /// "31213 of 171554 figures were not measured".
 [[nodiscard]] std::string gaps_sentence(const Answer& answer);
-/// "-3 % to +8 %"; says so where it was not measured.
-[[nodiscard]] std::string noise_text(const NoiseBand& noise);
+/// What the baseline differs by from itself, in the quietest scene and in the noisiest: "0.2 % (cold) to 19 %
+/// (pressure)"; empty where it was not measured.
+[[nodiscard]] std::string noise_text(const Answer& answer);
 
 /// Why a candidate takes the time that it takes beside another: steps, lines and the cost of a step.
 [[nodiscard]] std::string why_sentence(const Candidate& candidate, const Candidate& beside);
@@ -50,7 +51,8 @@ struct AnswerText {
 [[nodiscard]] std::string size_text(double bytes);
 /// The processor's name, or that the store does not name it.
 [[nodiscard]] std::string processor_text(const ReportData& data);
-/// Processor and data caches: "AMD EPYC, 32 KiB / 1 MiB / 32 MiB of cache".
+/// Processor, data caches and what the program was compiled for: "AMD EPYC, 32 KiB / 1 MiB / 32 MiB of cache,
+/// compiled for this processor (-march=native)".
 [[nodiscard]] std::string machine_text(const ReportData& data);
 
 }  // namespace edgewise::reports

@@ -58,26 +58,17 @@ auto preference(const SceneAnswer& scene, const MapPlace& place) {
                            scene.label.size(), scene.label);
 }
 
-/// How much longer one may take than another without being told apart.
-double width_of(const NoiseBand& noise) { return noise.cells > 0 ? noise.high / noise.low : 1; }
-
-void judge_place(MapCell& cell, const NoiseBand& noise, double error_limit) {
+void judge_place(MapCell& cell, double error_limit) {
     cell.best = cell.scene->winner();
     if (!cell.best) {
         cell.why = fmt::format("no table type is known to be within an error of {}", limit_text(error_limit));
         return;
     }
-    const auto contender = [](const Candidate& one) {
-        return std::pair(one.cell->algorithm, one.cell->layout);
-    };
-    std::set<std::pair<std::string, std::string>> seen = {contender(*cell.best)};
     for (const Candidate& one : cell.scene->candidates) {
         if (!one.meets_error) continue;
         if (!cell.best_of_others && one.cell->algorithm != cell.best->cell->algorithm)
             cell.best_of_others = &one;
-        if (!seen.insert(contender(one)).second) continue;
-        if (one.low() <= cell.best->high() || one.ratio <= cell.best->ratio * width_of(noise))
-            cell.ties.push_back(&one);
+        if (&one != cell.best && cell.scene->ties_with_winner(one)) cell.ties.push_back(&one);
     }
 }
 
@@ -91,7 +82,7 @@ std::map<MapPlace, MapCell> map_cells_of(const Answer& answer) {
         if (cell.scene) ++cell.further_scenes;
         if (!cell.scene || preference(*scene, *place) < preference(*cell.scene, *place)) cell.scene = scene;
     }
-    for (auto& [place, cell] : cells) judge_place(cell, answer.noise, answer.question.error_limit);
+    for (auto& [place, cell] : cells) judge_place(cell, answer.question.error_limit);
     return cells;
 }
 
@@ -121,7 +112,8 @@ std::string why_nothing(const PlacedCells& placed, const MapPlace& place, const 
     for (auto at = first; at != last; ++at) {
         const ReportCell& cell = *at->second;
         if (cell.shape != shape) continue;
-        return cell.reason.empty() ? "not timed beside the baseline" : cell.status + ": " + cell.reason;
+        return cell.reason.empty() ? "not timed beside the baseline"
+                                   : fmt::format("{}: {}", to_string(cell.status), cell.reason);
     }
     return "no scene of this store is of such bodies there";
 }
@@ -150,6 +142,16 @@ void fill_map_panels(const PlacedCells& placed, BreakEvenMap& map) {
 }
 
 }  // namespace
+
+std::vector<std::string> MapCell::tied_contenders() const {
+    std::vector<std::string> names;
+    for (const Candidate* one : ties) {
+        const std::string name = contender_name(*one);
+        if (name != contender_name(*best) && std::ranges::find(names, name) == names.end())
+            names.push_back(name);
+    }
+    return names;
+}
 
 std::string MapPanel::only_algorithm() const {
     std::set<std::string> algorithms;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Which algorithm and layout is fastest within the error, by vertices, coherence and number of tables: the
-// answers for all bodies of a store, each put in its place. A place has the algorithm and layout of the
-// fastest table type, and those that tie with it: their interval reaches its own, or they are slower by no
-// more than two ratios can differ that are one (the widest that the baseline beside itself allows). A place
-// of which nothing was measured says so.
+// answers for all bodies of a store, each put in its place. A place has the fastest table type and those that
+// tie with it, as its scene's answer says. A place of which nothing was measured says so.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +17,15 @@ namespace edgewise::reports {
 struct MapCell {
     const SceneAnswer* scene = nullptr;         ///< the one that stands here; null: none
     const Candidate* best = nullptr;            ///< the fastest within the error; null: none is
-    std::vector<const Candidate*> ties = {};    ///< the fastest of each other algorithm and layout that ties
+    std::vector<const Candidate*> ties = {};    ///< the others that tie with it, fastest first
     const Candidate* best_of_others = nullptr;  ///< the fastest of another algorithm; null: none
     std::size_t further_scenes = 0;             ///< of the same place, which are not shown
     std::string why = {};                       ///< of a cell without a best
 
+    /// Algorithms and layouts that tie with the best one's; another precision of it is none.
+    [[nodiscard]] std::vector<std::string> tied_contenders() const;
     /// One algorithm and layout is ahead of all others.
-    [[nodiscard]] bool is_won() const { return best && ties.empty() && !scene->too_noisy; }
+    [[nodiscard]] bool is_won() const { return best && tied_contenders().empty() && !scene->too_noisy; }
 };
 
 struct MapColumn {

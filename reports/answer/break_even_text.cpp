@@ -26,9 +26,10 @@ std::string who_stands(const MapCell& cell) {
     if (!cell.best) return "nobody within the error";
     if (cell.scene->too_noisy) return "too noisy to tell";
     std::string text = contender_name(*cell.best);
-    if (cell.ties.empty()) return text;
-    if (cell.ties.size() > 2) return fmt::format("a tie of {} ({} first)", cell.ties.size() + 1, text);
-    for (const Candidate* one : cell.ties) text += " or " + contender_name(*one);
+    const std::vector<std::string> others = cell.tied_contenders();
+    if (others.empty()) return text;
+    if (others.size() > 2) return fmt::format("a tie of {} ({} first)", others.size() + 1, text);
+    for (const std::string& other : others) text += " or " + other;
     return text + " (a tie)";
 }
 

@@ -37,9 +37,16 @@ void find_ties(SceneAnswer& answer) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].meets_error)
             answer.out.push_back(i);
-        else if (all[i].low() <= first->high())
+        else if (all[i].low() <= first->high() || all[i].ratio <= first->ratio * answer.noise.high())
             answer.ties.push_back(i);
     }
+}
+
+/// The winner beats it by more than its own interval and the scene's noise.
+bool beats_baseline(const SceneAnswer& answer) {
+    const Candidate *winner = answer.winner(), *baseline = answer.baseline();
+    return winner && winner != baseline && winner->high() < 1 && !answer.noise.holds(winner->ratio) &&
+           !(baseline && answer.ties_with_winner(*baseline));
 }
 
 }  // namespace
@@ -104,7 +111,9 @@ SceneAnswer scene_answer(std::span<const ReportCell* const> cells, const Questio
     }
     sort_by_ratio(answer.candidates);
     sort_by_ratio(answer.peers);
+    if (const Candidate* own = answer.baseline()) answer.noise.factor = std::max(own->ratio, 1 / own->ratio);
     find_ties(answer);
+    answer.beats_baseline = beats_baseline(answer);
     if (const Candidate* winner = answer.winner())
         answer.too_noisy = winner->high() > widest_interval * winner->low();
     const ReportCell& any = *cells.front();
@@ -113,14 +122,6 @@ SceneAnswer scene_answer(std::span<const ReportCell* const> cells, const Questio
     answer.own_tables = has_own_tables(any);
     answer.sentence = scene_sentence(any);
     return answer;
-}
-
-void judge_against_noise(SceneAnswer& answer, const NoiseBand& noise) {
-    const Candidate* winner = answer.winner();
-    const Candidate* baseline = answer.baseline();
-    answer.beats_baseline = winner && winner != baseline && winner->high() < 1 &&
-                            !(noise.cells > 0 && noise.holds(winner->ratio)) &&
-                            !(baseline && answer.ties_with_winner(*baseline));
 }
 
 }  // namespace edgewise::reports

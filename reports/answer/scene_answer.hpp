@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,12 +16,14 @@
 
 namespace edgewise::reports {
 
-/// What cells that are one thing differ by, when they are timed against themselves.
+/// What the baseline's own cell differs by from the baseline that is timed beside every cell of its scene:
+/// two measurements of one thing. The same factor is allowed in both directions.
 struct NoiseBand {
-    double low = 1, high = 1;  ///< smallest and largest ratio
-    std::size_t cells = 0;     ///< of how many; 0: not measured
+    std::optional<double> factor = {};  ///< at least 1; null: not measured
 
-    [[nodiscard]] bool holds(double ratio) const { return low <= ratio && ratio <= high; }
+    [[nodiscard]] double high() const { return factor.value_or(1); }
+    [[nodiscard]] double low() const { return 1 / high(); }
+    [[nodiscard]] bool holds(double ratio) const { return factor && low() <= ratio && ratio <= high(); }
 };
 
 /// What every ratio is to, as the store names it.
@@ -35,13 +38,17 @@ struct SceneAnswer {
     std::int64_t vertices = 0, edges = 0;
     bool own_tables = false;  ///< a table for each body
     Baseline ratios_to;
+    NoiseBand noise;
     std::vector<Candidate> candidates;  ///< fastest first, by ratio
     std::vector<Candidate> peers;       ///< other libraries, likewise
-    std::vector<std::size_t> ties;      ///< places of candidates whose intervals reach the winner's; it first
+    std::vector<std::size_t> ties;      ///< places of those that tie with the winner, fastest first; it too
     std::vector<std::size_t> out;       ///< places of those over the error limit, or without an error
     bool beats_baseline = false;        ///< the winner, by more than its interval and the noise band
     bool too_noisy = false;             ///< the winner's interval spans more than a factor of 2
+    /// What must be measured before anything is recommended, "GJK on a small layout" (contest.hpp).
+    std::vector<std::string> not_measured = {};
 
+    [[nodiscard]] bool recommends() const { return not_measured.empty(); }
     /// Each null where there is none.
     [[nodiscard]] const Candidate* winner() const;
     [[nodiscard]] const Candidate* baseline() const;  ///< its own cell, beside the one timed with every cell
@@ -55,11 +62,10 @@ struct SceneAnswer {
     [[nodiscard]] const Candidate* find(const std::string& algorithm, const std::string& table) const;
 };
 
-/// Of cells and peers of one scene and shape, one at least.
+/// Of cells and peers of one scene and shape, one at least. The one rule by which two tie, in every table,
+/// map and text: the slower one's interval reaches the winner's, or its ratio is larger by no more than the
+/// noise factor of the scene.
 [[nodiscard]] SceneAnswer scene_answer(std::span<const ReportCell* const> cells, const Question& question,
                                        const Baseline& baseline);
-
-/// Sets beats_baseline. A band of no cells excludes nothing.
-void judge_against_noise(SceneAnswer& answer, const NoiseBand& noise);
 
 }  // namespace edgewise::reports

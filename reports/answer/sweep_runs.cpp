@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {
@@ -13,7 +14,7 @@ std::vector<SweepRun> sweep_runs(const ReportData& data) {
     std::vector<SweepRun> runs;
     for (const auto& [key, value] : data.meta) {
         if (!key.starts_with(prefix)) continue;
-        const auto json = nlohmann::json::parse(value, nullptr, false);
+        const auto json = input::json_or_null(value);
         const auto text = [&](const char* name) {
             return json.is_object() && json.contains(name) && json[name].is_string()
                        ? json[name].get<std::string>()

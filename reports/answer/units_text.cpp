@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
@@ -35,6 +37,18 @@ std::vector<std::string> data_caches(const UnitsJson& machine) {
     return sizes;
 }
 
+/// What the stored compiler flags say of the processor.
+std::string tuning_text(const std::string& flags) {
+    constexpr std::string_view option = "-march=";
+    const std::size_t at = flags.rfind(option);
+    if (flags.empty()) return "compiler flags not recorded";
+    if (at == flags.npos) return "compiled with default flags (no -march)";
+    const std::size_t from = at + option.size();
+    const std::string processor = flags.substr(from, flags.find(' ', from) - from);
+    return fmt::format("compiled for {} ({}{})", processor == "native" ? "this processor" : processor, option,
+                       processor);
+}
+
 }  // namespace
 
 std::string limit_text(double limit) {
@@ -55,14 +69,15 @@ std::string size_text(double bytes) {
 }
 
 std::string processor_text(const ReportData& data) {
-    return cpu_name(UnitsJson::parse(data.build.machine_json, nullptr, false));
+    return cpu_name(input::json_or_null(data.build.machine_json));
 }
 
 std::string machine_text(const ReportData& data) {
-    const UnitsJson machine = UnitsJson::parse(data.build.machine_json, nullptr, false);
+    const UnitsJson machine = input::json_or_null(data.build.machine_json);
     const std::vector<std::string> caches = data_caches(machine);
-    if (caches.empty()) return cpu_name(machine);
-    return fmt::format("{}, {} of cache", cpu_name(machine), fmt::join(caches, " / "));
+    const std::string tuning = tuning_text(data.build.flags);
+    if (caches.empty()) return fmt::format("{}, {}", cpu_name(machine), tuning);
+    return fmt::format("{}, {} of cache, {}", cpu_name(machine), fmt::join(caches, " / "), tuning);
 }
 
 }  // namespace edgewise::reports

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
@@ -37,7 +38,7 @@ bool are_below(const std::vector<std::uint32_t>& indices, std::size_t count) {
 }
 
 std::optional<HeatBody> heat_body(const std::string& text) {
-    const HeatJson json = HeatJson::parse(text, nullptr, false);
+    const HeatJson json = input::json_or_null(text);
     if (!json.is_object()) return std::nullopt;
     const auto coordinates = numbers_of<double>(json.value("vertices", HeatJson()));
     const auto ends = numbers_of<std::uint32_t>(json.value("edges", HeatJson()));
@@ -68,7 +69,7 @@ bool take_reads(const HeatJson& json, const char* kind, double queries, std::siz
 }
 
 std::optional<BodyHeat> heat_of_cell(const ReportCell& cell, const std::string& text, const HeatBody& body) {
-    const HeatJson json = HeatJson::parse(text, nullptr, false);
+    const HeatJson json = input::json_or_null(text);
     if (!json.is_object() || !json.contains("queries") || !json["queries"].is_number()) return std::nullopt;
     const double queries = json["queries"].get<double>();
     BodyHeat heat;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -136,8 +137,7 @@ std::string bodies_data(const HeatOnBodies& heat) {
                          {"vertices", reads_json(one.vertices)},
                          {"edges", reads_json(one.edges)},
                          {"faces", reads_json(one.faces)}});
-    return nlohmann::ordered_json{{"bodies", bodies}, {"heats", heats}}.dump(
-        -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return input::json_text(nlohmann::ordered_json{{"bodies", bodies}, {"heats", heats}});
 }
 
 }  // namespace edgewise::reports

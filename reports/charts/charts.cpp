@@ -256,7 +256,7 @@ ChartJson curve_json(const ReportCell& cell) {
 
 ChartJson timed_row(const ReportCell& cell, Omissions& omitted) {
     if (!cell.verified()) {
-        omitted.add(fmt::format("the cell is {}: {}", cell.status, cell.reason));
+        omitted.add(fmt::format("the cell is {}: {}", to_string(cell.status), cell.reason));
         return nullptr;
     }
     if (!omitted.positive(cell.figure(store::all_time.ns), "a time of 0")) return nullptr;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
@@ -32,9 +33,7 @@ struct Chart {
 };
 
 /// Its specification as JSON; what is no UTF-8 in a name is replaced.
-[[nodiscard]] inline std::string spec_text(const Chart& chart) {
-    return chart.spec.dump(-1, ' ', false, ChartJson::error_handler_t::replace);
-}
+[[nodiscard]] inline std::string spec_text(const Chart& chart) { return input::json_text(chart.spec); }
 
 [[nodiscard]] Chart bytes_chart(const ReportData& data);
 [[nodiscard]] Chart time_chart(const ReportData& data);

@@ -6,9 +6,16 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace edgewise::reports {
+
+/// A name for a file: the letters, digits, '_' and '-' of `name`, other bytes as '_'; of a long one the
+/// beginning and a hash.
+[[nodiscard]] std::string file_name_of(std::string name);
+/// The same, made another one where another name has it already.
+[[nodiscard]] std::string file_name_of(const std::string& name, const std::set<std::string>& taken);
 
 /// Null when the file cannot be read.
 [[nodiscard]] std::optional<std::string> read_file(const std::filesystem::path& path);

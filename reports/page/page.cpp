@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/body/body_picture.hpp"
 #include "edgewise/reports/page/chapters/break_even_chapter.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"
@@ -46,8 +47,7 @@ class ChapterWriter {
     }
 
     [[nodiscard]] std::string packed() const {
-        return packed_element("folds",
-                              folds_.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) +
+        return packed_element("folds", input::json_text(folds_)) +
                packed_element("grids", grids_data(grids_));
     }
 

@@ -6,15 +6,14 @@
 #include <map>
 #include <set>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-std::string dumped(const ChartJson& json) {
-    return json.dump(-1, ' ', false, ChartJson::error_handler_t::replace);
-}
+std::string dumped(const ChartJson& json) { return input::json_text(json); }
 
 /// Seven digits: what a count up to ten million has, and more than any time.
 ChartJson rounded(double value) { return std::stod(fmt::format("{:.7g}", value)); }
@@ -49,7 +48,7 @@ ChartJson identity_columns(const std::vector<const ReportCell*>& cells) {
     add("algorithm", [](const ReportCell& cell) { return cell.algorithm; });
     add("table", [](const ReportCell& cell) { return cell.table; });
     add("queries", [](const ReportCell& cell) { return cell.queries; });
-    add("status", [](const ReportCell& cell) { return cell.status; });
+    add("status", [](const ReportCell& cell) { return std::string(to_string(cell.status)); });
     add("reason", [](const ReportCell& cell) { return cell.reason; });
     return columns;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <set>
 
+#include "edgewise/input/json_text.hpp"
+#include "edgewise/input/shown_text.hpp"
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/reports/page/files.hpp"
 #include "edgewise/reports/results/csv_row.hpp"
@@ -70,7 +72,7 @@ std::string scenes_of(const ReportData& data, const Chart& chart) {
 }
 
 std::string cpu_of(const ReportData& data) {
-    const auto machine = nlohmann::json::parse(data.build.machine_json, nullptr, false);
+    const auto machine = input::json_or_null(data.build.machine_json);
     const auto cpu = machine.is_object() ? machine.value("cpu", nlohmann::json()) : nlohmann::json();
     if (cpu.is_string()) return cpu;
     return cpu.is_object() ? cpu.value("name", "unknown") : "unknown";
@@ -121,7 +123,7 @@ std::string write_paper_figures(const ReportData& data, const std::vector<Chart>
         if (chart.spec.is_null()) continue;
         write_file(figures / (chart.name + ".csv"), points_csv(chart.points));
         const std::string no_pdf = pdf_of(chart, pictures, figures);
-        write_file(figures / (chart.name + ".txt"), figure_text(data, chart, no_pdf));
+        write_file(figures / (chart.name + ".txt"), input::shown_text(figure_text(data, chart, no_pdf)));
         if (!no_pdf.empty()) note = "No PDF of the paper's figures: " + no_pdf + ".";
     }
     return note;

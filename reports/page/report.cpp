@@ -35,9 +35,9 @@ void make_directory(const std::filesystem::path& out) {
 ReportSummary summary(const ReportData& data, const StaticPictures& pictures, bool charts,
                       const std::string& no_pdf, const std::filesystem::path& page) {
     return {.cells = data.cell_count(),
-            .verified = data.count("verified"),
-            .failed = data.count("failed"),
-            .unavailable = data.count("unavailable"),
+            .verified = data.count(store::CellStatus::verified),
+            .failed = data.count(store::CellStatus::failed),
+            .unavailable = data.count(store::CellStatus::unavailable),
             .build = data.build.id,
             .page = page.string(),
             .charts = charts,
@@ -61,7 +61,7 @@ std::set<std::string> few_tables(const Answer& answer) {
 /// The first scene's of which there is one.
 std::string answer_picture(const Answer& answer) {
     for (const SceneAnswer* scene : answer.scenes())
-        if (std::string svg = time_bytes_svg(*scene, answer.noise); !svg.empty()) return svg;
+        if (std::string svg = time_bytes_svg(*scene); !svg.empty()) return svg;
     return {};
 }
 
@@ -81,23 +81,33 @@ ReportSummary write_report(const std::string& store, const std::string& out_dire
 }
 
 ReportSummary write_report(const ReportData& data, const std::string& out_directory,
-                           const std::string& bundle_directory, const std::optional<ReportBeside>& beside) {
+                           const std::string& bundle_directory, const std::optional<ReportBeside>& beside,
+                           const OnReportPart& on_part) {
+    const auto begin = [&](const char* part) {
+        if (on_part) on_part(part);
+    };
     const std::filesystem::path out = out_directory;
     make_directory(out);
+    begin("the answer");
     const Answer answer = answer_of(data);
+    begin("charts");
     const std::vector<Chart> charts = all_charts(data);
     const std::string bundles = bundle_elements(bundle_directory);
+    begin("pictures");
     const StaticPictures pictures = write_pictures(charts, few_tables(answer), out, bundle_directory);
     const std::string no_pdf = write_paper_figures(data, charts, pictures, out);
+    begin("results");
     write_results(data, out);
     write_picture("answer", answer_picture(answer), out);
     write_picture("break_even", break_even_svg(break_even_map(data, answer.question.error_limit)), out);
+    begin("chapters");
     std::vector<Chapter> chapters = report_chapters(answer, data, charts);
     std::string changes;
     if (beside) {
         chapters.insert(chapters.begin(), compare_chapter(*beside->comparison, beside->slack, beside->name));
         changes = changes_markdown(chapters.front());
     }
+    begin("pages");
     write_file(out / "report.md", report_markdown(data, answer, pictures, changes));
     write_file(out / "index.html", page_html(data, answer, chapters, charts, pictures, bundles));
     ReportSummary made = summary(data, pictures, !bundles.empty(), no_pdf, out / "index.html");

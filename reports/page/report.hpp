@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -35,9 +36,13 @@ struct ReportBeside {
 ReportSummary write_report(const std::string& store, const std::string& out_directory,
                            const std::string& bundle_directory);
 
+/// The parts of a report, of which each is told when it is begun.
+inline constexpr std::size_t report_parts = 6;
+using OnReportPart = std::function<void(const std::string& part)>;
+
 /// The same of what was read; with a chapter on what changed where it stands beside another.
 ReportSummary write_report(const ReportData& data, const std::string& out_directory,
                            const std::string& bundle_directory,
-                           const std::optional<ReportBeside>& beside = {});
+                           const std::optional<ReportBeside>& beside = {}, const OnReportPart& on_part = {});
 
 }  // namespace edgewise::reports

@@ -59,12 +59,13 @@ StripAxis strip_axis(const std::vector<const SceneAnswer*>& scenes) {
     return axis;
 }
 
-std::string strip_svg(const SceneAnswer& scene, const NoiseBand& noise, const StripAxis& axis) {
+std::string strip_svg(const SceneAnswer& scene, const StripAxis& axis) {
     const LogScale x = strip_scale(axis);
     std::string svg = strip_opening(strip_label(scene));
-    if (noise.cells > 0)
+    if (scene.noise.factor)
         svg += fmt::format("<rect x=\"{:.1f}\" y=\"0\" width=\"{:.1f}\" height=\"{}\" class=\"noise\"/>",
-                           x.place(noise.low), std::max(1.0, x.place(noise.high) - x.place(noise.low)),
+                           x.place(scene.noise.low()),
+                           std::max(1.0, x.place(scene.noise.high()) - x.place(scene.noise.low())),
                            strip_height);
     for (const double tick : octaves(axis))
         svg += strip_line(x.place(tick), x.place(tick), 0, strip_height, tick == 1 ? "one" : "grid");

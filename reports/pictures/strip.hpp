@@ -18,7 +18,7 @@ struct StripAxis {
 /// Wide enough for every candidate, within a quarter and sixteen times.
 [[nodiscard]] StripAxis strip_axis(const std::vector<const SceneAnswer*>& scenes);
 
-[[nodiscard]] std::string strip_svg(const SceneAnswer& scene, const NoiseBand& noise, const StripAxis& axis);
+[[nodiscard]] std::string strip_svg(const SceneAnswer& scene, const StripAxis& axis);
 /// The axis's numbers, for the table's head.
 [[nodiscard]] std::string strip_head_svg(const StripAxis& axis);
 

@@ -38,10 +38,10 @@ PlotAxes plot_axes(const SceneAnswer& scene) {
 
 std::string plot_frame(const PlotAxes& axes, const NoiseBand& noise) {
     std::string svg;
-    if (noise.cells > 0)
+    if (noise.factor)
         svg += fmt::format("<rect x=\"{}\" y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\" class=\"noise\"/>",
-                           plot_left, axes.y.place(noise.high), plot_width - plot_left - plot_right,
-                           std::max(1.0, axes.y.place(noise.low) - axes.y.place(noise.high)));
+                           plot_left, axes.y.place(noise.high()), plot_width - plot_left - plot_right,
+                           std::max(1.0, axes.y.place(noise.low()) - axes.y.place(noise.high())));
     for (const double tick : axes.x.ticks())
         svg += fmt::format(
             "<path d=\"M{0:.1f} {1}V{2}\" class=\"grid\"/><text x=\"{0:.1f}\" y=\"{3}\" "
@@ -128,13 +128,13 @@ std::string standalone(const std::string& svg) {
         svg.substr(0, end), report_text("page.picture.css"), svg.substr(end + 1));
 }
 
-std::string time_bytes_svg(const SceneAnswer& scene, const NoiseBand& noise) {
+std::string time_bytes_svg(const SceneAnswer& scene) {
     const std::vector<std::size_t> front = front_of_time_and_bytes(scene);
     if (front.empty()) return {};
     const PlotAxes axes = plot_axes(scene);
     std::string svg = fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
                                   plot_width, plot_height, html_text(plot_label(scene, front)));
-    svg += plot_frame(axes, noise) + front_line(scene, front, axes);
+    svg += plot_frame(axes, scene.noise) + front_line(scene, front, axes);
     for (auto one = scene.candidates.rbegin(); one != scene.candidates.rend(); ++one)
         if (one->bytes_per_edge && *one->bytes_per_edge > 0)
             svg += mark_svg(*one, axes.x.place(*one->bytes_per_edge), axes.y.place(one->ratio), 4.5);

@@ -17,6 +17,6 @@ namespace edgewise::reports {
 /// A picture of the page as a file of its own, black on white.
 [[nodiscard]] std::string standalone(const std::string& svg);
 
-[[nodiscard]] std::string time_bytes_svg(const SceneAnswer& scene, const NoiseBand& noise);
+[[nodiscard]] std::string time_bytes_svg(const SceneAnswer& scene);
 
 }  // namespace edgewise::reports

@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "edgewise/input/json_text.hpp"
+
 namespace edgewise::reports {
 
 namespace {
@@ -61,7 +63,7 @@ ParameterValues values_in(std::span<const MachineRecord> records) {
     ParameterValues values;
     for (const MachineRecord& record : records) {
         for (const RecordRow& row : record.rows) {
-            const nlohmann::json parameters = nlohmann::json::parse(row.parameters, nullptr, false);
+            const nlohmann::json parameters = input::json_or_null(row.parameters);
             for (const auto& [name, value] : parameters.items()) values[row.scene][name].insert(value.dump());
         }
     }
@@ -70,7 +72,7 @@ ParameterValues values_in(std::span<const MachineRecord> records) {
 
 /// For people: of the scene's parameters those that differ between questions.
 std::string label_of(const RecordRow& row, const ParameterValues& values) {
-    const nlohmann::json all = nlohmann::json::parse(row.parameters, nullptr, false);
+    const nlohmann::json all = input::json_or_null(row.parameters);
     std::string parameters;
     for (const auto& [name, value] : all.items())
         if (values.at(row.scene).at(name).size() > 1) parameters += fmt::format(" {} {}", name, value.dump());

@@ -42,7 +42,7 @@ nlohmann::json members(const nlohmann::json& object, std::initializer_list<const
 
 /// Of `edgewise machine --json`, what explains a ratio.
 void take_facts(const std::string& machine_json, MachineRecord& record) {
-    const nlohmann::json machine = nlohmann::json::parse(machine_json, nullptr, false);
+    const nlohmann::json machine = input::json_or_null(machine_json);
     const auto part = [&](const char* name) {
         return machine.is_object() && machine.contains(name) ? machine[name] : nlohmann::json();
     };
@@ -148,11 +148,10 @@ MachineRecord modelled_record(const ReportData& data, const std::string& machine
 nlohmann::ordered_json to_json(const MachineRecord& record) {
     RecordJson rows = RecordJson::array();
     for (const RecordRow& row : record.rows) {
-        RecordJson one = {
-            {"scene", row.scene}, {"parameters", RecordJson::parse(row.parameters, nullptr, false)},
-            {"shape", row.shape}, {"algorithm", row.algorithm},
-            {"table", row.table}, {"ratio", row.ratio},
-            {"low", row.low},     {"high", row.high}};
+        RecordJson one = {{"scene", row.scene}, {"parameters", input::json_or_null(row.parameters)},
+                          {"shape", row.shape}, {"algorithm", row.algorithm},
+                          {"table", row.table}, {"ratio", row.ratio},
+                          {"low", row.low},     {"high", row.high}};
         one["bytes_per_edge"] = row.bytes_per_edge ? RecordJson(*row.bytes_per_edge) : RecordJson();
         rows.push_back(std::move(one));
     }

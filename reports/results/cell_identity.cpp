@@ -10,6 +10,7 @@ template <class Columns>
 void for_each_column(Columns& columns, const ReportData& data, const ReportCell& cell) {
     columns.text("build", data.build.id);
     columns.text("hash", cell.hash);
+    columns.text("run", std::string(to_string(cell.run)));
     columns.text("scene", cell.scene);
     columns.text("scene_parameters", cell.scene_parameters);
     columns.text("shape", cell.shape);
@@ -23,7 +24,7 @@ void for_each_column(Columns& columns, const ReportData& data, const ReportCell&
     columns.count("faces", cell.faces);
     columns.seed("seed", cell.seed);
     columns.count("queries", cell.queries);
-    columns.text("status", cell.status);
+    columns.text("status", std::string(to_string(cell.status)));
     columns.text("status_reason", cell.reason);
 }
 

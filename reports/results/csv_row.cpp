@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include "edgewise/input/shown_text.hpp"
+
 namespace edgewise::reports {
 
 namespace {
@@ -30,7 +32,7 @@ void CsvRow::add(std::string_view field) {
 }
 
 CsvRow& CsvRow::text(std::string_view field) {
-    const std::string safe = needs_mark(field) ? "'" + std::string(field) : std::string(field);
+    const std::string shown = input::shown_text(field), safe = needs_mark(field) ? "'" + shown : shown;
     add(safe.find_first_of(",\"\r\n") == std::string::npos ? safe : in_quotes(safe));
     return *this;
 }

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/results/cell_identity.hpp"
 #include "edgewise/reports/results/csv_row.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
@@ -128,7 +129,7 @@ std::string json_of(const ReportData& data, const std::vector<Chosen>& chosen) {
         for (const store::FigureRow& figure : figures) one["figures"].push_back(figure_json(figure));
         cells.push_back(std::move(one));
     }
-    return Json{{"cells", std::move(cells)}}.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return input::json_text(Json{{"cells", std::move(cells)}}) + "\n";
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/reports/results/wide_results.hpp"
 
-#include <cctype>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -24,17 +23,34 @@ struct ResultFile {
     Columns columns;
 };
 
-/// Letters, digits, '_' and '-' only: a scene's name may be a user's.
-std::string file_name_of(std::string scene) {
-    for (char& c : scene)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
-    return scene + ".csv";
+/// What the rows of a file have in common: "tumble", of a study "stability", "effort_tumble".
+std::string subject_of(const ReportCell& cell) {
+    const std::string run(to_string(cell.run));
+    return cell.run == store::Run::sweep || cell.scene == run ? cell.scene : run + "_" + cell.scene;
+}
+
+/// Their names; a user's scene that is called like a study is another file.
+std::map<std::pair<store::Run, std::string>, std::string> names_of(const ReportData& data) {
+    std::map<std::pair<store::Run, std::string>, std::string> names;
+    std::set<std::string> taken;
+    const std::vector<const ReportCell*> cells = every_cell(data);
+    for (const bool swept : {false, true}) {
+        for (const ReportCell* cell : cells) {
+            if ((cell->run == store::Run::sweep) != swept || names.contains({cell->run, cell->scene}))
+                continue;
+            const std::string name = file_name_of(subject_of(*cell), taken);
+            taken.insert(name);
+            names[{cell->run, cell->scene}] = name + ".csv";
+        }
+    }
+    return names;
 }
 
 std::map<std::string, ResultFile> result_files(const ReportData& data) {
+    const auto names = names_of(data);
     std::map<std::string, ResultFile> files;
     for (const ReportCell* cell : every_cell(data)) {
-        ResultFile& file = files[file_name_of(cell->scene)];
+        ResultFile& file = files[names.at({cell->run, cell->scene})];
         file.cells.push_back(cell);
         for (const store::FigureRow& figure : cell->figures) {
             const std::string key = figure_key(figure);

@@ -109,8 +109,10 @@ TextGrid error_summary_grid(const ReportData& data) {
 TextGrid error_grid(const ReportData& data) {
     TextGrid grid = figure_grid("Every cell", "scene|shape|algorithm|table type|status", error_columns);
     for (const ReportCell* cell : data.swept())
-        add_row(grid, grid_row(cell->scene_label, cell->shape, cell->algorithm, cell->table, cell->status),
-                *cell, error_columns);
+        add_row(
+            grid,
+            grid_row(cell->scene_label, cell->shape, cell->algorithm, cell->table, to_string(cell->status)),
+            *cell, error_columns);
     return grid;
 }
 
@@ -120,8 +122,8 @@ TextGrid stability_summary_grid(const ReportData& data) {
     Rows all;
     for (const ReportCell& row : data.stability) all.push_back(&row);
     add_summary(grid, all, stability_columns, [](const Rows& rows) {
-        const auto failed = std::count_if(rows.begin(), rows.end(),
-                                          [](const ReportCell* row) { return row->status == "failed"; });
+        const auto failed =
+            std::count_if(rows.begin(), rows.end(), [](const ReportCell* row) { return row->failed(); });
         return std::array{rows.size(), static_cast<std::size_t>(failed)};
     });
     return grid;
@@ -130,7 +132,8 @@ TextGrid stability_summary_grid(const ReportData& data) {
 TextGrid stability_grid(const ReportData& data) {
     TextGrid grid = figure_grid("Family by family", "family|algorithm|table type|status", stability_columns);
     for (const ReportCell& row : data.stability)
-        add_row(grid, grid_row(row.shape, row.algorithm, row.table, row.status), row, stability_columns);
+        add_row(grid, grid_row(row.shape, row.algorithm, row.table, to_string(row.status)), row,
+                stability_columns);
     return grid;
 }
 

@@ -23,7 +23,7 @@ std::string one_or_many(const std::set<std::string>& names, const char* noun) {
     return names.size() == 1 ? *names.begin() : plural(names.size(), noun);
 }
 
-void add_status(TextGrid& grid, const ReportData& data, const std::string& status) {
+void add_status(TextGrid& grid, const ReportData& data, store::CellStatus status) {
     std::vector<std::pair<std::string, std::string>> order;
     std::map<std::pair<std::string, std::string>, Problem> problems;
     for (const auto* rows :
@@ -40,8 +40,8 @@ void add_status(TextGrid& grid, const ReportData& data, const std::string& statu
     }
     for (const auto& key : order) {
         const Problem& problem = problems[key];
-        grid.rows.push_back(grid_row(status, problem.cells, one_or_many(problem.scenes, "scene"), key.first,
-                                     one_or_many(problem.algorithms, "algorithm"),
+        grid.rows.push_back(grid_row(to_string(status), problem.cells, one_or_many(problem.scenes, "scene"),
+                                     key.first, one_or_many(problem.algorithms, "algorithm"),
                                      one_or_many(problem.tables, "table type"),
                                      key.second.empty() ? std::string("no reason stored") : key.second));
     }
@@ -101,8 +101,8 @@ TextGrid scenes_grid(const ReportData& data) {
 
 TextGrid problems_grid(const ReportData& data) {
     TextGrid grid{"", columns_of("status|#cells|scene|shape|algorithm|table type|reason"), {}};
-    add_status(grid, data, "failed");
-    add_status(grid, data, "unavailable");
+    add_status(grid, data, store::CellStatus::failed);
+    add_status(grid, data, store::CellStatus::unavailable);
     return grid;
 }
 
@@ -112,7 +112,7 @@ TextGrid cells_grid(const ReportData& data) {
     for (const ReportCell* cell : data.swept())
         grid.rows.push_back(grid_row(cell->scene_label, cell->shape, cell->shape_source, cell->vertices,
                                      cell->edges, cell->faces, cell->algorithm, cell->table, cell->seed,
-                                     cell->queries, cell->status, cell->hash.substr(0, 12)));
+                                     cell->queries, to_string(cell->status), cell->hash.substr(0, 12)));
     return grid;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
@@ -103,7 +104,7 @@ std::string further_facts(const FactsJson& machine) {
 }
 
 void add_machine(TextGrid& grid, const std::string& machine_json) {
-    const FactsJson machine = FactsJson::parse(machine_json, nullptr, false);
+    const FactsJson machine = input::json_or_null(machine_json);
     const auto words = [&](const char* key, std::string (*say)(const FactsJson&)) {
         return machine.is_object() && machine.contains(key) ? say(machine[key]) : "";
     };
@@ -142,9 +143,9 @@ TextGrid facts_grid(const ReportData& data) {
     bool plan = false;
     for (const auto& [key, value] : data.meta) {
         if (key.starts_with(store::drawing_key) || key.starts_with(store::scene_file_key) ||
-            key.starts_with(store::peer_key) || key.starts_with(store::run_key) ||
-            key.starts_with(store::layout_key) || key.starts_with(store::body_key) ||
-            key.starts_with(store::heat_key))
+            key.starts_with(store::scene_path_key) || key.starts_with(store::peer_key) ||
+            key.starts_with(store::run_key) || key.starts_with(store::layout_key) ||
+            key.starts_with(store::body_key) || key.starts_with(store::heat_key))
             continue;  // in places of their own
         if (key == "build" || key == "seed") continue;
         if (key == store::shard_key || key == store::complete_key || key.starts_with(store::took_key))

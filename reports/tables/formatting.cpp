@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgewise/input/shown_text.hpp"
+
 namespace edgewise::reports {
 
 namespace {
@@ -48,21 +50,22 @@ std::string replaced(const std::string& text, const std::map<char, const char*>&
 }
 
 std::string html_text(const std::string& text) {
-    return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}});
+    return replaced(input::shown_text(text),
+                    {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}});
 }
 
 std::string markdown_text(const std::string& text) {
-    return replaced(text, {{'|', "\\|"},
-                           {'\\', "\\\\"},
-                           {'`', "\\`"},
-                           {'*', "\\*"},
-                           {'[', "\\["},
-                           {']', "\\]"},
-                           {'&', "&amp;"},
-                           {'<', "&lt;"},
-                           {'>', "&gt;"},
-                           {'\n', " "},
-                           {'\r', " "}});
+    return replaced(input::shown_text(text), {{'|', "\\|"},
+                                              {'\\', "\\\\"},
+                                              {'`', "\\`"},
+                                              {'*', "\\*"},
+                                              {'[', "\\["},
+                                              {']', "\\]"},
+                                              {'&', "&amp;"},
+                                              {'<', "&lt;"},
+                                              {'>', "&gt;"},
+                                              {'\n', " "},
+                                              {'\r', " "}});
 }
 
 std::string in_words(std::string name) {

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
@@ -24,7 +25,7 @@ const FigureColumn seed_columns[] = {{"ns per query", "time.all_ns", 1, 0},
 /// How the scene's queries start, if all of them start far from their answers; else nothing.
 std::string far_start(const ReportCell& cell) {
     if (cell.scene == "cold") return "cold";
-    const auto parameters = nlohmann::json::parse(cell.scene_parameters, nullptr, false);
+    const auto parameters = input::json_or_null(cell.scene_parameters);
     const bool random =
         cell.scene == "tumble" && parameters.is_object() && parameters.value("random_orientation", 0.0) != 0;
     return random ? "random orientation" : "";

@@ -46,6 +46,7 @@ void drop_zero_columns(TextGrid& grid);
 [[nodiscard]] inline GridCell grid_cell(const measure::Figure& figure) { return figure_cell(figure); }
 [[nodiscard]] inline GridCell grid_cell(const std::string& text) { return {text}; }
 [[nodiscard]] inline GridCell grid_cell(const char* text) { return {text}; }
+[[nodiscard]] inline GridCell grid_cell(std::string_view text) { return {std::string(text)}; }
 template <std::integral Number>
 [[nodiscard]] GridCell grid_cell(Number number) {
     return {std::to_string(number)};

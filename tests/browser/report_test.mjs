@@ -147,7 +147,7 @@ async function wordsAreExplained(page) {
     check('terms are linked where they are used, to what explains them', links.length > 15 && dead.length === 0,
           `${links.length} links to ${new Set(links).size} terms ${dead.join(' ')}`);
     const layouts = query(`select distinct cell.layout, meta.value from cell join meta on meta.key = 'layout ' || cell.layout
-                           where axes = '' and status = 'verified' and scene not like 'thrash%'`);
+                           where axes = '' and status = 'verified' and run not like 'thrash%'`);
     const shown = await page.value(`Object.fromEntries([...document.querySelectorAll('dt[id^=layout-]')].map(
         term => [term.textContent, term.nextElementSibling.textContent]))`);
     const wrong = layouts.filter(row => shown[row.layout] !== row.value);
@@ -169,7 +169,7 @@ async function foldsAndCells(page) {
     let compared = 0, wrong = 0, missing = 0;
     const build = query(`select value from meta where key = 'build'`)[0]?.value;
     for (const row of query(`select hash, probe || '.' || name as name, value from figure join cell using (build, hash)
-                             where build = '${build}' and scene not like 'thrash%'`)) {
+                             where build = '${build}' and run not like 'thrash%'`)) {
         const shown = columns.get(row.name)?.values[place.get(row.hash)];
         ++compared;
         if (row.value === null) missing += typeof shown !== 'string';
@@ -257,6 +257,16 @@ async function narrowAndDark(browser) {
     check('charts too', text !== 'rgb(0, 0, 0)', text);
 }
 
+async function wideWithAllOpen(browser) {
+    const page = await browser.open({ width: 1400 });
+    await page.go(url);
+    await drawAll(page);
+    await page.value("document.querySelectorAll('details').forEach(one => { one.open = true; })");
+    await page.value("document.querySelectorAll('h1, caption, li, td, .lead').forEach(one => { one.append('x'.repeat(3000)); })");
+    const width = await page.value('document.documentElement.scrollWidth');
+    check('1400 px wide with all details open and long names nothing is wider than the page', width <= 1400, width);
+}
+
 async function withoutScripts(browser) {
     const page = await browser.open({ scripts: false });
     await page.go(url);
@@ -282,7 +292,7 @@ async function printed(browser) {
 
 const browser = await Browser.start(chromium);
 try {
-    for (const test of [looksRight, narrowAndDark, withoutScripts, printed]) await test(browser);
+    for (const test of [looksRight, narrowAndDark, wideWithAllOpen, withoutScripts, printed]) await test(browser);
 } finally {
     await browser.stop();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes from files through the command line: a user's own file, its cells, its place in the report; mistakes
-// answered with one line before anything is measured.
+// Scenes from files through the command line: a user's own file, its cells, its place in the report, whatever
+// its name is; mistakes answered with one line before anything is measured.
 #include <gmock/gmock.h>
 #include <filesystem>
 
@@ -14,7 +14,9 @@ namespace edgewise::cli_test {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* mine = R"({"scene": "tumble", "shapes": ["cube8"], "time_step": 0.5, "queries": 300,
     "sharing": "per_instance", "parameters": {"bodies": 20, "in_time_order": 1},
@@ -130,6 +132,87 @@ TEST(SceneFiles, OfThePaperAreListed) {
     EXPECT_GE(files.size(), 15U);
     EXPECT_EQ(files[0]["name"], "paper_static");
     EXPECT_EQ(files[0]["file"]["scene"], "static") << "the file itself, to start one's own from";
+}
+
+constexpr const char* small_scene = R"({"scene": "tumble", "shapes": ["cube8"], "queries": 60,
+    "parameters": {"bodies": 6}})";
+
+Outcome sweep_files(const Folder& folder, const std::vector<std::string>& files) {
+    Arguments arguments = {"sweep",    "--layouts", "aos_f64", "--checked", "10",
+                           "--rounds", "2",         "--json",  "--scenes"};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    return run(arguments, folder);
+}
+
+/// At most as many as the answer has rows for.
+void expect_shown(const std::vector<std::string>& names) {
+    const Folder folder;
+    std::vector<std::string> files;
+    for (const std::string& name : names) files.push_back(folder.write(name + ".json", small_scene));
+    const Outcome outcome = sweep_files(folder, files);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(json::parse(outcome.out)["verified"], 2 * names.size());
+    EXPECT_FALSE(std::filesystem::exists(folder / "reports/out/edgewise.db-shm")) << "readers leave nothing";
+    EXPECT_EQ(rows_of(folder / "reports/out/edgewise.db", "select distinct run from cell"),
+              std::vector<std::string>{"sweep"});
+    const std::string page = text_of(folder / "reports/out/report.md");
+    for (const std::string& name : names) {
+        EXPECT_THAT(page, HasSubstr("| " + name + " | shared |")) << "a row of the answer";
+        std::string file = name;
+        for (char& c : file) c = c == ' ' ? '_' : c;
+        EXPECT_THAT(text_of(folder / ("reports/out/results/" + file + ".csv")),
+                    HasSubstr(",sweep," + name + ","));
+        EXPECT_TRUE(std::filesystem::exists(folder / ("reports/out/figures/scene_" + file + ".vl.json")));
+    }
+}
+
+TEST(SceneFileNames, AreFree) {
+    expect_shown({"thrashing", "stability", "fields", "paging", "effort", "thrash", "effort tumble"});
+    expect_shown({"sweep", "cells", "map", "answer", "tumble2", "cold_start", "stat", "paper_mine"});
+}
+
+TEST(SceneFileNames, OfTwoFilesInTwoRunsAreRefusedNamingBoth) {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "c1");
+    std::filesystem::create_directory(folder / "c2");
+    folder.write("c1/s.json", small_scene);
+    folder.write("c2/s.json", R"({"scene": "cold", "shapes": ["cube8"], "queries": 60})");
+    ASSERT_EQ(sweep_files(folder, {"c1/s.json"}).exit_code, 0);
+    ASSERT_EQ(sweep_files(folder, {"c1/s.json"}).exit_code, 0) << "the same again";
+    const Outcome other = sweep_files(folder, {"c2/s.json"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_THAT(other.err, AllOf(HasSubstr("c1/s.json"), HasSubstr("c2/s.json")));
+    EXPECT_EQ(lines_of(other.err).size(), 1U) << other.err;
+    EXPECT_EQ(rows_of(folder / "reports/out/edgewise.db", "select count(*) from cell"),
+              std::vector<std::string>{"2"});
+}
+
+TEST(SceneFileNames, ThatAreNoUtf8OrActAreShownAsNumbers) {
+    const Folder folder;
+    const std::vector<std::string> names = {"lat\xff", "esc\x1b[31m", "turn\xe2\x80\xae"};
+    std::vector<std::string> files;
+    for (const std::string& name : names) files.push_back(folder.write(name + ".json", small_scene));
+    const Outcome swept = sweep_files(folder, files);
+    ASSERT_EQ(swept.exit_code, 0) << swept.err;
+    std::filesystem::copy(folder / "reports/out/edgewise.db", folder / "other\xff.db");
+    const std::string store = "reports/out/edgewise.db", other = "other\xff.db";
+    for (const Arguments& arguments : {Arguments{"progress", store},
+                                       {"progress", store, "--json"},
+                                       {"export", store},
+                                       {"export", store, "--json"},
+                                       {"report", other, "--compare", store, "--json", "--out", "p1"},
+                                       {"report", other, "--compare", store, "--out", "p2"},
+                                       {"merge", store, other, "--out", "all.db", "--json"}}) {
+        const Outcome outcome = run(arguments, folder);
+        EXPECT_EQ(outcome.exit_code, 0) << arguments[0] << outcome.err;
+        for (const char* raw : {"\xff", "\x1b", "\xe2\x80\xae"})
+            EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr(raw))) << arguments[0];
+        if (arguments.back() != "--json") continue;
+        EXPECT_TRUE(json::accept(outcome.out)) << outcome.out;
+    }
+    const Outcome query = run({"query", "bad\xff.json", "--json"}, folder);
+    EXPECT_EQ(query.exit_code, 2);
+    EXPECT_THAT(query.err, AllOf(HasSubstr("bad\\xFF.json"), Not(HasSubstr("json.exception"))));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/break_even_text.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
@@ -64,7 +65,7 @@ std::string break_even_data(const ReportData& data) {
     nlohmann::ordered_json maps = nlohmann::ordered_json::object();
     for (const double limit : offered_limits)
         maps[limit_text(limit)] = break_even_html(break_even_map(data, limit));
-    return maps.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return input::json_text(maps);
 }
 
 }  // namespace edgewise::reports

@@ -30,6 +30,9 @@ std::string beside(const std::optional<double>& value, const std::string& unit =
 }
 
 std::string take_of_scene(const SceneAnswer& scene, const Candidate& choice) {
+    std::string missing;
+    for (const std::string& cell : scene.not_measured) append(missing, cell);
+    if (!missing.empty()) return fmt::format("nothing is recommended; not measured: {}", missing);
     if (scene.beats_baseline) return choice.name();
     if (scene.too_noisy) return fmt::format("too noisy to choose by; {}", choice.name());
     return &choice == scene.baseline() ? "nothing beats the paper's layout"
@@ -40,9 +43,7 @@ std::string ties_text(const SceneAnswer& scene, const Candidate& choice) {
     if (scene.ties.size() == 1) return "alone";
     const std::size_t others = scene.ties.size() - 1;
     if (scene.too_noisy) return fmt::format("{} tie", scene.ties.size());
-    if (!scene.beats_baseline)
-        return &choice == scene.baseline() ? fmt::format("the smallest of {} that tie", others + 1)
-                                           : fmt::format("smallest of {} that tie", others + 1);
+    if (!scene.beats_baseline) return fmt::format("smallest of {} that tie", scene.ties.size());
     std::string names;
     for (const std::size_t place : scene.ties)
         if (&scene.candidates[place] != &choice && std::count(names.begin(), names.end(), ',') < 2)
@@ -76,8 +77,7 @@ std::string number_html(const std::string& title, const std::string& text, const
                        small.empty() ? "" : "<br><small>" + html_text(small) + "</small>");
 }
 
-std::string row_html(const SceneAnswer& scene, const NoiseBand& noise, const StripAxis& axis,
-                     const std::string& shape) {
+std::string row_html(const SceneAnswer& scene, const StripAxis& axis, const std::string& shape) {
     const AnswerRow row = row_of(scene);
     std::string html = fmt::format(
         "<tr class=\"{}\"><th scope=\"row\">{}<br><small>{}{}</small></th><td><b>{}</b><br><small>{}</small></td>",
@@ -85,7 +85,7 @@ std::string row_html(const SceneAnswer& scene, const NoiseBand& noise, const Str
         scene.shape == shape ? "" : html_text("; " + scene.shape), html_text(row.take), html_text(row.ties));
     html += fmt::format(
         "<td class=\"strips\">{}<span class=\"ratio\" data-title=\"time / paper's\">{}</span></td>",
-        strip_svg(scene, noise, axis), html_text(row.ratio));
+        strip_svg(scene, axis), html_text(row.ratio));
     html += number_html("time / best GJK", row.of_gjk);
     html += number_html("bytes per edge", row.bytes, row.bytes_beside);
     html += number_html("lines per query", row.lines, row.lines_beside);
@@ -101,7 +101,7 @@ std::string answer_rows_html(const Answer& answer) {
     if (scenes.size() > most_answer_rows) scenes.resize(most_answer_rows);
     const StripAxis axis = strip_axis(scenes);
     std::string rows;
-    for (const SceneAnswer* scene : scenes) rows += row_html(*scene, answer.noise, axis, answer.shape);
+    for (const SceneAnswer* scene : scenes) rows += row_html(*scene, axis, answer.shape);
     std::string key = prose("answer_key.md");
     if (all > scenes.size()) key += fmt::format(" {} more scenes are among all cells.", all - scenes.size());
     return fmt::format(fmt::runtime(report_text("page.answer.html")),
@@ -112,14 +112,14 @@ std::string answer_rows_html(const Answer& answer) {
 
 TextGrid answer_grid(const Answer& answer) {
     TextGrid grid{"",
-                  columns_of("scene|tables|take|#time / paper's|#time / best GJK|#bytes per edge|"
+                  columns_of("scene|tables|take|ties|#time / paper's|#time / best GJK|#bytes per edge|"
                              "#lines per query|#worst error"),
                   {}};
     for (const SceneAnswer* scene : answer.scenes()) {
         if (grid.rows.size() == most_answer_rows) break;
         const AnswerRow row = row_of(*scene);
-        grid.rows.push_back(grid_row(scene->label, scene->own_tables ? "each" : "shared", row.take, row.ratio,
-                                     row.of_gjk, row.bytes, row.lines, row.error));
+        grid.rows.push_back(grid_row(scene->label, scene->own_tables ? "each" : "shared", row.take, row.ties,
+                                     row.ratio, row.of_gjk, row.bytes, row.lines, row.error));
     }
     return grid;
 }

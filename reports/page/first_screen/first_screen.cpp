@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/findings.hpp"
@@ -67,7 +68,7 @@ std::string pictures_of(const Answer& answer) {
     std::string html;
     for (const auto* scenes : {&answer.shared, &answer.own}) {
         for (const SceneAnswer& scene : *scenes) {
-            const std::string svg = time_bytes_svg(scene, answer.noise);
+            const std::string svg = time_bytes_svg(scene);
             if (svg.empty()) continue;
             html += fmt::format("<figure class=\"{}\">{}<figcaption>{} ({})</figcaption></figure>\n",
                                 scene.own_tables ? "own" : "shared", svg, html_text(scene.label),
@@ -139,7 +140,7 @@ std::string answers_data(const ReportData& data) {
                                                  : answer_html(answer, data)}};
         }
     }
-    return answers.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return input::json_text(answers);
 }
 
 }  // namespace edgewise::reports

@@ -120,7 +120,7 @@ TextGrid cost_grid(const ReportData& data, bool of_bodies) {
                                 "scene|varies|#at|algorithm", cost_columns);
     grid.columns.push_back({"equation 2 / measured", true});
     for (const StoredScene& scene : scene_files(data)) {
-        if (scene.name.starts_with("paper_bodies") != of_bodies) continue;
+        if ((scene.name == "paper_bodies" || scene.name == "paper_bodies_shrinking") != of_bodies) continue;
         for (const ReportCell* cell : scene.cells)
             if (cell->verified() && cell->table == "aos_f64" && has_cost(*cell))
                 add_cost_row(grid, scene, *cell);

@@ -91,7 +91,7 @@ GridCell asked_gjk(const ReportCell& hardened, const AnswerNames& names) {
 }
 
 std::vector<GridCell> raw_row(const ReportCell& raw, const ReportCell* hardened) {
-    const AnswerNames& names = raw.scene == "stability" ? of_families : of_cells;
+    const AnswerNames& names = raw.run == store::Run::stability ? of_families : of_cells;
     const measure::Figure asked = raw.figure(names.asked), wrong = raw.figure(names.wrong);
     std::vector<GridCell> row = grid_row(raw.scene, raw.shape, raw.table, figure_cell(asked),
                                          figure_cell(wrong), figure_cell(raw.figure(names.wrong_verdicts)),
@@ -114,7 +114,7 @@ TextGrid robustness_grid(const ReportData& data) {
     std::map<std::pair<std::string, std::string>, Cells> all;
     for (const ReportCell& cell : data.from_files) {
         // A failed cell counts: its verdicts are what failed.
-        if (cell.status == "unavailable") continue;
+        if (cell.status == store::CellStatus::unavailable) continue;
         const std::string algorithm = cell.is_raw() ? "vclip, raw" : cell.algorithm;
         groups[{cell.scene, algorithm, cell.precision}].push_back(&cell);
         all[{algorithm, cell.precision}].push_back(&cell);

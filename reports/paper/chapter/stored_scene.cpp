@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -13,7 +16,7 @@ namespace {
 using StoredSceneJson = nlohmann::json;
 
 StoredScene parse(const std::string& name, const std::string& text) {
-    const StoredSceneJson file = StoredSceneJson::parse(text, nullptr, false);
+    const StoredSceneJson file = input::json_or_null(text);
     StoredScene scene{name, {}, {}, {}};
     if (!file.is_object()) return scene;
     if (file.contains("note") && file["note"].is_string()) scene.note = file["note"];
@@ -49,10 +52,12 @@ StoredScene scene_file(const ReportData& data, const std::string& name) {
     return {name, {}, {}, {}};
 }
 
-bool is_of_paper(const std::string& scene) { return scene.starts_with("paper_"); }
+bool is_of_paper(const std::string& scene) {
+    return std::ranges::find(paper_scenes, scene) != std::end(paper_scenes);
+}
 
 std::optional<double> scene_number(const ReportCell& cell, const std::string& name) {
-    const StoredSceneJson parameters = StoredSceneJson::parse(cell.scene_parameters, nullptr, false);
+    const StoredSceneJson parameters = input::json_or_null(cell.scene_parameters);
     if (!parameters.is_object() || !parameters.contains(name) || !parameters[name].is_number())
         return std::nullopt;
     return parameters[name].get<double>();

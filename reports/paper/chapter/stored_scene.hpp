@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/reports/reader.hpp"
@@ -27,7 +28,15 @@ struct StoredScene {
 [[nodiscard]] std::vector<StoredScene> scene_files(const ReportData& data);
 /// One by its name; without cells when the store has none.
 [[nodiscard]] StoredScene scene_file(const ReportData& data, const std::string& name);
-/// The scenes that follow the paper have names that begin so; all others are a user's own.
+/// The scenes that follow the paper, all that come along (reports/paper/scenes); a user's file has another
+/// name.
+inline constexpr std::string_view paper_scenes[] = {
+    "paper_static",        "paper_linear_8",   "paper_bodies",      "paper_bodies_shrinking",
+    "paper_angular_8",     "paper_angular_38", "paper_angular_386", "paper_proximity",
+    "paper_complexity",    "paper_caching",    "paper_cold",        "paper_needs",
+    "paper_thrash_8",      "paper_thrash_38",  "paper_thrash_386",  "paper_caches_here",
+    "paper_seeds",         "paper_time_step",  "paper_body_count",  "paper_margin",
+    "paper_static_margin", "paper_static_gap", "paper_tolerance"};
 [[nodiscard]] bool is_of_paper(const std::string& scene);
 
 /// A number of the cell's scene parameters; null when they do not name it.

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
@@ -21,7 +22,7 @@ namespace {
 constexpr int most_speed = 7;  ///< rad/s, of figure 8's axis
 
 std::string text_parameter(const ReportCell& cell, const char* name) {
-    const auto parameters = nlohmann::json::parse(cell.scene_parameters, nullptr, false);
+    const auto parameters = input::json_or_null(cell.scene_parameters);
     return parameters.is_object() ? parameters.value(name, "") : std::string();
 }
 
@@ -40,10 +41,10 @@ std::string step_text(double time_step) {
     return time_step < 0.1 ? "1/60 s" : fmt::format("{:g} s", time_step);
 }
 
-std::vector<const ReportCell*> rows_of_scene(const ReportData& data, const char* scene, const char* member) {
+std::vector<const ReportCell*> rows_of_run(const ReportData& data, store::Run run, const char* member) {
     std::vector<const ReportCell*> rows;
     for (const ReportCell& cell : data.thrash)
-        if (cell.scene == scene && !text_parameter(cell, member).empty()) rows.push_back(&cell);
+        if (cell.run == run && !text_parameter(cell, member).empty()) rows.push_back(&cell);
     return rows;
 }
 
@@ -190,7 +191,7 @@ double RealisedRow::worst_ratio() const {
 
 std::vector<ThrashRow> thrash_rows(const ReportData& data) {
     std::vector<ThrashRow> rows;
-    for (const ReportCell* cell : rows_of_scene(data, "thrash", "mechanism")) {
+    for (const ReportCell* cell : rows_of_run(data, store::Run::thrash, "mechanism")) {
         ThrashRow row;
         row.cell = cell;
         row.mechanism = text_parameter(*cell, "mechanism");
@@ -207,7 +208,7 @@ std::vector<ThrashRow> thrash_rows(const ReportData& data) {
 
 std::vector<RealisedRow> realised_rows(const ReportData& data) {
     std::vector<RealisedRow> rows;
-    for (const ReportCell* cell : rows_of_scene(data, "thrash_realised", "mechanism")) {
+    for (const ReportCell* cell : rows_of_run(data, store::Run::thrash_realised, "mechanism")) {
         RealisedRow row;
         row.cell = cell;
         const auto number = [&](const char* name) { return scene_number(*cell, name).value_or(0); };

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <set>
 
 #include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/page/files.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 
@@ -37,17 +38,10 @@ ChartJson own_place(const StoredScene& scene, const ReportCell& cell, Omissions&
     return place;
 }
 
-/// Names of files and elements hold letters, digits, '_' and '-' only.
-std::string safe(std::string name) {
-    for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
-    return name;
-}
-
-Chart chart_of(const ReportData& data, const StoredScene& scene) {
+Chart chart_of(const ReportData& data, const StoredScene& scene, const std::string& name) {
     Chart chart = chart_of_file("own_scene");
     const std::string axis = scene.axis_title();
-    chart.name = "scene_" + safe(scene.name);
+    chart.name = name;
     chart.title =
         fmt::format(fmt::runtime(chart.title), fmt::arg("name", scene.name), fmt::arg("axis", axis));
     chart.how_to_read = fmt::format(fmt::runtime(chart.how_to_read), fmt::arg("note", scene.note));
@@ -64,8 +58,13 @@ Chart chart_of(const ReportData& data, const StoredScene& scene) {
 
 std::vector<Chart> own_scene_charts(const ReportData& data) {
     std::vector<Chart> charts;
-    for (const StoredScene& scene : scene_files(data))
-        if (!is_of_paper(scene.name)) charts.push_back(chart_of(data, scene));
+    std::set<std::string> names;
+    for (const StoredScene& scene : scene_files(data)) {
+        if (is_of_paper(scene.name)) continue;
+        const std::string name = file_name_of("scene_" + scene.name, names);
+        names.insert(name);
+        charts.push_back(chart_of(data, scene, name));
+    }
     return charts;
 }
 

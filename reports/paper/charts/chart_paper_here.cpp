@@ -6,6 +6,7 @@
 // and predicted by the page-granular reuse distance (line), in one plot.
 #include <nlohmann/json.hpp>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
@@ -57,7 +58,7 @@ ChartJson knees_of(const ReportData& data, const StoredScene& scene, std::vector
 /// This machine's data caches, as its description in the store names them.
 ChartJson caches_of(const ReportData& data) {
     ChartJson rows = ChartJson::array();
-    const auto machine = nlohmann::json::parse(data.build.machine_json, nullptr, false);
+    const auto machine = input::json_or_null(data.build.machine_json);
     if (!machine.is_object() || !machine.contains("caches") || !machine["caches"].is_array()) return rows;
     for (const auto& cache : machine["caches"]) {
         if (!cache.is_object() || cache.value("type", "") == "Instruction") continue;

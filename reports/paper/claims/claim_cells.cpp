@@ -103,7 +103,8 @@ std::vector<CurveCell> in_range(const std::vector<CurveCell>& cells, const Curve
 }
 
 Evidence figure_of(const ReportCell& cell, const store::FigureName& name) {
-    if (!cell.verified()) return no_evidence(fmt::format("a cell is {}: {}", cell.status, cell.reason));
+    if (!cell.verified())
+        return no_evidence(fmt::format("a cell is {}: {}", to_string(cell.status), cell.reason));
     const measure::Figure figure = cell.figure(name);
     if (figure.value) return exact_evidence(*figure.value);
     return no_evidence(fmt::format("{}.{}: {}", name.probe(), name.name(), figure.reason));

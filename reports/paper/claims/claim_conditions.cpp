@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -43,7 +44,7 @@ std::string cpu_name(const nlohmann::json& machine) {
 }
 
 std::string machine_of_claims(const std::string& machine_json) {
-    const auto machine = nlohmann::json::parse(machine_json, nullptr, false);
+    const auto machine = input::json_or_null(machine_json);
     if (!machine.is_object()) return "not stored";
     std::string out = cpu_name(machine);
     if (out.empty()) out = "a processor without a name";

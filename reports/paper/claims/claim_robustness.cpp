@@ -86,7 +86,7 @@ Claim judge_exact(const ReportData& data) {
     const Rows rows = subjects(data);
     std::vector<ClaimPart> parts = no_failures(rows, "error.wrong_verdicts", "error.checked");
     double failed = 0;
-    for (const ReportCell* row : rows) failed += row->status == "failed";
+    for (const ReportCell* row : rows) failed += row->failed();
     parts.push_back({"failed cells", exact_evidence(failed), at_most(0), "cells"});
     return judge_claim("zero_failures_exact", parts);
 }

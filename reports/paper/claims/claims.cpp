@@ -9,6 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/paper/claims/claim_cells.hpp"
 #include "edgewise/reports/paper/claims/claim_conditions.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
@@ -34,9 +35,9 @@ std::string claims_json(const ReportData& data, const std::vector<Claim>& claims
                        {"conditions", claim.conditions},
                        {"rule", claim.rule},
                        {"deterministic", claim.deterministic}});
-    const ClaimJson machine = ClaimJson::parse(data.build.machine_json, nullptr, false);
-    const ClaimJson out = {{"claims", all}, {"machine", machine.is_discarded() ? nullptr : machine}};
-    return out.dump(-1, ' ', false, ClaimJson::error_handler_t::replace) + "\n";
+    const ClaimJson machine = input::json_or_null(data.build.machine_json);
+    const ClaimJson out = {{"claims", all}, {"machine", machine}};
+    return input::json_text(out) + "\n";
 }
 
 constexpr const char* not_measured = "not measured";

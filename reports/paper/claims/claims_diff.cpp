@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -51,7 +52,7 @@ std::string diff_json(const std::vector<ClaimDifference>& differing, std::size_t
     const DiffJson all = {{"claims", claims},
                           {"differing", std::move(rows)},
                           {"builds", {{"first", first.build.id}, {"second", second.build.id}}}};
-    return all.dump(-1, ' ', false, DiffJson::error_handler_t::replace) + "\n";
+    return input::json_text(all) + "\n";
 }
 
 }  // namespace

@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "edgewise/input/json_text.hpp"
+#include "edgewise/input/shown_text.hpp"
 #include "edgewise/studies/single_cell.hpp"
 #include "edgewise/studies/stability.hpp"
 
@@ -43,7 +45,13 @@ inline const std::atomic<bool>& stop_on_signals() {
 }
 
 /// A non-fatal problem.
-inline void warn(const std::string& line) { fmt::print(stderr, "edgewise: {}\n", line); }
+inline void warn(const std::string& line) { fmt::print(stderr, "edgewise: {}\n", input::shown_line(line)); }
+
+/// One line on stdout, for programs.
+template <class Json>
+void print_json(const Json& json) {
+    fmt::print("{}\n", input::json_text(json));
+}
 
 inline constexpr int exit_done = 0, exit_check_failed = 1, exit_bad_input = 2;
 

@@ -32,7 +32,7 @@ int run_bench(const BenchArguments& options, bool json) {
             fmt::print("{:<40} {:<18} {:>10} {:>12.1f}\n", speed.what, speed.trace, speed.accesses,
                        speed.per_second * 1e-6);
     }
-    if (json) fmt::print("{}\n", nlohmann::json({{"bench", rows}}).dump());
+    if (json) print_json(nlohmann::json({{"bench", rows}}));
     return exit_done;
 }
 

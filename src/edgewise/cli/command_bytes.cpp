@@ -227,7 +227,7 @@ int run_bytes(const BytesArguments& options, bool json) {
         out["rows"] = rows;
         for (const reports::Addition& addition : reports::additions())
             out[addition.bytes_key] = addition.bytes_json();
-        fmt::print("{}\n", out.dump());
+        print_json(out);
     } else {
         fmt::print("{}: {} vertices, {} edges\n", shape.name, shape.body.vertex_count(),
                    shape.body.edge_count());

@@ -156,7 +156,7 @@ int run_caches(const CachesArguments& options, bool json) {
     measure::TraceCaches caches(machines);
     const Traced traced = options.trace.empty() ? trace_cell(options, caches) : trace_file(options, caches);
     if (json)
-        fmt::print("{}\n", json_of(traced, caches, choices).dump());
+        print_json(json_of(traced, caches, choices));
     else
         print(traced, caches, choices);
     return exit_done;

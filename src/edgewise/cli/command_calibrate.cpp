@@ -56,7 +56,7 @@ int run_calibrate(const measure::CalibrationOptions& options, bool json) {
     }
     nlohmann::json all = nlohmann::json::array();
     for (const measure::CalibrationRow& row : rows) all.push_back(json_of(row));
-    fmt::print("{}\n", nlohmann::json({{"calibration", all}}).dump());
+    print_json(nlohmann::json({{"calibration", all}}));
     return exit_done;
 }
 

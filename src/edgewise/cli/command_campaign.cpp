@@ -108,7 +108,7 @@ class FailureLog {
 int finish(const CampaignProgress& progress, const std::vector<Cell>& cells, const std::string& state,
            bool json) {
     if (json)
-        fmt::print("{}\n", campaign_json(progress, cells).dump());
+        print_json(campaign_json(progress, cells));
     else
         print_campaign(progress, cells, state);
     const FamilyTally all = progress.tally.all_families();

@@ -25,7 +25,7 @@ int run_compare(const CompareArguments& options, bool json) {
     std::vector<reports::MachineRecord> records;
     for (const std::string& path : options.records) records.push_back(record_in(path));
     if (json)
-        fmt::print("{}\n", reports::comparison_json(records).dump());
+        print_json(reports::comparison_json(records));
     else
         fmt::print("{}", reports::comparison_text(records));
     const auto in_several = [](const reports::ComparedQuestion& question) {

@@ -125,7 +125,7 @@ int run_crosscheck(const CrosscheckArguments& options, bool json) {
         if (!json) print(perf, queries);
     }
     if (json) {
-        fmt::print("{}\n", nlohmann::json({{"crosscheck", rows}, {"perf", counted}}).dump());
+        print_json(nlohmann::json({{"crosscheck", rows}, {"perf", counted}}));
     } else {
         fmt::print("{}\n", residual_cause);
     }

@@ -30,7 +30,7 @@ int run_draw(const DrawArguments& options, bool json) {
         }
         drawings.push_back({{"table", type->name}, {"shape", options.shape}, {"svg", svg}});
     }
-    fmt::print("{}\n", nlohmann::json{{"drawings", drawings}}.dump());
+    print_json(nlohmann::json{{"drawings", drawings}});
     return exit_done;
 }
 

@@ -59,9 +59,12 @@ nlohmann::json json_of(const studies::EffortRow& row) {
                                                      {"reason", or_null(figure.reason)},
                                                      {"remedy", or_null(figure.remedy)}};
     }
-    return {{"table", row.cell.table},   {"algorithm", row.cell.algorithm},
-            {"scene", row.cell.scene},   {"shape", row.cell.shape},
-            {"status", row.cell.status}, {"reason", or_null(row.cell.reason)},
+    return {{"table", row.cell.table},
+            {"algorithm", row.cell.algorithm},
+            {"scene", row.cell.scene},
+            {"shape", row.cell.shape},
+            {"status", to_string(row.cell.status)},
+            {"reason", or_null(row.cell.reason)},
             {"figures", figures}};
 }
 
@@ -96,7 +99,7 @@ void print_row(const studies::EffortRow& row, const std::string& machine) {
     const store::FigureRow* counted = find(row, "effort.instructions");
     const bool lacks = counted && !counted->value;
     if (lacks) fmt::print("  not counted: {}; {}\n", counted->reason, counted->remedy);
-    if (!row.cell.reason.empty()) fmt::print("  {}: {}\n", row.cell.status, row.cell.reason);
+    if (!row.cell.reason.empty()) fmt::print("  {}: {}\n", to_string(row.cell.status), row.cell.reason);
 }
 
 void print(const std::vector<studies::EffortRow>& rows, const EffortArguments& options) {
@@ -154,16 +157,17 @@ int run_effort(const EffortArguments& options, bool json) {
     if (json) {
         nlohmann::json all = nlohmann::json::array();
         for (const studies::EffortRow& row : rows) all.push_back(json_of(row));
-        fmt::print("{}\n", nlohmann::json({{"effort", all}, {"machine", options.machine}}).dump());
+        print_json(nlohmann::json({{"effort", all}, {"machine", options.machine}}));
     } else {
         print(rows, options);
     }
-    const auto has = [](const char* status) {
+    const auto has = [](store::CellStatus status) {
         return [status](const studies::EffortRow& row) { return row.cell.status == status; };
     };
-    const bool nothing = !rows.empty() && std::ranges::all_of(rows, has("unavailable"));
+    const bool nothing = !rows.empty() && std::ranges::all_of(rows, has(store::CellStatus::unavailable));
     if (nothing) warn("nothing was measured; each row says why");
-    return nothing || std::ranges::any_of(rows, has("failed")) ? exit_check_failed : exit_done;
+    return nothing || std::ranges::any_of(rows, has(store::CellStatus::failed)) ? exit_check_failed
+                                                                                : exit_done;
 }
 
 }  // namespace

@@ -37,12 +37,13 @@ nlohmann::json caches_of(const measure::CacheMachine& machine) {
 
 std::string record_text(const ExportArguments& options) {
     const reports::ReportData data = reports::read_report(options.store);
-    if (options.modelled.empty()) return reports::to_json(reports::measured_record(data)).dump(1) + "\n";
+    if (options.modelled.empty())
+        return input::json_text(reports::to_json(reports::measured_record(data)), 1) + "\n";
     reports::MachineRecord record = reports::modelled_record(data, options.modelled);
     const measure::CacheMachine machine = measure::described_machines({options.modelled}).front();
     record.cpu = {{"name", machine.what}};
     record.caches = caches_of(machine);
-    return reports::to_json(record).dump(1) + "\n";
+    return input::json_text(reports::to_json(record), 1) + "\n";
 }
 
 int run_export(const ExportArguments& options, bool json) {

@@ -201,7 +201,7 @@ int run_fields(const FieldsArguments& options, bool json) {
             options.write,
             nlohmann::json{{"groups", studies::groups_json(advice.advised, advice.fields)}}.dump() + "\n");
     if (json)
-        fmt::print("{}\n", json_of(advice, options.plan.cell).dump());
+        print_json(json_of(advice, options.plan.cell));
     else
         print(advice, options);
     return advice.all_right() ? exit_done : exit_check_failed;

@@ -112,7 +112,7 @@ int run_heat(const HeatArguments& options, bool json) {
                         options.cell.scene, options.cell.shape, heat.queries().all);
         fmt::print("{}", bench::draw_heat(title, lines_of_tables(heat, cell)));
     } else if (json) {
-        fmt::print("{}\n", json_of(heat, tables, cell).dump());
+        print_json(json_of(heat, tables, cell));
     } else {
         fmt::print("{} {}, scene {}, shape {}\n", options.cell.table, options.cell.algorithm,
                    options.cell.scene, options.cell.shape);

@@ -155,7 +155,7 @@ int run_list(const std::string& what, bool as_json) {
     }
     const Json entries = lists().at(what)();
     if (as_json) {
-        fmt::print("{}\n", Json{{what, entries}}.dump());
+        print_json(Json{{what, entries}});
         return exit_done;
     }
     fmt::print("{}", list_text(what, entries));

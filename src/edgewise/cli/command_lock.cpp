@@ -135,7 +135,7 @@ int check_lock(const std::string& file, bool json) {
     nlohmann::json list = nlohmann::json::array();
     for (const measure::LockDifference& difference : found)
         list.push_back({{"member", difference.member}, {"was", difference.was}, {"is", difference.is}});
-    fmt::print("{}\n", nlohmann::json{{"differences", list}}.dump());
+    print_json(nlohmann::json{{"differences", list}});
     return found.empty() ? exit_done : exit_check_failed;
 }
 

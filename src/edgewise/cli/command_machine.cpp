@@ -71,7 +71,7 @@ struct MachineArguments {};
 int run_machine(const MachineArguments& /*none*/, bool as_json) {
     Json machine = measure::machine_json();
     if (as_json) {
-        fmt::print("{}\n", machine.dump());
+        print_json(machine);
         return exit_done;
     }
     Json facts = machine;

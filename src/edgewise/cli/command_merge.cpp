@@ -43,7 +43,7 @@ int run_merge(const MergeArguments& options, bool json) {
     const store::MergeSummary summary = store::merge_stores(options.stores, options.out, options.mixed);
     for (const std::string& line : summary.missing) warn(line);
     if (json)
-        fmt::print("{}\n", json_of(summary, options.out).dump());
+        print_json(json_of(summary, options.out));
     else
         print(summary, options.out);
     if (options.fom) print_figures_of_merit(options.out);

@@ -109,7 +109,7 @@ int run_paging(const PagingArguments& options, bool json) {
             print(result);
         }
     }
-    if (json) fmt::print("{}\n", nlohmann::json({{"paging", results}}).dump());
+    if (json) print_json(nlohmann::json({{"paging", results}}));
     return exit_done;
 }
 

@@ -47,11 +47,10 @@ int run_progress(const ProgressArguments& options, bool json) {
         nlohmann::json rows = nlohmann::json::array();
         for (const sweep::ProgressPiece& piece : pieces)
             rows.push_back({{"piece", piece.what}, {"expected", piece.expected}, {"took", piece.took}});
-        fmt::print("{}\n", nlohmann::json{{"pieces", rows},
-                                          {"from", from_a_tenth_on},
-                                          {"worst_deviation", worst.relative},
-                                          {"at", worst.at}}
-                               .dump());
+        print_json(nlohmann::json{{"pieces", rows},
+                                  {"from", from_a_tenth_on},
+                                  {"worst_deviation", worst.relative},
+                                  {"at", worst.at}});
         return exit_done;
     }
     print_pieces(pieces);

@@ -2,11 +2,14 @@
 //
 // `edgewise report`: the pages of a store, written anew.
 #include <fmt/format.h>
+
+#include <memory>
 #include <stdexcept>
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/reports/page/report.hpp"
@@ -22,6 +25,30 @@ struct ReportArguments {
     double slack = 0.05;
 };
 
+/// How far a report is, for those that take long.
+class ReportProgress {
+  public:
+    explicit ReportProgress(std::size_t stores)
+        : progress_("report", stores * percents + reports::report_parts, 0, "parts", quiet_seconds) {}
+
+    [[nodiscard]] reports::ReportData read(const std::string& store) {
+        std::size_t shown = 0;
+        return reports::read_report(store, {}, [&](std::size_t done, std::size_t all) {
+            const std::size_t now = percents * done / all;
+            progress_.advance(now - shown, "reading " + store);
+            shown = now;
+        });
+    }
+    [[nodiscard]] reports::OnReportPart on_part() {
+        return [this](const std::string& part) { progress_.advance(1, part); };
+    }
+
+  private:
+    static constexpr std::size_t percents = 100;
+    static constexpr double quiet_seconds = 10;
+    Progress progress_;
+};
+
 /// The folder that the report is written to, which is there then.
 std::string out_of(const ReportArguments& options) {
     if (!options.out.empty() && std::filesystem::exists(options.store)) make_folder(options.out, "--out");
@@ -30,22 +57,26 @@ std::string out_of(const ReportArguments& options) {
 
 /// What changed from the other store to this one, here and in the pages.
 int run_compare(const ReportArguments& options, bool json) {
-    const reports::ReportData data = reports::read_report(options.store);
-    const reports::Comparison comparison = reports::compare(reports::read_report(options.compare), data);
+    auto progress = std::make_unique<ReportProgress>(2);
+    const reports::ReportData data = progress->read(options.store);
+    const reports::Comparison comparison = reports::compare(progress->read(options.compare), data);
     if (comparison.paired == 0)
         throw std::invalid_argument(fmt::format("{} and {} have no cell in common: nothing to compare",
                                                 options.store, options.compare));
     const reports::ReportSummary summary = reports::write_report(
         data, out_of(options), bench::charts_folder(),
         reports::ReportBeside{&comparison, options.slack,
-                              std::filesystem::path(options.compare).filename().string()});
+                              std::filesystem::path(options.compare).filename().string()},
+        progress->on_part());
+    progress.reset();
     if (!summary.note.empty()) warn(summary.note);
     if (json) {
         nlohmann::json line = reports::comparison_json(comparison, options.slack);
         line["report"] = summary.page;
-        fmt::print("{}\n", line.dump());
+        print_json(line);
     } else {
-        fmt::print("{}report: {}\n", reports::comparison_text(comparison, options.slack, options.explain),
+        fmt::print("{}report: {}\n",
+                   input::shown_text(reports::comparison_text(comparison, options.slack, options.explain)),
                    summary.page);
     }
     return options.gate && comparison.regressions(options.slack) > 0 ? exit_check_failed : exit_done;
@@ -53,14 +84,16 @@ int run_compare(const ReportArguments& options, bool json) {
 
 int run_report(const ReportArguments& options, bool json) {
     if (!options.compare.empty()) return run_compare(options, json);
-    const reports::ReportSummary summary =
-        reports::write_report(options.store, out_of(options), bench::charts_folder());
+    auto progress = std::make_unique<ReportProgress>(1);
+    const reports::ReportSummary summary = reports::write_report(
+        progress->read(options.store), out_of(options), bench::charts_folder(), {}, progress->on_part());
+    progress.reset();
     if (!summary.note.empty()) warn(summary.note);
     if (json) {
         const nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
                                      {"failed", summary.failed}, {"unavailable", summary.unavailable},
                                      {"store", options.store},   {"report", summary.page}};
-        fmt::print("{}\n", line.dump());
+        print_json(line);
     } else {
         fmt::print("report: {}\n", summary.page);
     }

@@ -72,7 +72,7 @@ int run_scaling(const ScalingArguments& options, bool json) {
         plan, [&] { progress.advance(); }, stop);
     progress.clear();
     if (json) {
-        fmt::print("{}\n", json_of(scaling, options).dump());
+        print_json(json_of(scaling, options));
     } else if (scaling.wrong.empty()) {
         print(scaling, options);
     } else {

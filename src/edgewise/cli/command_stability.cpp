@@ -95,7 +95,7 @@ void print_row(const studies::StabilityRow& row) {
         value_of(row, "stability.worst_witness_error"), value_of(row, "stability.worst_certificate_width"),
         count("stability.cap_hits"), count("stability.escapes"), count("stability.cycles"),
         count("stability.fallbacks"), count("stability.refinements"), value_of(row, "stability.mean_steps"),
-        row.cell.reason.empty() ? "" : "  " + row.cell.status + ": " + row.cell.reason);
+        row.cell.reason.empty() ? "" : fmt::format("  {}: {}", to_string(row.cell.status), row.cell.reason));
 }
 
 studies::StabilitySummary run_with_progress(const studies::StabilityPlan& plan, store::Store& store,
@@ -131,7 +131,7 @@ int run_stability(const StabilityArguments& options, bool json) {
                                      {"failed", summary.failed},
                                      {"unavailable", summary.unavailable},
                                      {"store", options.store}};
-        fmt::print("{}\n", line.dump());
+        print_json(line);
     } else {
         fmt::print(
             "{} rows: {} verified, {} failed, {} unavailable\nstore: {}; for the report: edgewise report {}\n",

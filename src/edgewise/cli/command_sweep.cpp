@@ -152,7 +152,7 @@ void print_summary(const PartsSummary& outcome, const std::string& store,
             line["stability_rows"] = stability.rows;
             line["stability_failed"] = stability.failed;
         }
-        fmt::print("{}\n", line.dump());
+        print_json(line);
         return;
     }
     fmt::print("{} cells: {} verified, {} failed, {} unavailable\n", summary.cells, summary.verified,
@@ -167,7 +167,8 @@ void print_summary(const PartsSummary& outcome, const std::string& store,
     if (page.empty())
         fmt::print("a part of a campaign; all of them as one: edgewise merge STORES... --out ALL\n");
     else
-        fmt::print("report: {}\n\n{}\n\nopen {} in a browser\n", page, report.answer, page);
+        fmt::print("report: {}\n\n{}\n\nopen {} in a browser\n", page, input::shown_text(report.answer),
+                   page);
 }
 
 /// Beside each other: a part has a file of its own, wherever it runs.

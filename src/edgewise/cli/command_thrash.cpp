@@ -193,7 +193,7 @@ int run_thrash(const ThrashArguments& options, bool json) {
     }
     progress.clear();
     if (json) {
-        fmt::print("{}\n", json_of(factorial, cells).dump());
+        print_json(json_of(factorial, cells));
     } else {
         print_calibrations(factorial);
         print_groups(factorial);

@@ -113,6 +113,6 @@ int main(int argc, char** argv) {
         problem = lost;
         code = exit_bad_input;
     }
-    if (!problem.empty()) std::fprintf(stderr, "edgewise: %s\n", problem.c_str());
+    if (!problem.empty()) warn(problem);
     return code;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON that users write: scene files, plans, machines, case lines, locks, baselines. One reader for all of
-// them, by nlohmann-json. It follows nested values by recursion when it copies, compares and prints them, so
-// a file of 100,000 brackets would end the program: the depth is checked before. Of a member that is given
-// twice it keeps the last one without a word: such a text is refused. Members that no reader knows are
-// refused by `unknown_member`.
+// JSON that users write, and texts of a store: scene files, plans, machines, case lines, locks, baselines.
+// One reader for all of them, by nlohmann-json. It follows nested values by recursion when it copies,
+// compares and prints them, so a file of 100,000 brackets would end the program: the depth is checked before.
+// Of a member that is given twice it keeps the last one without a word: such a text is refused. Members that
+// no reader knows are refused by `unknown_member`.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,11 @@
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "edgewise/geometry/result.hpp"
+#include "edgewise/input/shown_text.hpp"
 
 namespace edgewise::input {
 
@@ -94,6 +96,38 @@ template <class Json>
     for (const auto& [name, value] : object.items())
         if (std::ranges::find(known, name) == known.end()) return not_a_member(name, what, known);
     return {};
+}
+
+/// JSON in a text of a store; null where it is none or nested too deep.
+template <class Json = nlohmann::json>
+[[nodiscard]] Json json_or_null(std::string_view text) {
+    auto parsed = parse_json<Json>(text);
+    return parsed ? std::move(*parsed) : Json();
+}
+
+/// The same with texts that are valid UTF-8: a byte that is not is written as its number.
+template <class Json>
+[[nodiscard]] Json with_valid_texts(const Json& json) {
+    if (json.is_string()) return valid_utf8(json.template get_ref<const std::string&>());
+    if (!json.is_structured()) return json;
+    Json copy = json.is_object() ? Json::object() : Json::array();
+    for (const auto& [name, value] : json.items()) {
+        if (json.is_object())
+            copy[valid_utf8(name)] = with_valid_texts(value);
+        else
+            copy.push_back(with_valid_texts(value));
+    }
+    return copy;
+}
+
+/// JSON for others to read, whatever its texts hold; in one line where `indent` is negative.
+template <class Json>
+[[nodiscard]] std::string json_text(const Json& json, int indent = -1) {
+    try {
+        return json_escaped(json.dump(indent));
+    } catch (const nlohmann::json::type_error&) {  // a text is no UTF-8
+        return json_escaped(with_valid_texts(json).dump(indent));
+    }
 }
 
 }  // namespace edgewise::input

@@ -104,8 +104,11 @@ class Merge {
     void add(const std::string& path) {
         const auto from = sqlite::Database::for_reading(path);
         from.execute("begin");
+        check_schema(from);
         sqlite::Transaction transaction(to_);
-        copy(from, "select * from build", "insert or ignore into build values(?,?,?,?,?,?)");
+        sqlite::Statement builds(from, fmt::format("select {} from build", build_columns));
+        sqlite::Statement to(to_, insertion("or ignore", "build", build_columns));
+        while (builds.step()) to.bind_row(builds).run();
         sqlite::Statement cells(from, "select build, hash from cell order by build, hash");
         while (cells.step()) add_cell(from, path, cells.text(0), cells.text(1));
         transaction.commit();
@@ -133,16 +136,11 @@ class Merge {
     void finish() const { to_.execute("pragma journal_mode = delete"); }
 
   private:
-    void copy(const sqlite::Database& from, const std::string& select, const std::string& insert) const {
-        sqlite::Statement rows(from, select), to(to_, insert);
-        while (rows.step()) to.bind_row(rows).run();
-    }
-    void copy_of_cell(const sqlite::Database& from, const char* table, int columns, const std::string& build,
-                      const std::string& hash) const {
-        std::string places = "?";
-        for (int i = 1; i < columns; ++i) places += ",?";
-        sqlite::Statement rows(from, fmt::format("select * from {} where build = ? and hash = ?", table));
-        sqlite::Statement to(to_, fmt::format("insert or replace into {} values({})", table, places));
+    void copy_of_cell(const sqlite::Database& from, const char* table, const char* columns,
+                      const std::string& build, const std::string& hash) const {
+        sqlite::Statement rows(from,
+                               fmt::format("select {} from {} where build = ? and hash = ?", columns, table));
+        sqlite::Statement to(to_, insertion("or replace", table, columns));
         rows.bind(build, hash);
         while (rows.step()) to.bind_row(rows).run();
     }
@@ -159,9 +157,9 @@ class Merge {
                     .bind(build, hash)
                     .run();
         }
-        copy_of_cell(from, "cell", 18, build, hash);
-        copy_of_cell(from, "figure", 8, build, hash);
-        copy_of_cell(from, "round", 15, build, hash);
+        copy_of_cell(from, "cell", cell_columns, build, hash);
+        copy_of_cell(from, "figure", figure_columns, build, hash);
+        copy_of_cell(from, "round", round_columns, build, hash);
     }
 
     /// Of one build, so of one program on one machine.
@@ -171,7 +169,7 @@ class Merge {
         const auto figures = exact_figures_of(from, build, hash), others = exact_figures_of(to_, build, hash);
         std::string what;
         if (here->status != there->status)
-            what = fmt::format("status '{}' and '{}'", there->status, here->status);
+            what = fmt::format("status '{}' and '{}'", to_string(there->status), to_string(here->status));
         for (const FigureRow& figure : figures) {
             const auto same = std::ranges::find_if(others, [&](const FigureRow& other) {
                 return other.probe == figure.probe && other.name == figure.name;
@@ -234,6 +232,7 @@ MergeSummary merge_stores(const std::vector<std::string>& stores, const std::str
     check_out(out);
     const std::vector<MergeSource> sources = sources_of(stores);
     if (!mixed) check_same_campaign(sources);
+    check_scene_files(sources);
     MergeSummary summary;
     summary.missing = missing_parts(sources);
     const FileBeside beside(input::output_place(out).file);

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <stdexcept>
+#include <string_view>
 
 #include "edgewise/input/count.hpp"
 #include "edgewise/store/read_rows.hpp"
@@ -67,6 +68,21 @@ void check_same_campaign(const std::vector<MergeSource>& sources) {
     check_one(plans, "plans");
     check_one(seeds, "seeds");
     check_one(revisions, "revisions");
+}
+
+void check_scene_files(const std::vector<MergeSource>& sources) {
+    std::map<std::string, const MergeSource*> first;  // by key
+    for (const MergeSource& source : sources) {
+        for (const auto& [key, text] : source.meta) {
+            if (!key.starts_with(scene_file_key)) continue;
+            const MergeSource& other = *first.try_emplace(key, &source).first->second;
+            if (other.value(key) == text) continue;
+            throw std::runtime_error(
+                fmt::format("{} and {} hold different scene files of one name, '{}': rename one of the files "
+                            "and sweep it again",
+                            other.path, source.path, key.substr(std::string_view(scene_file_key).size())));
+        }
+    }
 }
 
 std::vector<std::string> missing_parts(const std::vector<MergeSource>& sources) {

@@ -35,6 +35,9 @@ struct MergeSource {
 /// Throws std::runtime_error that names the files where they are of several plans, seeds or revisions.
 void check_same_campaign(const std::vector<MergeSource>& sources);
 
+/// Throws std::runtime_error that names both where two have scene files of one name that differ.
+void check_scene_files(const std::vector<MergeSource>& sources);
+
 /// A line for each part of the campaign that no store holds or that was stopped before its end. Throws where
 /// they are parts of differently many.
 [[nodiscard]] std::vector<std::string> missing_parts(const std::vector<MergeSource>& sources);

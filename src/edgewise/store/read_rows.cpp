@@ -3,8 +3,11 @@
 // Every select names its columns: the functions that read a row know them by number.
 #include "edgewise/store/read_rows.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "edgewise/store/schema.hpp"
@@ -13,14 +16,44 @@ namespace edgewise::store {
 
 namespace {
 
-const std::string select_cells =
-    "select hash, scene, scene_parameters, shape, shape_source, algorithm, layout, precision, table_type, "
-    "vertices, edges, faces, seed, queries, status, reason, axes from cell where build = ? ";
+/// In schema version 5 a row's run was the beginning of its scene's name.
+constexpr const char* run_by_old_name =
+    "case when scene in ('stability', 'paging', 'thrash', 'thrash_realised') then scene "
+    "when substr(scene, 1, 7) = 'effort ' then 'effort' when substr(scene, 1, 7) = 'fields ' then 'fields' "
+    "else 'sweep' end";
+constexpr const char* scene_by_old_name =
+    "case when substr(scene, 1, 7) in ('effort ', 'fields ') then substr(scene, 8) else scene end";
+
+/// The table as it would be today, for this connection alone: nothing is written.
+void show_runs_of_old_names(const sqlite::Database& database) {
+    database.execute(
+        fmt::format("pragma temp_store = memory; create temp view cell as select build, hash, {} "
+                    "as scene, scene_parameters, shape, shape_source, algorithm, layout, "
+                    "precision, table_type, vertices, edges, faces, seed, queries, status, "
+                    "reason, axes, {} as run from main.cell",
+                    scene_by_old_name, run_by_old_name)
+            .c_str());
+}
+
+std::string select_cells() { return fmt::format("select {} from cell where build = ? ", cell_columns); }
+
+/// Throws where the text is none of the names: another program wrote it.
+template <class Enum, std::size_t count>
+Enum named(const std::string& text, const std::string_view (&names)[count], const char* what) {
+    const auto found = std::ranges::find(names, text);
+    if (found == std::end(names))
+        throw std::runtime_error(
+            fmt::format("a cell of the store has {} '{}'; known: {}", what, text, fmt::join(names, ", ")));
+    return static_cast<Enum>(found - std::begin(names));
+}
 
 CellRow read_cell(const sqlite::Statement& s) {
-    return {s.text(0),     s.text(1),     s.text(2),  s.text(3),    s.text(4),     s.text(5),
-            s.text(6),     s.text(7),     s.text(8),  s.integer(9), s.integer(10), s.integer(11),
-            s.natural(12), s.integer(13), s.text(14), s.text(15),   s.text(16)};
+    return {s.text(1),     s.text(2),     s.text(3),
+            s.text(4),     s.text(5),     s.text(6),
+            s.text(7),     s.text(8),     s.text(9),
+            s.integer(10), s.integer(11), s.integer(12),
+            s.natural(13), s.integer(14), named<CellStatus>(s.text(15), status_names, "the status"),
+            s.text(16),    s.text(17),    named<Run>(s.text(18), run_names, "the run")};
 }
 
 BuildRow read_build_row(const sqlite::Statement& s) {
@@ -36,11 +69,11 @@ measure::Timing read_timing(const sqlite::Statement& s, int column) {
 }
 
 measure::Round read_round(const sqlite::Statement& s) {
-    measure::Round round{static_cast<int>(s.integer(0)), read_timing(s, 1), read_timing(s, 5)};
-    round.timing.either_queries = s.natural(9);
-    round.timing.either_ns = s.real(10);
-    round.timing.first_queries = s.natural(11);
-    round.timing.first_ns = s.real(12);
+    measure::Round round{static_cast<int>(s.integer(2)), read_timing(s, 3), read_timing(s, 7)};
+    round.timing.either_queries = s.natural(11);
+    round.timing.either_ns = s.real(12);
+    round.timing.first_queries = s.natural(13);
+    round.timing.first_ns = s.real(14);
     return round;
 }
 
@@ -59,12 +92,27 @@ std::optional<Row> row_of(sqlite::Statement& bound, Row (*read)(const sqlite::St
 
 }  // namespace
 
+std::string insertion(const char* or_what, const char* table, std::string_view columns) {
+    std::string places = "?";
+    for (auto count = std::ranges::count(columns, ','); count > 0; --count) places += ",?";
+    return fmt::format("insert {} into {}({}) values({})", or_what, table, columns, places);
+}
+
+void take_runs_from_old_names(const sqlite::Database& database) {
+    database.execute(fmt::format("alter table cell add column run text not null default 'sweep'; update cell "
+                                 "set scene = {}, run = {}; pragma user_version = {}",
+                                 scene_by_old_name, run_by_old_name, store_schema_version)
+                         .c_str());
+}
+
 void check_schema(const sqlite::Database& database) {
     if (database.number("pragma application_id") != store_application_id)
         throw std::runtime_error(
             fmt::format("{} is not a results store: name one that a sweep wrote", database.path()));
     const std::int64_t version = database.number("pragma user_version");
-    if (version != store_schema_version)
+    if (version == store_schema_of_old_names)
+        show_runs_of_old_names(database);
+    else if (version != store_schema_version)
         throw std::runtime_error(
             fmt::format("{} has schema version {}, this program reads {}: write a new store with a sweep",
                         database.path(), version, store_schema_version));
@@ -78,20 +126,18 @@ std::vector<std::pair<std::string, std::string>> meta_of(const sqlite::Database&
 }
 
 std::optional<BuildRow> find_build(const sqlite::Database& database, const std::string& id) {
-    sqlite::Statement select(
-        database,
-        "select id, git_revision, compiler, flags, build_type, machine_json from build where id = ?");
+    sqlite::Statement select(database, fmt::format("select {} from build where id = ?", build_columns));
     return row_of(select.bind(id), read_build_row);
 }
 
 std::optional<CellRow> find_cell(const sqlite::Database& database, const std::string& build,
                                  const std::string& hash) {
-    sqlite::Statement select(database, select_cells + "and hash = ?");
+    sqlite::Statement select(database, select_cells() + "and hash = ?");
     return row_of(select.bind(build, hash), read_cell);
 }
 
 std::vector<CellRow> cells_of(const sqlite::Database& database, const std::string& build) {
-    sqlite::Statement select(database, select_cells + "order by hash");
+    sqlite::Statement select(database, select_cells() + "order by hash");
     return rows_of(select.bind(build), read_cell);
 }
 
@@ -107,10 +153,7 @@ std::vector<measure::Round> rounds_of(const sqlite::Database& database, const st
                                       const std::string& hash) {
     sqlite::Statement select(
         database,
-        "select number, separated_queries, separated_ns, overlapping_queries, overlapping_ns, "
-        "baseline_separated_queries, baseline_separated_ns, baseline_overlapping_queries, "
-        "baseline_overlapping_ns, either_queries, either_ns, first_queries, first_ns "
-        "from round where build = ? and hash = ? order by number");
+        fmt::format("select {} from round where build = ? and hash = ? order by number", round_columns));
     return rows_of(select.bind(build, hash), read_round);
 }
 

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,8 +15,26 @@
 
 namespace edgewise::store {
 
-/// Throws std::runtime_error: what, where, what to do, unless it is a store of this program's version.
+/// Columns in the order in which rows are written and copied; a table may have further ones.
+inline constexpr const char *build_columns = "id, git_revision, compiler, flags, build_type, machine_json",
+                            *cell_columns =
+                                "build, hash, scene, scene_parameters, shape, shape_source, "
+                                "algorithm, layout, precision, table_type, vertices, edges, "
+                                "faces, seed, queries, status, reason, axes, run",
+                            *figure_columns = "build, hash, probe, name, value, unit, reason, remedy",
+                            *round_columns =
+                                "build, hash, number, separated_queries, separated_ns, overlapping_queries, "
+                                "overlapping_ns, baseline_separated_queries, baseline_separated_ns, "
+                                "baseline_overlapping_queries, baseline_overlapping_ns, either_queries, "
+                                "either_ns, first_queries, first_ns";
+/// "insert or ignore into build(id, ...) values(?,...)", a ? for each column.
+[[nodiscard]] std::string insertion(const char* or_what, const char* table, std::string_view columns);
+
+/// Throws std::runtime_error: what, where, what to do, unless it is a store that this program reads. One of
+/// schema version 5 is read as if it had today's columns.
 void check_schema(const sqlite::Database& database);
+/// Makes a store of schema version 5 one of today's; inside a transaction of the caller.
+void take_runs_from_old_names(const sqlite::Database& database);
 
 /// By key.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> meta_of(const sqlite::Database& database);

@@ -42,12 +42,12 @@ void check(FigureRow& figure) {
 measure::Figure StoredCell::figure(const std::string& probe, const std::string& name) const {
     for (const FigureRow& stored : figures)
         if (stored.probe == probe && stored.name == name) return stored;
-    const std::string why =
-        verified() ? "no such figure is stored" : fmt::format("the cell is {}: {}", status, reason);
+    const std::string why = verified() ? "no such figure is stored"
+                                       : fmt::format("the cell is {}: {}", to_string(status), reason);
     return {name, std::nullopt, "", why};
 }
 
-StoredBuild read_build(const std::string& store, const std::string& id) {
+StoredBuild read_build(const std::string& store, const std::string& id, const OnCell& on_cell) {
     const sqlite::Database database = sqlite::Database::for_reading(store);
     database.execute("begin");
     check_schema(database);
@@ -60,11 +60,13 @@ StoredBuild read_build(const std::string& store, const std::string& id) {
     sqlite::Statement others(database, "select id from build where id <> ? order by id");
     others.bind(wanted);
     while (others.step()) read.other_builds.push_back(others.text(0));
-    for (CellRow& row : cells_of(database, wanted)) {
+    std::vector<CellRow> rows = cells_of(database, wanted);
+    for (CellRow& row : rows) {
         StoredCell& cell = read.cells.emplace_back(StoredCell{std::move(row)});
         cell.figures = figures_of(database, wanted, cell.hash);
         for (FigureRow& figure : cell.figures) check(figure);
         cell.rounds = rounds_of(database, wanted, cell.hash);
+        if (on_cell) on_cell(read.cells.size(), rows.size());
     }
     return read;
 }

@@ -3,6 +3,7 @@
 // Reads all that a store holds of one build. The file is opened for reading alone; a sweep may be writing it.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,9 +32,13 @@ struct StoredBuild {
     std::vector<StoredCell> cells;          ///< by hash
 };
 
+/// Cells read, and how many there are.
+using OnCell = std::function<void(std::size_t done, std::size_t all)>;
+
 /// Reads one build; an empty `build` means the latest: the one that the key `build` of `meta` names, else the
-/// one with the most cells (ties: the smallest id). Throws std::runtime_error with one line: what, where,
-/// what to do.
-[[nodiscard]] StoredBuild read_build(const std::string& store, const std::string& build = {});
+/// one with the most cells (ties: the smallest id). `on_cell` is called after every cell. Throws
+/// std::runtime_error with one line: what, where, what to do.
+[[nodiscard]] StoredBuild read_build(const std::string& store, const std::string& build = {},
+                                     const OnCell& on_cell = {});
 
 }  // namespace edgewise::store

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "edgewise/measure/figure.hpp"
 
@@ -17,6 +18,19 @@ struct BuildRow {
     std::string machine_json;  ///< what `edgewise machine --json` prints
 };
 
+/// What measured a row: a sweep, or a study that leaves its rows in the same store.
+enum class Run { sweep, stability, paging, thrash, thrash_realised, effort, fields };
+inline constexpr std::string_view run_names[] = {"sweep",           "stability", "paging", "thrash",
+                                                 "thrash_realised", "effort",    "fields"};
+[[nodiscard]] constexpr std::string_view to_string(Run run) { return run_names[static_cast<int>(run)]; }
+
+/// Cells of another library, and of raw V-Clip, are judged: their errors are counted and fail nothing.
+enum class CellStatus { unavailable, verified, failed, judged };
+inline constexpr std::string_view status_names[] = {"unavailable", "verified", "failed", "judged"};
+[[nodiscard]] constexpr std::string_view to_string(CellStatus status) {
+    return status_names[static_cast<int>(status)];
+}
+
 /// One cell: scene x shape x algorithm x layout x precision x further axes.
 struct CellRow {
     std::string hash;  ///< of everything below that names the cell, and of the bodies and the seed
@@ -26,13 +40,15 @@ struct CellRow {
     std::int64_t vertices = 0, edges = 0, faces = 0;
     std::uint64_t seed = 0;
     std::int64_t queries = 0;
-    std::string status;  ///< verified | failed | unavailable; of another library, and of raw V-Clip: judged
+    CellStatus status = CellStatus::unavailable;
     std::string reason;  ///< why failed or unavailable; of a judged one, what is wrong with it
     std::string axes;    ///< further axes, as in sweep/axes.hpp; empty for the plain cell
+    Run run = Run::sweep;
     std::string scene_kind = {};  ///< of a scene file: part of the hash, and no column
 
-    [[nodiscard]] bool verified() const { return status == "verified"; }
-    [[nodiscard]] bool judged() const { return status == "judged"; }
+    [[nodiscard]] bool verified() const { return status == CellStatus::verified; }
+    [[nodiscard]] bool judged() const { return status == CellStatus::judged; }
+    [[nodiscard]] bool failed() const { return status == CellStatus::failed; }
     [[nodiscard]] bool is_timed() const { return verified() || judged(); }
 };
 

@@ -6,7 +6,10 @@
 
 namespace edgewise::store {
 
-inline constexpr int store_schema_version = 5;
+inline constexpr int store_schema_version = 6;
+/// The first version that this program opens. It had no column `run`: names of scenes said what measured a
+/// row.
+inline constexpr int store_schema_of_old_names = 5;
 inline constexpr int store_application_id = 0x45644765;  ///< "EdGe", so that another program's file is known
 
 /// Keys of meta: this and a table type's name hold the picture of that table, as SVG.
@@ -19,8 +22,8 @@ inline constexpr const char* layout_key = "layout ";
 /// scene reads each feature of it, both as JSON (sweep/body_heat.hpp).
 inline constexpr const char *body_key = "body ", *heat_key = "heat ";
 
-/// Likewise this and a scene file's name: its text, as JSON in one line.
-inline constexpr const char* scene_file_key = "scene ";
+/// Likewise this and a scene file's name: its text, as JSON in one line; and this and its name: its path.
+inline constexpr const char *scene_file_key = "scene ", *scene_path_key = "path of scene ";
 
 /// Likewise this and the options of a sweep that filled the store: the build that ran it.
 inline constexpr const char* command_key = "command ";

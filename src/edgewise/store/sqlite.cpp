@@ -5,8 +5,10 @@
 
 #include <fmt/core.h>
 #include <sqlite3.h>
-#include <algorithm>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
@@ -22,7 +24,8 @@ const char* remedy(int code) {
         case SQLITE_NOTADB:
             return "; not an SQLite file: move it away or name another store; it was not touched";
         case SQLITE_CANTOPEN:
-            return "; does its directory exist, and may it be written?";
+            return "; does its directory exist, and may it be written? A store with a log (-wal) in a directory "
+                   "that may not be written must be copied with its log";
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
             return "; another program holds it: end that one or name another store";
@@ -49,10 +52,26 @@ std::string file_to_write(const std::string& path) {
     return path.starts_with(':') ? "./" + path : path;
 }
 
+/// The file as one that nobody changes: SQLite then makes no log and no shared memory beside it.
+std::string immutable_uri(const std::string& path) {
+    std::string uri = "file:";
+    for (const char c : path) {
+        const auto byte = static_cast<unsigned char>(c);
+        uri += std::isalnum(byte) || c == '/' || c == '.' ? std::string(1, c) : fmt::format("%{:02X}", byte);
+    }
+    return uri + "?immutable=1";
+}
+
+/// Whether SQLite may write the file and make others beside it.
+bool is_writable(const std::filesystem::path& path) {
+    const auto folder = path.parent_path();
+    return access(path.c_str(), W_OK) == 0 && access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
+}
+
 }  // namespace
 
 Database::Database(const std::string& path)
-    : Database(file_to_write(path), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) {}
+    : Database(file_to_write(path), path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) {}
 
 Database Database::for_reading(const std::string& path) {
     std::error_code ignored;
@@ -60,13 +79,19 @@ Database Database::for_reading(const std::string& path) {
         throw std::runtime_error(
             fmt::format("no results store at {}: run a sweep first, or name the store", path));
     }
-    return {path, SQLITE_OPEN_READONLY};
+    const auto log = std::filesystem::file_size(path + "-wal", ignored);
+    const bool has_log = !ignored && log > 0;
+    // A connection that may write removes the log that it made when it ends; one that only reads leaves it.
+    if (is_writable(path)) return {path, path, SQLITE_OPEN_READWRITE, has_log};
+    if (has_log) return {path, path, SQLITE_OPEN_READONLY};
+    return {path, immutable_uri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI};
 }
 
-Database::Database(const std::string& path, int flags) : path_(path) {
+Database::Database(const std::string& path, const std::string& name, int flags, bool leaves_log)
+    : path_(path) {
     // SQLite would take an empty name for a temporary file, gone at the end.
     if (path.empty()) throw std::runtime_error("store: no file name given");
-    if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
+    if (sqlite3_open_v2(name.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
         // The handle exists even then (it holds the message), and a constructor that throws runs no
         // destructor.
         try {
@@ -77,6 +102,7 @@ Database::Database(const std::string& path, int flags) : path_(path) {
         }
     }
     sqlite3_busy_timeout(handle_, busy_timeout_ms);
+    if (leaves_log) sqlite3_db_config(handle_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
 }
 
 Database::~Database() { sqlite3_close(handle_); }

@@ -21,7 +21,8 @@ class Database {
     /// Opens for reading and writing, creating the file if there is none. Nothing is written yet: SQLite
     /// creates an empty file and reads even its header only with the first statement.
     explicit Database(const std::string& path);
-    /// For reading alone; a file that is missing is not created but refused.
+    /// For reading; a file that is missing is not created but refused. Leaves nothing beside the file, and
+    /// reads one that may not be written, or whose folder may not.
     [[nodiscard]] static Database for_reading(const std::string& path);
     ~Database();
     Database(const Database&) = delete;
@@ -37,7 +38,8 @@ class Database {
     [[nodiscard]] const std::string& path() const { return path_; }
 
   private:
-    Database(const std::string& path, int flags);
+    /// `name`: the path, or a URI of it; `leaves_log`: its write-ahead log stays as it is.
+    Database(const std::string& path, const std::string& name, int flags, bool leaves_log = false);
 
     std::string path_;
     sqlite3* handle_ = nullptr;

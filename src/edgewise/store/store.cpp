@@ -36,12 +36,21 @@ bool is_new(const sqlite::Database& database) {
     if (version == 0 && owner == 0 && objects == 0) return true;
     if (owner != store_application_id)
         refuse(database, "an SQLite file, but not an Edgewise store: name another store");
-    if (version == store_schema_version) return false;
+    if (version == store_schema_version || version == store_schema_of_old_names) return false;
     refuse(database, fmt::format("schema version {}, {} {}: {}name another store", version,
                                  version > store_schema_version ? "but this program knows only up to"
                                                                 : "too old for this program, which writes",
                                  store_schema_version,
                                  version > store_schema_version ? "use a newer program or " : ""));
+}
+
+/// Another program may have been first between our look and our lock.
+void take_old_names(const sqlite::Database& database) {
+    if (database.number("pragma user_version") != store_schema_of_old_names) return;
+    sqlite::Transaction transaction(database);
+    if (database.number("pragma user_version") == store_schema_of_old_names)
+        take_runs_from_old_names(database);
+    transaction.commit();
 }
 
 void create_schema(const sqlite::Database& database) {
@@ -68,7 +77,7 @@ FigureRow storable(FigureRow figure) {
 void put_figures(const sqlite::Database& database, const std::string& build, const std::string& hash,
                  std::span<const FigureRow> figures) {
     sqlite::Statement(database, "delete from figure where build = ? and hash = ?").bind(build, hash).run();
-    sqlite::Statement insert(database, "insert into figure values(?,?,?,?,?,?,?,?)");
+    sqlite::Statement insert(database, insertion("", "figure", figure_columns));
     for (const FigureRow& row : figures) {
         const FigureRow f = storable(row);
         if (!f.value && f.reason.empty()) {
@@ -89,24 +98,25 @@ Store::Store(const std::string& path) : database_(path) {
         refuse(database_, "write-protected: make it writable or name another store");
     database_.execute("pragma journal_mode = wal; pragma synchronous = full; pragma foreign_keys = on");
     if (fresh) create_schema(database_);
+    take_old_names(database_);
 }
 
 void Store::put_build(const BuildRow& b) {
-    sqlite::Statement(database_,
-                      "insert into build values(?,?,?,?,?,?) on conflict(id) do update set "
-                      "git_revision = excluded.git_revision, compiler = excluded.compiler, "
-                      "flags = excluded.flags, build_type = excluded.build_type, "
-                      "machine_json = excluded.machine_json")
+    sqlite::Statement(database_, insertion("", "build", build_columns) +
+                                     " on conflict(id) do update set "
+                                     "git_revision = excluded.git_revision, compiler = excluded.compiler, "
+                                     "flags = excluded.flags, build_type = excluded.build_type, "
+                                     "machine_json = excluded.machine_json")
         .bind(b.id, b.git_revision, b.compiler, b.flags, b.build_type, b.machine_json)
         .run();
 }
 
 void Store::put_cell(const std::string& build, const CellRow& c, std::span<const FigureRow> figures) {
     sqlite::Transaction transaction(database_);
-    sqlite::Statement(database_, "insert or replace into cell values(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")
+    sqlite::Statement(database_, insertion("or replace", "cell", cell_columns))
         .bind(build, c.hash, c.scene, c.scene_parameters, c.shape, c.shape_source, c.algorithm, c.layout,
-              c.precision, c.table, c.vertices, c.edges, c.faces, c.seed, c.queries, c.status, c.reason,
-              c.axes)
+              c.precision, c.table, c.vertices, c.edges, c.faces, c.seed, c.queries, to_string(c.status),
+              c.reason, c.axes, to_string(c.run))
         .run();
     put_figures(database_, build, c.hash, figures);
     transaction.commit();
@@ -115,7 +125,7 @@ void Store::put_cell(const std::string& build, const CellRow& c, std::span<const
 void Store::put_round(const std::string& build,
                       std::span<const std::pair<std::string, measure::Round>> rounds) {
     sqlite::Transaction transaction(database_);
-    sqlite::Statement insert(database_, "insert or replace into round values(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+    sqlite::Statement insert(database_, insertion("or replace", "round", round_columns));
     for (const auto& [hash, round] : rounds) {
         const measure::Timing& t = round.timing;
         const measure::Timing& b = round.baseline;

@@ -50,11 +50,13 @@ struct Examined {
 Examined examine_row(std::size_t place, const EffortContender& contender, store::CellRow row) {
     try {
         Effort effort = examine(contender.choice);
-        row.status = effort.is_peer ? "judged" : effort.wrong.empty() ? "verified" : "failed";
+        row.status = effort.is_peer         ? store::CellStatus::judged
+                     : effort.wrong.empty() ? store::CellStatus::verified
+                                            : store::CellStatus::failed;
         row.reason = effort.wrong;
         return {place, &contender, std::move(row), std::move(effort)};
     } catch (const std::invalid_argument& problem) {  // bodies that the table cannot store
-        row.status = "unavailable";
+        row.status = store::CellStatus::unavailable;
         row.reason = problem.what();
         return {place, &contender, std::move(row), std::nullopt};
     }
@@ -129,7 +131,7 @@ bool run_effort(const EffortPlan& plan, const std::function<bool(const store::Ce
     const std::vector<EffortContender> all = contenders(plan);
     std::vector<Examined> examined;
     for (std::size_t place = 0; place < all.size() && !stop; ++place) {
-        store::CellRow row = row_of(all[place].choice, *all[place].type, effort_scene);
+        store::CellRow row = row_of(all[place].choice, *all[place].type, store::Run::effort);
         if (wanted(row)) examined.push_back(examine_row(place, all[place], std::move(row)));
     }
     std::mutex one_at_a_time;

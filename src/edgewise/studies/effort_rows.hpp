@@ -20,7 +20,6 @@
 namespace edgewise::studies {
 
 /// What the scene names of these rows begin with.
-inline constexpr const char* effort_scene = "effort ";
 
 /// Whose first two levels Callgrind simulates when nobody says otherwise.
 inline constexpr const char* effort_machine = "skylake_sp";

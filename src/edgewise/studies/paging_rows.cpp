@@ -62,7 +62,8 @@ scene::SceneParameters parameters_of(const PagingPlan& plan) {
 
 store::CellRow row_of(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& body) {
     store::CellRow row;
-    row.scene = paging_scene;
+    row.run = store::Run::paging;
+    row.scene = to_string(row.run);
     row.scene_parameters = bench::parameters_json(parameters_of(plan));
     row.shape = cell.shape;
     row.shape_source = "built-in";
@@ -114,7 +115,7 @@ void run_cell(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& b
     const PagingResult result =
         measure_paging(*find_type(cell.table), cell.algorithm, workload, limits_for, stop);
     if (stop) return;
-    row.status = result.reason.empty() ? "verified" : "unavailable";
+    row.status = result.reason.empty() ? store::CellStatus::verified : store::CellStatus::unavailable;
     row.reason = result.reason;
     store.put_cell(build, row, result.reason.empty() ? figures_of(result) : std::vector<store::FigureRow>{});
 }

@@ -14,7 +14,6 @@
 namespace edgewise::studies {
 
 /// The scene name of these rows.
-inline constexpr const char* paging_scene = "paging";
 
 struct PagingPlan {
     std::size_t bodies = 600;

@@ -59,10 +59,11 @@ SingleCell::SingleCell(const CellChoice& choice, const bench::TableOptions& plac
         throw std::invalid_argument(error);
 }
 
-store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, const std::string& run) {
+store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, store::Run run) {
     const Polyhedron body = scene::make_shape(choice.shape).or_throw();
     store::CellRow row;
-    row.scene = run + choice.scene;
+    row.run = run;
+    row.scene = choice.scene;
     row.scene_parameters =
         bench::parameters_json(scene::complete_parameters(choice.scene, choice.parameters).or_throw());
     if (choice.sub_distance != SubDistanceSolver::cofactors && choice.algorithm == "gjk")

@@ -43,8 +43,7 @@ class SingleCell {
     std::unique_ptr<bench::Runner> runner_;
 };
 
-/// The row that a run of this name has of such a cell, named; its status is the run's to say.
-[[nodiscard]] store::CellRow row_of(const CellChoice& choice, const bench::TableType& type,
-                                    const std::string& run);
+/// The row that such a run has of such a cell, named; its status is the run's to say.
+[[nodiscard]] store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, store::Run run);
 
 }  // namespace edgewise::studies

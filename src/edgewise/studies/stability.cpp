@@ -57,7 +57,8 @@ std::vector<Subject> subjects_of(const StabilityPlan& plan) {
 StabilityRow row_for(const StabilityPlan& plan, const scene::HardFamily& family, const Subject& subject) {
     const bench::TableType& type = *subject.type;
     StabilityRow row;
-    row.cell.scene = stability_scene;
+    row.cell.run = store::Run::stability;
+    row.cell.scene = to_string(row.cell.run);
     row.cell.scene_parameters = bench::parameters_json({{"count", static_cast<double>(plan.count)}});
     row.cell.shape = family.name;
     row.cell.shape_source = "generated";
@@ -81,7 +82,7 @@ StabilityRow measured_row(const StabilityPlan& plan, const scene::HardFamily& fa
     StabilityRow row = row_for(plan, family, subject);
     if (auto stored = plan.stored ? plan.stored(row.cell.hash) : std::nullopt) return *std::move(stored);
     if (family.name == real_family && plan.real.empty()) {
-        row.cell.status = "unavailable";
+        row.cell.status = store::CellStatus::unavailable;
         row.cell.reason = "no real meshes at hand: name some with --mesh";
         return row;
     }
@@ -96,7 +97,9 @@ StabilityRow measured_row(const StabilityPlan& plan, const scene::HardFamily& fa
     asked.run(tally);
     for (measure::Figure& figure : tally.figures()) row.figures.push_back({std::move(figure), "stability"});
     row.cell.reason = tally.what_is_wrong();
-    row.cell.status = subject.raw ? "judged" : row.cell.reason.empty() ? "verified" : "failed";
+    row.cell.status = subject.raw               ? store::CellStatus::judged
+                      : row.cell.reason.empty() ? store::CellStatus::verified
+                                                : store::CellStatus::failed;
     return row;
 }
 
@@ -117,8 +120,8 @@ StabilitySummary run_stability(const StabilityPlan& plan,
             if (summary.stopped) return summary;
             const StabilityRow row = measured_row(plan, *family, subject, cases);
             ++summary.rows;
-            summary.failed += row.cell.status == "failed";
-            summary.unavailable += row.cell.status == "unavailable";
+            summary.failed += row.cell.failed();
+            summary.unavailable += row.cell.status == store::CellStatus::unavailable;
             on_row(row);
         }
     }

@@ -19,7 +19,6 @@
 namespace edgewise::studies {
 
 /// The scene name of these rows.
-inline constexpr const char* stability_scene = "stability";
 
 /// The family of real hulls, the one that asks for mesh files.
 inline constexpr const char* real_family = "real_hulls_at_gaps";

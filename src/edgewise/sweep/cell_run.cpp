@@ -23,7 +23,7 @@ CellRun::CellRun(const bench::TableType& type, const std::string& algorithm, con
 }
 
 void CellRun::make_unavailable(const std::string& reason) {
-    row_.status = "unavailable";
+    row_.status = store::CellStatus::unavailable;
     row_.reason = reason;
 }
 
@@ -51,9 +51,9 @@ void CellRun::verify(SharedQueries& shared) {
     checked_ = checked(shared, answers);
     row_.reason = what_is_wrong(shared, checked_, type_.eps);
     // A peer's errors, and those of V-Clip as published, are figures; they are no failure of this program.
-    row_.status = type_.is_peer || !axes_.query.hardened ? "judged"
-                  : row_.reason.empty()                  ? "verified"
-                                                         : "failed";
+    row_.status = type_.is_peer || !axes_.query.hardened ? store::CellStatus::judged
+                  : row_.reason.empty()                  ? store::CellStatus::verified
+                                                         : store::CellStatus::failed;
 }
 
 std::vector<measure::CheckedAnswer> CellRun::checked(SharedQueries& shared,
@@ -110,7 +110,7 @@ std::string CellRun::heat_on_body() const {
 void CellRun::hold_against_answers(const bench::PassSum& sum, std::string_view probe) {
     const double expected = sum.queries > 0 ? distances_[sum.queries - 1] : 0;
     if (sum.queries > 0 && expected == sum.distances) return;
-    row_.status = "failed";
+    row_.status = store::CellStatus::failed;
     row_.reason = fmt::format("the pass of probe {} gave other answers: distances add up to {}, not {}",
                               probe, sum.distances, expected);
 }

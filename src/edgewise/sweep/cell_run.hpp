@@ -36,7 +36,7 @@ class CellRun {
     /// follows does nothing before that, nor for a cell that is unavailable.
     void verify(SharedQueries& shared);
 
-    [[nodiscard]] bool verified() const { return row_.status == "verified"; }
+    [[nodiscard]] bool verified() const { return row_.verified(); }
     /// Verified, or a peer's: those are timed.
     [[nodiscard]] bool is_timed() const { return row_.is_timed(); }
     [[nodiscard]] const store::CellRow& row() const { return row_; }

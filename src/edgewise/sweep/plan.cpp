@@ -64,6 +64,7 @@ SceneChoice read_scene(const nlohmann::json& json) {
         .take("shapes", scene.shapes)
         .take("layouts", scene.layouts)
         .take("algorithms", scene.algorithms)
+        .take("pairs", scene.pairs)
         .count("queries", scene.queries, input::queries_or_none)
         .take("plain", scene.plain)
         .take("axes", scene.axes)
@@ -158,9 +159,11 @@ void leave_out_missing_layouts(Plan& plan) {
                   [](const std::string& layout) { return layout != "all" && !is_built(layout); });
     if (plan.layouts.empty()) plan.layouts = plan_of_this_program().layouts;
     std::erase_if(plan.scenes, [](SceneChoice& scene) {
-        if (scene.layouts.empty()) return false;
+        if (scene.layouts.empty() && scene.pairs.empty()) return false;
         std::erase_if(scene.layouts, [](const std::string& layout) { return !is_built(layout); });
-        return scene.layouts.empty();
+        std::erase_if(scene.pairs,
+                      [](const std::string& pair) { return !is_built(pair.substr(pair.find(' ') + 1)); });
+        return scene.layouts.empty() && scene.pairs.empty();
     });
 }
 

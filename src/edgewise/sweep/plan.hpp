@@ -21,6 +21,8 @@ struct SceneChoice {
     std::string name;  ///< of a kind of scene or a scene file, or the path of one (.json)
     scene::SceneParameters parameters = {};  ///< those that differ from the scene's defaults
     std::vector<std::string> shapes = {}, layouts = {}, algorithms = {};
+    std::vector<std::string> pairs =
+        {};                   ///< "gjk lean_f32", "vclip aos": an algorithm on a layout or table type
     std::size_t queries = 0;  ///< per cell and round; 0: the plan's
     bool plain = false;       ///< no further axes: a group's cells stand side by side, and these are large
     std::vector<std::string> axes = {};    ///< instead of the plan's

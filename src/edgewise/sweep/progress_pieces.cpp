@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/store/schema.hpp"
 
 namespace edgewise::sweep {
@@ -30,14 +31,14 @@ std::string progress_key(std::size_t place, const std::string& name) {
 std::string progress_value(std::span<const ProgressPiece> pieces) {
     nlohmann::json json = nlohmann::json::array();
     for (const ProgressPiece& piece : pieces) json.push_back({piece.what, piece.expected, piece.took});
-    return json.dump();
+    return input::json_text(json);
 }
 
 std::vector<ProgressPiece> progress_pieces(std::span<const std::pair<std::string, std::string>> meta) {
     std::vector<ProgressPiece> pieces;
     for (const auto& [key, value] : meta) {
         if (!key.starts_with(key_start())) continue;
-        const auto json = nlohmann::json::parse(value, nullptr, false);
+        const auto json = input::json_or_null(value);
         for (const auto& piece : json) {
             if (!piece.is_array() || piece.size() != 3 || !piece[0].is_string() || !piece[1].is_number() ||
                 !piece[2].is_number())

@@ -18,6 +18,7 @@
 #include "edgewise/store/schema.hpp"
 #include "edgewise/sweep/cell_run.hpp"
 #include "edgewise/sweep/expected_work.hpp"
+#include "edgewise/sweep/scene_names.hpp"
 #include "edgewise/sweep/stored_cells.hpp"
 
 namespace edgewise::sweep {
@@ -67,7 +68,9 @@ void store_sweep(const SweepWork& work, const store::BuildRow& build, store::Sto
                    "in an arena from a multiple of 2 MiB on, the first at its start, one after "
                    "the other; large pages declined; else as the axis allocator says");
     for (const SceneWork& scene : work.scenes) {
-        if (!scene.json.empty()) store.set_meta(store::scene_file_key + scene.choice.name, scene.json);
+        if (scene.json.empty()) continue;
+        store.set_meta(store::scene_file_key + scene.choice.name, scene.json);
+        store.set_meta(store::scene_path_key + scene.choice.name, scene.path);
     }
     for (const bench::TableType* peer : work.peers)
         store.set_meta(store::peer_key + peer->name, peer->stores + "; " + peer->derives);
@@ -113,12 +116,10 @@ void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun
     }
 }
 
-void count(const std::string& status, SweepSummary& summary) {
+void count(store::CellStatus status, SweepSummary& summary) {
+    std::size_t* const counts[] = {&summary.unavailable, &summary.verified, &summary.failed, &summary.judged};
     ++summary.cells;
-    ++(status == "verified" ? summary.verified
-       : status == "failed" ? summary.failed
-       : status == "judged" ? summary.judged
-                            : summary.unavailable);
+    ++*counts[static_cast<int>(status)];
 }
 
 /// What is the same of all cells of a group.
@@ -198,13 +199,13 @@ class Sweep {
 
     /// Everything of all of them is there; counts them.
     [[nodiscard]] bool all_stored(const std::vector<CellRun>& cells) {
-        std::vector<std::string> states;
+        std::vector<store::CellStatus> states;
         for (const CellRun& cell : cells) {
             const auto status = stored_.status_of(cell);
             if (!status) return false;
             states.push_back(*status);
         }
-        for (const std::string& status : states) count(status, summary_);
+        for (const store::CellStatus status : states) count(status, summary_);
         return true;
     }
 
@@ -250,7 +251,7 @@ class Sweep {
         if (!baseline.verified())
             listener_.on_warning(fmt::format(
                 "the baseline {} on {} {} is {}: {}; nothing to compare times with", baseline.row().table,
-                scene.choice.name, shape.name, baseline.row().status, baseline.row().reason));
+                scene.choice.name, shape.name, to_string(baseline.row().status), baseline.row().reason));
         time_rounds(plan, cells, baseline, stored_, stop_,
                     [&] { listener_.on_done(expected.rounds / plan.rounds, 0, what); });
         if (stop_) return;
@@ -267,7 +268,7 @@ class Sweep {
     void keep(const CellRun& cell) {
         stored_.put(cell);
         count(cell.row().status, summary_);
-        if (cell.row().status == "failed") {
+        if (cell.row().failed()) {
             listener_.on_warning(fmt::format("failed: {} {} {} {}: {}", cell.row().scene, cell.row().shape,
                                              cell.row().algorithm, cell.row().table, cell.row().reason));
         }
@@ -288,6 +289,7 @@ class Sweep {
 SweepSummary run_sweep(const SweepWork& work, store::Store& store, const SweepListener& listener,
                        const std::atomic<bool>& stop) {
     const store::BuildRow build = bench::this_build();
+    check_scene_files(work, store);
     store_sweep(work, build, store);
     return Sweep(work, store, build.id, listener, stop).run();
 }

@@ -8,19 +8,14 @@
 #include <filesystem>
 #include <map>
 #include <stdexcept>
-#include <string_view>
 
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
+#include "edgewise/store/schema.hpp"
 
 namespace edgewise::sweep {
 
 namespace {
-
-/// Scenes of rows that no sweep makes (studies): the stability run, paging, what made figure 8, effort,
-/// fields; of the last two the name of a scene follows.
-constexpr std::string_view study_scenes[] = {"stability",       "paging", "thrash",
-                                             "thrash_realised", "effort", "fields"};
 
 bool is_path(const std::string& name) {
     const auto texts = scene::scene_texts();
@@ -46,10 +41,6 @@ std::string owner_of_scene_name(const std::string& name) {
     for (const scene::SceneText& text : scene::scene_texts()) {
         if (id == text.name) return fmt::format("the scene file '{}' that comes along", text.name);
     }
-    for (const std::string_view study : study_scenes) {
-        if (id == study || name.starts_with(std::string(study) + " "))
-            return fmt::format("the rows '{}' of a store", study);
-    }
     return {};
 }
 
@@ -67,6 +58,19 @@ void check_scene_names(const Plan& plan) {
             throw std::invalid_argument(
                 fmt::format("scene files {} and {} would go by one name, '{}': rename one", first->second,
                             scene.name, first->first));
+    }
+}
+
+void check_scene_files(const SweepWork& work, const store::Store& store) {
+    for (const SceneWork& scene : work.scenes) {
+        const auto stored = store.meta(store::scene_file_key + scene.choice.name);
+        if (scene.json.empty() || !stored || *stored == scene.json) continue;
+        const std::string earlier =
+            store.meta(store::scene_path_key + scene.choice.name).value_or("an earlier run's file");
+        throw std::invalid_argument(fmt::format(
+            "scene file {}: the store holds a different scene of this name, '{}', from {}: rename "
+            "the file or name another store",
+            scene.path, scene.choice.name, earlier));
     }
 }
 

@@ -31,7 +31,7 @@ bool lacks_caches(const CellRun& cell, StoredFigures stored) {
 
 }  // namespace
 
-std::optional<std::string> StoredCells::status_of(const CellRun& cell) const {
+std::optional<store::CellStatus> StoredCells::status_of(const CellRun& cell) const {
     const auto row = store_.find_cell(build_, cell.row().hash);
     if (!row) return std::nullopt;
     if (!row->is_timed()) return row->status;

@@ -27,7 +27,7 @@ class StoredCells {
 
     /// The status of a cell of which everything is there: figures, rounds, as many checked answers and caches
     /// as ordered now.
-    [[nodiscard]] std::optional<std::string> status_of(const CellRun& cell) const;
+    [[nodiscard]] std::optional<store::CellStatus> status_of(const CellRun& cell) const;
 
     /// Numbers of the rounds that the cell has not been timed in.
     [[nodiscard]] std::set<int> rounds_missing(const CellRun& cell) const;

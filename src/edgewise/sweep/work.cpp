@@ -44,10 +44,20 @@ bool allows(const Names& names, const std::string& name) {
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Throws unless both are known.
+void check_pair(const std::string& pair) {
+    const std::size_t blank = pair.find(' ');
+    if (blank == pair.npos)
+        throw std::invalid_argument(fmt::format("pairs: '{}' is not an algorithm and a layout", pair));
+    static_cast<void>(bench::select_algorithms(std::vector<std::string>{pair.substr(0, blank)}));
+    static_cast<void>(bench::select_table_types(std::vector<std::string>{pair.substr(blank + 1)}));
+}
+
 /// A misspelt name would leave a scene without cells in silence. Names of bodies that are not in the plan are
 /// right as long as there is such a body.
 void check_names(const SceneChoice& choice, const std::vector<const scene::NamedShape*>& found) {
     if (!choice.algorithms.empty()) static_cast<void>(bench::select_algorithms(choice.algorithms));
+    for (const std::string& pair : choice.pairs) check_pair(pair);
     std::vector<std::string> names = choice.shapes;
     for (const std::string& name : choice.caches) {
         if (name != "all") names.push_back(name);
@@ -121,6 +131,7 @@ void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, Swe
     scene.choice.name = file.name;
     scene.kind = file.kind;
     scene.json = file.text;
+    scene.path = choice.name;
     if (file.queries > 0 && choice.queries == 0) scene.queries = file.queries;
     if (!choice.layouts.empty()) scene.types = bench::select_table_types(choice.layouts);
     for (Axes& axes : scene.axes) {
@@ -189,7 +200,9 @@ void SweepWork::each_cell(const SceneWork& scene,
                                                    const Axes&)>& use) const {
     for (const bench::TableType* type : scene.types) {
         for (const std::string& algorithm : scene.algorithms) {
-            if (!type->serves(algorithm)) continue;
+            if (!type->serves(algorithm) || !(allows(scene.choice.pairs, algorithm + " " + type->name) ||
+                                              allows(scene.choice.pairs, algorithm + " " + type->layout)))
+                continue;
             for (std::size_t i = 0; i < scene.axes.size(); ++i) {
                 if (i == 0 || scene.axes[i].concerns(algorithm)) use(*type, algorithm, scene.axes[i]);
             }

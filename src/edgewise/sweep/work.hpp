@@ -19,8 +19,8 @@ namespace edgewise::sweep {
 
 /// A scene of the plan, with what of the plan it is for; of a scene file one of its points.
 struct SceneWork {
-    SceneChoice choice;      ///< with every parameter
-    std::string kind, json;  ///< of a scene file: its kind of scene, and its JSON; else empty
+    SceneChoice choice;            ///< with every parameter
+    std::string kind, json, path;  ///< of a scene file: its kind of scene, its JSON, and where it lies
     std::size_t queries = 0;
     std::vector<const scene::NamedShape*> shapes;
     std::vector<const bench::TableType*> types;

@@ -90,7 +90,7 @@ TEST_F(CellName, EveryPartOfTheWorkChangesIt) {
 
 TEST_F(CellName, WhatCameOutOfItDoesNot) {
     const auto with_result = [](store::CellRow& r) {
-        r.status = "verified";
+        r.status = store::CellStatus::verified;
         r.reason = "none";
         r.hash = "old";
     };

@@ -15,7 +15,7 @@ ReportCell make_cell(const MadeCell& made, const MadeFigures& figures) {
     cell.vertices = digit == std::string::npos ? 0 : std::stoi(made.shape.substr(digit));
     cell.algorithm = made.algorithm;
     cell.table = made.table;
-    cell.status = "verified";
+    cell.status = store::CellStatus::verified;
     cell.scene_parameters =
         made.parameter.empty() ? "{}" : fmt::format(R"({{"{}":{}}})", made.parameter, made.x);
     for (const auto& [name, value] : figures) {

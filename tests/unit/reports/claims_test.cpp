@@ -98,7 +98,9 @@ TEST(Claims, AreInconclusiveWhereTheIntervalStraddlesTheRule) {
 TEST(Claims, AreNeverReproducedByCellsThatFailed) {
     for (const ClaimCase& one : all_cases()) {
         ReportData data = one.make(one.reproduced);
-        change_cells(data, [](ReportCell& cell) { cell.status = "failed", cell.reason = "wrong verdicts"; });
+        change_cells(data, [](ReportCell& cell) {
+            cell.status = store::CellStatus::failed, cell.reason = "wrong verdicts";
+        });
         if (!data.stability.empty() || one.id == "zero_failures_control") continue;
         EXPECT_NE(claim_of(data, one.id).verdict, "reproduced") << one.id;
     }
@@ -181,7 +183,7 @@ TEST(Claims, CountFailedCellsAsFailures) {
         make_cell({"static", "cube8", "gjk"}, {{"error.wrong_verdicts", 0}, {"error.checked", 1e6}}));
     EXPECT_EQ(claim_of(data, "zero_failures_exact").verdict, "reproduced");
     data.cells.push_back(make_cell({"static", "cube8", "vclip"}, {}));
-    data.cells.back().status = "failed";
+    data.cells.back().status = store::CellStatus::failed;
     EXPECT_EQ(claim_of(data, "zero_failures_exact").verdict, "not reproduced");
 }
 

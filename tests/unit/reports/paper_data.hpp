@@ -32,7 +32,7 @@ inline ReportCell made_up_cell(const std::string& scene, const std::string& algo
     cell.scene_parameters = parameters;
     cell.shape = "sphere", cell.shape_source = "built-in", cell.vertices = 8, cell.edges = 18;
     cell.algorithm = algorithm, cell.layout = "aos", cell.precision = "f64", cell.table = "aos_f64";
-    cell.status = "verified";
+    cell.status = store::CellStatus::verified;
     cell.figures = figures_of(values);
     return cell;
 }

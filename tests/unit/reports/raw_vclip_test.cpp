@@ -27,7 +27,7 @@ ReportData static_data(double raw_wrong) {
                                    {"error.cycles", 2}});
     raw.table = "aos_f64 hardening=off";
     raw.axes = "hardening=off";
-    raw.status = "judged";
+    raw.status = store::CellStatus::judged;
     data.from_files.push_back(raw);
     return data;
 }
@@ -57,6 +57,7 @@ TEST(RawVClipGrid, CountsWrongDistancesOfFamilies) {
                                    {"stability.wrong_outside_band", 0},
                                    {"stability.wrong_answers", 1},
                                    {"stability.cycles", 0}});
+    raw.run = store::Run::stability;
     raw.axes = "hardening=off";
     raw.table = "aos_f64 hardening=off";
     data.stability.push_back(raw);
@@ -82,7 +83,7 @@ TEST(StaticGrid, HasLibrariesInPlaceOfGjkAndNoRawVClip) {
     ReportData data = static_data(0);
     ReportCell peer = made_up_cell("paper_static", "openGJK", "{}", times(50));
     peer.table = "opengjk_f64";
-    peer.status = "judged";
+    peer.status = store::CellStatus::judged;
     for (ReportCell& cell : data.from_files) cell.figures = figures_of(times(100));
     data.from_files.push_back(peer);
     const TextGrid grid = static_grid(data);

@@ -10,15 +10,16 @@
 namespace edgewise::reports {
 namespace {
 
-ReportCell made_up(const std::string& status, const std::string& name, std::optional<double> instructions) {
+ReportCell made_up(store::CellStatus status, const std::string& name, std::optional<double> instructions) {
     ReportCell row;
     row.status = status;
-    row.scene = row.scene_label = "effort tumble";
+    row.run = store::Run::effort;
+    row.scene = "tumble", row.scene_label = "effort tumble";
     row.shape = "cube8";
     row.vertices = 8;
     row.algorithm = row.layout = name;
     row.precision = "f64";
-    row.table = status == "judged" ? name + "_f64" : "lean_f64";
+    row.table = status == store::CellStatus::judged ? name + "_f64" : "lean_f64";
     row.figures = {{{"instructions", instructions, "1", "no valgrind"}, "effort"},
                    {{"zen5.d1_misses", 2.5, "1"}, "effort"},
                    {{"steps", std::nullopt, "steps", "not told"}, "effort"},
@@ -29,8 +30,10 @@ ReportCell made_up(const std::string& status, const std::string& name, std::opti
 
 ReportData data_with_effort() {
     ReportData data;
-    data.effort = {made_up("judged", "slow", 9000), made_up("verified", "vclip", 700),
-                   made_up("failed", "gjk", 10), made_up("judged", "uncounted", std::nullopt)};
+    data.effort = {made_up(store::CellStatus::judged, "slow", 9000),
+                   made_up(store::CellStatus::verified, "vclip", 700),
+                   made_up(store::CellStatus::failed, "gjk", 10),
+                   made_up(store::CellStatus::judged, "uncounted", std::nullopt)};
     return data;
 }
 

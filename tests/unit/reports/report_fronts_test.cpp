@@ -19,14 +19,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// Of scene "cold" and cube8; theirs where `status` is "judged".
-ReportCell front_cell(const std::string& status, const std::string& name, double ns,
-                      std::optional<double> p50, std::optional<double> p999, std::optional<double> worst,
-                      const std::string& axes = {}) {
+ReportCell front_cell(store::CellStatus status, const std::string& name, double ns, std::optional<double> p50,
+                      std::optional<double> p999, std::optional<double> worst, const std::string& axes = {}) {
     ReportCell cell;
     cell.hash = name + axes, cell.status = status;
     cell.scene = cell.scene_label = "cold";
     cell.shape = "cube8", cell.vertices = 8;
-    cell.algorithm = status == "judged" ? name : "gjk";
+    cell.algorithm = status == store::CellStatus::judged ? name : "gjk";
     cell.layout = name, cell.precision = "f64", cell.axes = axes;
     cell.table = name + "_f64" + (axes.empty() ? "" : " " + axes);
     cell.figures = {{{"separated_ns", ns, "ns"}, "time"},
@@ -38,14 +37,16 @@ ReportCell front_cell(const std::string& status, const std::string& name, double
 
 ReportData front_data() {
     ReportData data;
-    data.cells = {front_cell("verified", "lean", 50, 0.0, 1e-16, 2e-16),
-                  front_cell("verified", "aos", 60, 1e-17, 1e-16, 1e-16),
-                  front_cell("verified", "soa", 70, 1e-17, 1e-15, 1e-15),
-                  front_cell("verified", "lean", 20, 1e-4, std::nullopt, 1e-3, "gap_tolerance=0.01"),
-                  front_cell("verified", "lean", 1, 0.0, 0.0, 0.0, "order=bfs+needs=verdict"),
-                  front_cell("failed", "aos", 1, 0.0, 0.0, 0.0)};
-    data.peers = {front_cell("judged", "quick", 30, 1e-6, 1e-5, 1e-4),
-                  front_cell("judged", "verdicts", 5, std::nullopt, std::nullopt, std::nullopt)};
+    data.cells = {
+        front_cell(store::CellStatus::verified, "lean", 50, 0.0, 1e-16, 2e-16),
+        front_cell(store::CellStatus::verified, "aos", 60, 1e-17, 1e-16, 1e-16),
+        front_cell(store::CellStatus::verified, "soa", 70, 1e-17, 1e-15, 1e-15),
+        front_cell(store::CellStatus::verified, "lean", 20, 1e-4, std::nullopt, 1e-3, "gap_tolerance=0.01"),
+        front_cell(store::CellStatus::verified, "lean", 1, 0.0, 0.0, 0.0, "order=bfs+needs=verdict"),
+        front_cell(store::CellStatus::failed, "aos", 1, 0.0, 0.0, 0.0)};
+    data.peers = {
+        front_cell(store::CellStatus::judged, "quick", 30, 1e-6, 1e-5, 1e-4),
+        front_cell(store::CellStatus::judged, "verdicts", 5, std::nullopt, std::nullopt, std::nullopt)};
     return data;
 }
 
@@ -60,7 +61,7 @@ std::vector<std::string> column(const TextGrid& grid, const std::string& title) 
 TEST(Fronts, LeaveRawVClipOutThoughItIsJudged) {
     ReportData data = front_data();
     const std::size_t points = fronts_of(data).panels.at(0).points.size();
-    data.cells.push_back(front_cell("judged", "aos", 1, 0.0, 0.0, 0.0, "hardening=off"));
+    data.cells.push_back(front_cell(store::CellStatus::judged, "aos", 1, 0.0, 0.0, 0.0, "hardening=off"));
     const Fronts fronts = fronts_of(data);
     EXPECT_EQ(fronts.panels.at(0).points.size(), points);
     EXPECT_THAT(fronts.left_out,
@@ -88,7 +89,7 @@ TEST(Fronts, LeaveOutWhatCannotBeComparedAndSayWhy) {
 
 TEST(Fronts, AreOfOneSceneAndShape) {
     ReportData data = front_data();
-    ReportCell slow = front_cell("verified", "aos", 1000, 1e-2, 1e-2, 1e-2);
+    ReportCell slow = front_cell(store::CellStatus::verified, "aos", 1000, 1e-2, 1e-2, 1e-2);
     slow.shape = "sphere38", slow.vertices = 38;
     data.cells.push_back(slow);
     slow.scene = slow.scene_label = "tumble", slow.shape = "cube8", slow.vertices = 8;
@@ -102,11 +103,12 @@ TEST(Fronts, AreOfOneSceneAndShape) {
 }
 
 TEST(Fronts, KnowATolerance) {
-    EXPECT_EQ(gap_tolerance_of(front_cell("verified", "lean", 1, 0.0, 0.0, 0.0)), "");
-    EXPECT_EQ(gap_tolerance_of(front_cell("verified", "lean", 1, 0.0, 0.0, 0.0, "gap_tolerance=1e-06")),
-              "1e-06");
+    EXPECT_EQ(gap_tolerance_of(front_cell(store::CellStatus::verified, "lean", 1, 0.0, 0.0, 0.0)), "");
     EXPECT_EQ(gap_tolerance_of(
-                  front_cell("verified", "lean", 1, 0.0, 0.0, 0.0, "gap_tolerance=0.01+order=bfs+batch=yes")),
+                  front_cell(store::CellStatus::verified, "lean", 1, 0.0, 0.0, 0.0, "gap_tolerance=1e-06")),
+              "1e-06");
+    EXPECT_EQ(gap_tolerance_of(front_cell(store::CellStatus::verified, "lean", 1, 0.0, 0.0, 0.0,
+                                          "gap_tolerance=0.01+order=bfs+batch=yes")),
               "0.01");
 }
 
@@ -132,8 +134,10 @@ TEST(SpeedError, DrawsEveryPointAndSaysWhatIsNotDrawn) {
 TEST(SpeedError, WritesAToleranceBesideTheFastestOfIt) {
     ReportData data;
     for (const double ns : {30.0, 10.0, 20.0})
-        data.cells.push_back(front_cell("verified", "lean", ns, 0.0, 0.0, 1e-3, "gap_tolerance=0.01"));
-    data.cells.push_back(front_cell("verified", "lean", 40, 0.0, 0.0, 1e-5, "gap_tolerance=0.0001"));
+        data.cells.push_back(
+            front_cell(store::CellStatus::verified, "lean", ns, 0.0, 0.0, 1e-3, "gap_tolerance=0.01"));
+    data.cells.push_back(
+        front_cell(store::CellStatus::verified, "lean", 40, 0.0, 0.0, 1e-5, "gap_tolerance=0.0001"));
     const Chart chart = speed_error_chart(data);
     std::vector<double> labelled, tolerant;
     for (const auto& row : chart.spec["data"]["values"]) {
@@ -162,7 +166,7 @@ TEST(SpeedError, LeavesScenesBeyondTwelveToTheTableAndShowsTheReferenceShapeFirs
     ReportData data;
     for (int scene = 0; scene < 15; ++scene) {
         for (const char* shape : {"cube8", "sphere386"}) {
-            ReportCell cell = front_cell("verified", "lean", 10, 1e-16, 1e-16, 1e-16);
+            ReportCell cell = front_cell(store::CellStatus::verified, "lean", 10, 1e-16, 1e-16, 1e-16);
             cell.scene = cell.scene_label = "scene" + std::to_string(10 + scene);
             cell.shape = shape, cell.vertices = shape[0] == 'c' ? 8 : 386;
             data.cells.push_back(cell);

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 /// Of three rounds; theirs where `status` is "judged". No error: it gives verdicts alone.
-ReportCell made_up(const std::string& status, const std::string& name, double ns,
+ReportCell made_up(store::CellStatus status, const std::string& name, double ns,
                    std::optional<double> error) {
     ReportCell cell;
     cell.status = status;
@@ -22,7 +22,7 @@ ReportCell made_up(const std::string& status, const std::string& name, double ns
     cell.vertices = 8;
     cell.algorithm = cell.layout = name;
     cell.precision = "f64";
-    cell.table = status == "judged" ? name + "_f64" : "lean_f64";
+    cell.table = status == store::CellStatus::judged ? name + "_f64" : "lean_f64";
     cell.figures = {{{"separated_ns", ns, "ns"}, "time"},
                     {{"worst_error_stored", error, "1", "no distance"}, "error"}};
     for (int number = 0; number < 3; ++number) {
@@ -36,9 +36,11 @@ ReportCell made_up(const std::string& status, const std::string& name, double ns
 
 ReportData made_up_data() {
     ReportData data;
-    data.cells = {made_up("verified", "vclip", 50, 1e-16), made_up("failed", "gjk", 10, 1)};
-    data.peers = {made_up("judged", "slow", 200, 1e-3), made_up("judged", "quick", 100, 1e-16),
-                  made_up("judged", "verdicts", 20, std::nullopt)};
+    data.cells = {made_up(store::CellStatus::verified, "vclip", 50, 1e-16),
+                  made_up(store::CellStatus::failed, "gjk", 10, 1)};
+    data.peers = {made_up(store::CellStatus::judged, "slow", 200, 1e-3),
+                  made_up(store::CellStatus::judged, "quick", 100, 1e-16),
+                  made_up(store::CellStatus::judged, "verdicts", 20, std::nullopt)};
     return data;
 }
 
@@ -61,7 +63,7 @@ TEST(PeerTables, StandFastestFirstWithRatiosToTheFastestThatGivesDistances) {
 TEST(PeerTables, ShowBatchesAndNoOtherAxis) {
     ReportData data = made_up_data();
     for (const char* axes : {"batch=yes", "gap_tolerance=0.01"}) {
-        data.cells.push_back(made_up("verified", "gjk", 25, 1e-16));
+        data.cells.push_back(made_up(store::CellStatus::verified, "gjk", 25, 1e-16));
         data.cells.back().axes = axes;
         data.cells.back().table += std::string(" ") + axes;
     }

@@ -26,11 +26,16 @@ inline void execute(sqlite3* database, const std::string& sql) {
         throw std::runtime_error(std::string(error) + " in " + sql);
 }
 
+/// All columns but `run`, whose default is a sweep.
+inline const std::string into_cell =
+    "insert into cell(build, hash, scene, scene_parameters, shape, shape_source, algorithm, layout, precision, "
+    "table_type, vertices, edges, faces, seed, queries, status, reason, axes) ";
+
 inline std::string cell_sql(const std::string& hash, const std::string& scene, const std::string& shape,
                             int vertices, const std::string& algorithm, const std::string& precision,
                             const std::string& status, const std::string& reason) {
     const std::string parameters = scene == "tumble" ? R"({"rotation_step":0.01})" : "{}";
-    return "insert into cell values('b2','" + hash + "','" + scene + "','" + parameters + "','" + shape +
+    return into_cell + "values('b2','" + hash + "','" + scene + "','" + parameters + "','" + shape +
            "','built-in','" + algorithm + "','aos','" + precision + "','aos_" + precision + "'," +
            std::to_string(vertices) + "," + std::to_string(3 * vertices - 6) + ",4,-1,1000,'" + status +
            "','" + reason + "','');";
@@ -77,9 +82,9 @@ inline std::string store_sql() {
         "'{\"cpu\":\"Test CPU\",\"counters\":[{\"event\":\"cycles\",\"status\":\"unavailable\",\"errno\":2,"
         "\"reason\":\"no PMU\",\"remedy\":\"bare metal\"}]}');";
     sql += "insert into meta values('build','b2'),('plan','quick');";
-    sql +=
-        "insert into cell select 'b1','old','static','{}','s','s','vclip','aos','f64','aos_f64',4,6,4,7,1,"
-        "'verified','','';";
+    sql += into_cell +
+           "select 'b1','old','static','{}','s','s','vclip','aos','f64','aos_f64',4,6,4,7,1,"
+           "'verified','','';";
     sql += cell_sql("h-full", "static", "cube8", 8, "vclip", "f64", "verified", "");
     sql += cell_sql("h-null", "tumble", "cow</script><b>&\"", 20, "gjk", "f64", "verified", "");
     sql += cell_sql("h-bare", "static", "cube8", 8, "gjk", "f32", "verified", "");

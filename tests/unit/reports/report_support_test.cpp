@@ -23,7 +23,7 @@ void add_supports(ReportData& data, const std::string& layout, const std::string
     cell.layout = layout;
     cell.precision = "f64";
     cell.table = layout + "_f64" + axes;
-    cell.status = "verified";
+    cell.status = store::CellStatus::verified;
     cell.figures.push_back({{"query_ns.cold", cold, "ns", {}, {}}, "support"});
     cell.figures.push_back({{"query_ns.warm", warm, "ns", {}, {}}, "support"});
     data.cells.push_back(cell);
@@ -64,7 +64,7 @@ ReportCell seed_cell(const std::string& scene, const std::string& layout, double
     cell.layout = layout;
     cell.precision = "f64";
     cell.table = layout + "_f64";
-    cell.status = "verified";
+    cell.status = store::CellStatus::verified;
     cell.figures.push_back({{"table_bytes", table_bytes, "B", {}, {}}, "bytes"});
     cell.figures.push_back({{"mean_steps", steps, "steps", {}, {}}, "error"});
     return cell;
@@ -95,7 +95,7 @@ TEST(SeedCurve, NeedsATableWithoutSeeds) {
     EXPECT_TRUE(seeded_cells(data).empty());
     EXPECT_TRUE(seeds_grid(data).rows.empty());
     data.cells.push_back(seed_cell("cold", "lean", 14772, 50));
-    data.cells.back().status = "failed";
+    data.cells.back().status = store::CellStatus::failed;
     EXPECT_TRUE(seeded_cells(data).empty());
 }
 

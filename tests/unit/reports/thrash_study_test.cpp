@@ -31,6 +31,7 @@ void add_row(ReportData& data, const std::string& mechanism, const std::string& 
                                        R"({"intensity":0,"machine":")" + machine + R"(","mechanism":")" +
                                            mechanism + R"(","own_tables":1,"time_step":0.016666666})",
                                        figures));
+    data.thrash.back().run = store::Run::thrash;
 }
 
 ReportData made_up_study(double best) {
@@ -56,6 +57,7 @@ void add_curve(ReportData& data, const char* algorithm, int vertices, double mea
                                    R"("own_tables":1,"time_step":0.016666666})",
                                    figures);
     cell.vertices = vertices;
+    cell.run = store::Run::thrash_realised;
     data.thrash.push_back(cell);
 }
 
@@ -92,7 +94,7 @@ TEST(ThrashStudy, ComparesWhatWasMadeRealWithItsPrediction) {
                       HasSubstr("at worst 1.25 times")));
     EXPECT_EQ(realised_grid(data).rows.size(), 4U * 7);
     EXPECT_EQ(mechanism_grid(data).rows.size(), 3U);
-    data.thrash.back().status = "unavailable";
+    data.thrash.back().status = store::CellStatus::unavailable;
     data.thrash.back().reason = "userfaultfd: not here";
     EXPECT_THAT(settled_paragraph(data), HasSubstr("No cell was made real: userfaultfd: not here"));
 }

@@ -46,7 +46,7 @@ class Merging : public StoreTest {
             CellRow cell;
             cell.hash = hash;
             cell.scene = "tumble";
-            cell.status = "verified";
+            cell.status = CellStatus::verified;
             const FigureRow figures[] = {{{"total_bytes_per_edge", made.bytes, "B/edge"}, "bytes"},
                                          {{"all_ns", 100.0 + made.rounds, "ns"}, "time"}};
             store.put_cell(made.build, cell, figures);
@@ -73,6 +73,16 @@ class Merging : public StoreTest {
         return all;
     }
 };
+
+TEST_F(Merging, DifferentSceneFilesOfOneNameAreRefused) {
+    const std::string a = make("a.db", {.cells = {"c1"}}), b = make("b.db", {.cells = {"c2"}});
+    Store(a).set_meta(std::string(scene_file_key) + "s", R"({"scene":"tumble"})");
+    Store(b).set_meta(std::string(scene_file_key) + "s", R"({"scene":"cold"})");
+    for (const bool mixed : {false, true})
+        EXPECT_THAT(complaint({a, b}, mixed), AllOf(HasSubstr(a), HasSubstr(b), HasSubstr("'s'")));
+    Store(b).set_meta(std::string(scene_file_key) + "s", R"({"scene":"tumble"})");
+    EXPECT_EQ(complaint({a, b}), "");
+}
 
 TEST_F(Merging, PartsComeOutAsOneInAnyOrderAndAgain) {
     const std::string a = make("a.db", {.shard = "0/2", .cells = {"c1", "c3"}});

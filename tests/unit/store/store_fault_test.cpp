@@ -28,7 +28,7 @@ CellRow cell_called(const std::string& hash) {
     CellRow cell;
     cell.hash = hash;
     cell.scene = "tumble";
-    cell.status = "verified";
+    cell.status = CellStatus::verified;
     return cell;
 }
 

@@ -63,8 +63,8 @@ TEST(RawVClip, IsWrongOnHardFamiliesWhereTheHardenedOneIsRight) {
         plan,
         [&](const StabilityRow& row) {
             const bool raw = row.cell.axes == "hardening=off";
-            EXPECT_TRUE(raw || row.cell.status != "judged");
-            judged += row.cell.status == "judged";
+            EXPECT_TRUE(raw || row.cell.status != store::CellStatus::judged);
+            judged += row.cell.status == store::CellStatus::judged;
             for (const store::FigureRow& figure : row.figures)
                 if (figure.name == "wrong_outside_band" || figure.name == "errors_beyond")
                     wrong[raw ? "raw" : "hardened"] += figure.value.value_or(0);

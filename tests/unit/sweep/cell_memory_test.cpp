@@ -23,7 +23,7 @@ std::string verified_within(std::uint64_t bytes) {
     const auto said = input::run_guarded(
         [&] {
             cell.verify(shared);
-            return cell.row().status + ": " + cell.row().reason;
+            return std::string(to_string(cell.row().status)) + ": " + cell.row().reason;
         },
         {bytes, std::chrono::seconds(60)});
     return said ? *said : said.error;

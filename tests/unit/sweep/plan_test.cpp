@@ -96,6 +96,30 @@ TEST(Plan, QuickAndPaperKeepTheirPromises) {
     EXPECT_EQ(paper.queries, 30000U);
 }
 
+/// Both algorithms on small and on fast layouts, at every number of bodies: else the report recommends
+/// nothing for bodies with tables of their own.
+TEST(Plan, QuickMeasuresTheContendersUnderPressure) {
+    std::size_t pressures = 0;
+    for (const SceneChoice& scene : make_plan("quick").scenes) {
+        if (scene.name != "pressure") continue;
+        ++pressures;
+        const std::vector<std::string>& pairs = scene.pairs;
+        for (const auto& [algorithm, layout, precision] : {std::tuple("vclip", "aos", "f64"),
+                                                           {"vclip", "aos", "f32"},
+                                                           {"vclip", "lean", "f64"},
+                                                           {"vclip", "lean", "f32"},
+                                                           {"gjk", "lean", "f32"},
+                                                           {"gjk", "points_soa", "f32"}}) {
+            const std::string pair = std::string(algorithm) + " " + layout;
+            EXPECT_TRUE(std::ranges::find(pairs, pair) != pairs.end() ||
+                        std::ranges::find(pairs, pair + "_" + precision) != pairs.end())
+                << pair << " " << precision;
+        }
+        EXPECT_TRUE(scene.layouts.empty() && scene.algorithms.empty());
+    }
+    EXPECT_EQ(pressures, 2U);
+}
+
 using Names = std::vector<std::string>;
 
 Names built(Names layouts) {

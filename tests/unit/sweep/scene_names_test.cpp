@@ -12,6 +12,7 @@
 
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
+#include "edgewise/store/schema.hpp"
 
 namespace edgewise::sweep {
 namespace {
@@ -47,9 +48,44 @@ TEST(SceneNames, OfWhatComesAlongAreTaken) {
         EXPECT_THAT(complaint({name + ".json"}), HasSubstr("'" + name + "' that comes along"));
         EXPECT_EQ(complaint({name}), "");
     }
-    for (const char* study : {"stability", "paging", "thrash", "thrash_realised", "effort", "fields",
-                              "effort tumble", "fields of mine"})
-        EXPECT_THAT(complaint({std::string("x/") + study + ".json"}), HasSubstr("of a store"));
+}
+
+/// A scene file may be called like a study, or begin like a scene that comes along: its rows say what
+/// measured them.
+TEST(SceneNames, OfStudiesAndBeginningsAreFree) {
+    for (const std::string_view run : store::run_names)
+        for (const std::string end : {"", "2", "ing", " tumble", "_mine"})
+            EXPECT_EQ(complaint({std::string(run) + end + ".json"}), "") << run << end;
+    for (const scene::SceneInfo& kind : scene::list_scenes()) {
+        EXPECT_EQ(complaint({kind.name + "2.json"}), "");
+        EXPECT_EQ(complaint({kind.name.substr(0, kind.name.size() - 1) + ".json"}), "");
+    }
+    EXPECT_EQ(complaint({"paper_mine.json", "paper_bodies_of_mine.json"}), "");
+}
+
+/// Of two runs into one store: the other file is named as well.
+TEST(SceneNames, OfFilesThatDifferDoNotShareAStore) {
+    const auto folder = std::filesystem::temp_directory_path() / "edgewise-scene-files";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    store::Store store((folder / "s.db").string());
+    SweepWork work;
+    work.scenes.emplace_back();
+    SceneWork& scene = work.scenes.back();
+    scene.choice.name = "s", scene.json = R"({"scene":"tumble"})", scene.path = "c1/s.json";
+    EXPECT_NO_THROW(check_scene_files(work, store));
+    store.set_meta(store::scene_file_key + scene.choice.name, scene.json);
+    store.set_meta(store::scene_path_key + scene.choice.name, scene.path);
+    EXPECT_NO_THROW(check_scene_files(work, store)) << "the same again";
+    scene.json = R"({"scene":"cold"})", scene.path = "c2/s.json";
+    try {
+        check_scene_files(work, store);
+        ADD_FAILURE() << "taken";
+    } catch (const std::invalid_argument& problem) {
+        EXPECT_THAT(problem.what(),
+                    AllOf(HasSubstr("c1/s.json"), HasSubstr("c2/s.json"), HasSubstr("rename")));
+    }
+    std::filesystem::remove_all(folder);
 }
 
 /// The same file twice is one scene, asked of other layouts, say.

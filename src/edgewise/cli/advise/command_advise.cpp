@@ -167,7 +167,7 @@ int answer_from_store(const AdviseArguments& options, bool json) {
                         "measure now",
                         options.store));
     if (json) {
-        fmt::print("{}\n", reports::answer_json(answer).dump());
+        print_json(reports::answer_json(answer));
     } else {
         fmt::print("{}\nfrom {}; nothing was measured now\n", reports::answer_paragraph(answer, data),
                    options.store);
@@ -191,7 +191,8 @@ int run_advise(const AdviseArguments& options, bool json) {
     measure_advice(advice, options.seconds, [json](const std::string& line) {
         if (!json) fmt::print(stderr, "{}\n", line);
     });
-    fmt::print("{}", json ? advice_json(advice).dump() + "\n" : advice_text(advice));
+    fmt::print("{}",
+               json ? input::json_text(advice_json(advice)) + "\n" : input::shown_text(advice_text(advice)));
     return advice.finals.ranked.empty() ? exit_check_failed : exit_done;
 }
 

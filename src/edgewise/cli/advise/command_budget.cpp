@@ -186,7 +186,7 @@ int run_budget(const BudgetArguments& options, bool json) {
     const std::vector<Row> rows = rows_of(options, body.body, answer, *types.front());
     const int code = !answer || is_within(options, *answer) ? exit_done : exit_check_failed;
     if (json) {
-        fmt::print("{}\n", json_of(options, body, answer, rows).dump());
+        print_json(json_of(options, body, answer, rows));
         return code;
     }
     fmt::print("{}: {} vertices, {:.6g} in size, {} on {}\n", body.name, body.body.vertex_count(),

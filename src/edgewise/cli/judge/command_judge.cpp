@@ -278,8 +278,7 @@ int run_judge(const JudgeArguments& options, bool json) {
     if (!json) print_read(pasted);
     const Judged judged = judge(options, pasted);
     if (json) {
-        fmt::print("{}\n",
-                   json_of(judged, options.tests).dump(-1, ' ', false, Json::error_handler_t::replace));
+        fmt::print("{}\n", input::json_text(json_of(judged, options.tests)));
     } else {
         print_judged(judged, options.tests);
     }

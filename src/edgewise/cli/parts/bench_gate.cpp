@@ -111,7 +111,7 @@ int write_baseline(const GateArguments& gate, std::size_t queries, bool json) {
     }
     studies::write_gate(gate.file, run->record);
     if (json) {
-        fmt::print("{}\n", gate_json(run->record).dump());
+        print_json(gate_json(run->record));
     } else {
         fmt::print("{}: {} ratios of {} rounds on {}\n", gate.file, run->record.entries.size(),
                    run->record.rounds, run->record.machine);
@@ -144,7 +144,7 @@ int compare_with_baseline(const GateArguments& gate, std::size_t queries, bool j
     if (!settled) return exit_check_failed;
     const GateReport& report = *settled;
     if (json) {
-        fmt::print("{}\n", json_of(report, *run, slack).dump());
+        print_json(json_of(report, *run, slack));
     } else {
         print(report, *run, slack, gate.file);
     }

@@ -25,7 +25,7 @@ double total(const store::StoredBuild& stored, const store::FigureName& name) {
     return sum;
 }
 
-std::size_t cells_that_are(const store::StoredBuild& stored, const char* status) {
+std::size_t cells_that_are(const store::StoredBuild& stored, store::CellStatus status) {
     return static_cast<std::size_t>(std::ranges::count_if(
         stored.cells, [&](const store::StoredCell& cell) { return cell.status == status; }));
 }
@@ -34,8 +34,8 @@ std::size_t cells_that_are(const store::StoredBuild& stored, const char* status)
 
 void print_figures_of_merit(const std::string& store) {
     const store::StoredBuild stored = store::read_build(store);
-    fmt::print("FOM cells_verified = {} cells\n", cells_that_are(stored, "verified"));
-    fmt::print("FOM cells_failed = {} cells\n", cells_that_are(stored, "failed"));
+    fmt::print("FOM cells_verified = {} cells\n", cells_that_are(stored, store::CellStatus::verified));
+    fmt::print("FOM cells_failed = {} cells\n", cells_that_are(stored, store::CellStatus::failed));
     fmt::print("FOM answers_checked = {:.0f} queries\n",
                total(stored, "error.checked") + total(stored, "stability.cases"));
     fmt::print("FOM answers_wrong = {:.0f} queries\n",

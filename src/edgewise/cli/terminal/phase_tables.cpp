@@ -78,7 +78,7 @@ int print_phases(const studies::EffortPlan& plan, bool json) {
     if (json) {
         nlohmann::json all = nlohmann::json::array();
         for (const EffortByPhase& row : rows) all.push_back(json_of(row));
-        fmt::print("{}\n", nlohmann::json({{"effort_by_phase", all}, {"machine", plan.machine.name}}).dump());
+        print_json(nlohmann::json({{"effort_by_phase", all}, {"machine", plan.machine.name}}));
     } else {
         fmt::print("per query of {} on {}, caches of {}\n", plan.cell.scene, plan.cell.shape,
                    plan.machine.name);

@@ -104,10 +104,11 @@ std::string progress_log_line(const std::string& title, const ProgressState& sta
     return fmt::format("{}: {} of {} {}{}", plain(title), state.done, state.total, steps, left);
 }
 
-Progress::Progress(std::string title, std::size_t total, std::size_t resumed, std::string steps)
+Progress::Progress(std::string title, std::size_t total, std::size_t resumed, std::string steps, double quiet)
     : title_(std::move(title)),
       steps_(std::move(steps)),
-      next_log_(log_seconds),
+      quiet_(quiet),
+      next_log_(quiet > 0 ? quiet : log_seconds),
       visible_(isatty(STDERR_FILENO) == 1) {
     state_.total = total;
     state_.done = state_.resumed = std::min(resumed, total);
@@ -137,7 +138,7 @@ void Progress::resume(std::size_t steps, double work) {
 }
 
 void Progress::clear() {
-    if (!visible_) return;
+    if (!visible_ || watch_.elapsed_ns() * 1e-9 < quiet_) return;
     std::fprintf(stderr, "\r%*s\r", static_cast<int>(terminal_columns() - 1), "");
     std::fflush(stderr);
     next_draw_ = 0;
@@ -145,6 +146,7 @@ void Progress::clear() {
 
 void Progress::draw() {
     state_.seconds = watch_.elapsed_ns() * 1e-9;
+    if (state_.seconds < quiet_) return;
     if (!visible_) {
         if (state_.seconds < next_log_ || state_.done >= state_.total) return;
         next_log_ = state_.seconds + log_seconds;

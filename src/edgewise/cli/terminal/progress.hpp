@@ -34,8 +34,9 @@ struct ProgressState {
 
 class Progress {
   public:
-    /// `steps`: what these are called in a log.
-    Progress(std::string title, std::size_t total, std::size_t resumed = 0, std::string steps = "steps");
+    /// `steps`: what these are called in a log. Work that is usually short shows nothing for `quiet` seconds.
+    Progress(std::string title, std::size_t total, std::size_t resumed = 0, std::string steps = "steps",
+             double quiet = 0);
     /// Wipes the line, so that what is printed next starts on a clean one.
     ~Progress();
     Progress(const Progress&) = delete;
@@ -59,6 +60,7 @@ class Progress {
     std::string title_, note_, steps_;
     ProgressState state_;
     measure::Stopwatch watch_;
+    double quiet_;          ///< seconds
     double next_draw_ = 0;  ///< seconds; a terminal is slow, and drawing must not disturb what is measured
     double next_log_;       ///< likewise, where stderr is no terminal
     bool visible_ = false;

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <sstream>
 
+#include "edgewise/input/shown_text.hpp"
+
 namespace edgewise::cli {
 
 namespace {
@@ -52,6 +54,7 @@ TextTable::TextTable(std::vector<std::string> titles) {
 
 void TextTable::add(std::vector<std::string> row) {
     assert(row.size() == numbers_.size());
+    for (std::string& cell : row) cell = input::shown_line(cell);
     rows_.push_back(std::move(row));
 }
 

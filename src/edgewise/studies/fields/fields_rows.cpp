@@ -126,7 +126,7 @@ std::vector<CellChoice> fields_cells(std::size_t queries, std::uint64_t seed) {
 }
 
 store::CellRow fields_row(const CellChoice& choice) {
-    return row_of(choice, asked_type(choice), fields_scene);
+    return row_of(choice, asked_type(choice), store::Run::fields);
 }
 
 std::vector<store::FigureRow> fields_figures(const FieldsAdvice& advice) {
@@ -142,7 +142,7 @@ bool store_fields(const std::vector<CellChoice>& cells, const std::string& build
             FieldsPlan plan;
             plan.cell = choice;
             const FieldsAdvice advice = advise_fields(plan, [] {});
-            row.status = advice.all_right() ? "verified" : "failed";
+            row.status = advice.all_right() ? store::CellStatus::verified : store::CellStatus::failed;
             for (const FieldsContender& contender : advice.contenders)
                 if (row.reason.empty()) row.reason = contender.wrong;
             store.put_cell(build, row, fields_figures(advice));

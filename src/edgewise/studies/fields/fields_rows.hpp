@@ -16,7 +16,6 @@
 namespace edgewise::studies {
 
 /// What the scene names of these rows begin with.
-inline constexpr const char* fields_scene = "fields ";
 
 /// Cells that a plan asks about: the paper's record and the nodes of 1998, by both algorithms; those that
 /// this program can build otherwise.

@@ -87,7 +87,7 @@ void keep_families(std::vector<std::string>& families, const std::set<std::strin
 
 }  // namespace
 
-std::string stability_unit(const std::string& family) { return std::string(stability_scene) + " " + family; }
+std::string stability_unit(const std::string& family) { return "stability " + family; }
 
 void keep_shard(sweep::SweepWork& work, const sweep::Shard& shard,
                 const std::map<std::string, double>& seconds) {

@@ -35,18 +35,19 @@ nlohmann::json parameters_of(const Setting& setting, const std::vector<OldMachin
             {"machine", machines[setting.machine].name()}};
 }
 
-store::CellRow row_of(const char* scene, const nlohmann::json& parameters, const std::string& shape,
+store::CellRow row_of(store::Run run, const nlohmann::json& parameters, const std::string& shape,
                       const std::string& algorithm, const std::string& table, const Levels& levels) {
     const Polyhedron body = scene::make_shape(shape).or_throw();
     const bench::TableType& type = *bench::select_table_types(std::vector<std::string>{table}).front();
     store::CellRow row;
-    row.scene = scene;
+    row.run = run;
+    row.scene = to_string(run);
     row.scene_parameters = parameters.dump();
     row.shape = shape;
     row.shape_source = "built-in";
     row.algorithm = algorithm;
     row.seed = levels.seed;
-    row.status = "verified";
+    row.status = store::CellStatus::verified;
     bench::describe_cell(row, type, body);
     bench::name_cell(row, body);
     return row;
@@ -129,9 +130,10 @@ void store_cell(const RealisedCell& cell, std::size_t number, const Factorial& f
     parameters["fault_us"] = cell.setting.fault_ns / 1000;
     const auto put = [&](const std::string& shape, const std::string& algorithm,
                          const std::vector<store::FigureRow>& figures, bool right) {
-        store::CellRow row = row_of(realised_scene, parameters, shape, algorithm, cell.setting.table, levels);
-        if (!cell.reason.empty()) row.status = "unavailable", row.reason = cell.reason;
-        if (!right) row.status = "failed", row.reason = "answers under the pager differ";
+        store::CellRow row =
+            row_of(store::Run::thrash_realised, parameters, shape, algorithm, cell.setting.table, levels);
+        if (!cell.reason.empty()) row.status = store::CellStatus::unavailable, row.reason = cell.reason;
+        if (!right) row.status = store::CellStatus::failed, row.reason = "answers under the pager differ";
         store.put_cell(build, row, figures);
     };
     for (const RealisedCurve& curve : cell.curves)
@@ -143,7 +145,7 @@ void store_cell(const RealisedCell& cell, std::size_t number, const Factorial& f
 
 /// The row that is stored last: where it is, all are.
 store::CellRow last_row(const Levels& levels) {
-    return row_of(factorial_scene, {{"complete", 1}, {"steps", levels.steps}}, large_shape, "vclip",
+    return row_of(store::Run::thrash, {{"complete", 1}, {"steps", levels.steps}}, large_shape, "vclip",
                   levels.tables.front(), levels);
 }
 
@@ -208,8 +210,9 @@ bool run_thrash(const Levels& levels, const std::string& build, store::Store& st
         on_scene();
     }
     for (const OutcomeGroup& group : groups_of(factorial)) {
-        const store::CellRow row = row_of(factorial_scene, parameters_of(group.setting, factorial.machines),
-                                          large_shape, "vclip", group.setting.table, levels);
+        const store::CellRow row =
+            row_of(store::Run::thrash, parameters_of(group.setting, factorial.machines), large_shape, "vclip",
+                   group.setting.table, levels);
         store.put_cell(build, row, figures_of(group, factorial));
     }
     store.put_cell(build, last_row(levels), {});

@@ -16,8 +16,6 @@
 
 namespace edgewise::studies::thrash {
 
-inline constexpr const char *factorial_scene = "thrash", *realised_scene = "thrash_realised";
-
 /// How many cells of a factorial are made real, and for how long each of their points may wait.
 inline constexpr std::size_t realised_cells = 3;
 inline constexpr double budget_of_a_point_ns = 3e9;

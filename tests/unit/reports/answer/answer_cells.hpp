@@ -16,7 +16,8 @@ struct MadeCandidate {
     std::vector<double> ratios;  ///< of the rounds; the median is the cell's
     double error = 1e-15;
     double bytes_per_edge = 234;
-    std::string axes = {}, status = "verified";
+    std::string axes = {};
+    store::CellStatus status = store::CellStatus::verified;
 };
 
 inline const std::string shared_tables = R"({"bodies":100,"rotation_step":0.1})",

@@ -27,7 +27,7 @@ ReportData body_data(const std::string& heat, const std::string& body = cube_tex
     ReportData data;
     ReportCell cell;
     cell.hash = "h", cell.shape = "cube8", cell.algorithm = "vclip", cell.table = "aos_f64";
-    cell.scene_label = "tumble <x>", cell.status = "verified", cell.vertices = 8;
+    cell.scene_label = "tumble <x>", cell.status = store::CellStatus::verified, cell.vertices = 8;
     data.cells = {cell};
     data.meta = {{std::string(store::body_key) + "cube8", body}, {std::string(store::heat_key) + "h", heat}};
     return data;

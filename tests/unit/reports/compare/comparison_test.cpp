@@ -47,7 +47,7 @@ ReportCell cell(const std::string& table) {
     made.shape = "cube8";
     made.algorithm = "vclip";
     made.table = table;
-    made.status = "verified";
+    made.status = store::CellStatus::verified;
     made.hash = table;
     set(made, "error.mean_steps", 4);
     set(made, "lines.lines_per_query", 20);

@@ -19,8 +19,9 @@ void add(ReportCell& row, const std::string& name, double value) {
 
 ReportCell made_up(const std::string& algorithm, double time, double lines) {
     ReportCell row;
-    row.status = "verified";
-    row.scene = row.scene_label = "fields tumble";
+    row.status = store::CellStatus::verified;
+    row.run = store::Run::fields;
+    row.scene = "tumble", row.scene_label = "fields tumble";
     row.shape = "cube8";
     row.algorithm = algorithm;
     row.layout = "aos";
@@ -53,7 +54,7 @@ ReportData data_with_fields() {
     ReportData data;
     data.fields = {made_up("vclip", 1, 1), made_up("gjk", 0, 1), made_up("other", -1, 0)};
     data.fields.push_back(made_up("failed", 1, 1));
-    data.fields.back().status = "failed";
+    data.fields.back().status = store::CellStatus::failed;
     return data;
 }
 

@@ -33,7 +33,7 @@ ReportCell cell(const std::string& table, double ratio, double modelled_ns) {
     result.shape_source = "built-in";
     result.algorithm = "vclip";
     result.table = table;
-    result.status = "verified";
+    result.status = store::CellStatus::verified;
     result.figures = {{{"all_ns", 100 * ratio, "ns", "", ""}, "time"},
                       {{"all_ratio", ratio, "1", "", ""}, "time"},
                       {{"total_bytes_per_edge", 12.5, "B/edge", "", ""}, "bytes"},
@@ -66,7 +66,7 @@ TEST(MachineRecord, HoldsRatiosCachesAndNoNames) {
     data.cells.back().shape = "secret_part";
     data.cells.back().shape_source = "secret/part.stl";
     data.cells.push_back(cell("soa_f64", 3, 300));
-    data.cells.back().status = "failed";
+    data.cells.back().status = store::CellStatus::failed;
     const MachineRecord record = measured_record(data);
     EXPECT_EQ(record.machine, "Fast 9000");
     EXPECT_FALSE(record.is_model);
