@@ -187,21 +187,26 @@ TEST(Judge, RefusesProgramCode) {
     }
 }
 
-/// Far beyond single precision everybody in it refuses: that is no confirmation.
+/// Farther apart than double precision computes with; of a program without other libraries, which would be
+/// asked.
 TEST(Judge, ThatComparedNothingSaysSo) {
-    const std::string far =
-        R"({"id": "1", "a": {"vertices": [[0,0,0]]}, "b": {"vertices": [[0,0,0]]}, "pose_b": {"t": [1e12,0,0]}})";
     const Folder folder;
-    folder.write("far.json", far);
-    const Arguments in_single = {"judge", "far.json", "--layouts", "aos_f32,points_soa_f32"};
-    const Outcome outcome = run(in_single, folder);
+    const std::string bodies =
+        R"({"id": "1", "a": {"vertices": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]]}, )"
+        R"("b": {"vertices": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]]}, "pose_b": {"t": [)";
+    folder.write("far.json", bodies + "1e100,0,0]}}");
+    folder.write("near.json", bodies + "3,0,0]}}");
+    const auto judged = [&](const Arguments& arguments) {
+        return Process(crooked_program_path, arguments, folder).wait();
+    };
+    const Outcome outcome = judged({"judge", "far.json"});
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_THAT(outcome.out, HasSubstr("nothing was compared"));
     EXPECT_THAT(outcome.out, testing::Not(HasSubstr("nobody is wrong")));
-    EXPECT_EQ(
-        json::parse(run({"judge", "far.json", "--layouts", "aos_f32", "--json"}, folder).out)["compared"],
-        false);
-    EXPECT_EQ(run({"judge", "far.json", "--layouts", "aos_f32,aos_f64"}, folder).exit_code, 0);
+    EXPECT_EQ(json::parse(judged({"judge", "far.json", "--json"}).out)["compared"], false);
+    const Outcome near = judged({"judge", "near.json", "--layouts", "straight"});
+    EXPECT_EQ(near.exit_code, 0);
+    EXPECT_THAT(near.out, HasSubstr("nobody is wrong"));
 }
 
 /// The exact answer, too, is about the rotation that was used.

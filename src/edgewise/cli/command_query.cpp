@@ -241,8 +241,7 @@ int run_query(const QueryArguments& options, bool /*Json*/) {
     if (const std::string note = reader.rotation_note(); !note.empty()) warn(note);
     if (asked.lines == 0)
         throw std::invalid_argument(fmt::format(
-            "{}: no case in it; a case is one line of JSON, and edgewise judge --template prints one",
-            options.cases));
+            "{}: no case in it; a case is one line of JSON, and --help shows one", options.cases));
     return asked.exit_code();
 }
 

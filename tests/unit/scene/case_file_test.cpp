@@ -150,16 +150,17 @@ TEST(CaseFile, TakesRowsAndPartsOfAPose) {
 /// At every level, with the known name that is nearest.
 TEST(CaseFile, UnknownMembersAreRefused) {
     const std::vector<std::array<std::string, 3>> wrong = {
-        {line_with(tetra, R"(,"poseB":{"t":[1,0,0]})"), "poseB is not a member of a case line", "pose_b"},
-        {line_with(tetra, R"(,"POSE_A":{"t":[1,0,0]})"), "POSE_A is not a member of a case line", "pose_a"},
-        {line_with(tetra, R"(,"pose":{"t":[1,0,0]})"), "pose is not a member of a case line", "pose_a"},
-        {line_with(tetra, R"(,"pose_bb":{"t":[1,0,0]})"), "pose_bb is not a member of a case line", "pose_b"},
-        {line_with(tetra, R"(,"B":{"vertices":[[0,0,0]]})"), "B is not a member of a case line", "b"},
-        {line_with(tetra, R"(,"notes":"")"), "notes is not a member of a case line", "note"},
-        {line_with(tetra, R"(,"pose_b":{"r":[1,0,0,0,1,0,0,0,1]})"), "r is not a member of pose_b", "R"},
-        {line_with(tetra, R"(,"pose_a":{"T":[1,0,0]})"), "T is not a member of pose_a", "t"},
-        {line_with(R"({"vertices":[[0,0,0]],"face":[]})"), "face is not a member of body a", "faces"},
-        {line_with(R"({"vertexes":[[0,0,0]]})"), "vertexes is not a member of body a", "vertices"},
+        {line_with(tetra, R"(,"poseB":{"t":[1,0,0]})"), "'poseB' is not a member of a case line", "pose_b"},
+        {line_with(tetra, R"(,"POSE_A":{"t":[1,0,0]})"), "'POSE_A' is not a member of a case line", "pose_a"},
+        {line_with(tetra, R"(,"pose":{"t":[1,0,0]})"), "'pose' is not a member of a case line", "pose_a"},
+        {line_with(tetra, R"(,"pose_bb":{"t":[1,0,0]})"), "'pose_bb' is not a member of a case line",
+         "pose_b"},
+        {line_with(tetra, R"(,"B":{"vertices":[[0,0,0]]})"), "'B' is not a member of a case line", "b"},
+        {line_with(tetra, R"(,"notes":"")"), "'notes' is not a member of a case line", "note"},
+        {line_with(tetra, R"(,"pose_b":{"r":[1,0,0,0,1,0,0,0,1]})"), "'r' is not a member of pose_b", "R"},
+        {line_with(tetra, R"(,"pose_a":{"T":[1,0,0]})"), "'T' is not a member of pose_a", "t"},
+        {line_with(R"({"vertices":[[0,0,0]],"face":[]})"), "'face' is not a member of body a", "faces"},
+        {line_with(R"({"vertexes":[[0,0,0]]})"), "'vertexes' is not a member of body a", "vertices"},
     };
     for (const auto& [line, what, near] : wrong) {
         const Result<Case> c = parse(line);

@@ -67,9 +67,9 @@ struct Judged {
     }
 };
 
-Judged judge(const JudgeArguments& options, const scene::PastedPair& pasted) {
-    std::vector<scene::ReportedAnswer> said;
-    for (const std::string& text : options.said) said.push_back(said_answer(text));
+/// `said`: judged with the others.
+Judged judge(const JudgeArguments& options, const scene::PastedPair& pasted,
+             std::vector<scene::ReportedAnswer> said) {
     Judged judged;
     judged.pasted = pasted;
     const scene::Case& pair = judged.pasted.pair;
@@ -274,9 +274,11 @@ int run_judge(const JudgeArguments& options, bool json) {
         fmt::print("{}\n", scene::case_template);
         return exit_done;
     }
+    std::vector<scene::ReportedAnswer> said;
+    for (const std::string& text : options.said) said.push_back(said_answer(text));
     const scene::PastedPair pasted = read_judge_input(options.input);
     if (!json) print_read(pasted);
-    const Judged judged = judge(options, pasted);
+    const Judged judged = judge(options, pasted, std::move(said));
     if (json) {
         fmt::print("{}\n",
                    json_of(judged, options.tests).dump(-1, ' ', false, Json::error_handler_t::replace));
