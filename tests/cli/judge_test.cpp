@@ -4,30 +4,15 @@
 // distances are of the corpus (tests/corpus), which two other exact solvers confirmed.
 #include <gmock/gmock.h>
 
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli_paths.hpp"
-#include "program.hpp"
+#include "pairs/judge_pairs.hpp"
 
 namespace edgewise::cli_test {
 namespace {
 
-using nlohmann::json;
 using testing::Contains;
 using testing::HasSubstr;
-
-std::string dump(const std::string& name) { return text_of(std::string(dumps_folder) + "/" + name); }
-
-/// Of the pair in a file, with a few table types: all are asked in tests/corpus.
-Outcome judge(const std::string& text, Arguments more = {}) {
-    const Folder folder;
-    folder.write("pair.txt", text);
-    Arguments arguments = {"judge", "pair.txt", "--json", "--layouts", "aos_f64,lean_f64,points_soa_f64"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments, folder);
-}
 
 struct Posted {
     std::string name;
@@ -63,25 +48,6 @@ TEST(Judge, SaysWhoWasWrongAboutWhatWasPosted) {
     }
 }
 
-json box(double x, double y, double z) {
-    json corners = json::array();
-    for (int i = 0; i < 8; ++i)
-        corners.push_back({i & 1 ? x / 2 : -x / 2, i & 2 ? y / 2 : -y / 2, i & 4 ? z / 2 : -z / 2});
-    return {{"vertices", corners}};
-}
-
-/// Two boxes, as reported to Coal (issues 144 and 685).
-const std::string coal144 =
-    json{{"id", "coal144"}, {"a", box(2, 2, 2)}, {"b", box(2, 2, 2)}, {"pose_b", {{"t", {1.9999, 0, 0}}}}}
-        .dump();
-const std::string coal685 =
-    json{{"id", "coal685"},
-         {"a", box(0.16, 0.27, 0.37)},
-         {"b", box(5.898, 0.06, 2.69)},
-         {"pose_a", {{"R", {{0, -1, 0}, {0, 0, 1}, {-1, 0, 0}}}, {"t", {1.490670, 0.845416, -0.194226}}}},
-         {"pose_b", {{"t", {0, 1.075, 0.555}}}}}
-        .dump();
-
 /// Nobody says in these cases what the library answered; it is told beside them.
 TEST(Judge, TakesWhatALibrarySaid) {
     const json shallow = json::parse(judge(coal144).out);
@@ -94,114 +60,26 @@ TEST(Judge, TakesWhatALibrarySaid) {
     EXPECT_EQ(judge(coal685, {"--said", "coal=0.014584", "--peers", "none"}).exit_code, 2);
 }
 
-/// A user sees what was read before any verdict, and also where there is none.
-TEST(Judge, SaysFirstWhatItRead) {
-    const json read = json::parse(judge(coal685).out)["read"];
-    EXPECT_EQ(read["a"]["vertices"], 8);
-    EXPECT_EQ(read["b"]["extent"], (json{5.898, 0.06, 2.69}));
-    EXPECT_EQ(read["b"]["low"], (json{-5.898 / 2, -0.03, -2.69 / 2}));
-    EXPECT_EQ(read["pose_a"]["translation"], (json{1.490670, 0.845416, -0.194226}));
-    EXPECT_NEAR(read["pose_a"]["degrees"], 120, 1e-12);
-    EXPECT_NEAR(read["pose_a"]["axis"][0], -std::sqrt(1 / 3.0), 1e-15);
-    EXPECT_EQ(read["pose_b"]["degrees"], 0);
-    EXPECT_TRUE(read["pose_b"]["axis"].is_null());
-
-    const Folder folder;
-    folder.write("pair.json", coal144);
-    folder.write("huge.json", R"({"id": "1", "a": {"vertices": [[0,0,0], [1e200,0,0], [0,1,0], [0,0,1]]},)"
-                              R"( "b": {"vertices": [[0,0,0]]}, "pose_b": {"R": [-1,0,0,0,-1,0,0,0,1]}})");
-    const std::string out = run({"judge", "pair.json", "--layouts", "aos_f64"}, folder).out;
-    EXPECT_EQ(
-        out.find(
-            "read: case line\n  A: 8 vertices from (-1, -1, -1) to (1, 1, 1), extent 2 x 2 x 2\n     at the "
-            "identity\n  B: 8 vertices from (-1, -1, -1) to (1, 1, 1), extent 2 x 2 x 2\n     at (1.9999, 0, "
-            "0), not turned\nexact: "),
-        0U)
-        << out;
-    const Outcome refused = run({"judge", "huge.json", "--layouts", "aos_f64"}, folder);
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.out, HasSubstr("at (0, 0, 0), turned by 180 degrees about (0, 0, 1)"));
-    EXPECT_THAT(refused.out, testing::Not(HasSubstr("exact")));
-}
-
-/// Of every turn about every kind of axis, the axis and the angle that were meant.
-TEST(Judge, SaysTurnsByAxisAndAngle) {
-    const Folder folder;
-    for (const double degrees : {0.001, 1.0, 45.0, 90.0, 179.0, 179.99999, 180.0}) {
-        for (const auto& [x, y, z] : std::vector<std::array<double, 3>>{
-                 {1, 0, 0}, {0, 0, -1}, {0.6, 0, 0.8}, {-0.6, 0.8, 0}, {2 / 3.0, -2 / 3.0, 1 / 3.0}}) {
-            const double angle = degrees / 180 * std::acos(-1.0), c = std::cos(angle), s = std::sin(angle),
-                         d = 1 - c;
-            const json r = {c + d * x * x,     d * x * y - s * z, d * x * z + s * y,
-                            d * x * y + s * z, c + d * y * y,     d * y * z - s * x,
-                            d * x * z - s * y, d * y * z + s * x, c + d * z * z};
-            folder.write("pair.json", json{{"id", "1"},
-                                           {"a", {{"vertices", {{0, 0, 0}}}}},
-                                           {"b", {{"vertices", {{3, 0, 0}}}}},
-                                           {"pose_a", {{"R", r}}}}
-                                          .dump());
-            const json read = json::parse(
-                run({"judge", "pair.json", "--json", "--layouts", "aos_f64"}, folder).out)["read"]["pose_a"];
-            EXPECT_NEAR(read["degrees"], degrees, 1e-9);
-            const double sign = degrees == 180 && read["axis"][0].get<double>() * x < 0 ? -1 : 1;
-            EXPECT_NEAR(read["axis"][0].get<double>() * sign, x, 1e-9) << degrees << " " << x << " " << y;
-            EXPECT_NEAR(read["axis"][1].get<double>() * sign, y, 1e-9) << degrees << " " << x << " " << y;
-            if (degrees < 180) {
-                EXPECT_NEAR(read["axis"][2], z, 1e-9);
-            }
-        }
-    }
-}
-
-TEST(Judge, PrintsACaseToFillIn) {
-    const Folder folder;
-    const Outcome outcome = run({"judge", "--template"}, folder);
-    EXPECT_EQ(outcome.exit_code, 0);
-    ASSERT_EQ(lines_of(outcome.out).size(), 1U);
-    const std::string pretty = json::parse(outcome.out).dump(4);
-    for (const std::string& text : {outcome.out, pretty}) {
-        const json verdict = json::parse(judge(text).out);
-        EXPECT_EQ(verdict["exact"]["distance"], 1) << text;
-        EXPECT_EQ(verdict["read"]["pose_b"]["degrees"], 90);
-    }
-    folder.write("cases.jsonl", outcome.out);
-    EXPECT_EQ(run({"query", "cases.jsonl"}, folder).exit_code, 0);
-}
-
-/// What other programs print is not guessed.
-TEST(Judge, RefusesProgramCode) {
-    for (
-        const char* code :
-        {"tf1.translation() = Vector3<double>(0.0, 4.0, 0.0);\nauto s1 = std::make_shared<Box<double>>(1, 1, 1);\n"
-         "auto s2 = std::make_shared<Box<double>>(1, 1, 1);",
-         "s1 = hppfcl.Box(2, 2, 2)\ns2 = hppfcl.Box(2, 2, 2)\no2.setTranslation(np.array([1.9999, 0, 0]))",
-         "btBoxShape a(btVector3(1, 1, 1)); btBoxShape b(btVector3(1, 1, 1));",
-         "a = np.array([[0,0,0],[1,0,0]])\nb = np.array([[0,0,0],[1,0,0]])\nT = np.array([[1,0,0,5.0]])",
-         "box1 = fcl.Box(1, 1, 4)\nT2 = fcl.Transform([1, 0, 0, 0], [0, 0, 3])"}) {
-        const Outcome outcome = judge(code);
-        EXPECT_EQ(outcome.exit_code, 2) << code;
-        EXPECT_EQ(outcome.out, "");
-        ASSERT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
-        EXPECT_THAT(outcome.err, testing::AllOf(HasSubstr("a case line of JSON, a message of FCL or Drake"),
-                                                HasSubstr("--template")));
-    }
-}
-
-/// Far beyond single precision everybody in it refuses: that is no confirmation.
+/// Farther apart than double precision computes with; of a program without other libraries, which would be
+/// asked.
 TEST(Judge, ThatComparedNothingSaysSo) {
-    const std::string far =
-        R"({"id": "1", "a": {"vertices": [[0,0,0]]}, "b": {"vertices": [[0,0,0]]}, "pose_b": {"t": [1e12,0,0]}})";
     const Folder folder;
-    folder.write("far.json", far);
-    const Arguments in_single = {"judge", "far.json", "--layouts", "aos_f32,points_soa_f32"};
-    const Outcome outcome = run(in_single, folder);
+    const std::string bodies =
+        R"({"id": "1", "a": {"vertices": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]]}, )"
+        R"("b": {"vertices": [[0,0,0], [1,0,0], [0,1,0], [0,0,1]]}, "pose_b": {"t": [)";
+    folder.write("far.json", bodies + "1e100,0,0]}}");
+    folder.write("near.json", bodies + "3,0,0]}}");
+    const auto judged = [&](const Arguments& arguments) {
+        return Process(crooked_program_path, arguments, folder).wait();
+    };
+    const Outcome outcome = judged({"judge", "far.json"});
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_THAT(outcome.out, HasSubstr("nothing was compared"));
     EXPECT_THAT(outcome.out, testing::Not(HasSubstr("nobody is wrong")));
-    EXPECT_EQ(
-        json::parse(run({"judge", "far.json", "--layouts", "aos_f32", "--json"}, folder).out)["compared"],
-        false);
-    EXPECT_EQ(run({"judge", "far.json", "--layouts", "aos_f32,aos_f64"}, folder).exit_code, 0);
+    EXPECT_EQ(json::parse(judged({"judge", "far.json", "--json"}).out)["compared"], false);
+    const Outcome near = judged({"judge", "near.json", "--layouts", "straight"});
+    EXPECT_EQ(near.exit_code, 0);
+    EXPECT_THAT(near.out, HasSubstr("nobody is wrong"));
 }
 
 /// The exact answer, too, is about the rotation that was used.

@@ -218,7 +218,7 @@ Asked ask(scene::CaseReader& reader, const Respondent& by, const QueryArguments&
             const std::string where = fmt::format("{}:{}: ", options.cases, reader.line());
             warn(error.starts_with(where) ? error : where + error);
         }
-        fmt::print("{}\n", answer.dump(-1, ' ', false, Json::error_handler_t::replace));
+        print_json(answer);
     }
     return asked;
 }
@@ -242,8 +242,7 @@ int run_query(const QueryArguments& options, bool /*Json*/) {
     if (const std::string note = reader.rotation_note(); !note.empty()) warn(note);
     if (asked.lines == 0)
         throw std::invalid_argument(fmt::format(
-            "{}: no case in it; a case is one line of JSON, and edgewise judge --template prints one",
-            options.cases));
+            "{}: no case in it; a case is one line of JSON, and --help shows one", options.cases));
     return asked.exit_code();
 }
 

@@ -73,7 +73,7 @@ void RepeatedMember::take(std::string name) {
 
 std::string not_a_member(std::string_view name, std::string_view what,
                          const std::vector<std::string>& known) {
-    return fmt::format("{} is not a member of {}{} known: {}", name.empty() ? "''" : on_one_line(name), what,
+    return fmt::format("'{}' is not a member of {}{} known: {}", on_one_line(name), what,
                        did_you_mean(name, known), fmt::join(known, ", "));
 }
 

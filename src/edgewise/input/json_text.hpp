@@ -83,7 +83,7 @@ template <class Json = nlohmann::json>
     }
 }
 
-/// The line that refuses one member: "poseB is not a member of a case line; did you mean 'pose_b'? known:
+/// The line that refuses one member: "'poseB' is not a member of a case line; did you mean 'pose_b'? known:
 /// id, a, b, pose_a, pose_b".
 [[nodiscard]] std::string not_a_member(std::string_view name, std::string_view what,
                                        const std::vector<std::string>& known);

@@ -86,12 +86,12 @@ Turn turn_of(const Mat3d& r) {
     turn.degrees = std::atan2(sine, cosine) * degrees_of_pi / std::numbers::pi;
     if (sine > 0) turn.axis = twist / (2 * sine);
     if (cosine > 0 || sine > least_sine) return turn;
-    // Nearly half a turn: (R + I) / 2 is the axis times itself.
+    // Nearly half a turn: (R + R^T) / 2 - cosine I is the axis times itself, times 1 - cosine.
     int longest = 0;
     for (int i = 1; i < 3; ++i)
         if (r(i, i) > r(longest, longest)) longest = i;
-    Vec3d axis = r.col(longest);
-    axis[longest] += 1;
+    Vec3d axis = (r.col(longest) + r.row(longest).transpose()) / 2;
+    axis[longest] -= cosine;
     turn.axis = axis * ((dot(axis, twist) < 0 ? -1 : 1) / norm(axis));
     return turn;
 }

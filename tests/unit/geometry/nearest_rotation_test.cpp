@@ -15,7 +15,7 @@
 namespace edgewise {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// Another way to the orthogonal polar factor (Higham 1986): the mean with the inverse's transpose, in long
 /// double.
@@ -71,7 +71,8 @@ TEST(NearestRotation, ReplacesWhatIsNearlyOne) {
         farthest = std::max(farthest, ortho_error(r));
         EXPECT_LE(ortho_error(*found), rotation_rounding);
         EXPECT_LE(largest(*found - polar_factor(r)), rotation_rounding) << off;
-        EXPECT_THAT(found.warning, testing::AllOf(testing::StartsWith("is "), HasSubstr(" from a rotation")));
+        EXPECT_THAT(found.warning,
+                    ::testing::AllOf(::testing::StartsWith("is "), HasSubstr(" from a rotation")));
     }
     EXPECT_GT(replaced, 2900);
     EXPECT_GT(farthest, 3e-4);
@@ -93,8 +94,9 @@ TEST(NearestRotation, NamesScalesOfSingleAxes) {
     for (const Vec3d& scales : {Vec3d(1, 1, 2), Vec3d(0.001, 1, 1), Vec3d(1, 1.01, 1), Vec3d(3, 2, 1)}) {
         const auto found = nearest_rotation(product(rng.rotation(), Mat3d(scales.asDiagonal())));
         ASSERT_FALSE(found);
-        EXPECT_THAT(found.error, testing::StartsWith("scales the body's axes by " + rounded(scales.x(), 6)));
-        EXPECT_THAT(found.error, testing::Not(HasSubstr("mirrors")));
+        EXPECT_THAT(found.error,
+                    ::testing::StartsWith("scales the body's axes by " + rounded(scales.x(), 6)));
+        EXPECT_THAT(found.error, ::testing::Not(HasSubstr("mirrors")));
     }
     EXPECT_THAT(nearest_rotation(Mat3d(Vec3d(1, -2, 1).asDiagonal())).error, HasSubstr("and mirrors it"));
 }
@@ -109,13 +111,13 @@ TEST(NearestRotation, NamesMirrorImages) {
         if (i >= 50) r += 1e-6 * noise(rng);
         const auto found = nearest_rotation(r);
         ASSERT_FALSE(found);
-        EXPECT_THAT(found.error, testing::StartsWith("is a mirror image"));
+        EXPECT_THAT(found.error, ::testing::StartsWith("is a mirror image"));
     }
 }
 
 TEST(NearestRotation, NamesWhatFlattens) {
     scene::Rng rng(6);
-    EXPECT_THAT(nearest_rotation(Mat3d::Zero()).error, testing::StartsWith("is zero"));
+    EXPECT_THAT(nearest_rotation(Mat3d::Zero()).error, ::testing::StartsWith("is zero"));
     for (int i = 0; i < 100; ++i) {
         Mat3d r = rng.rotation();
         const int first = i % 3, second = (i + 1) % 3;
@@ -126,7 +128,7 @@ TEST(NearestRotation, NamesWhatFlattens) {
         if (i >= 50) r *= 1e-100;
         const auto found = nearest_rotation(r);
         ASSERT_FALSE(found);
-        EXPECT_THAT(found.error, testing::StartsWith("flattens the body")) << r;
+        EXPECT_THAT(found.error, ::testing::StartsWith("flattens the body")) << r;
     }
 }
 

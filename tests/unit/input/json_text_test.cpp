@@ -85,16 +85,17 @@ TEST(JsonText, UnknownMembersAreRefusedWithTheNearestKnownOne) {
     const auto refused = [&](const char* text) {
         return unknown_member(*parse_json(text), "a case line", known);
     };
-    EXPECT_EQ(refused(R"({"id": 1, "poseB": {}})"),
-              "poseB is not a member of a case line; did you mean 'pose_b'? known: id, a, b, pose_a, pose_b, "
-              "note");
+    EXPECT_EQ(
+        refused(R"({"id": 1, "poseB": {}})"),
+        "'poseB' is not a member of a case line; did you mean 'pose_b'? known: id, a, b, pose_a, pose_b, "
+        "note");
     for (const auto& [wrong, near] : std::vector<std::array<std::string, 2>>{
              {"ID", "id"}, {"A", "a"}, {"POSE_B", "pose_b"}, {"pose-a", "pose_a"}, {"notes", "note"}})
         EXPECT_THAT(refused(("{\"" + wrong + "\": 1}").c_str()), HasSubstr("did you mean '" + near + "'?"));
     EXPECT_EQ(refused(R"({"colour": 1})"),
-              "colour is not a member of a case line; known: id, a, b, pose_a, pose_b, note");
+              "'colour' is not a member of a case line; known: id, a, b, pose_a, pose_b, note");
     EXPECT_THAT(refused(R"({"": 1})"), StartsWith("'' is not a member"));
-    EXPECT_THAT(refused(R"({"a\nb": 1})"), StartsWith("a?b is not a member"));
+    EXPECT_THAT(refused(R"({"a\nb": 1})"), StartsWith("'a?b' is not a member"));
     EXPECT_EQ(refused(R"({"note": "", "a": 1, "b": {"colour": 2}})"), "");
     EXPECT_EQ(refused("{}"), "");
 }

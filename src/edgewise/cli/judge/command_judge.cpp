@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 #include <string_view>
 
@@ -14,7 +13,6 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/judge/judge_input.hpp"
 #include "edgewise/cli/terminal/text_table.hpp"
-#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/studies/judge/smaller_pair.hpp"
@@ -67,9 +65,9 @@ struct Judged {
     }
 };
 
-Judged judge(const JudgeArguments& options, const scene::PastedPair& pasted) {
-    std::vector<scene::ReportedAnswer> said;
-    for (const std::string& text : options.said) said.push_back(said_answer(text));
+/// `said`: judged with the others.
+Judged judge(const JudgeArguments& options, const scene::PastedPair& pasted,
+             std::vector<scene::ReportedAnswer> said) {
     Judged judged;
     judged.pasted = pasted;
     const scene::Case& pair = judged.pasted.pair;
@@ -111,33 +109,6 @@ std::string line_of(const Judged& judged) {
     return scene::case_line(pair, source, expected_of(truth));
 }
 
-Json json_of(const Vec3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Json json_of(const scene::CaseBody& body) {
-    const Aabb box = box_of(body.vertices);
-    return {{"vertices", body.vertices.size()},
-            {"faces", body.faces ? Json(body.faces->size()) : Json()},
-            {"low", json_of(box.low)},
-            {"high", json_of(box.high)},
-            {"extent", json_of(box.sides())}};
-}
-
-Json json_of(const Pose& pose) {
-    const scene::Turn turn = scene::turn_of(pose.rotation);
-    return {{"translation", json_of(pose.translation)},
-            {"axis", turn.degrees == 0 ? Json() : json_of(turn.axis)},
-            {"degrees", turn.degrees}};
-}
-
-/// The pair as it was read.
-Json json_of(const scene::PastedPair& pasted) {
-    const scene::Case& pair = pasted.pair;
-    return {{"a", json_of(pair.a)},
-            {"pose_a", json_of(pair.pose_a)},
-            {"b", json_of(pair.b)},
-            {"pose_b", json_of(pair.pose_b)}};
-}
-
 Json json_of(const studies::JudgedResponse& answer) {
     return {{"who", answer.who},
             {"same", answer.same},
@@ -169,7 +140,7 @@ Json json_of(const Judged& judged, bool tests) {
     for (const auto& answer : judged.answers) answers.push_back(json_of(answer));
     Json json = {{"id", judged.pasted.pair.id},
                  {"format", judged.pasted.format},
-                 {"read", json_of(judged.pasted)},
+                 {"read", read_json(judged.pasted)},
                  {"exact", json_of(judged.truth)},
                  {"answers", answers},
                  {"compared", judged.is_compared()},
@@ -247,13 +218,6 @@ void print_tests(const Judged& judged) {
                scene::bullet_test(pair, expected_of(truth)));
 }
 
-void print_read(const scene::PastedPair& pasted) {
-    const scene::Case& pair = pasted.pair;
-    fmt::print("read: {}\n  A: {}\n     {}\n  B: {}\n     {}\n", pasted.format, scene::text_of(pair.a),
-               scene::text_of(pair.pose_a), scene::text_of(pair.b), scene::text_of(pair.pose_b));
-    std::fflush(stdout);  // before the verdict, and also where there is none
-}
-
 std::string conclusion(const Judged& judged) {
     if (!judged.is_compared()) return "nothing was compared: every answer was refused";
     if (!judged.wrong.empty()) return fmt::format("wrong: {}", fmt::join(judged.wrong, ", "));
@@ -274,9 +238,11 @@ int run_judge(const JudgeArguments& options, bool json) {
         fmt::print("{}\n", scene::case_template);
         return exit_done;
     }
+    std::vector<scene::ReportedAnswer> said;
+    for (const std::string& text : options.said) said.push_back(said_answer(text));
     const scene::PastedPair pasted = read_judge_input(options.input);
     if (!json) print_read(pasted);
-    const Judged judged = judge(options, pasted);
+    const Judged judged = judge(options, pasted, std::move(said));
     if (json) {
         fmt::print("{}\n", input::json_text(json_of(judged, options.tests)));
     } else {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <functional>
 #include <iostream>
 #include <sstream>
@@ -12,7 +13,9 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/input/count.hpp"
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/input/file_text.hpp"
+#include "edgewise/scene/case_text.hpp"
 #include "edgewise/scene/dumps/dump_text.hpp"
 
 namespace edgewise::cli {
@@ -62,6 +65,26 @@ std::string text_from(const std::string& file) {
     return text;
 }
 
+using Json = nlohmann::json;
+
+Json json_of(const Vec3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Json json_of(const scene::CaseBody& body) {
+    const Aabb box = box_of(body.vertices);
+    return {{"vertices", body.vertices.size()},
+            {"faces", body.faces ? Json(body.faces->size()) : Json()},
+            {"low", json_of(box.low)},
+            {"high", json_of(box.high)},
+            {"extent", json_of(box.sides())}};
+}
+
+Json json_of(const Pose& pose) {
+    const scene::Turn turn = scene::turn_of(pose.rotation);
+    return {{"translation", json_of(pose.translation)},
+            {"axis", turn.degrees == 0 ? Json() : json_of(turn.axis)},
+            {"degrees", turn.degrees}};
+}
+
 }  // namespace
 
 void add_judge_input(CLI::App& command, JudgeInput& input) {
@@ -98,6 +121,21 @@ scene::PastedPair read_judge_input(const JudgeInput& input) {
              pose_from(input.pose_b, "--pose-b")},
             "mesh files",
             std::nullopt};
+}
+
+nlohmann::json read_json(const scene::PastedPair& pasted) {
+    const scene::Case& pair = pasted.pair;
+    return {{"a", json_of(pair.a)},
+            {"pose_a", json_of(pair.pose_a)},
+            {"b", json_of(pair.b)},
+            {"pose_b", json_of(pair.pose_b)}};
+}
+
+void print_read(const scene::PastedPair& pasted) {
+    const scene::Case& pair = pasted.pair;
+    fmt::print("read: {}\n  A: {}\n     {}\n  B: {}\n     {}\n", pasted.format, scene::text_of(pair.a),
+               scene::text_of(pair.pose_a), scene::text_of(pair.b), scene::text_of(pair.pose_b));
+    std::fflush(stdout);  // before the verdict, and also where there is none
 }
 
 }  // namespace edgewise::cli

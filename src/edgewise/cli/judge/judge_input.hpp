@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "edgewise/scene/dumps/dump.hpp"
@@ -21,5 +22,9 @@ void add_judge_input(CLI::App& command, JudgeInput& input);
 
 /// Throws std::invalid_argument: what, where, what to do.
 [[nodiscard]] scene::PastedPair read_judge_input(const JudgeInput& input);
+
+/// What was read, for the user to compare with what was meant: both bodies and both poses.
+[[nodiscard]] nlohmann::json read_json(const scene::PastedPair& pasted);
+void print_read(const scene::PastedPair& pasted);
 
 }  // namespace edgewise::cli
