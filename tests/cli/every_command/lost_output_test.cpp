@@ -74,7 +74,7 @@ TEST(Memory, OfFourGibibytesOfAddressesIsEnoughForEveryCommand) {
 TEST(Output, ToAReaderThatLeftEndsBySigpipe) {
     const Folder folder;
     const Outcome outcome =
-        run_in_shell("(\"$0\" \"$@\"; echo $? >code) | true; sleep 0.2", {"--help-all"}, folder);
+        run_in_shell("(sleep 0.5; \"$0\" \"$@\"; echo $? >code) | true", {"--help-all"}, folder);
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(text_of(folder / "code"), std::to_string(128 + SIGPIPE) + "\n");
 }
