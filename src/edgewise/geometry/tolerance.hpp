@@ -156,7 +156,7 @@ inline constexpr double sloppy_rotation = 0x1p-14;
 /// which features are closest.
 inline constexpr double sloppy_steps = 16;
 
-/// Pure number, the largest entry of |R^T R - I| of a rotation that somebody wrote (geometry/
+/// Pure number, the largest entry of |R^T R - I| of a rotation that somebody wrote (scene/
 /// nearest_rotation.hpp): up to the first it is taken as it is, up to the second, which is three digits typed
 /// with care, it is replaced by the nearest rotation; farther away it is refused.
 inline constexpr double written_rotation_rounding = 1e-12;

@@ -14,7 +14,7 @@
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
-#include "edgewise/geometry/nearest_rotation.hpp"
+#include "edgewise/scene/nearest_rotation.hpp"
 #include "edgewise/input/json_text.hpp"
 
 namespace edgewise::scene {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "edgewise/geometry/nearest_rotation.hpp"
+#include "edgewise/scene/nearest_rotation.hpp"
 #include "edgewise/input/json_text.hpp"
 
 namespace edgewise::scene {

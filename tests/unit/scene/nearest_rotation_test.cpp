@@ -2,7 +2,7 @@
 //
 // Matrices that users write for rotations: which are taken, which are replaced, and what each of the others
 // is called.
-#include "edgewise/geometry/nearest_rotation.hpp"
+#include "edgewise/scene/nearest_rotation.hpp"
 
 #include <gmock/gmock.h>
 
