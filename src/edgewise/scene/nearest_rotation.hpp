@@ -9,11 +9,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <ranges>
 #include <string>
 
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/result.hpp"
+#include "edgewise/geometry/vec.hpp"
 
 namespace edgewise {
 
