@@ -43,7 +43,7 @@ std::vector<Polyhedron> bodies_of_every_kind() {
 }
 
 TYPED_TEST(StoredBody, IsWhatTheTableHolds) {
-    using Table = TypeParam;
+    using Table = typename TypeParam::Table;
     int held = 0, refused = 0;
     for (const Polyhedron& given : bodies_of_every_kind()) {
         const auto stored = stored_body<Table>(given);

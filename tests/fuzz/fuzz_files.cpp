@@ -132,7 +132,7 @@ std::string whole_store(const std::string& path) {
         for (int i = 0; i < 40; ++i) {
             store::CellRow cell;
             cell.hash = "cell-" + std::to_string(i);
-            cell.status = "verified";
+            cell.status = store::CellStatus::verified;
             const store::FigureRow figures[] = {{{"total_bytes_per_edge", 168.0, "B/edge"}, "bytes"}};
             store.put_cell("build", cell, figures);
         }
