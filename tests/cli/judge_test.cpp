@@ -164,10 +164,10 @@ TEST(Judge, TakesMeshesWithPoses) {
          {std::pair{"0.001,0,0,3,0,0.001,0,0,0,0,0.001,0", "0.001 times a rotation"},
           {"1,0,0,3,0,1,0,0,0,0,1,0,0,0,0,2", "the fourth row"},
           {"3,0,0,", ""},
-          {"3,0,0x", "'x'"},
+          {"3,0,0x", "'0x'"},
           {"3,0", "2 numbers"},
-          {"3,,0,0", "no number where one is wanted"},
-          {"3,0,nan", "'nan' is no number"}}) {
+          {"3,,0,0", "a comma stands where a number is wanted"},
+          {"3,0,nan", "'nan' wants a decimal number"}}) {
         const Outcome posed =
             run({"judge", "--a", "a.obj", "--b", "b.obj", "--pose-b", pose, "--layouts", "aos_f64"}, folder);
         EXPECT_EQ(posed.exit_code == 2, *why != 0) << pose << posed.err;

@@ -58,10 +58,7 @@ edgewise_mutant(far_neighbours_are_near layout_parts/relative_rings.hpp [[return
     RelativeRings.Are* ${unit}/layout_parts/relative_rings_test.cpp)
 edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[turned * squared_radius_]] [[0 * turned]]
     NearPair* ${unit}/algorithms/near_pair_test.cpp)
-edgewise_mutant(bounds_of_exact_rotations algorithms/distance_bounds.hpp [[turned * squared_radius_]] [[0.5 * turned * squared_radius_]]
-    Answerable* ${unit}/algorithms/answerable_test.cpp)
-edgewise_mutant(mirrored_poses_answered algorithms/answerable.hpp [[z - cross(x, y)]] [[z.cwiseAbs() - cross(x, y).cwiseAbs()]]
-    Answerable* ${unit}/algorithms/answerable_test.cpp)
+edgewise_mutant(mirrored_poses_answered algorithms/answerable.hpp [[z - cross(x, y)]] [[z.cwiseAbs() - cross(x, y).cwiseAbs()]] Answerable* ${unit}/algorithms/answerable_test.cpp)
 edgewise_mutant(squares_add_as_lengths algorithms/distance_bounds.hpp [[2 * (squared_shift + squared_turn) < left]]
     [[(squared_shift + squared_turn) < left]] NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]

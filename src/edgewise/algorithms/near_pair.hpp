@@ -47,8 +47,8 @@ class NearPair {
         : a_(a), b_(b), cache_{{}, {a, b}}, radii_{radius_of(a), radius_of(b)} {}
 
     /// Whether the bodies are nearer to each other than `distance`. To rounding: bodies at just this distance
-    /// may be called either. A pose that cannot be answered (answerable.hpp) counts as nearer, since the caller
-    /// then computes the distance, and that query fails.
+    /// may be called either. A pose that cannot be answered (answerable.hpp) counts as nearer, since the
+    /// caller then computes the distance, and that query fails.
     [[nodiscard]] bool nearer_than(double distance, const Transform<double>& a_from_b) {
         if (!is_answerable(a_, b_, a_from_b)) [[unlikely]]
             return true;
@@ -56,8 +56,8 @@ class NearPair {
         return ask(a_from_b).distance < distance;
     }
 
-    /// The distance is no less, and no more, than this; no table is read. Nothing is known at a pose that cannot
-    /// be answered.
+    /// The distance is no less, and no more, than this; no table is read. Nothing is known at a pose that
+    /// cannot be answered.
     [[nodiscard]] DistanceInterval bounds(const Transform<double>& a_from_b) const {
         if (!is_answerable(a_, b_, a_from_b)) return {};
         return cache_.bounds.at(a_from_b);

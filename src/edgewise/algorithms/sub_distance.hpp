@@ -181,7 +181,7 @@ class SubDistance {
     Closest closest_;
     SubDistanceSolver solver_;
     Way way_;
-    int level_steps_ = 0;  ///< that gained nothing
+    int level_steps_ = 0;        ///< that gained nothing
     Wider<Scalar> unrounded_{};  ///< squared distance, of Way::wide
 };
 

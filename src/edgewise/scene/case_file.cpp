@@ -14,8 +14,8 @@
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
-#include "edgewise/scene/nearest_rotation.hpp"
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/scene/nearest_rotation.hpp"
 
 namespace edgewise::scene {
 namespace {

@@ -2,6 +2,7 @@
 //
 // Every select names its columns: the functions that read a row know them by number.
 #include "edgewise/store/read_rows.hpp"
+#include "edgewise/input/shown_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -42,8 +43,8 @@ template <class Enum, std::size_t count>
 Enum named(const std::string& text, const std::string_view (&names)[count], const char* what) {
     const auto found = std::ranges::find(names, text);
     if (found == std::end(names))
-        throw std::runtime_error(
-            fmt::format("a cell of the store has {} '{}'; known: {}", what, text, fmt::join(names, ", ")));
+        throw std::runtime_error(fmt::format("a cell of the store has {} '{}'; known: {}", what,
+                                             input::shown_line(text), fmt::join(names, ", ")));
     return static_cast<Enum>(found - std::begin(names));
 }
 

@@ -81,7 +81,7 @@ TEST(JsonFiles, HaveNoMemberTwiceAndNoneThatNobodyKnows) {
         const std::string value = json::parse(right).begin()->dump();
         for (const auto& [member, complaint] : std::vector<std::pair<std::string, std::string>>{
                  {"\"" + name + "\":" + value + ",", name + " is given twice"},
-                 {"\"" + name + "x\":" + value + ",", name + "x is not a member of"}}) {
+                 {"\"" + name + "x\":" + value + ",", "'" + name + "x' is not a member of"}}) {
             const Outcome refused = reading(member);
             EXPECT_EQ(refused.exit_code, 2) << reader.what;
             EXPECT_EQ(refused.out, "") << reader.what;

@@ -148,7 +148,8 @@ TEST(CacheMachine, HasNoMemberThatNobodyKnows) {
             static_cast<void>(parse_cache_machine(wrong.dump(), "my.json"));
             FAIL() << pointer << " misspelt passed";
         } catch (const std::runtime_error& problem) {
-            EXPECT_THAT(problem.what(), HasSubstr(name + name.back() + " is not a member of")) << pointer;
+            EXPECT_THAT(problem.what(), HasSubstr("'" + name + name.back() + "' is not a member of"))
+                << pointer;
             EXPECT_THAT(problem.what(), HasSubstr("did you mean '" + name + "'?")) << pointer;
         }
     }

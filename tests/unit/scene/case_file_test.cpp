@@ -199,7 +199,7 @@ std::string with_matrix(const Mat3d& r, const char* pose = "pose_b") {
     return line_with(tetra, ",\"" + std::string(pose) + R"(":{"R":[)" + list + R"(],"t":[3,0,0]})");
 }
 
-/// What each is called: tests/unit/geometry/nearest_rotation_test.cpp.
+/// What each is called: tests/unit/scene/nearest_rotation_test.cpp.
 TEST(CaseFile, RefusesAMatrixThatIsNoRotation) {
     Mat3d shear = Mat3d::Identity(), flat = Mat3d::Identity(), mirror = Mat3d::Identity();
     shear(0, 1) = 0.01;

@@ -64,7 +64,7 @@ TEST(GateFile, AWrongMemberIsNamed) {
         {"entries[1].low", [](json& of) { of["entries"][1]["low"] = "x"; }},
         {"entries[0].over", [](json& of) { of["entries"][0]["over"] = "all"; }},
         {"again", [](json& of) { of["entries"][1] = of["entries"][0]; }},
-        {"entries[2].algorithm", [](json& of) { of["entries"][2] = 7; }},
+        {"entries[2] wants", [](json& of) { of["entries"][2] = 7; }},
     };
     for (const auto& [mentioned, spoil] : faults) {
         json spoilt = right;

@@ -41,7 +41,8 @@ template <class Table>
     if (body.feature.kind() == FeatureKind::face && may_climb(body.table)) return true;
     const auto farthest = support(body.table, direction, vertex_on(body));
     const Scalar size = std::max({max_abs(farthest.point), max_abs(point), max_abs(direction)});
-    return dot(Vec3<Scalar>(farthest.point - point), direction) <= Tolerance<Scalar>::contact_noise * size * size;
+    return dot(Vec3<Scalar>(farthest.point - point), direction) <=
+           Tolerance<Scalar>::contact_noise * size * size;
 }
 
 /// True when the bodies are separated by as much as the answer says. Witness points are in A's frame.

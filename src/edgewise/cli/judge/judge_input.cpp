@@ -12,8 +12,8 @@
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/parts/chosen_body.hpp"
-#include "edgewise/input/count.hpp"
 #include "edgewise/geometry/aabb.hpp"
+#include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/scene/dumps/dump_text.hpp"

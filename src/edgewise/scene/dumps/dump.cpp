@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "edgewise/scene/nearest_rotation.hpp"
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/scene/nearest_rotation.hpp"
 
 namespace edgewise::scene {
 

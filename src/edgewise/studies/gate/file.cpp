@@ -73,7 +73,9 @@ GateOver over_of(const json& object, const std::string& place) {
 
 GateEntry entry_of(const json& object, const std::string& place) {
     constexpr double tiniest = 1e-30;
-    if (!object.is_object()) throw GateFault{place + " wants to be an object"};
+    if (!object.is_object())
+        throw GateFault{place.substr(0, place.size() - 1) +
+                        " wants to be an object with algorithm, table ..."};
     refuse_others(object, place, "an entry of a baseline",
                   {"algorithm", "table", "scene", "shape", "axes", "over", "ratio", "low", "high"});
     GateEntry entry;
