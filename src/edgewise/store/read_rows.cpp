@@ -11,6 +11,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "edgewise/input/shown_text.hpp"
 #include "edgewise/store/schema.hpp"
 
 namespace edgewise::store {
