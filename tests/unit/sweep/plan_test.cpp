@@ -96,6 +96,17 @@ TEST(Plan, QuickAndPaperKeepTheirPromises) {
     EXPECT_EQ(paper.queries, 30000U);
 }
 
+using Names = std::vector<std::string>;
+
+Names built(Names layouts) {
+    std::erase_if(layouts, [](const std::string& name) {
+        const auto types = bench::table_types();
+        return std::none_of(types.begin(), types.end(),
+                            [&](const bench::TableType& type) { return type.name == name; });
+    });
+    return layouts;
+}
+
 /// Both algorithms on small and on fast layouts, at every number of bodies: else the report recommends
 /// nothing for bodies with tables of their own.
 TEST(Plan, QuickMeasuresTheContendersUnderPressure) {
@@ -111,6 +122,7 @@ TEST(Plan, QuickMeasuresTheContendersUnderPressure) {
                                                            {"gjk", "lean", "f32"},
                                                            {"gjk", "points_soa", "f32"}}) {
             const std::string pair = std::string(algorithm) + " " + layout;
+            if (built({std::string(layout) + "_" + precision}).empty()) continue;
             EXPECT_TRUE(std::ranges::find(pairs, pair) != pairs.end() ||
                         std::ranges::find(pairs, pair + "_" + precision) != pairs.end())
                 << pair << " " << precision;
@@ -118,17 +130,6 @@ TEST(Plan, QuickMeasuresTheContendersUnderPressure) {
         EXPECT_TRUE(scene.layouts.empty() && scene.algorithms.empty());
     }
     EXPECT_EQ(pressures, 2U);
-}
-
-using Names = std::vector<std::string>;
-
-Names built(Names layouts) {
-    std::erase_if(layouts, [](const std::string& name) {
-        const auto types = bench::table_types();
-        return std::none_of(types.begin(), types.end(),
-                            [&](const bench::TableType& type) { return type.name == name; });
-    });
-    return layouts;
 }
 
 struct PaperScene {
