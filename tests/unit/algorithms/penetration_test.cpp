@@ -7,9 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/layouts/aos.hpp"
 #include "penetration_errors.hpp"
 
 namespace edgewise {
@@ -127,6 +130,41 @@ TEST(Penetration, TouchingObliquelyIsDepthZero) {
         EXPECT_EQ(answer.depth, 0);
         EXPECT_LT(norm(Vec3d(answer.point_a - answer.point_b)), 1e-15);
     }
+}
+
+/// Points, segments and polygons of one plane that cross there or share a corner: any step across the plane
+/// separates them, none within it does. A closest point some rounding steps from the origin has a direction
+/// within the plane.
+TEST(Penetration, OfFlatBodiesHasANormalThatSeparates) {
+    scene::Rng rng(31);
+    int touching = 0;
+    for (int i = 0; i < 4000; ++i) {
+        std::vector<Vec3d> points[2];
+        const Vec3d line = rng.in_cube(1).cwiseProduct(Vec3d(1, 1, 0));
+        for (auto& of : points)
+            for (std::uint64_t n = 1 + rng.below(4); n > 0; --n)
+                of.push_back(i % 3 == 0 ? Vec3d(line * rng.uniform(-1, 1))
+                                        : Vec3d(rng.in_cube(1).cwiseProduct(Vec3d(1, 1, 0))));
+        if (i % 2 == 0) points[1].front() = points[0].front();
+        const Mat3d turn = i % 4 < 2 ? Mat3d(Mat3d::Identity()) : rng.rotation();
+        for (Vec3d& point : points[0]) point = multiply(turn, point);
+        const Polyhedron a = *hull_of_any(points[0]), b = *hull_of_any(points[1]);
+        const Transform<double> pose{turn, Vec3d::Zero()};
+        const aos<f64> table_a(a, Parts::support), table_b(b, Parts::support);
+        SimplexPair<aos<f64>, aos<f64>> pair(table_a, table_b);
+        if (Gjk::query(table_a, table_b, pose, pair).status == Status::separated) continue;
+        ++touching;
+        PenetrationSpace space;
+        const Penetration answer = penetration(table_a, table_b, pose, pair, space);
+        double beyond = -1e300;
+        for (const Vec3d& v : a.vertices)
+            for (const Vec3d& w : b.vertices)
+                beyond = std::max(beyond, dot(answer.normal, Vec3d(v - pose.point(w))));
+        EXPECT_NEAR(norm(answer.normal), 1, 1e-14);
+        EXPECT_LE(beyond, answer.depth + 1e-14) << i;
+    }
+    std::printf("%d of 4000 pairs touch\n", touching);
+    EXPECT_GT(touching, 1000);
 }
 
 TEST(Penetration, ConcentricAndIdenticalBodies) {
