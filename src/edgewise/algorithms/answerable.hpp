@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The one definition of a relative pose that can be answered, for queries, batches, bounds and files alike:
+// The one definition of a relative pose that can be answered, for queries, batches, bounds and penetration:
 // finite, a proper rotation to within sloppiest_rotation, and so short that its square does not overflow. Any
 // other pose would be answered with a distance that is no number, or with a contact that is none; such a
-// query fails (Status::failed) and leaves its pair as it was. Some sixty operations, no division and no
+// query fails (Status::failed) and leaves its pair as it was. Some fifty operations, no division and no
 // branch but the last.
 #pragma once
 

@@ -14,7 +14,7 @@ namespace edgewise {
 /// False when two neighbouring faces, or two consecutive sides of a face, turn by less than least_turn
 /// (radians; tolerance.hpp, strict_turn), or when such a turn times the length of the edge, or of the shorter
 /// side, is less than least_turn of the body's largest coordinate; or when a vertex lies off the plane of its
-/// face by more than bent_face. Points and segments are strictly convex.
+/// face by more than bent_face; or of a thin solid (thin_solid). Points and segments are strictly convex.
 [[nodiscard]] bool is_strictly_convex(const Polyhedron& body, double least_turn);
 
 /// Whether from every vertex but the farthest along a direction some edge leads farther, but for rounding:

@@ -142,9 +142,9 @@ inline constexpr double single_planarity = 8 * 0x1p-23;
 /// Pure number: how far from orthogonal rounding may leave a rotation that was computed in double.
 inline constexpr double rotation_rounding = 64 * std::numeric_limits<double>::epsilon();
 
-/// Pure number, the root of the sum of squares of R^T R - I: a query's rotation farther from orthogonal than
-/// this is refused, as none. A matrix typed with two digits is within it; one that scales by a hundredth is
-/// not.
+/// Pure number, the root of squared_rotation_error (algorithms/answerable.hpp): a query's rotation farther
+/// from a proper one is refused. A matrix typed with two digits is within it; one that scales by a hundredth
+/// is not.
 inline constexpr double sloppiest_rotation = 0x1p-5;
 
 /// Pure number, likewise: V-Clip, which takes the transpose of R for its inverse, hands what is farther from
@@ -194,7 +194,7 @@ inline constexpr double smallest_coordinate = 0x1p-200;
 inline constexpr int most_gjk_iterations = 1 << 14;
 
 /// A cap on the steps of a GJK query that gain nothing even in wider arithmetic, taken while nothing
-/// separates the bodies. Two to five were needed where any was.
+/// separates the bodies, so that they end. The pair that showed the need took two.
 inline constexpr int most_level_steps = 32;
 
 /// Pure number: a mesh is called concave when its volume is below this share of its hull's. Mesh files hold

@@ -137,8 +137,8 @@ TEST(Campaign, MeetsEveryRegimeAndIsRight) {
     EXPECT_GT(all.double_proofs + all.wide_proofs, 5 * all.exact_proofs);
 }
 
-/// Bodies thinner than the noise of their planes allows V-Clip to be believed; before it proved its answers
-/// on these, 40 of the 1.3 million were wrong.
+/// Before V-Clip proved its answers on thin solids, 2 distances of aos_f64 and 10 of lean_f64 were wrong
+/// here, of 131,072 answers each.
 TEST(Campaign, ThinBodiesAreRightColdAndWarm) {
     const PairSource source(7, {"thin_bodies", "thin_bodies_in_motion"}, {});
     const std::set<std::string> names = {"aos_f64", "lean_f64", "lean_relative_f64", "quantised_f64",
