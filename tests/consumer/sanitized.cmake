@@ -1,26 +1,46 @@
 # SPDX-License-Identifier: MIT
-# Compiles and runs sanitized/queries.cpp under sanitizers, as a user's CI does: with each of COMPILERS, LEVELS and
-# SANITIZERS, POSES poses on 8 and on 400 vertices. A report, or no agreement of its answers, fails.
+# Compiles and runs programs under sanitizers, as a user's CI does: with each of COMPILERS, LEVELS and SANITIZERS,
+# sanitized/queries.cpp with POSES poses on 8 and on 400 vertices, and the EXAMPLES of project/ (example: README's).
+# A report, or table types whose answers differ, fails.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
+
+# Sets SECONDS to the wall time of the compiler.
+function(compile SOURCE_FILE)
+    string(TIMESTAMP started %s)
+    run("compiling ${SOURCE_FILE} with ${build}" ${compiler} -std=c++20 ${level} -g1 -ffp-contract=off
+        -fsanitize=${sanitizer} -fno-sanitize-recover=all -I${SOURCE}/src -isystem ${EIGEN} ${SOURCE_FILE}
+        ${LIBRARY} -lqhull_r -ltbb -o ${SCRATCH}/program)
+    string(TIMESTAMP compiled %s)
+    math(EXPR seconds "${compiled} - ${started}")
+    set(SECONDS ${seconds} PARENT_SCOPE)
+endfunction()
+
+function(check_build)
+    set(build "${compiler} ${level} -fsanitize=${sanitizer}")
+    compile(${SOURCE}/tests/consumer/sanitized/queries.cpp)
+    foreach(vertices 8 400)
+        run("${build}, ${vertices} vertices" ${SCRATCH}/program ${vertices} ${POSES})
+    endforeach()
+    set(times "queries ${SECONDS} s")
+    foreach(example IN LISTS EXAMPLES)
+        set(source ${SOURCE}/tests/consumer/project/${example}.cpp)
+        if(example STREQUAL "example")
+            read_example(${SOURCE}/README.md text expected)
+            set(source ${SCRATCH}/example.cpp)
+            file(WRITE ${source} "${text}")
+        endif()
+        compile(${source})
+        run("${build}, ${example}" ${SCRATCH}/program)
+        string(APPEND times ", ${example} ${SECONDS} s")
+    endforeach()
+    message(STATUS "${build}: no report; compiled in: ${times}")
+endfunction()
+
 foreach(compiler IN LISTS COMPILERS)
     foreach(level IN LISTS LEVELS)
         foreach(sanitizer IN LISTS SANITIZERS)
-            string(TIMESTAMP started %s)
-            execute_process(COMMAND ${compiler} -std=c++20 ${level} -g1 -ffp-contract=off -fsanitize=${sanitizer}
-                -fno-sanitize-recover=all -I${SOURCE}/src -I${EIGEN} ${SOURCE}/tests/consumer/sanitized/queries.cpp
-                ${LIBRARY} -lqhull_r -o ${SCRATCH}/queries RESULT_VARIABLE code ERROR_VARIABLE said)
-            if(NOT code EQUAL 0)
-                message(FATAL_ERROR "${compiler} ${level} ${sanitizer} does not compile:\n${said}")
-            endif()
-            string(TIMESTAMP compiled %s)
-            foreach(vertices 8 400)
-                execute_process(COMMAND ${SCRATCH}/queries ${vertices} ${POSES} RESULT_VARIABLE code
-                    OUTPUT_VARIABLE sums ERROR_VARIABLE said)
-                if(NOT code EQUAL 0)
-                    message(FATAL_ERROR "${compiler} ${level} ${sanitizer}, ${vertices} vertices: ${sums}\n${said}")
-                endif()
-            endforeach()
-            math(EXPR seconds "${compiled} - ${started}")
-            message(STATUS "${compiler} ${level} ${sanitizer}: quiet, ${seconds} s to compile; ${sums}")
+            check_build()
         endforeach()
     endforeach()
 endforeach()

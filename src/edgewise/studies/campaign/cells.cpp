@@ -14,8 +14,13 @@ namespace {
 
 class RunnerAsker final : public Asker {
   public:
-    RunnerAsker(const bench::TableType& type, const std::string& algorithm)
-        : runner_(type.make_runner(algorithm)) {}
+    RunnerAsker(const bench::TableType& type, const std::string& algorithm, const QueryOptions& query)
+        : runner_(type.make_runner(algorithm)) {
+        bench::RunnerOptions options;
+        options.query = query;
+        if (query.verdict_only) options.set_needs(Needs::verdict);
+        runner_->configure(options);
+    }
 
     [[nodiscard]] std::string load(const scene::Workload& workload) override {
         return runner_->load(workload);
@@ -44,6 +49,19 @@ std::vector<Block> class_blocks() {
     return blocks;
 }
 
+struct QueryKind {
+    std::string suffix;  ///< of the cell's name
+    QueryOptions options;
+};
+
+std::vector<QueryKind> query_kinds(std::string_view algorithm) {
+    std::vector<QueryKind> kinds(1);
+    if (algorithm != "gjk") return kinds;
+    kinds.push_back({" johnson", {.sub_distance = SubDistanceSolver::johnson}});
+    kinds.push_back({" verdict", {.verdict_only = true}});
+    return kinds;
+}
+
 std::string answers_of(const Cell& cell, const std::vector<scene::Workload>& workloads) {
     bench::Fingerprint print;
     for (const scene::Workload& workload : workloads) {
@@ -69,9 +87,12 @@ std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
     for (const std::string& algorithm : algorithms) {
         for (const bench::TableType* type : types) {
             if (!type->serves(algorithm)) continue;
-            cells.push_back({algorithm + " " + type->name, type->eps,
-                             allowed_errors(*type, algorithm).distance,
-                             [type, algorithm] { return std::make_unique<RunnerAsker>(*type, algorithm); }});
+            for (const QueryKind& kind : query_kinds(algorithm)) {
+                const QueryOptions query = kind.options;
+                cells.push_back({algorithm + " " + type->name + kind.suffix, type->eps,
+                                 allowed_errors(*type, algorithm).distance, query.verdict_only,
+                                 [=] { return std::make_unique<RunnerAsker>(*type, algorithm, query); }});
+            }
         }
     }
     return cells;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Who is asked in a campaign: an algorithm on a table type, one of each class that answers alike to the bit.
-// Most table types answer as another does (shared arithmetic, other memory); which do is asked of the program
-// itself, over pairs of every family.
+// The cells of a campaign: an algorithm on a table type, one of each class of equal answers, and GJK also
+// with Johnson's sub-distance search and for the verdict alone. Most table types give the same bits as
+// another (shared arithmetic, other memory); the program's own answers, over pairs of every family, tell
+// which do.
 #pragma once
 
 #include <functional>
@@ -33,14 +34,15 @@ class Asker {
 };
 
 struct Cell {
-    std::string name;          ///< "gjk aos_f64"
-    double eps = 0;            ///< rounding step of what computes
-    double error_allowed = 0;  ///< over scale, beyond the band
+    std::string name;           ///< "gjk aos_f64", "gjk aos_f64 johnson"
+    double eps = 0;             ///< rounding step of the arithmetic
+    double error_allowed = 0;   ///< over scale, beyond the band
+    bool verdict_only = false;  ///< its distances are bounds, and not checked
     std::function<std::unique_ptr<Asker>()> make_asker;
     std::vector<std::string> as_well{};  ///< cells that answer alike
 };
 
-/// Every algorithm on every table type that serves it.
+/// Every algorithm on every table type that serves it; GJK in each of its three ways.
 [[nodiscard]] std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
                                          std::span<const std::string> algorithms);
 

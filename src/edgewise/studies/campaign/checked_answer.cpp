@@ -12,9 +12,9 @@ namespace edgewise::studies::campaign {
 
 namespace {
 
-/// |p_a - p_b| - d, of separated answers.
-double witness_error(const Distance& answer) {
-    if (answer.status != Status::separated) return 0;
+/// | |p_a - p_b| - d | of a separated answer with a distance, else 0.
+double witness_error(const Distance& answer, const Cell& cell) {
+    if (answer.status != Status::separated || cell.verdict_only) return 0;
     return std::abs(norm(Vec3d(answer.point_a - answer.point_b)) - answer.distance);
 }
 
@@ -27,12 +27,13 @@ bool is_proven(const Distance& answer, const KnownPair& known, const truth::Accu
     const bool separated = answer.status == Status::separated;
     checked.in_band = known.is_grazing || (known.is_separated() && known.upper <= band.band);
     if (known.is_grazing) {
-        if (separated && !(answer.distance <= band.band)) return false;
+        if (separated && !cell.verdict_only && !(answer.distance <= band.band)) return false;
     } else if (separated != known.is_separated()) {
         return !separated && checked.in_band;
     }
+    if (cell.verdict_only) return true;
     const double off = separated ? std::max(answer.distance - known.lower, known.upper - answer.distance) : 0;
-    checked.error = error_beyond(worse(off, witness_error(answer)), band);
+    checked.error = error_beyond(worse(off, witness_error(answer, cell)), band);
     return checked.error <= cell.error_allowed;
 }
 
@@ -43,15 +44,17 @@ void check_exactly(const Distance& answer, const Cell& cell, const StoredPair& s
     const bool separated = answer.status == Status::separated;
     std::optional<double> depth;
     if (separated && exact.verdict != truth::ExactVerdict::separated) depth = stored.depth(poses, known);
-    const truth::Judgement judged = truth::judge({separated, answer.distance}, exact, band, depth);
+    const double distance = cell.verdict_only ? 0 : answer.distance;
+    const truth::Judgement judged = truth::judge({separated, distance}, exact, band, depth);
     checked.was_exact = true;
     checked.in_band = judged.in_band;
-    checked.error = error_beyond(worse(judged.error, witness_error(answer)), band);
+    if (!cell.verdict_only)
+        checked.error = error_beyond(worse(judged.error, witness_error(answer, cell)), band);
     if (!judged.verdict_wrong && checked.error <= cell.error_allowed) return;
     checked.wrong = fmt::format(
         "{}: {} at {:.17g}, witness points {:.3g} off, exactly {} at {:.17g}{}; band {:.3g}, scale {:.3g}",
         judged.verdict_wrong ? "wrong verdict" : "wrong distance", to_string(answer.status), answer.distance,
-        witness_error(answer), to_string(exact.verdict), exact.distance,
+        witness_error(answer, cell), to_string(exact.verdict), exact.distance,
         depth ? fmt::format(", {:.3g} deep", *depth) : "", band.band, band.scale);
 }
 

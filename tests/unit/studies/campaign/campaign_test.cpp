@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/studies/campaign/checked_answer.hpp"
 #include "edgewise/studies/campaign/failing_case.hpp"
 #include "edgewise/studies/campaign/run.hpp"
 
@@ -160,6 +161,34 @@ TEST(Campaign, ThinBodiesAreRightColdAndWarm) {
     EXPECT_EQ(all.answers + all.refused, 2 * all.pairs * cells.size()) << "cold and warm";
     EXPECT_GT(all.separated, 1000U);
     EXPECT_GT(all.overlapping, 1000U);
+}
+
+/// Johnson's search and the verdict alone take other paths through GJK, so the campaign asks them too.
+TEST(Campaign, AsksGjkInEachOfItsWays) {
+    std::vector<std::string> names;
+    for (const Cell& cell : one_of_each_class(honest_cells())) names.push_back(cell.name);
+    EXPECT_THAT(names, testing::IsSupersetOf({"gjk lean_f32", "gjk lean_f32 johnson", "gjk lean_f32 verdict",
+                                              "gjk aos_f64", "gjk aos_f64 verdict", "vclip lean_f32"}));
+}
+
+/// Without a distance to check, a wrong verdict is still found.
+TEST(Campaign, FindsWrongVerdictsOfACellWithoutDistances) {
+    const PairSource source(3, {"random"}, {"cube8"});
+    const Block block = source.block(0, 1);
+    const Cell distance{"distance", 0x1p-52, 1e-12, false, {}}, verdict{"verdict", 0x1p-52, 1e-12, true, {}};
+    StoredPair stored(block.a.vertices, block.b.vertices);
+    Distance far;
+    far.status = Status::separated;
+    far.distance = 1e3;
+    const auto wrong = [&](const Cell& cell, const std::pair<Pose, Pose>& poses) {
+        KnownPair known = stored.know(poses, Vec3d::UnitX());
+        return check_answer(far, cell, stored, poses, known).wrong;
+    };
+    Pose beside;
+    beside.translation = Vec3d(9, 0, 0);
+    EXPECT_THAT(wrong(distance, {Pose{}, beside}), testing::StartsWith("wrong distance"));
+    EXPECT_EQ(wrong(verdict, {Pose{}, beside}), "");
+    EXPECT_THAT(wrong(verdict, {Pose{}, Pose{}}), testing::StartsWith("wrong verdict"));
 }
 
 TEST(Campaign, GoesOnFromItsFileWithTheSameSums) {
