@@ -36,13 +36,14 @@ class Lazy : public Table {
     static constexpr std::string_view derives = "an edge's planes, once";
     static constexpr bool queries_write = true;
 
-    /// Keeps a reference to the body.
+    /// Borrows the body, which must outlive the table; a temporary one does not compile.
     Lazy(const Polyhedron& body, Parts parts, Loader loader = {})
         : Table(body, parts, loader, WriteEdges::when_asked),
           bits_([this](BlockPlan& plan) { place(plan, words_); }),
           body_(&body) {
         std::fill_n(words_, word_count(), Word{0});
     }
+    Lazy(const Polyhedron&&, Parts, Loader = {}) = delete;
     /// The same memory seen through another loader: what one makes is there for both.
     template <class OtherTable, class OtherLoader>
     Lazy(const Lazy<OtherTable, OtherLoader>& other, Loader loader)
@@ -98,6 +99,7 @@ class Lazy : public Table {
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
     /// Of another body, which must live on, nothing is made yet.
+    void write_body(const Polyhedron&&) = delete;
     void write_body(const Polyhedron& body) {
         write_geometry(static_cast<Table&>(*this), body, WriteEdges::when_asked);
         body_ = &body;

@@ -19,6 +19,7 @@
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/penetration/start.hpp"
 #include "edgewise/algorithms/support.hpp"
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
@@ -88,13 +89,6 @@ class DistanceBounds {
     Transform<double> at_{Mat3d::Identity(), Vec3d::Zero()};
     double squared_radius_ = 0;
 };
-
-/// How far the points reach from the origin.
-[[nodiscard]] inline double radius_of(std::span<const Vec3d> points) {
-    double squared = 0;
-    for (const Vec3d& point : points) squared = std::max(squared, squared_norm(point));
-    return std::sqrt(squared) * (1 + 8 * std::numeric_limits<double>::epsilon());
-}
 
 /// How far the body reaches from its origin.
 template <SupportTable Table>

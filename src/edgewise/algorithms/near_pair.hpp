@@ -23,11 +23,6 @@ struct NearCache {
     Pair pair;
 };
 
-/// How far two bodies reach from their own origins (radius_of).
-struct Radii {
-    double a = 0, b = 0;
-};
-
 /// Asks the tables for the whole distance, and with the answer renews the bounds.
 template <class Algorithm, SupportTable TableA, SupportTable TableB, class Pair, class Observer = NoObserver>
 Distance ask_near(const TableA& a, const TableB& b, const Transform<double>& a_from_b, const Radii& radii,
@@ -39,12 +34,15 @@ Distance ask_near(const TableA& a, const TableB& b, const Transform<double>& a_f
     return answer;
 }
 
-/// Of two tables that outlive it and are not rebuilt.
+/// Borrows both tables, which must outlive it and must not be rebuilt; temporary tables do not compile.
 template <class Algorithm, SupportTable TableA, SupportTable TableB>
 class NearPair {
   public:
     NearPair(const TableA& a, const TableB& b)
         : a_(a), b_(b), cache_{{}, {a, b}}, radii_{radius_of(a), radius_of(b)} {}
+    NearPair(const TableA&&, const TableB&) = delete;
+    NearPair(const TableA&, const TableB&&) = delete;
+    NearPair(const TableA&&, const TableB&&) = delete;
 
     /// Whether the bodies are nearer to each other than `distance`. To rounding: bodies at just this distance
     /// may be called either. A pose that cannot be answered (answerable.hpp) counts as nearer, since the

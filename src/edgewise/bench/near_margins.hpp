@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "edgewise/algorithms/near_pair.hpp"
 #include "edgewise/bench/length_scale.hpp"
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/scene/workload.hpp"
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Axis-aligned boxes: of point sets, and as the broad phase takes them.
+// Bounds of point sets: axis-aligned boxes, as the broad phase takes them, and radii about the origin.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "edgewise/geometry/vec.hpp"
@@ -42,5 +45,17 @@ struct Aabb {
     for (const Vec3d& point : points) box.include(point);
     return box;
 }
+
+/// Largest distance of a point from the origin, rounded upwards; 0 without points.
+[[nodiscard]] inline double radius_of(std::span<const Vec3d> points) {
+    double squared = 0;
+    for (const Vec3d& point : points) squared = std::max(squared, squared_norm(point));
+    return std::sqrt(squared) * (1 + 8 * std::numeric_limits<double>::epsilon());
+}
+
+/// The radii of two bodies, each about its own origin.
+struct Radii {
+    double a = 0, b = 0;
+};
 
 }  // namespace edgewise

@@ -18,7 +18,9 @@ class Canonical {
     using Vertex = Index;
     static constexpr bool counts_vertices = true;
 
+    /// Borrows the body, which must outlive it; a temporary one does not compile.
     explicit Canonical(const Polyhedron& body) : body_(&body) {}
+    explicit Canonical(const Polyhedron&&) = delete;
 
     [[nodiscard]] std::size_t vertex_count() const { return body_->vertex_count(); }
     /// Not asked: a scan is right for any body.

@@ -29,7 +29,8 @@
 
 namespace edgewise {
 
-/// Borrows the table, which must outlive it. Meets SupportTable, and ClimbingTable where the table does.
+/// Borrows the table, which must outlive it; a temporary one does not compile. Meets SupportTable, and
+/// ClimbingTable where the table does.
 template <SupportTable Table>
 class ScaledTable {
   public:
@@ -42,6 +43,7 @@ class ScaledTable {
     /// view whose scale is none, or takes coordinates out of the range of bodies, fails (Status::failed).
     ScaledTable(const Table& table, const Vec3d& scale)
         : table_(&table), scale_(cast<Compute>(scale)), is_in_range_(holds(table, scale)) {}
+    ScaledTable(const Table&&, const Vec3d&) = delete;
 
     [[nodiscard]] bool is_in_range() const { return is_in_range_; }
 

@@ -4,16 +4,22 @@
 // the next query answers as if it were the first.
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/near_pair.hpp"
 #include "edgewise/algorithms/penetration/start.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/layout_parts/write_geometry.hpp"
 #include "edgewise/layouts/aos.hpp"
+#include "edgewise/layouts/lazy.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/layouts/linked.hpp"
 #include "edgewise/layouts/points_neighbours.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/table/canonical.hpp"
+#include "edgewise/table/scaled_table.hpp"
 
 namespace edgewise {
 namespace {
@@ -67,6 +73,39 @@ TEST(RebuiltTable, ARefittedTableKeepsItsPairs) {
     const aos<f64, Direct> view(table, Direct{});
     EXPECT_TRUE(pair.belongs_to(view, table));
 }
+
+/// The sanitized build would see a read of the body's memory.
+template <class Algorithm, class Table>
+void outlive_the_body() {
+    const Polyhedron kept = *scene::make_shape("sphere38");
+    const Table known(kept, Parts::features);
+    const auto make = [&kept] {
+        const Polyhedron copy = kept;
+        return Table(copy, Parts::features);
+    };
+    const Table table = make();
+    scene::Rng rng(2);
+    for (int i = 0; i < 20; ++i) {
+        const Transform<double> pose{rng.rotation(), rng.uniform(0, 2.5) * rng.on_sphere()};
+        typename Algorithm::template Pair<Table, Table> pair(table, known), fresh(known, known);
+        expect_same(Algorithm::query(table, known, pose, pair), Algorithm::query(known, known, pose, fresh));
+    }
+}
+
+TEST(RebuiltTable, ATableNeedsItsBodyNoMore) {
+    outlive_the_body<Gjk, points_neighbours<f64>>();
+    outlive_the_body<VClip, lean<f64>>();
+    outlive_the_body<VClip, aos<f64>>();
+    outlive_the_body<VClip, linked<f64>>();
+}
+
+// What borrows a table or a body takes no temporary.
+using Table = aos<f64>;
+using Near = NearPair<VClip, Table, Table>;
+static_assert(std::is_constructible_v<Near, Table&, Table&> && !std::is_constructible_v<Near, Table&, Table>);
+static_assert(!std::is_constructible_v<ScaledTable<Table>, Table, Vec3d>);
+static_assert(!std::is_constructible_v<Canonical, Polyhedron>);
+static_assert(!std::is_constructible_v<lazy<f64>, Polyhedron, Parts>);
 
 }  // namespace
 }  // namespace edgewise
