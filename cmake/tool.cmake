@@ -91,17 +91,21 @@ endif()
 edgewise_precompile(edgewise_core <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map> <memory>
     <optional> <span> <string> <vector>)
 
-# edgewise_tool_for(NAME TUNE TYPE...): the library with these table types compiled for that machine ("" for any).
-function(edgewise_tool_for NAME TUNE)
-    set(list ${PROJECT_BINARY_DIR}/registry/${NAME}_list.cpp)
+# edgewise_write_list(NAME TUNE TYPE...): registry/NAME_list.cpp, which lists these table types compiled for that machine.
+function(edgewise_write_list NAME TUNE)
     string(JOIN " " TABLE_TYPE_FLAGS "; query loops:" ${EDGEWISE_QUERY_LOOP_OPTIONS})
     if(TUNE)
         string(APPEND TABLE_TYPE_FLAGS " -march=${TUNE}")
     endif()
-    edgewise_table_type_list(${list} ${ARGN})
+    edgewise_table_type_list(${PROJECT_BINARY_DIR}/registry/${NAME}_list.cpp ${ARGN})
+endfunction()
+
+# edgewise_tool_for(NAME TUNE TYPE...): the library with these table types compiled for that machine ("" for any).
+function(edgewise_tool_for NAME TUNE)
+    edgewise_write_list(${NAME} "${TUNE}" ${ARGN})
     list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_BINARY_DIR}/registry/\\1.cpp" OUTPUT_VARIABLE units)
     set(types ${NAME}_table_types)
-    add_library(${types} OBJECT ${list} ${units})
+    add_library(${types} OBJECT ${PROJECT_BINARY_DIR}/registry/${NAME}_list.cpp ${units})
     # A layout's precisions together take a fifth less than each by itself: they share what is parsed and instantiated.
     set_target_properties(${types} PROPERTIES UNITY_BUILD ${EDGEWISE_UNITY} UNITY_BUILD_MODE GROUP)
     foreach(unit IN LISTS units)
@@ -118,6 +122,25 @@ function(edgewise_tool_for NAME TUNE)
 endfunction()
 get_property(table_types GLOBAL PROPERTY EDGEWISE_TABLE_TYPES)
 edgewise_tool_for(edgewise_tool "${EDGEWISE_TUNE}" ${table_types})
+
+# The table types of few layouts, for the tests that every edit runs: after an edit of an algorithm the others need not be
+# compiled before these tests start. The same objects, named as files: a target's name would bring all of them.
+set(few_layouts aos lean points_soa)
+set(few_types ${table_types})
+list(FILTER few_types INCLUDE REGEX "^(aos|lean|points_soa)_[^_]*$")
+if(EDGEWISE_UNITY AND few_types AND NOT EDGEWISE_LAYOUTS)
+    edgewise_write_list(edgewise_few "${EDGEWISE_TUNE}" ${few_types})
+    list(TRANSFORM few_layouts REPLACE "(.+)"
+        "${PROJECT_BINARY_DIR}/CMakeFiles/edgewise_tool_table_types.dir/Unity/unity_\\1_cxx.cxx.o" OUTPUT_VARIABLE objects)
+    set_source_files_properties(${objects} TARGET_DIRECTORY edgewise_core PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+    add_library(edgewise_few_list OBJECT ${PROJECT_BINARY_DIR}/registry/edgewise_few_list.cpp)
+    target_link_libraries(edgewise_few_list PRIVATE edgewise_core edgewise_flags)
+    add_library(edgewise_few_tool INTERFACE)
+    target_sources(edgewise_few_tool INTERFACE ${objects} $<TARGET_OBJECTS:edgewise_few_list>)
+    target_link_libraries(edgewise_few_tool INTERFACE edgewise_core)
+else()
+    add_library(edgewise_few_tool ALIAS edgewise_tool)
+endif()
 
 edgewise_sources(cli_sources src/edgewise/cli)
 add_library(edgewise_cli OBJECT ${cli_sources})

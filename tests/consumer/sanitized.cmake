@@ -4,6 +4,7 @@
 # A report, or table types whose answers differ, fails.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
+set(ENV{TSAN_OPTIONS} suppressions=${CMAKE_CURRENT_LIST_DIR}/sanitized/tbb.supp)
 
 # Sets SECONDS to the wall time of the compiler.
 function(compile SOURCE_FILE)
