@@ -53,7 +53,7 @@ std::string scenes_text(const Json& entries) {
                        plain(parameter["meaning"])});
         text += table.text() + "\n";
     }
-    return text + "A file of one's own: docs/commands.md, Your own scenes; edgewise list scene_files\n";
+    return text + "A scene file of your own: docs/your_bodies.md; edgewise list scene_files\n";
 }
 
 std::string size_text(const Json& bytes) {
