@@ -14,7 +14,7 @@
 // their rounding: on a flat one the cofactors are noise and may all be positive. And when rounding leaves no
 // subset that passes, the backup procedure weighs every subset whose cofactors are positive by its own
 // distance and takes the nearest; positive weights always give a point of the simplex, so that answer is
-// never a lie.
+// never a lie. It also checks a triangle with almost collinear corners, whose cofactors are noise.
 //
 // Johnson, not signed volumes throughout, because it is what the replicated paper ran, and because the backup
 // already covers flat simplices. Unless it is asked for (sub_distance_solver.hpp), most simplices are decided
@@ -82,7 +82,7 @@ class Johnson {
 
     /// Out of line: unless chosen, asked only where the signs of the cofactors do not tell (cofactors.hpp).
     [[nodiscard]] [[gnu::noinline]] Closest closest() {
-        if (Closest found; ascend(found)) return found;
+        if (Closest found; ascend(found)) return found.thin ? nearer_of(found) : found;
         if (count_ == 4 && volumes_hold_origin()) return weigh(whole);
         return nearest_of_all();
     }
@@ -156,6 +156,13 @@ class Johnson {
         }
         result.rest_on(mask, w_, weighted);
         return result;
+    }
+
+    /// Cofactors of a triangle with collinear corners are noise, and all three may be positive: the point
+    /// that they weigh is then farther than that of a side.
+    [[nodiscard]] [[gnu::noinline]] Closest nearer_of(const Closest& triangle) {
+        const Closest nearest = nearest_of_all();
+        return squared_norm(nearest.point) < squared_norm(triangle.point) ? nearest : triangle;
     }
 
     /// The backup procedure. All cofactors are known by now.

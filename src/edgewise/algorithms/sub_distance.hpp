@@ -30,7 +30,7 @@ template <class Wide>
         if (solver == SubDistanceSolver::cofactors) {
             ClosestOfSimplex<double> found;
             find_closest(points, count, false, found);
-            return found;
+            if (!found.thin) return found;
         }
     }
     return Johnson<Wide>(points, count).closest();

@@ -99,7 +99,7 @@ template <>
 struct Tolerance<DoubleDouble> {
     static constexpr double eps = 0x1p-100;
     static constexpr double sliver = (1024 * eps) * (1024 * eps);
-    static constexpr double thin = 0;
+    static constexpr double thin = 0x1p-80;  ///< cofactors are off by eps of the sides
     static constexpr double volume_noise = 8 * eps;
 };
 
