@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "edgewise/scene/mesh/mesh_bytes.hpp"
+#include "edgewise/scene/mesh/mesh_parts.hpp"
 #include "geometry_bodies.hpp"
 #include "mesh_folder.hpp"
 
