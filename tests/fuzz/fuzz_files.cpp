@@ -20,7 +20,7 @@
 
 #include "edgewise/input/count.hpp"
 #include "edgewise/measure/cache/cache_machine.hpp"
-#include "edgewise/measure/cache/machine_of_sizes.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/lock/layout_lock.hpp"
 #include "edgewise/measure/traces/trace_file.hpp"
 #include "edgewise/reports/page/safe_svg.hpp"

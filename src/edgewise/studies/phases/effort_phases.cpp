@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "edgewise/measure/process/inline_frames.hpp"
+#include "edgewise/measure/process/callgrind_lines.hpp"
 #include "edgewise/studies/callgrind_pass.hpp"
 #include "edgewise/studies/phases/phases.hpp"
 

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "edgewise/measure/process/callgrind_lines.hpp"
-#include "edgewise/measure/process/inline_frames.hpp"
 
 namespace edgewise::studies {
 
