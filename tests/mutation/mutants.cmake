@@ -198,9 +198,9 @@ edgewise_mutant(startup_is_counted studies/effort.cpp [[return (of_many - of_few
     Effort.Counts* ${unit}/studies/effort_test.cpp)
 edgewise_mutant(calls_are_counted_twice measure/process/callgrind_lines.cpp [[if (is_call_)]] [[if (is_call_ && false)]]
     CallgrindLines.* ${unit}/measure/callgrind_lines_test.cpp)
-edgewise_mutant(every_function_runs_once studies/phases/phase_counts.cpp [[in_steps += cost * steps_at(call->from, said);]] [[]]
+edgewise_mutant(every_function_runs_once studies/phases/effort_phases.cpp [[in_steps += cost * steps_at(call->from, said);]] [[]]
     PhaseCounts.* ${unit}/studies/phases_test.cpp)
-edgewise_mutant(phases_need_not_add_up studies/phases/phase_counts.cpp [[if (sum == total) return {};]] [[return {};]]
+edgewise_mutant(phases_need_not_add_up studies/phases/effort_phases.cpp [[if (sum == total) return {};]] [[return {};]]
     PhaseCounts.* ${unit}/studies/phases_test.cpp)
 edgewise_mutant(floor_without_itself studies/proof_floor.cpp [[1 + body.ring_of_vertex(v).size()]] [[body.ring_of_vertex(v).size()]]
     ProofFloor.* ${unit}/studies/proof_floor_test.cpp)
