@@ -90,7 +90,7 @@ struct Factorial {
     std::vector<Calibration> calibrations;
     std::vector<BuildCost> builds;
     std::vector<Outcome> outcomes;
-    double traced_scenes = 0, cycles = 0, vclip_queries = 0;
+    double cycles = 0, vclip_queries = 0;
 };
 
 /// Throws std::invalid_argument where this program lacks a table type. `on_trace` is notified of each scene.
