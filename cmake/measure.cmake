@@ -33,8 +33,7 @@ target_include_directories(edgewise_measure PUBLIC $<BUILD_INTERFACE:${EDGEWISE_
 target_link_libraries(edgewise_measure
     PRIVATE fmt::fmt $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:edgewise_flags>)
 # What mutants (tests/mutation) replace is linked by itself.
-edgewise_unite(edgewise_measure src/edgewise/measure/cache/cache_level.cpp src/edgewise/measure/cache/scene_caches.cpp
-    src/edgewise/measure/lock/layout_lock.cpp src/edgewise/measure/touch/structure.cpp
-    src/edgewise/measure/traces/trace_caches.cpp src/edgewise/measure/traces/trace_file.cpp)
+edgewise_unite(edgewise_measure src/edgewise/measure/cache/cache_model.cpp src/edgewise/measure/cache/scene_caches.cpp
+    src/edgewise/measure/lock/layout_lock.cpp src/edgewise/measure/touch/touch_trace.cpp src/edgewise/measure/traces/trace_file.cpp)
 edgewise_precompile(edgewise_measure <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map> <optional> <span>
     <string> <vector>)

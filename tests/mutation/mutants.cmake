@@ -166,9 +166,9 @@ edgewise_mutant(judge_lets_nan_pass truth/accuracy_band.cpp [[if (answer.separat
     Judge.* ${unit}/truth/accuracy_band_test.cpp)
 
 # Cache model
-edgewise_mutant(sets_by_the_wrong_bits measure/cache/cache_level.hpp [[return mask_ != 0 ? line & (mask_ - 1)]] [[return mask_ != 0 ? line >> 1 & (mask_ - 1)]]
+edgewise_mutant(sets_by_the_wrong_bits measure/cache/cache_model.hpp [[return mask_ != 0 ? line & (mask_ - 1)]] [[return mask_ != 0 ? line >> 1 & (mask_ - 1)]]
     CacheModel.* ${unit}/measure/cache_model_test.cpp)
-edgewise_mutant(the_newest_line_leaves measure/cache/cache_level.cpp [[std::min_element(times, times + ways_) - times]] [[std::max_element(times, times + ways_) - times]]
+edgewise_mutant(the_newest_line_leaves measure/cache/cache_model.cpp [[std::min_element(times, times + ways_) - times]] [[std::max_element(times, times + ways_) - times]]
     CacheModel.* ${unit}/measure/cache_model_test.cpp)
 edgewise_mutant(every_query_starts_warm measure/cache/scene_caches.cpp [[levels_.each(start,]] [[levels_.each(start ? QueryStart::warm : start,]]
     SceneCaches.* ${unit}/measure/scene_caches_test.cpp)
@@ -182,11 +182,11 @@ edgewise_mutant(fetches_come_in_always measure/traces/trace_file.cpp [[if (readi
     TraceFile.* ${unit}/measure/trace_file_test.cpp)
 edgewise_mutant(modifies_are_reads_alone measure/traces/trace_file.cpp [[if (access.label != read) {]] [[if (access.label == write) {]]
     TraceFile.* ${unit}/measure/trace_file_test.cpp)
-edgewise_mutant(far_lines_are_one measure/traces/trace_caches.cpp [[numbers_.try_emplace(line,]] [[numbers_.try_emplace(line % 64,]]
+edgewise_mutant(far_lines_are_one measure/traces/trace_file.cpp [[numbers_.try_emplace(line,]] [[numbers_.try_emplace(line % 64,]]
     TraceCaches.* ${unit}/measure/trace_file_test.cpp)
-edgewise_mutant(arrays_begin_anywhere measure/touch/structure.cpp [[(next_ + alignment - 1) / alignment * alignment]] [[next_]]
+edgewise_mutant(arrays_begin_anywhere measure/touch/touch_trace.cpp [[(next_ + alignment - 1) / alignment * alignment]] [[next_]]
     Structure.* ${unit}/measure/touch_trace_test.cpp)
-edgewise_mutant(places_are_addresses measure/touch/structure.cpp [[return in.place + (from - in.from);]] [[return from;]]
+edgewise_mutant(places_are_addresses measure/touch/touch_trace.cpp [[return in.place + (from - in.from);]] [[return from;]]
     Structure.* ${unit}/measure/touch_trace_test.cpp)
 edgewise_mutant(what_is_gone_is_no_difference measure/lock/layout_lock.cpp [[if (!now || *now != value)]] [[if (now && *now != value)]]
     LayoutLock.* ${unit}/measure/layout_lock_test.cpp)
@@ -198,9 +198,9 @@ edgewise_mutant(startup_is_counted studies/effort.cpp [[return (of_many - of_few
     Effort.Counts* ${unit}/studies/effort_test.cpp)
 edgewise_mutant(calls_are_counted_twice measure/process/callgrind_lines.cpp [[if (is_call_)]] [[if (is_call_ && false)]]
     CallgrindLines.* ${unit}/measure/callgrind_lines_test.cpp)
-edgewise_mutant(every_function_runs_once studies/phases/phase_counts.cpp [[in_steps += cost * steps_at(call->from, said);]] [[]]
+edgewise_mutant(every_function_runs_once studies/phases/effort_phases.cpp [[in_steps += cost * steps_at(call->from, said);]] [[]]
     PhaseCounts.* ${unit}/studies/phases_test.cpp)
-edgewise_mutant(phases_need_not_add_up studies/phases/phase_counts.cpp [[if (sum == total) return {};]] [[return {};]]
+edgewise_mutant(phases_need_not_add_up studies/phases/effort_phases.cpp [[if (sum == total) return {};]] [[return {};]]
     PhaseCounts.* ${unit}/studies/phases_test.cpp)
 edgewise_mutant(floor_without_itself studies/proof_floor.cpp [[1 + body.ring_of_vertex(v).size()]] [[body.ring_of_vertex(v).size()]]
     ProofFloor.* ${unit}/studies/proof_floor_test.cpp)

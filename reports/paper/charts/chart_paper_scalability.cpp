@@ -17,8 +17,8 @@ namespace {
 struct Series {
     const char *scene, *label;
 };
-constexpr Series measured[] = {{"paper_bodies", "the environment grows"},
-                               {"paper_bodies_shrinking", "the bodies shrink"}};
+constexpr Series measured_series[] = {{"paper_bodies", "the environment grows"},
+                                      {"paper_bodies_shrinking", "the bodies shrink"}};
 constexpr const char *all_pairs = "all pairs, n(n-1)/2", *papers_end = "the paper's end: 600, 300";
 
 /// Bodies -> tests per step, as any of the cells has counted them.
@@ -45,7 +45,7 @@ ChartJson bodies_row(const ChartJson& scene, const std::string& series, double b
 ChartRows bodies_rows(const ReportData& data) {
     ChartRows rows;
     std::map<double, double> pairs;
-    for (const Series& series : measured) {
+    for (const Series& series : measured_series) {
         for (const auto& [bodies, tests] : tests_of(scene_file(data, series.scene), rows.omitted)) {
             rows.values.push_back(bodies_row(series.scene, series.label, bodies, tests));
             pairs[bodies] = bodies * (bodies - 1) / 2;
@@ -58,7 +58,8 @@ ChartRows bodies_rows(const ReportData& data) {
     return rows;
 }
 
-constexpr const char *warm = "ns per query", *cold = "ns per cold query", *bytes = "bytes of a table";
+constexpr const char *of_warm = "ns per query", *of_cold = "ns per cold query",
+                     *of_bytes = "bytes of a table";
 
 void add_times(ChartRows& rows, const StoredScene& scene, const char* measure) {
     add_timed_rows(rows, scene.cells, [&](const ReportCell& cell) -> ChartJson {
@@ -72,7 +73,7 @@ void add_bytes(ChartRows& rows, const StoredScene& scene) {
         const auto size = rows.omitted.positive(cell->figure("bytes.table_bytes"), "a size of 0");
         if (!size) continue;
         ChartJson row = curve_json(*cell);
-        row["measure"] = bytes;
+        row["measure"] = of_bytes;
         row["value"] = row["low"] = row["high"] = *size;  // a size is exact
         rows.values.push_back(std::move(row));
     }
@@ -83,18 +84,19 @@ void add_bytes(ChartRows& rows, const StoredScene& scene) {
 Chart paper_bodies_chart(const ReportData& data) {
     Chart chart = chart_of_file("paper_bodies");
     number_chart(chart, 5);
-    return drawn_chart(std::move(chart), data, bodies_rows(data),
-                       {{"series", {measured[0].label, measured[1].label, all_pairs, papers_end}}});
+    return drawn_chart(
+        std::move(chart), data, bodies_rows(data),
+        {{"series", {measured_series[0].label, measured_series[1].label, all_pairs, papers_end}}});
 }
 
 Chart paper_complexity_chart(const ReportData& data) {
     ChartRows rows;
     const StoredScene scene = scene_file(data, "paper_complexity");
-    add_times(rows, scene, warm);
-    add_times(rows, scene_file(data, "paper_cold"), cold);
+    add_times(rows, scene, of_warm);
+    add_times(rows, scene_file(data, "paper_cold"), of_cold);
     add_bytes(rows, scene);
     return drawn_chart(chart_of_file("paper_complexity"), data, std::move(rows),
-                       {{"measures", {warm, cold, bytes}}});
+                       {{"measures", {of_warm, of_cold, of_bytes}}});
 }
 
 }  // namespace edgewise::reports

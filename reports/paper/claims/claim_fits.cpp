@@ -90,17 +90,4 @@ LogOrPower log_or_power(const std::vector<CurvePoint>& curve) {
     return {exact_evidence(root_mean_square(of_logarithm)), exact_evidence(root_mean_square(of_power))};
 }
 
-Evidence interpolated(const std::vector<CurvePoint>& curve, double x) {
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-        if (!curve[i].y.value) return curve[i].y;
-        if (curve[i].x == x) return curve[i].y;
-        if (i == 0 || curve[i].x < x || curve[i - 1].x > x) continue;
-        const double below = *curve[i - 1].y.value, above = *curve[i].y.value;
-        if (!(below > 0) || !(above > 0)) return no_evidence("a value of 0 has no logarithm");
-        const double part = std::log(x / curve[i - 1].x) / std::log(curve[i].x / curve[i - 1].x);
-        return exact_evidence(below * std::pow(above / below, part));
-    }
-    return no_evidence(fmt::format("no stored sizes lie on both sides of {:g}", x));
-}
-
 }  // namespace edgewise::reports

@@ -20,7 +20,4 @@ struct LogOrPower {
 };
 [[nodiscard]] LogOrPower log_or_power(const std::vector<CurvePoint>& curve);
 
-/// At x between two points, along the power law through both; at a point, that one.
-[[nodiscard]] Evidence interpolated(const std::vector<CurvePoint>& curve, double x);
-
 }  // namespace edgewise::reports

@@ -13,7 +13,7 @@
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
-#include "edgewise/measure/traces/trace_caches.hpp"
+#include "edgewise/measure/traces/trace_file.hpp"
 
 namespace edgewise::cli {
 

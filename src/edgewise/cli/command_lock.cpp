@@ -14,7 +14,7 @@
 #include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/lock/lock_program.hpp"
-#include "edgewise/scene/mesh/mesh_shapes.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::cli {

@@ -16,7 +16,7 @@
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/input/known_names.hpp"
-#include "edgewise/scene/mesh/mesh_shapes.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 

@@ -15,12 +15,12 @@
 #include <stdexcept>
 
 #include "edgewise/input/output_file.hpp"
-#include "edgewise/store/find_figure.hpp"
 #include "edgewise/store/merge_source.hpp"
 #include "edgewise/store/read_rows.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/sqlite.hpp"
 #include "edgewise/store/store.hpp"
+#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::store {
 

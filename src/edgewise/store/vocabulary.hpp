@@ -17,10 +17,9 @@
 #include "edgewise/measure/cache/by_start.hpp"
 #include "edgewise/measure/figure.hpp"
 #include "edgewise/store/vocabulary/answers.hpp"
-#include "edgewise/store/vocabulary/effort.hpp"
 #include "edgewise/store/vocabulary/fields.hpp"
 #include "edgewise/store/vocabulary/memory.hpp"
-#include "edgewise/store/vocabulary/thrash.hpp"
+#include "edgewise/store/vocabulary/studies.hpp"
 #include "edgewise/store/vocabulary/time.hpp"
 
 namespace edgewise::store {
@@ -157,5 +156,8 @@ inline constexpr ReuseNames reuse_names[] = {
      "reuse.pages_of_body",
      "reuse.pages_of_frame"}};
 inline constexpr const StartNames &line_knee = reuse_names[0].knee, &page_knee = reuse_names[1].knee;
+
+/// The entry of the vocabulary that a stored figure belongs to; null when the vocabulary has none.
+[[nodiscard]] const FigureInfo* find_figure(std::string_view probe, std::string_view name);
 
 }  // namespace edgewise::store

@@ -5,9 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <memory>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
 
-#include "edgewise/bench/pipe.hpp"
 #include "edgewise/measure/cache/reuse_distance.hpp"
 #include "edgewise/measure/process/memory_limit.hpp"
 #include "edgewise/measure/process/thread_usage.hpp"
@@ -16,6 +19,46 @@
 namespace edgewise::studies {
 
 namespace {
+
+/// A pipe between this process and one it forks; whole values go through it, bit by bit.
+class Pipe {
+  public:
+    Pipe() {
+        if (pipe(ends_) != 0) throw std::runtime_error("no pipe: too many files are open");
+    }
+    ~Pipe() {
+        close(ends_[0]);
+        close_writing();
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+
+    /// Whoever reads then sees the end, once nobody else can write.
+    void close_writing() const {
+        if (ends_[1] >= 0) close(ends_[1]);
+        ends_[1] = -1;
+    }
+
+    template <class Value>
+    void send(const Value& value) const {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        while (write(ends_[1], &value, sizeof value) < 0 && errno == EINTR) continue;
+    }
+
+    /// Nothing when the other side ended without a word.
+    template <class Value>
+    [[nodiscard]] std::optional<Value> receive() const {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        Value value{};
+        ssize_t count = -1;
+        while ((count = read(ends_[0], &value, sizeof value)) < 0 && errno == EINTR) continue;
+        if (count != static_cast<ssize_t>(sizeof value)) return std::nullopt;
+        return value;
+    }
+
+  private:
+    mutable int ends_[2] = {-1, -1};
+};
 
 /// What the process under the limit tells.
 struct Counted {
@@ -28,8 +71,8 @@ constexpr int counted_passes = 3;
 
 /// In the child: fills memory once it is put under the limit, then counts passes, reports each, and waits
 /// before the next, since what it holds is looked at from outside.
-[[noreturn]] void run_child(const std::function<bench::PassSum()>& pass, const bench::Pipe& to_child,
-                            const bench::Pipe& to_parent) {
+[[noreturn]] void run_child(const std::function<bench::PassSum()>& pass, const Pipe& to_child,
+                            const Pipe& to_parent) {
     to_child.close_writing();
     if (!to_child.receive<char>()) _exit(1);
     pass();
@@ -46,8 +89,7 @@ constexpr int counted_passes = 3;
 /// The last child's end is waited for whatever happens.
 class Child {
   public:
-    Child(const std::function<bench::PassSum()>& pass, const bench::Pipe& to_child,
-          const bench::Pipe& to_parent)
+    Child(const std::function<bench::PassSum()>& pass, const Pipe& to_child, const Pipe& to_parent)
         : id_(fork()) {
         if (id_ == 0) run_child(pass, to_child, to_parent);
     }
@@ -64,8 +106,8 @@ class Child {
 };
 
 /// One pass of the child: counts it and looks at what the tables hold after it. False when the child is gone.
-bool count_pass_of(const bench::Pipe& to_child, const bench::Pipe& to_parent,
-                   const bench::TableAllocator& tables, const measure::PageReuse& reuse, PagingRow& row) {
+bool count_pass_of(const Pipe& to_child, const Pipe& to_parent, const bench::TableAllocator& tables,
+                   const measure::PageReuse& reuse, PagingRow& row) {
     to_child.send('g');
     const std::optional<Counted> counted = to_parent.receive<Counted>();
     const std::optional<std::size_t> resident = tables.resident();
@@ -94,7 +136,7 @@ std::string measure_under(const measure::MemoryLimit& group, const bench::Runner
     if (!tables.evict() || tables.resident() != std::size_t{0})
         return "the tables' pages could not be dropped from memory";
     if (std::string error = group.set_bytes(row.limit_bytes); !error.empty()) return error;
-    const bench::Pipe to_child, to_parent;
+    const Pipe to_child, to_parent;
     const Child child(pass, to_child, to_parent);
     if (child.id() < 0) return "no process could be made";
     to_parent.close_writing();

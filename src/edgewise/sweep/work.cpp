@@ -12,7 +12,7 @@
 #include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/input/known_names.hpp"
-#include "edgewise/scene/mesh/mesh_shapes.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"

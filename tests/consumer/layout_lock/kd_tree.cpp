@@ -5,7 +5,7 @@
 #include <array>
 #include <edgewise/measure/cache/machine_choice.hpp>
 #include <edgewise/measure/lock/lock_program.hpp>
-#include <edgewise/measure/touch/reads.hpp>
+#include <edgewise/measure/touch/touch_trace.hpp>
 #include <random>
 
 namespace measure = edgewise::measure;

@@ -2,16 +2,17 @@
 //
 // A workload's queries as frames of batches: the same answers as one by one, in the bits of their sum,
 // however many threads ask, and no pair twice in a frame.
-#include "edgewise/bench/frame_batches.hpp"
-
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cstdio>
+#include <cstring>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "edgewise/bench/frame_batches.hpp"
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::bench {
@@ -85,5 +86,80 @@ TEST(FrameBatches, AskNoPairTwiceInAFrameAndEachInItsOrder) {
     }
 }
 
+struct BatchedScene {
+    const char *kind, *shape;
+    scene::SceneParameters parameters;
+};
+
+struct Passed {
+    std::vector<Distance> answers;
+    double sum = 0;
+};
+
+Passed answers_of(const studies::SingleCell& cell, bool batch) {
+    const auto runner = cell.type().make_runner(cell.algorithm());
+    RunnerOptions options;
+    options.batch = batch;
+    runner->configure(options);
+    EXPECT_EQ(runner->load(cell.workload()), "");
+    const Runner::RangePass pass = runner->prepared_range();
+    std::vector<Distance> answers(cell.workload().queries.size());
+    double sum = 0;
+    // Twice, and in two parts: pairs go on, and are set back.
+    for (int i = 0; i < 2; ++i) {
+        sum = pass(0, answers.size() / 3, answers.data());
+        sum += pass(answers.size() / 3, answers.size(), answers.data());
+    }
+    return {answers, sum};
+}
+
+bool same_answer(const Distance& a, const Distance& b) {
+    const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
+    return a.status == b.status && a.steps == b.steps && same(a.distance, b.distance) &&
+           same(a.point_a, b.point_a) && same(a.point_b, b.point_b) && same(a.normal, b.normal);
+}
+
+struct BatchTally {
+    std::size_t asked = 0, separated = 0;
+};
+
+void expect_same_passes(const studies::SingleCell& cell, BatchTally& tally) {
+    const auto [one, sum] = answers_of(cell, false);
+    const auto [batch, sum_of_batches] = answers_of(cell, true);
+    EXPECT_EQ(sum, sum_of_batches) << "to the bit: a cell whose passes differ fails";
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        EXPECT_TRUE(same_answer(one[i], batch[i])) << cell.type().name << ' ' << cell.algorithm() << ' ' << i;
+        ++tally.asked;
+        tally.separated += one[i].status == Status::separated;
+    }
+}
+
+/// Independent queries, pairs that come again in every frame, and one pair many times in a row.
+TEST(BatchPass, AnswersAsOneByOne) {
+    const BatchedScene scenes[] = {{"cold", "cube8", {}},
+                                   {"cold", "sphere38", {}},
+                                   {"tumble", "cube8", {{"in_time_order", 1}, {"bodies", 30}}},
+                                   {"tumble", "sphere8", {}}};
+    for (const std::string algorithm : {"gjk", "vclip"}) {
+        BatchTally tally;
+        for (const BatchedScene& scene : scenes) {
+            for (const std::string table : {"lean_f64", "lean_f32", "points_soa_f64", "linked_f64"}) {
+                if (table == "points_soa_f64" && algorithm == "vclip") continue;  // vertices alone
+                expect_same_passes(studies::SingleCell({.table = table,
+                                                        .algorithm = algorithm,
+                                                        .scene = scene.kind,
+                                                        .shape = scene.shape,
+                                                        .parameters = scene.parameters}),
+                                   tally);
+            }
+        }
+        EXPECT_GT(tally.separated, tally.asked / 4);
+        EXPECT_LT(tally.separated, tally.asked);
+        std::printf("%zu answers of %s's batches are those of single queries, %zu of them separated\n",
+                    tally.asked, algorithm.c_str(), tally.separated);
+    }
+}
+
 }  // namespace
+
 }  // namespace edgewise::bench

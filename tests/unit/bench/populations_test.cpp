@@ -9,7 +9,6 @@
 #include <cstdio>
 
 #include "edgewise/bench/trace/trace_names.hpp"
-#include "edgewise/measure/cache/cold_caches.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
 #include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/measure/cache/scene_caches.hpp"

@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "edgewise/bench/memory/table_mapping.hpp"
+#include "edgewise/bench/memory/arena.hpp"
 #include "edgewise/measure/cache/reuse_distance.hpp"
 #include "edgewise/measure/process/thread_usage.hpp"
 

@@ -7,7 +7,6 @@
 
 #include <random>
 
-#include "edgewise/measure/cache/cold_caches.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
 
 namespace edgewise::measure {

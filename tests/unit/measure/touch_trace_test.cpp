@@ -11,7 +11,6 @@
 
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/lock/layout_facts.hpp"
-#include "edgewise/measure/touch/reads.hpp"
 
 namespace edgewise::measure {
 namespace {

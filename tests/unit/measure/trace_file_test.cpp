@@ -11,7 +11,6 @@
 
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/cache/scene_caches.hpp"
-#include "edgewise/measure/traces/trace_caches.hpp"
 
 namespace edgewise::measure {
 namespace {

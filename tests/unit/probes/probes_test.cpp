@@ -8,7 +8,7 @@
 
 #include <set>
 
-#include "edgewise/store/find_figure.hpp"
+#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/studies/single_cell.hpp"
 #include "found.hpp"
 

@@ -100,12 +100,5 @@ TEST(Growth, TellsALogarithmFromAPower) {
     EXPECT_GT(*log_or_power(power_curve(0.5, 0)).logarithm.value, 0.05);
 }
 
-TEST(Growth, InterpolatesAlongAPowerLaw) {
-    EXPECT_NEAR(*interpolated(power_curve(1, 0), 600).value, 4200, 1e-9);
-    EXPECT_EQ(interpolated(power_curve(1, 0), 100).value, 700);
-    EXPECT_FALSE(interpolated(power_curve(1, 0), 5000).value);
-    EXPECT_FALSE(interpolated({}, 600).value);
-}
-
 }  // namespace
 }  // namespace edgewise::reports

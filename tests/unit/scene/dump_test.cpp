@@ -9,7 +9,6 @@
 #include <chrono>
 
 #include "edgewise/scene/case_text.hpp"
-#include "edgewise/scene/dumps/dump_text.hpp"
 
 namespace edgewise::scene {
 namespace {

@@ -11,9 +11,9 @@
 #include <cstdio>
 #include <limits>
 
-#include "edgewise/scene/mesh/mesh_bytes.hpp"
+#include "edgewise/scene/mesh/mesh_parts.hpp"
 #include "geometry_bodies.hpp"
-#include "mesh_folder.hpp"
+#include "mesh_texts.hpp"
 
 /// Asked by the leak checker of sanitizer builds: Assimp's readers leak when they give up on a damaged file.
 extern "C" const char* __lsan_default_suppressions();

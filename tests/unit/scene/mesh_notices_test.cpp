@@ -3,7 +3,7 @@
 // What is said of mesh files that are read, and of flat ones: whatever their format.
 #include <tuple>
 
-#include "mesh_folder.hpp"
+#include "mesh_texts.hpp"
 
 namespace edgewise::scene {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // PLY and OFF files whose counts do not fit their rows, and rows that hold something else than numbers.
-#include "edgewise/scene/mesh/mesh_rows.hpp"
+#include "edgewise/scene/mesh/mesh_parts.hpp"
 
 #include <cstring>
 #include <regex>

@@ -2,7 +2,7 @@
 //
 // OBJ texts as programs and people write them: the same tetrahedron from every form, and a line for every
 // refusal.
-#include "edgewise/scene/mesh/obj_file.hpp"
+#include "edgewise/scene/mesh/mesh_parts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // STL texts and binaries: the same box from every form; counts, sizes, keywords and numbers that are wrong.
-#include "edgewise/scene/mesh/stl_file.hpp"
+#include "edgewise/scene/mesh/mesh_parts.hpp"
 
 #include <cctype>
 #include <cstring>

@@ -7,8 +7,6 @@
 
 #include <set>
 
-#include "edgewise/store/find_figure.hpp"
-
 namespace edgewise::store {
 namespace {
 

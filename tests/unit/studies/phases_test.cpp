@@ -7,7 +7,6 @@
 #include <gmock/gmock.h>
 
 #include "edgewise/studies/phases/effort_phases.hpp"
-#include "edgewise/studies/phases/phase_counts.hpp"
 
 namespace edgewise::studies {
 namespace {

@@ -11,8 +11,6 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "edgewise/studies/threads/thread_race.hpp"
-
 namespace edgewise::studies {
 namespace {
 

@@ -11,8 +11,8 @@
 
 #include "edgewise/bench/runner.hpp"
 #include "edgewise/geometry/feature.hpp"
+#include "edgewise/measure/cache/heat_map.hpp"
 #include "edgewise/measure/cache/scene_caches.hpp"
-#include "edgewise/measure/cache/touched_bytes.hpp"
 
 namespace edgewise::bench {
 

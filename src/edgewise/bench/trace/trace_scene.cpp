@@ -6,8 +6,8 @@
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
-#include "edgewise/measure/cache/cold_caches.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
+#include "edgewise/measure/cache/scene_caches.hpp"
 
 namespace edgewise::bench {
 

@@ -17,7 +17,7 @@
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/scene/mesh/mesh_shapes.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 

@@ -16,7 +16,7 @@
 #include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/scene/case_text.hpp"
-#include "edgewise/scene/dumps/dump_text.hpp"
+#include "edgewise/scene/dumps/dump.hpp"
 
 namespace edgewise::cli {
 

@@ -4,12 +4,13 @@
 // was stopped, and how many of its cells are missing.
 #pragma once
 
+#include <array>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "edgewise/bench/build_info.hpp"
-#include "edgewise/measure/machine/utc_time.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/store.hpp"
 
@@ -24,7 +25,7 @@ class RunNote {
         note_ = {{"build", bench::this_build().id},
                  {"cells", cells},
                  {"done", 0},
-                 {"started", measure::utc_time()},
+                 {"started", utc_time()},
                  {"ended", nullptr}};
         keep();
     }
@@ -34,11 +35,20 @@ class RunNote {
     }
     /// All of it is done, with what follows the cells.
     void end() {
-        note_["ended"] = measure::utc_time();
+        note_["ended"] = utc_time();
         keep();
     }
 
   private:
+    /// Now, as "2026-01-31T23:59:59Z" (ISO 8601, UTC).
+    static std::string utc_time() {
+        const std::time_t now = std::time(nullptr);
+        std::tm parts{};
+        ::gmtime_r(&now, &parts);
+        std::array<char, 32> text{};
+        const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+        return {text.data(), length};
+    }
     void keep() { store_.set_meta(store::run_key + command_, note_.dump()); }
 
     store::Store& store_;

@@ -9,10 +9,22 @@
 #include <optional>
 #include <vector>
 
-#include "edgewise/measure/cache/touched_bytes.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 
 namespace edgewise::measure {
+
+/// Bytes of a stretch of memory that were ever touched: a bit per byte.
+class TouchedBytes {
+  public:
+    void touch(std::uint64_t from, std::uint64_t bytes);
+
+    /// Of the bytes from .. from + bytes - 1, how many were touched.
+    [[nodiscard]] std::uint64_t count(std::uint64_t from, std::uint64_t bytes) const;
+    [[nodiscard]] std::uint64_t count() const { return count(0, 64 * words_.size()); }
+
+  private:
+    std::vector<std::uint64_t> words_;
+};
 
 class HeatMap final : public TraceListener {
   public:

@@ -2,9 +2,9 @@
 #include "edgewise/measure/cache/scene_caches.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace edgewise::measure {
-
 namespace {
 
 constexpr std::uint32_t line_unit = 64, page_unit = 4096;
@@ -248,5 +248,33 @@ ReuseOf SceneCaches::reuse_of(std::uint32_t unit) const {
 
 ReuseOf SceneCaches::lines() const { return reuse_of(line_unit); }
 ReuseOf SceneCaches::pages() const { return reuse_of(page_unit); }
+
+ColdCaches::ColdCaches(std::span<const CacheMachine> machines) {
+    for (const CacheMachine& machine : machines) {
+        const std::vector<std::uint64_t> none(machine.caches.levels.size());
+        machines_.push_back({CacheModel(machine.caches), {none, none, none}, none, {}});
+    }
+}
+
+void ColdCaches::on_access(const TracedAccess& access) {
+    if (access.side == TraceSide::scene) return;
+    for (Cold& cold : machines_) {
+        if (cold.model.access(access.address, access.bytes, access.kind) == 0) continue;
+        access.for_each_unit(cold.model.geometry().line_bytes,
+                             [&](std::uint64_t line) { cold.lines.push_back(line); });
+    }
+}
+
+void ColdCaches::on_query_end(bool /*counts*/) {
+    for (Cold& cold : machines_) {
+        for (std::size_t i = 0; i < cold.booked.size(); ++i) {
+            const std::uint64_t before = std::exchange(cold.booked[i], cold.model.counts(i).misses);
+            cold.misses.each(start_, [&](auto& misses) { misses[i] += cold.booked[i] - before; });
+        }
+        for (const std::uint64_t line : cold.lines) cold.model.drop(line);
+        cold.lines.clear();
+    }
+    start_ = std::nullopt;
+}
 
 }  // namespace edgewise::measure

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "edgewise/measure/cache/cold_caches.hpp"
+#include "edgewise/measure/cache/scene_caches.hpp"
 
 namespace edgewise::measure {
 

@@ -2,7 +2,7 @@
 //
 // What is measured of a layout without a clock: bytes by component, distinct lines of 64 bytes per query,
 // modelled misses by machine, level and field in the steady state (the second of two passes over the same
-// accesses, cache/scene_caches.hpp), what queries miss that find all caches empty (cache/cold_caches.hpp),
+// accesses, cache/scene_caches.hpp), what queries miss that find all caches empty (the same header),
 // and the knee. All of queries that start cold, warm, and of both.
 #pragma once
 
@@ -19,7 +19,6 @@
 #include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/measure/cache/scene_caches.hpp"
 #include "edgewise/measure/expected.hpp"
-#include "edgewise/measure/touch/structure.hpp"
 #include "edgewise/measure/touch/touch_trace.hpp"
 
 namespace edgewise::measure {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <sys/resource.h>
+#include <time.h>
 
 #include <cstdint>
 
@@ -26,6 +27,13 @@ struct ThreadUsage {
     getrusage(RUSAGE_THREAD, &usage);  // cannot fail with these arguments
     return {static_cast<std::uint64_t>(usage.ru_minflt), static_cast<std::uint64_t>(usage.ru_majflt),
             static_cast<std::uint64_t>(usage.ru_nvcsw) + static_cast<std::uint64_t>(usage.ru_nivcsw)};
+}
+
+/// Seconds since the thread began; reading it takes some hundred ns.
+[[nodiscard]] inline double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);  // cannot fail with these arguments
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace edgewise::measure

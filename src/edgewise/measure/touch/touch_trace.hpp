@@ -1,20 +1,80 @@
 // SPDX-License-Identifier: MIT
 //
-// What queries read and write of a user's own structure: he says where each query begins and touches what it
-// reads, by plain calls or through a loader (touch/reads.hpp). Kept in memory, 16 bytes per access, so that a
-// cache model can go over it as often as it likes.
+// Reads and writes of a user's own structure by queries: the user says where each query begins and touches
+// what it reads, by plain calls or through a loader. The trace is kept in memory, 16 bytes per access, so
+// that a cache model can go over it as often as it likes.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "edgewise/measure/cache/trace.hpp"
-#include "edgewise/measure/touch/structure.hpp"
 
 namespace edgewise::measure {
+
+/// So many bytes of an element serve this member.
+struct Member {
+    std::string name;
+    std::size_t bytes;
+};
+
+/// Bytes of a component of a structure, such as "nodes.children".
+struct ComponentBytes {
+    std::string component;
+    std::uint64_t bytes;
+};
+
+/// A user's own structure, as a trace of it needs it: which arrays it has and what each element's bytes are
+/// for. Addresses become places that are the same in every run: arrays follow each other in the order in
+/// which they were added, each from the start of a cache line, as an aligned allocation has it. Where an
+/// array really begins within a line is the allocator's chance and no layout's.
+class Structure {
+  public:
+    /// Its elements must stay where they are as long as they are traced: add arrays when they are built. What
+    /// no member takes of an element is its padding. An array may be added in parts of one name.
+    template <std::ranges::contiguous_range Array>
+    void add_array(const std::string& name, const Array& elements, const std::vector<Member>& members) {
+        add_memory(name, std::ranges::data(elements), std::ranges::size(elements),
+                   sizeof(std::ranges::range_value_t<Array>), members);
+    }
+
+    /// `count` elements, `stride` bytes apart, placed at a multiple of `alignment`, a power of two: a line
+    /// for what is allocated as a whole, less for nodes that are allocated one by one.
+    void add_memory(const std::string& name, const void* at, std::size_t count, std::size_t stride,
+                    const std::vector<Member>& members, std::size_t alignment = 64);
+
+    /// Where these bytes lie; nothing: no array has them all.
+    [[nodiscard]] std::optional<std::uint64_t> place_of(const void* address, std::size_t bytes) const;
+
+    /// Of every member and of every array's padding, in the order in which they were added.
+    [[nodiscard]] const std::vector<ComponentBytes>& bytes() const { return bytes_; }
+
+    /// What is wrong with what was added; empty: nothing.
+    [[nodiscard]] const std::string& problem() const { return problem_; }
+
+  private:
+    struct Stretch {
+        std::uintptr_t from, to;  ///< past its end
+        std::uint64_t place;
+        std::string name;
+    };
+
+    void book(const std::string& component, std::uint64_t bytes);
+    void put(const Stretch& stretch);
+    void refuse(const std::string& problem) {
+        if (problem_.empty()) problem_ = problem;
+    }
+
+    std::vector<Stretch> stretches_;  ///< by address
+    std::vector<ComponentBytes> bytes_;
+    std::uint64_t next_ = 0;
+    std::string problem_;
+};
 
 class TouchTrace {
   public:
@@ -62,6 +122,32 @@ class TouchTrace {
     std::vector<Query> queries_;
     bool in_query_ = false;
     std::string problem_;
+};
+
+/// A user's loaders: code that reads every member through one of these is timed with PlainReads, which cost
+/// nothing, and traced with TouchReads.
+struct PlainReads {
+    template <class Value, class Field>
+    const Value& load(const Value& location, Field) const {
+        return location;
+    }
+};
+
+class TouchReads {
+  public:
+    /// The trace must outlive this.
+    explicit TouchReads(TouchTrace& trace) : trace_(&trace) {}
+
+    /// The same value, and the trace knows of it.
+    template <class Value, class Field>
+    const Value& load(const Value& location, Field field) const {
+        // Where nodes hold pointers, a pointer is what is read. NOLINTNEXTLINE(bugprone-sizeof-expression)
+        trace_->touch(&location, sizeof(Value), field);
+        return location;
+    }
+
+  private:
+    TouchTrace* trace_;
 };
 
 }  // namespace edgewise::measure

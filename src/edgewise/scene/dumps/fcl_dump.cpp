@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "edgewise/scene/dumps/dump.hpp"
-#include "edgewise/scene/dumps/dump_text.hpp"
 
 namespace edgewise::scene {
 

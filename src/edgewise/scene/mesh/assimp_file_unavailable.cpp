@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Stands in for assimp_file.cpp where Assimp was not there to build with.
-#include "edgewise/scene/mesh/assimp_file.hpp"
+#include "edgewise/scene/mesh/mesh_parts.hpp"
 
 namespace edgewise::scene {
 

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/result.hpp"
+#include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::scene {
 
@@ -36,5 +38,18 @@ struct MeshBody {
 /// finite. The warning names what was done to the bodies, and where single precision is too coarse for one.
 [[nodiscard]] Result<std::vector<MeshBody>> read_mesh_file(const std::string& path,
                                                            const MeshReading& reading = {});
+
+/// A single-precision mesh file holds only coordinates that every precision stores exactly, so that the
+/// rounding of storage would never show. This map, stated in the report, gives the coordinates all their
+/// digits back.
+inline constexpr double mesh_scale = 1.0 + 1.0 / 3.0;
+
+/// Whether a shape's name is that of a mesh file: built-in ones have no dot.
+[[nodiscard]] inline bool names_mesh_file(std::string_view shape) { return shape.find('.') != shape.npos; }
+
+/// The bodies under the names of their files, scaled by mesh_scale, hulls anew. The warning is that of
+/// read_mesh_file.
+[[nodiscard]] Result<std::vector<NamedShape>> mesh_shapes(const std::string& file,
+                                                          const MeshReading& reading = {});
 
 }  // namespace edgewise::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/scene/mesh/mesh_header.hpp"
+#include "edgewise/scene/mesh/mesh_parts.hpp"
 
 #include <algorithm>
 #include <charconv>

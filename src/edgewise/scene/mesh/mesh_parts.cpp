@@ -4,12 +4,7 @@
 #include <filesystem>
 
 #include "edgewise/input/file_text.hpp"
-#include "edgewise/scene/mesh/assimp_file.hpp"
-#include "edgewise/scene/mesh/mesh_header.hpp"
-#include "edgewise/scene/mesh/mesh_rows.hpp"
 #include "edgewise/scene/mesh/mesh_text.hpp"
-#include "edgewise/scene/mesh/obj_file.hpp"
-#include "edgewise/scene/mesh/stl_file.hpp"
 
 namespace edgewise::scene {
 namespace {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/scene/mesh/mesh_rows.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +7,7 @@
 
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/input/known_names.hpp"
-#include "edgewise/scene/mesh/mesh_header.hpp"
+#include "edgewise/scene/mesh/mesh_parts.hpp"
 #include "edgewise/scene/mesh/mesh_text.hpp"
 
 namespace edgewise::scene {

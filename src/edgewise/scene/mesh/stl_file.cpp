@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/scene/mesh/stl_file.hpp"
+#include "edgewise/scene/mesh/mesh_parts.hpp"
 
 #include <bit>
 #include <cstring>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "edgewise/measure/process/thread_time.hpp"
+#include "edgewise/measure/process/thread_usage.hpp"
 #include "edgewise/studies/campaign/checked_answer.hpp"
 #include "edgewise/studies/campaign/workload_of.hpp"
 

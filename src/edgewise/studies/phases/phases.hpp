@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "edgewise/measure/process/inline_frames.hpp"
+#include "edgewise/measure/process/callgrind_lines.hpp"
 
 namespace edgewise::studies {
 

@@ -267,7 +267,6 @@ Factorial run_factorial(const Levels& levels, const std::function<void()>& on_tr
     TracedScenes scenes(levels);
     trace_all(levels, sizes, scenes, on_trace, stop);
     if (stop) return result;
-    result.traced_scenes = static_cast<double>(scenes.count());
     count_cycles(scenes, result);
     calibrate(levels, sizes, result);
     measure_builds(levels, result);

@@ -2,7 +2,7 @@
 //
 // What could have made figure 8: every combination of what the paper leaves open, each scored against the
 // four facts that the figure states (figure_8_facts.hpp). Demands are traced once (memory_demand.hpp); the
-// rest is arithmetic (old_machine.hpp), so that it is the same on every machine, but for what building a
+// rest is arithmetic (memory_demand.hpp), so that it is the same on every machine, but for what building a
 // table costs, which is measured here.
 #pragma once
 
@@ -15,7 +15,6 @@
 
 #include "edgewise/studies/thrash/figure_8_facts.hpp"
 #include "edgewise/studies/thrash/memory_demand.hpp"
-#include "edgewise/studies/thrash/old_machine.hpp"
 
 namespace edgewise::studies::thrash {
 
@@ -91,7 +90,7 @@ struct Factorial {
     std::vector<Calibration> calibrations;
     std::vector<BuildCost> builds;
     std::vector<Outcome> outcomes;
-    double traced_scenes = 0, cycles = 0, vclip_queries = 0;
+    double cycles = 0, vclip_queries = 0;
 };
 
 /// Throws std::invalid_argument where this program lacks a table type. `on_trace` is notified of each scene.

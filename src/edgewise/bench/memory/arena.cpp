@@ -7,7 +7,7 @@
 // to none while the file is opened, which the file then keeps, and set back at once; where that is not
 // permitted the mapping is advised as random, which has Linux 6.3 and later forget which of its pages were
 // used last (vma_has_recency).
-#include "edgewise/bench/memory/table_mapping.hpp"
+#include "edgewise/bench/memory/arena.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
