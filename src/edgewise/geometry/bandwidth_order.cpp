@@ -13,7 +13,7 @@ bool fewer_neighbours(const Polyhedron& body, Index a, Index b) {
     return std::make_tuple(degree_of(body, a), a) < std::make_tuple(degree_of(body, b), b);
 }
 
-/// Breadth first, the neighbours of each vertex by their numbers of neighbours.
+/// Vertices in breadth-first order: neighbours of a vertex follow it in the order of their degrees.
 struct Levels {
     std::vector<Index> order;
     std::size_t count = 0, last_begins = 0;  ///< levels, and where the last one starts in `order`
@@ -42,7 +42,7 @@ struct Levels {
     }
 };
 
-/// From a vertex as far as can be from some other: levels are then many and narrow.
+/// Levels from a vertex that is as far as possible from some other vertex: they are many and narrow.
 Levels longest_levels(const Polyhedron& body) {
     Levels best(body, 0);
     for (;;) {

@@ -12,10 +12,10 @@
 
 namespace edgewise {
 
-/// New index -> index in the body. Ties go to the vertex of the smaller index.
+/// Returns for each new index the index in the body. Ties go to the vertex of the smaller index.
 [[nodiscard]] std::vector<Index> bandwidth_order(const Polyhedron& body);
 
-/// The largest difference between the numbers of two neighbours.
+/// Largest difference between the numbers of two neighbours.
 [[nodiscard]] Index bandwidth(const Polyhedron& body);
 
 }  // namespace edgewise

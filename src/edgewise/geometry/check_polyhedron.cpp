@@ -24,7 +24,7 @@ bool all_finite(const Polyhedron& body) {
                        [](const Vec3d& v) { return v.allFinite(); });
 }
 
-/// Unit length; the ring's vertices on the plane; no vertex above it.
+/// Reports a normal that has not unit length, ring vertices off the plane, and a vertex above the plane.
 void check_plane(const Polyhedron& body, const VertexBoxes& boxes, Index f, double tolerance,
                  Violations& found) {
     const Plane<double>& plane = body.face_planes[f];
@@ -46,7 +46,7 @@ void check_plane(const Polyhedron& body, const VertexBoxes& boxes, Index f, doub
     }
 }
 
-/// Every ring is a convex polygon, run counter-clockwise as seen from the plane's positive side.
+/// Reports a ring that is not a convex polygon, counter-clockwise as seen from the plane's positive side.
 void check_winding(const Polyhedron& body, Index f, double tolerance, Violations& found) {
     const std::optional<Index> corner = corner_outside(body, f, tolerance);
     if (!corner) return;

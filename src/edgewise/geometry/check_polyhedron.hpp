@@ -12,11 +12,11 @@
 
 namespace edgewise {
 
-/// The part that needs no coordinates: arrays, Euler's formula, twins, rings, canonical order. Empty when the
-/// arrays describe a closed surface of sphere type.
+/// Checks the part that needs no coordinates: arrays, Euler's formula, twins, rings, canonical order. Returns
+/// an empty list when the arrays describe a closed surface of sphere type.
 [[nodiscard]] std::vector<std::string> check_topology(const Polyhedron& body);
 
-/// One line for each violation; empty for a sound closed convex body.
+/// Returns one line for each violation; an empty list for a sound closed convex body.
 [[nodiscard]] std::vector<std::string> check_polyhedron(const Polyhedron& body,
                                                         double planarity = face_planarity);
 

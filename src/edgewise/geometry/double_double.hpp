@@ -53,7 +53,7 @@ using Wider = std::conditional_t<std::is_same_v<Scalar, float>, double, DoubleDo
     return exact_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
 
-/// Two steps of long division; about 100 bits.
+/// Quotient by two steps of long division; about 100 bits.
 [[nodiscard]] inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
     const double first = a.high / b.high;
     const DoubleDouble rest = a - b * DoubleDouble(first);
@@ -75,7 +75,7 @@ inline DoubleDouble& operator+=(DoubleDouble& a, const DoubleDouble& b) { return
 
 namespace Eigen {
 
-/// What Eigen wants to know of a scalar before it takes it.
+/// Traits that Eigen requires of a scalar type.
 template <>
 struct NumTraits<edgewise::DoubleDouble> : GenericNumTraits<edgewise::DoubleDouble> {
     enum {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies whose faces are taken as given. Points with equal coordinates are one vertex (the lowest index names
-// it), points in no face are left out with a warning, and a body wound inward throughout is reversed.
+// Bodies with faces taken as given. Points with equal coordinates become one vertex with the lowest index;
+// points in no face are left out with a warning; a body wound inward throughout is reversed.
 #include <algorithm>
 #include <string>
 
@@ -69,7 +69,7 @@ std::string unused_warning(std::span<const Vec3d> points, Faces faces) {
     return message(unused, " vertices are in no face and were left out, the first is vertex ", first);
 }
 
-/// Of faces that single precision bent: what was meant, as a hull.
+/// Returns the hull of the vertices of a body with faces that single precision bent.
 Result<Polyhedron> hull_of_bent(const Polyhedron& given) {
     Result<Polyhedron> hull = convex_hull(given.vertices);
     if (!hull) return hull;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a body is made of, as seen from outside: a kind and the *input* vertex indices it spans. This name
+// A feature of a body as the user names it: a kind and the *input* vertex indices it spans. This name
 // survives hulls, duplicates and renumbering; inside, tables use opaque handles (table/contract.hpp).
 #pragma once
 

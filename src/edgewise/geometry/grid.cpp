@@ -15,14 +15,14 @@ namespace edgewise {
 
 namespace {
 
-/// The longest side in steps: what 16 bits number, and two less before rounding, which may move both ends of
-/// the box by half a step, and its low corner down by one.
+/// Length of the longest side in steps: the most that 16 bits number, and two less before rounding, which may
+/// move both ends of the box by half a step, and its low corner down by one.
 constexpr double most_steps = 65535, most_steps_to_round = most_steps - 2;
 
-/// How far a body is grown at most before it is held by boxes, in steps of the grid along its longest side.
+/// How far a body grows at most before boxes replace it, in grid steps along its longest side.
 constexpr int outward_steps = 64;
 
-/// Around the points' box; the step is the power of two above a part of its longest side, and above `finest`.
+/// Grid around the points' box. Its step is the power of two above a part of the longest side and `finest`.
 Grid grid_around(const Aabb& box, double steps, double finest) {
     Grid grid;
     finest = std::max(max_abs(box.sides()) / steps, finest);
@@ -33,7 +33,7 @@ Grid grid_around(const Aabb& box, double steps, double finest) {
 
 double reach_of(const Aabb& box) { return std::max(max_abs(box.low), max_abs(box.high)); }
 
-/// Each at its nearest place of the grid; as they are, if all have places of their own value.
+/// Returns each point at its nearest grid place; the points themselves if all lie on the grid already.
 std::vector<Vec3d> on_grid(std::span<const Vec3d> points, double eps) {
     const auto moved_to = [&](const Grid& grid) {
         std::vector<Vec3d> result;
@@ -44,8 +44,8 @@ std::vector<Vec3d> on_grid(std::span<const Vec3d> points, double eps) {
     return std::ranges::equal(held, points) ? held : moved_to(Grid::for_rounding(points, eps));
 }
 
-/// Every point is a vertex of the hull, or on the inner side of all planes by more than its vertices may lie
-/// off them and a height may be rounded.
+/// Returns true if every point is a vertex of the hull, or inside all planes by more than its vertices may
+/// lie off them and a height may be rounded.
 bool contains(const Polyhedron& hull, std::span<const Vec3d> points) {
     const double noise = 2 * shape_tolerance(hull, face_planarity);
     return std::all_of(points.begin(), points.end(), [&](const Vec3d& p) {
@@ -56,7 +56,7 @@ bool contains(const Polyhedron& hull, std::span<const Vec3d> points) {
     });
 }
 
-/// Times the factor about the middle, then to the grid.
+/// Scales the body about its middle by the factor, then moves it to the grid.
 Result<Polyhedron> grown(const Polyhedron& body, double factor, double eps) {
     Vec3d middle = Vec3d::Zero();
     for (const Vec3d& v : body.vertices) middle += v / static_cast<double>(body.vertex_count());

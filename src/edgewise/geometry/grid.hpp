@@ -21,12 +21,12 @@ struct Grid {
     Vec3d low = Vec3d::Zero();  ///< of the box, rounded down to a step
     double step = 1;
 
-    /// For points that are to be rounded. A step is wider than 2 `eps` of the largest coordinate, so that
-    /// what computes with this rounding step holds every place exactly.
+    /// Grid for points that are still to be rounded. A step is wider than 2 `eps` of the largest coordinate,
+    /// so that arithmetic with this rounding step holds every place exactly.
     [[nodiscard]] static Grid for_rounding(std::span<const Vec3d> points, double eps);
 
-    /// For points that were rounded: every one has a place of its own value, although rounding may have made
-    /// their box a step longer. As fine as the grid that they were rounded to, or finer.
+    /// Grid for points that were rounded: every point is exactly a place, although rounding may have made
+    /// their box a step longer. It is as fine as the grid that they were rounded to, or finer.
     [[nodiscard]] static Grid of_rounded(std::span<const Vec3d> points, double eps);
 
     [[nodiscard]] Place nearest(const Vec3d& point) const;
@@ -39,11 +39,11 @@ struct Grid {
 /// body that is on its grid is returned as it is.
 [[nodiscard]] Result<Polyhedron> round_to_grid(const Polyhedron& body, double eps);
 
-/// Likewise, but a body that contains the given one: grown about its middle before it is rounded, step by
+/// A rounded body that contains the given one: it is grown about its middle before it is rounded, step by
 /// step, until every vertex is a vertex of the result or inside it by more than rounding. A body so thin that
 /// growing widens it less than rounding may narrow it becomes the hull of boxes around its vertices, two
-/// steps to each side. A body on its grid is returned as it is. Flat bodies stay flat, as
-/// round_to_grid has them: they are not contained.
+/// steps to each side. A body on its grid is returned unchanged. Flat bodies stay flat, as in round_to_grid:
+/// they are not contained.
 [[nodiscard]] Result<Polyhedron> round_to_grid_outward(const Polyhedron& body, double eps);
 
 }  // namespace edgewise

@@ -4,12 +4,12 @@
 // Qhull sees is recentred and scaled. Qhull gets the distinct points in the order of their coordinates, so
 // neither duplicates nor the order of the input change the body.
 //
-// Qhull's answer is not taken on trust. It merges facets that rounding cannot distinguish, and the ring of a
-// merged facet may come out bent inwards. The rule: the corner that bends most is taken out (it lies within
-// rounding of the body that is left) and the hull is made again. A body that the checker still refuses is
-// made a second time in axes of its own, which turns a needle into a round body. The last word is the
-// checker's, and every point left out must lie within face_planarity of the body; else there is an error,
-// never an unsound body.
+// Qhull's answer is checked. It merges facets that rounding cannot distinguish, and the ring of a merged
+// facet may be bent inwards. The rule: the corner that bends most is removed (it lies within rounding of
+// the remaining body) and the hull is made again. A body that the checker still refuses is made a second
+// time in axes of its own, which turns a needle into a round body. The checker decides in the end, and
+// every point left out must lie within face_planarity of the body; otherwise there is an error, never an
+// unsound body.
 #include "edgewise/geometry/hull.hpp"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ std::vector<Index> blamed_vertices(const Polyhedron& body) {
 using Map = std::vector<Vec3d> (*)(std::span<const Vec3d>, std::span<const Index>);
 
 /// One hull of the chosen points, as Qhull sees them through `map`. Points that keep a merged face from being
-/// convex are taken out of `chosen`, and the hull is made again, until none is left to blame.
+/// convex are removed from `chosen`, and the hull is made again, until no such point is left.
 Result<Polyhedron> hull_through(Map map, std::span<const Vec3d> points, std::vector<Index> chosen) {
     for (;;) {
         QhullFacets facets = qhull_facets(map(points, chosen));
@@ -74,7 +74,7 @@ Result<Polyhedron> hull_through(Map map, std::span<const Vec3d> points, std::vec
     }
 }
 
-/// Empty when the body is sound and holds all points, up to rounding.
+/// Returns an empty text when the body is sound and holds all points, up to rounding; else the error.
 std::string hull_error(const Polyhedron& body, std::span<const Vec3d> points,
                        std::span<const Index> distinct) {
     const std::vector<std::string> violations = check_polyhedron(body);

@@ -18,25 +18,25 @@ namespace edgewise {
 /// x extent), duplicates only, NaN or infinity, and coordinates out of range.
 [[nodiscard]] Result<Polyhedron> convex_hull(std::span<const Vec3d> points);
 
-/// The hull of points that are no solid: a polygon (with a front and a back), a segment, a point. One rule
-/// says what is flat, for all of Edgewise: what is thinner than flat_thickness (tolerance.hpp) of its extent.
-/// Fails, with a reason, on an empty set, NaN, infinity or coordinates out of range.
+/// The hull of points that have no volume: a polygon (with a front and a back), a segment, a point. One rule
+/// says what is flat, for all of Edgewise: thinner than flat_thickness (tolerance.hpp) of its extent. Fails,
+/// with a reason, on an empty set, NaN, infinity or coordinates out of range.
 [[nodiscard]] Result<Polyhedron> flat_hull(std::span<const Vec3d> points);
 
-/// The hull of any points: convex_hull of a solid, flat_hull of what is none.
+/// The hull of any points: convex_hull of a solid, else flat_hull.
 [[nodiscard]] Result<Polyhedron> hull_of_any(std::span<const Vec3d> points);
 
-/// A body whose faces are taken as given: each a counter-clockwise ring (seen from outside) of vertex
+/// A body with faces taken as given: each face is a counter-clockwise ring (seen from outside) of vertex
 /// indices. Coplanar neighbours are not merged; a body wound inward throughout is reversed; vertices in no
 /// face are left out, with a warning. Fails, with a reason, if the faces do not bound a closed convex solid,
-/// are not planar to face_planarity x extent (bent by no more than single precision does, the hull of their
-/// vertices is taken, with a warning), have no area, or have vertices in the middle of edges.
+/// are not planar to face_planarity x extent (if bent by no more than single precision does, the hull of
+/// their vertices is taken, with a warning), have no area, or have vertices in the middle of edges.
 [[nodiscard]] Result<Polyhedron> polyhedron_from_faces(std::span<const Vec3d> points,
                                                        std::span<const std::vector<Index>> faces);
 
-/// The body with its vertices moved (as many, in order): the hull of where they are now, with its own
-/// topology. `input_index` still names the vertices of the original input. The body unchanged when none
-/// moved; a warning says how many vertices vanish. `where` ends messages: "single precision".
+/// The body after its vertices moved (`moved`: one place each, in order): the hull of the new places, with
+/// its own topology. `input_index` still names vertices of the original input. Returns the body unchanged
+/// when none moved; a warning says how many vertices vanish. `where` ends messages: "single precision".
 [[nodiscard]] Result<Polyhedron> hull_of_moved(const Polyhedron& body, std::span<const Vec3d> moved,
                                                const char* where);
 

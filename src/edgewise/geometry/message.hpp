@@ -29,7 +29,7 @@ template <class... Parts>
     return (std::string() + ... + message_part(parts));
 }
 
-/// A number that is only to be read, in a few significant digits.
+/// Formats a number for reading only, in a few significant digits.
 [[nodiscard]] inline std::string rounded(double value, int significant = 2) {
     char digits[32];
     const auto end =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers side by side, 32 bytes of them, as the compiler's own vector types: one text makes SSE, AVX or NEON
-// of it. Wider ones g++ takes apart into single numbers where the machine lacks them. Used inside functions
-// alone: no type that a user links is made of it, so that none depends on machine flags.
+// 32 bytes of numbers side by side, in the compiler's own vector types: the same source becomes SSE, AVX or
+// NEON. g++ splits wider vectors into single numbers where the machine lacks them. Used inside functions
+// only: no type that a user links is made of it, so that none depends on machine flags.
 #pragma once
 
 #include <algorithm>
@@ -21,12 +21,12 @@ struct Pack {
 
     using Word = std::conditional_t<size == 4, std::int64_t, std::int32_t>;
     typedef Scalar Numbers __attribute__((vector_size(32)));
-    /// What comparing two of them gives: all bits set where true.
+    /// Result of a comparison of two of them: all bits set where true.
     typedef Word Words __attribute__((vector_size(32)));
 
-    // What is found goes where the caller says: a register that is returned is another thing on each machine.
+    // Results go to a reference of the caller: returning a vector register differs from machine to machine.
 
-    /// As many numbers as fit, in a row.
+    /// Loads consecutive numbers, one for each lane.
     template <class Stored>
     [[gnu::always_inline]] static void load(const Stored* first, Numbers& to) {
         typedef Stored Row __attribute__((vector_size(size * sizeof(Stored))));
@@ -38,7 +38,7 @@ struct Pack {
             to = __builtin_convertvector(row, Numbers);
     }
 
-    /// first, first + 1 ...
+    /// Fills the lanes with first, first + 1 ...
     [[gnu::always_inline]] static void count_from(Word first, Words& to) {
         if constexpr (size == 4)
             to = Words{0, 1, 2, 3} + first;
@@ -46,8 +46,8 @@ struct Pack {
             to = Words{0, 1, 2, 3, 4, 5, 6, 7} + first;
     }
 
-    /// The highest of the numbers; of those that are as high, the lowest of `where`. The largest word that
-    /// there is if one is no number.
+    /// Returns the lowest `where` among the lanes that hold the highest number. Returns the largest word that
+    /// there is if a number is NaN.
     [[nodiscard]] [[gnu::always_inline]] static Word first_of_highest(const Numbers& numbers,
                                                                       const Words& where) {
         Numbers highest = numbers;
@@ -60,7 +60,7 @@ struct Pack {
     }
 
   private:
-    /// All of them joined, in every place: halves, then pairs.
+    /// Joins all lanes and puts the result into every lane: halves first, then pairs.
     template <class Vector, class Join>
     [[gnu::always_inline]] static void fold(Vector& of, const Join& join) {
         if constexpr (size == 4) {
@@ -74,7 +74,7 @@ struct Pack {
     }
 };
 
-/// Of the highest so far, pack by pack: each place keeps its own.
+/// Keeps the highest number and its position for each lane, over all packs so far.
 template <class Scalar>
 struct HighestOfPacks {
     using Of = Pack<Scalar>;
@@ -82,7 +82,7 @@ struct HighestOfPacks {
     typename Of::Numbers heights;
     typename Of::Words where;
 
-    /// Of the first pack, whose vertices count from 0.
+    /// Starts from the first pack; its vertices count from 0.
     [[gnu::always_inline]] explicit HighestOfPacks(const typename Of::Numbers& first) : heights(first) {
         Of::count_from(0, where);
     }
@@ -93,7 +93,7 @@ struct HighestOfPacks {
         heights = higher ? next : heights;
         where = higher ? places : where;
     }
-    /// The first of the highest; at most `last`, which it is where heights are no numbers.
+    /// The first of the highest vertices; at most `last`, which it returns where heights are NaN.
     [[nodiscard]] [[gnu::always_inline]] std::size_t first_highest(std::size_t last) const {
         return std::min(static_cast<std::size_t>(Of::first_of_highest(heights, where)), last);
     }

@@ -25,10 +25,10 @@ namespace edgewise {
 using Index = std::uint32_t;
 using HalfEdge = std::uint32_t;
 
-/// On both sides of the edge of a segment.
+/// Face number on both sides of the edge of a segment.
 inline constexpr Index no_face = 0xffffffff;
 
-/// A body of more is refused: a pair keeps two of its features in 8 bytes (table/feature_name.hpp).
+/// Bodies with more edges are refused: a pair keeps two features in 8 bytes (table/feature_name.hpp).
 inline constexpr std::size_t most_edges = (std::size_t{1} << 21) - 1;
 
 struct PolyhedronEdge {
@@ -36,8 +36,8 @@ struct PolyhedronEdge {
     Index left, right;  ///< faces, or no_face
 };
 
-/// A solid; or a flat body: a polygon with a front and a back face, a segment of one edge without faces, a
-/// point.
+/// A convex body: a solid; or a flat body, which is a polygon with a front and a back face, a segment of one
+/// edge without faces, or a point.
 struct Polyhedron {
     std::vector<Vec3d> vertices;
     std::vector<Index> input_index;  ///< vertex -> index in the vertex list the user gave
@@ -73,7 +73,7 @@ struct Polyhedron {
 /// Length of the diagonal of the axis-aligned box around the points.
 [[nodiscard]] double extent(std::span<const Vec3d> points);
 
-/// Volume enclosed; positive for outward faces.
+/// Enclosed volume; positive for outward faces.
 [[nodiscard]] double volume(const Polyhedron& body);
 
 }  // namespace edgewise

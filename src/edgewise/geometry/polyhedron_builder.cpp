@@ -14,7 +14,7 @@
 namespace edgewise {
 namespace {
 
-/// One side of one ring, as an undirected edge with its direction beside it.
+/// One side of one ring, as an undirected edge with its direction.
 struct Side {
     Index low, high;  ///< vertices
     bool backwards;   ///< runs high -> low
@@ -53,7 +53,7 @@ std::vector<Side> sorted_sides(const FaceRings& input) {
     return sides;
 }
 
-/// Empty when sides 2e and 2e + 1 are the two directions of edge e, for all e.
+/// Returns an empty text when sides 2e and 2e + 1 are the two directions of edge e, for all e.
 std::string pairing_error(const FaceRings& input, const std::vector<Side>& sides) {
     for (std::size_t i = 0; i < sides.size();) {
         const Side& side = sides[i];
@@ -74,7 +74,7 @@ std::string pairing_error(const FaceRings& input, const std::vector<Side>& sides
     return {};
 }
 
-/// The rings as half-edges, each starting at its smallest, sorted by that.
+/// Returns the rings as half-edges, each starting at its smallest, sorted by their first half-edges.
 std::vector<std::vector<HalfEdge>> canonical_rings(const FaceRings& input, const std::vector<Side>& sides) {
     std::vector<std::vector<HalfEdge>> rings(input.rings.size());
     for (std::size_t f = 0; f < rings.size(); ++f) rings[f].resize(input.rings[f].size());
@@ -98,8 +98,8 @@ Vec3d area_vector(std::span<const Vec3d> vertices, std::span<const Index> ring, 
     return cast<double>(sum);
 }
 
-/// Minus the middle of <normal, v> over the ring. In two-fold precision: far from the origin the middle of
-/// rounded products would be off by more than the offset's own rounding.
+/// Minus the middle of <normal, v> over the ring, computed in two-fold precision: far from the origin the
+/// middle of rounded products would be off by more than the offset's own rounding.
 double middle_offset(std::span<const Vec3d> vertices, std::span<const Index> ring, const Vec3d& normal) {
     DoubleDouble low = accurate_dot(normal, vertices[ring[0]]);
     DoubleDouble high = low;
@@ -145,7 +145,7 @@ void fill_edges_and_faces(Polyhedron& body, const std::vector<Side>& sides,
     }
 }
 
-/// For each half-edge the one before it in its face's ring.
+/// Returns for each half-edge its predecessor in its face's ring.
 std::vector<HalfEdge> predecessors(const Polyhedron& body) {
     std::vector<HalfEdge> before(body.face_ring.size());
     for (Index f = 0; f < body.face_count(); ++f) {
@@ -163,8 +163,8 @@ std::string too_few_faces(Index name, Index degree) {
                    " faces around it, a corner needs 3; leave out vertices ", "in the middle of an edge");
 }
 
-/// Counter-clockwise around a vertex: from a leaving half-edge, across its left face, to the twin of the one
-/// that face's ring brings in. Returns what is wrong with the fan, if anything.
+/// Fills rings counter-clockwise around a vertex: from a leaving half-edge, across its left face, to the twin
+/// of the half-edge that comes in there. Returns an empty text, or what is wrong with the fan.
 std::string fill_vertex_rings(Polyhedron& body) {
     const std::vector<HalfEdge> before = predecessors(body);
     const auto none = static_cast<HalfEdge>(before.size());
@@ -190,8 +190,8 @@ std::string fill_vertex_rings(Polyhedron& body) {
     return {};
 }
 
-/// Whether the vertex farthest from the plane of face f is above it. (The sign of the volume would do as
-/// well, but for the rounding in needles.)
+/// Returns true if the vertex farthest from the plane of face f is above it. (The sign of the volume would
+/// give the same answer, except in needles because of rounding.)
 bool looks_inward(const Polyhedron& body, Index f) {
     const Vec3d& normal = body.face_planes[f].normal;
     const Vec3d& origin = body.vertices[body.tail(body.ring_of_face(f)[0])];

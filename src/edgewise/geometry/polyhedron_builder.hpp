@@ -21,8 +21,8 @@ struct FaceRings {
     std::vector<std::vector<Index>> rings;
 };
 
-/// Rings of positions in `chosen`, which are indices of points: only the vertices in use, in the order of the
-/// input, and named by it.
+/// Takes rings of positions in `chosen`, which are indices of points. Returns only the vertices in use, in
+/// the order of the input, with their input indices as names.
 [[nodiscard]] FaceRings in_input_order(std::span<const Vec3d> points, std::span<const Index> chosen,
                                        std::span<const std::vector<Index>> rings);
 
@@ -31,7 +31,7 @@ struct FaceRings {
 /// all in one fan. Says nothing about convexity. Faces without area get a zero normal.
 [[nodiscard]] Result<Polyhedron> build_polyhedron(const FaceRings& input);
 
-/// The same, with all rings reversed if the first face looks inward.
+/// Builds the body as build_polyhedron does, with all rings reversed if the first face looks inward.
 [[nodiscard]] Result<Polyhedron> build_outward(FaceRings input);
 
 }  // namespace edgewise

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a body is: x_world = R x + t with R and t exactly as given. R is meant to be a rotation but is never
-// re-normalised: what is given is what is answered (its distance from orthogonal is a figure, `ortho_error`).
+// Where a body is: x_world = R x + t with R and t exactly as given. R should be a rotation but is never
+// re-normalised: the answer is for the R given (`ortho_error` is its distance from orthogonal).
 //
 // Queries run in the frame of body A, so that a far-off origin costs no digits: the two origins are
 // subtracted first, in double, and only then rotated.
@@ -42,9 +42,9 @@ struct Transform {
     }
 };
 
-/// The map that takes B's points into A's frame; computed in double whatever the tables hold. It takes R_A's
-/// transpose for its inverse: rotations that are sloppier than rounding leaves one (`is_orthonormalised`:
-/// matrices in single, or typed in) should go through `orthonormalised` first, or a long offset comes out
+/// The map that takes B's points into A's frame; computed in double whatever the tables hold. It uses R_A's
+/// transpose as its inverse. Rotations with more than rounding error (`is_orthonormalised` is false: matrices
+/// in single, or typed in) should go through `orthonormalised` first, because otherwise a long offset is
 /// stretched.
 [[nodiscard]] inline Transform<double> relative_pose(const Pose& a, const Pose& b) {
     Transform<double> result;
@@ -73,15 +73,15 @@ template <class Scalar>
     return worst;
 }
 
-/// Orthogonal but for rounding.
+/// Returns true if the rotation is orthogonal to within rounding.
 [[nodiscard]] inline bool is_orthonormalised(const Pose& pose) {
     return ortho_error(pose.rotation) <= rotation_rounding;
 }
 
-/// The pose with its rotation made orthogonal, if it is farther from that than rounding leaves one (matrices
-/// in single, or typed in): queries in the frame of A take offsets there by the transpose, and would stretch
-/// a long one. `about`, a point of the body, stays where it is, so that no other moves by more than the
-/// distance of R from orthogonal times the body's extent, which the band of a verdict allows for.
+/// The pose with its rotation made orthogonal, if its error is more than rounding (matrices in single, or
+/// typed in): queries in the frame of A transform offsets by the transpose, and would stretch a long offset.
+/// The point `about` of the body stays where it is, so that no other point moves by more than the distance of
+/// R from orthogonal times the body's extent. The band of a verdict allows for that.
 [[nodiscard]] inline Pose orthonormalised(const Pose& pose, const Vec3d& about) {
     Pose result = pose;
     for (int i = 0; i < 8 && !is_orthonormalised(result); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A value, or one clear line that says why there is none. For what data can cause; programmer errors assert.
+// A value, or one clear line that says why there is none. For errors in data; programmer errors assert.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,14 @@ template <class Value>
 struct Result {
     std::optional<Value> value;
     std::string error;    ///< empty when there is a value; else one line: what, where, what to do
-    std::string warning;  ///< the value stands, but the user should know this
+    std::string warning;  ///< the value is valid, but the user should know this
 
     [[nodiscard]] explicit operator bool() const { return value.has_value(); }
     [[nodiscard]] const Value& operator*() const { return *value; }
     [[nodiscard]] Value& operator*() { return *value; }
     [[nodiscard]] const Value* operator->() const { return &*value; }
 
-    /// The value; without one throws std::invalid_argument with the error: for files and the command line.
+    /// Returns the value, or throws std::invalid_argument with the error: for files and the command line.
     [[nodiscard]] Value or_throw() && {
         if (!value) throw std::invalid_argument(error);
         return std::move(*value);

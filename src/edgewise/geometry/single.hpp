@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Rounding to single precision and back, which GCC 12 gets wrong when left to itself: from -O2 on its
-// straight-line vectoriser takes double -> float -> double of two neighbours for nothing and drops it. The
-// volatile keeps each value scalar; on no account write the two casts side by side.
+// Rounding to single precision and back, which GCC 12 gets wrong without help: from -O2 on its straight-line
+// vectoriser treats double -> float -> double of two neighbours as no operation and drops it. The volatile
+// keeps each value scalar; never write the two casts next to each other.
 #pragma once
 
 #include "edgewise/geometry/vec.hpp"
 
 namespace edgewise {
 
-/// The double nearest to x that single precision holds; infinite beyond its range.
+/// Returns the double nearest to x that single precision holds; infinite beyond its range.
 [[nodiscard]] inline double to_single(double x) {
     const volatile float single = static_cast<float>(x);
     return static_cast<double>(single);

@@ -8,7 +8,7 @@
 
 namespace edgewise {
 
-/// The next 64 random bits; `state` starts as the seed.
+/// Returns the next 64 random bits and advances `state`, which starts as the seed.
 [[nodiscard]] constexpr std::uint64_t split_mix(std::uint64_t& state) {
     state += 0x9e3779b97f4a7c15;
     std::uint64_t z = state;

@@ -48,7 +48,7 @@ class Turns {
     }
 
   private:
-    /// By the sine, which near zero is the angle; of an obtuse turn it is not asked.
+    /// Compares by the sine, which near zero equals the angle; not used for an obtuse turn.
     [[nodiscard]] bool enough(const Vec3d& from, const Vec3d& to, double length) const {
         const double lengths = norm(from) * norm(to);
         const double sine = dot(from, to) <= 0 ? 1 : norm(Vec3d(cross(from, to))) / lengths;
@@ -62,7 +62,7 @@ class Turns {
     double least_, reach_ = 0;
 };
 
-/// Of a solid; a polygon is flat, not thin.
+/// Returns true for a solid thinner than thin_solid; a polygon is flat, not thin.
 bool is_thin(const Polyhedron& body) {
     return body.face_count() > 2 &&
            extreme_frame(body.vertices, distinct_points(body.vertices)).across_plane < thin_solid;

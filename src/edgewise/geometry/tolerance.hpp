@@ -10,7 +10,7 @@ namespace edgewise {
 
 struct DoubleDouble;
 
-/// Per scalar type that computes; all are multiples of its rounding step, so all scale with the body.
+/// Tolerances by scalar type that computes; multiples of its rounding step, so they scale with the body.
 template <class Scalar>
 struct Tolerance {
     /// Rounding step: 2^-52 or 2^-23.
@@ -46,10 +46,10 @@ struct Tolerance {
     /// of a vertex height computed in floating point (derived in truth/support_filter.cpp).
     static constexpr Scalar support_filter = 256 * eps;
 
-    /// Radians, by what stores: faces or sides that turn by less count as flat, and V-Clip proves its answers
-    /// on such a body. Under an edge that turns by t, planes with noise n distinguish the two sides from a
-    /// depth of n / t on: a millionth of the size in double (2^-26), a quarter in single, where any more
-    /// would take in spheres of some hundred vertices.
+    /// Radians, by the scalar that stores: faces or sides that turn by less count as flat, and V-Clip proves
+    /// its answers on such a body. Under an edge that turns by t, planes with noise n distinguish the two
+    /// sides from a depth of n / t on: a millionth of the size in double (2^-26), a quarter in single, where
+    /// a larger value would include spheres of some hundred vertices.
     static constexpr Scalar strict_turn = eps < Scalar(1e-10) ? Scalar(0x1p-26) : 64 * eps;
 
     /// Johnson, squared height over length of a triangle: below it the direction of the normal is off by more
@@ -65,8 +65,8 @@ struct Tolerance {
     /// product of differences. A tetrahedron with a corner volume not beyond it is flat.
     static constexpr Scalar volume_noise = 8 * eps;
 
-    /// GJK, relative to max|w|: a closest point nearer to the origin than this, that cannot be improved and
-    /// whose direction separates nothing, is contact.
+    /// GJK, relative to max|w|: the bodies are in contact if the closest point is nearer to the origin than
+    /// this, cannot be improved, and its direction separates nothing.
     static constexpr Scalar contact_noise = 16 * eps;
 
     /// Normal of a face, squared sine of the angle at a corner: above it the plain cross product loses at
@@ -78,12 +78,12 @@ struct Tolerance {
     /// at a shorter side a corner may be as thin as rounding made it.
     static constexpr Scalar rounded_side = 64 * eps;
 
-    /// V-Clip, relative to the size: closest points nearer than this have a direction good to no more than a
-    /// part in 256, and slopes along it, which decide, no better.
+    /// V-Clip, relative to the size: closest points nearer than this have a direction accurate to a part in
+    /// 256 at best, and slopes along it, which decide, are no better.
     static constexpr Scalar hardly_apart = 256 * contact_noise;
 
-    /// A query's, in the bodies' own unit: origins farther from each other than this are refused, since the
-    /// square of the distance must not overflow: 2^510 in double (3e153), 2^62 in single (5e18).
+    /// Limit of a query, in the bodies' own unit: origins farther from each other than this are refused,
+    /// since the square of the distance must not overflow: 2^510 in double (3e153), 2^62 in single (5e18).
     static constexpr Scalar largest_offset = eps < Scalar(1e-10) ? Scalar(0x1p510) : Scalar(0x1p62);
 
     /// Relative to max|w|: a closest point nearer to the origin than this is computed again in the next
@@ -94,7 +94,7 @@ struct Tolerance {
     static constexpr Scalar close = eps < Scalar(1e-10) ? Scalar(0x1p-10) : Scalar(0x1p-4);
 };
 
-/// Sums of two doubles: what the sub-distance needs of the above.
+/// Tolerances for sums of two doubles: only those that the sub-distance uses.
 template <>
 struct Tolerance<DoubleDouble> {
     static constexpr double eps = 0x1p-100;
@@ -117,12 +117,12 @@ inline constexpr double face_planarity = 4096 * std::numeric_limits<double>::eps
 /// on every named shape) is a corner that neither planes nor climbs see. Half of the verdict's band.
 inline constexpr double bent_face = 8 * std::numeric_limits<double>::epsilon();
 
-/// Radians times lengths of the edge, relative to the largest coordinate: an edge that turns outwards by less
-/// may turn inwards, of planes with some rounding steps of noise.
+/// Radians times lengths of the edge, relative to the largest coordinate: an edge that seems to turn outwards
+/// by less may turn inwards, because planes have some rounding steps of noise.
 inline constexpr double climbable_turn = 64 * std::numeric_limits<double>::epsilon();
 
-/// Relative to the extent: a body thinner than this is flat. The same as face_planarity, since below it no
-/// check can distinguish the two sides of the body.
+/// Relative to the extent: a body thinner than this is flat. Equal to face_planarity, since below it no check
+/// can distinguish the two sides of the body.
 inline constexpr double flat_thickness = face_planarity;
 
 /// Relative to the longest axis: V-Clip proves its answers on a solid thinner than this, as on one that is
@@ -135,8 +135,8 @@ inline constexpr double thin_solid = 0x1p-16;
 /// straight.
 inline constexpr double straight_corner = 8 * std::numeric_limits<double>::epsilon();
 
-/// Relative to the extent: faces given in single precision are bent by its rounding, and quads are no planes
-/// any more; up to eight of its steps, the hull of their vertices is taken for what was meant.
+/// Relative to the extent: faces given in single precision are bent by its rounding, and quads are no longer
+/// plane. Up to eight rounding steps, the hull of their vertices replaces the faces.
 inline constexpr double single_planarity = 8 * 0x1p-23;
 
 /// Pure number: how far from orthogonal rounding may leave a rotation that was computed in double.
@@ -147,18 +147,18 @@ inline constexpr double rotation_rounding = 64 * std::numeric_limits<double>::ep
 /// is not.
 inline constexpr double sloppiest_rotation = 0x1p-5;
 
-/// Pure number, likewise: V-Clip, which takes the transpose of R for its inverse, hands what is farther from
-/// orthogonal to GJK, which does not. Nearer ones cost a distance some multiple of this times the size
+/// Pure number: V-Clip uses the transpose of R as its inverse, and passes a rotation farther from orthogonal
+/// than this to GJK, which does not. Nearer ones cost a distance some multiple of this times the size
 /// (sloppy_steps), which is less than `close` in double.
 inline constexpr double sloppy_rotation = 0x1p-14;
 
 /// V-Clip, times R's distance from orthogonal and the size: below this distance the two frames may disagree
-/// which features are closest.
+/// on which features are closest.
 inline constexpr double sloppy_steps = 16;
 
-/// Pure number, the largest entry of |R^T R - I| of a rotation that somebody wrote (scene/
-/// nearest_rotation.hpp): up to the first it is taken as it is, up to the second, which is three digits typed
-/// with care, it is replaced by the nearest rotation; farther away it is refused.
+/// Pure number, the largest entry of |R^T R - I| of a rotation in an input (scene/nearest_rotation.hpp): up
+/// to the first limit it is used as given; up to the second, which is three digits typed with care, the
+/// nearest rotation replaces it; farther away it is refused.
 inline constexpr double written_rotation_rounding = 1e-12;
 inline constexpr double sloppiest_written_rotation = 1e-3;
 
@@ -178,7 +178,7 @@ inline constexpr double unit_length = 8 * std::numeric_limits<double>::epsilon()
 inline constexpr double largest_coordinate = 1e60;
 inline constexpr double smallest_extent = 1e-60;
 
-/// Likewise for storage in single precision, once the larger body is scaled to about 1
+/// Largest coordinate for storage in single precision, once the larger body is scaled to about 1
 /// (bench/length_scale.hpp).
 inline constexpr double largest_coordinate_single = 0x1p30;
 inline constexpr double smallest_extent_single = 0x1p-30;
@@ -187,10 +187,10 @@ inline constexpr double smallest_extent_single = 0x1p-30;
 /// three differences stays in the range of double (3 x (200 + 53) < 1074 binary places).
 inline constexpr double smallest_coordinate = 0x1p-200;
 
-/// A cap on GJK's iterations per query, which ends by an argument: every one lowers the distance by more than
-/// rounding, or ends the run; spheres of 1538 vertices take up to some dozen. A thousandfold of that is a
-/// tenth of a second. Only a shape that breaks its contract meets it: an assertion in debug; in release the
-/// query says that it failed.
+/// A cap on GJK's iterations per query, which ends without it: every iteration lowers the distance by more
+/// than rounding, or ends the run; spheres of 1538 vertices take up to some dozen. A thousandfold of that is
+/// a tenth of a second. Only a shape that breaks its contract reaches the cap: an assertion in debug; in
+/// release the query reports that it failed.
 inline constexpr int most_gjk_iterations = 1 << 14;
 
 /// A cap on the steps of a GJK query that gain nothing even in wider arithmetic, taken while nothing
@@ -205,15 +205,15 @@ inline constexpr double convex_volume_share = 1 - 1e-4;
 /// of distances, not exact ones; every finer digit costs distance evaluations.
 inline constexpr double placement_tolerance = 1e-4;
 
-/// Relative to the body's size: the same of the scene `gap`, whose gaps are what it is about. Half of it is
-/// for the search, half for cutting offsets of up to 16 sizes to 24 bits (2^-25 x 16 = 4.8e-7).
+/// Relative to the body's size: placement tolerance of the scene `gap`, which is about its gaps. Half of it
+/// is for the search, half for cutting offsets of up to 16 sizes to 24 bits (2^-25 x 16 = 4.8e-7).
 inline constexpr double gap_placement_tolerance = 1e-6;
 
 /// Verdict band (truth/accuracy_band.hpp), in rounding steps of the scale of a pair: a gap or a depth inside
-/// it is below what the precision can tell. About the steps of a pose, a rotated vertex and a plane together.
+/// it is below the precision. About the steps of a pose, a rotated vertex and a plane together.
 inline constexpr double verdict_band_steps = 16;
 
-/// Verdict band, times the distance of R from orthogonal and the extent: what R_A^T R_B in place of R as
+/// Verdict band, times the distance of R from orthogonal and the extent: how far R_A^T R_B instead of R as
 /// given may move a vertex, over three rows and both bodies.
 inline constexpr double verdict_band_ortho = 4;
 
@@ -223,10 +223,10 @@ inline constexpr double verdict_band_ortho = 4;
 inline constexpr double verified_error_double = 1e-12;
 inline constexpr double verified_error_single = 1e-5;
 
-/// Likewise for depths in double, judged less sharply: a normal is worse than a foot.
+/// Verified error of depths in double, larger than of distances: a normal is less accurate than a foot.
 inline constexpr double verified_depth_error_double = 1e-9;
 
-/// Of other libraries, relative to the scale of a pair, distances and depths: what they aim at by themselves
+/// Judged error of other libraries, relative to the scale of a pair, distances and depths: their own aim
 /// (1e-6 is FCL's distance_tolerance and Coal's). An error below it is by their design.
 inline constexpr double judged_error_peer = 1e-6;
 

@@ -4,9 +4,9 @@
 //
 // Eigen may sum a product in packets or with fused multiply-add, depending on the machine it is compiled for.
 // Edgewise promises the same bits on every machine, so everything that sums goes through the functions below,
-// whose order is the order of the text. Element-wise +, -, * are Eigen's own.
+// which sum in the order of the source. Element-wise +, -, * are Eigen's own.
 //
-// The undefined-behaviour sanitizer does not look at those that read nothing but vectors handed to them: it
+// The undefined-behaviour sanitizer does not instrument functions that only read vectors passed to them: it
 // would find nothing, and took a good part of the time that g++ needs for a query (inlining.hpp).
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The Hilbert index is Skilling's ("Programming the Hilbert curve", AIP Conference Proceedings 707, 2004):
-// undo the excess turns bit by bit, then encode in Gray's way.
+// The Hilbert index follows Skilling ("Programming the Hilbert curve", AIP Conference Proceedings 707, 2004):
+// undo the excess turns bit by bit, then encode in Gray code.
 #include "edgewise/geometry/vertex_order.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr unsigned curve_bits = 10;
 
 using Cell = std::array<std::uint32_t, 3>;
 
-/// From a cell to its transposed Hilbert index.
+/// Transforms a cell into its transposed Hilbert index.
 void transpose(Cell& x) {
     for (std::uint32_t bit = 1U << (curve_bits - 1); bit > 1; bit >>= 1) {
         const std::uint32_t below = bit - 1;
@@ -84,7 +84,7 @@ std::vector<Index> breadth_first(const Polyhedron& body) {
     return order;
 }
 
-/// New index -> index in the body.
+/// Returns for each new index the index in the body.
 std::vector<Index> order_of_vertices(const Polyhedron& body, VertexOrder order) {
     if (order == VertexOrder::rcm) return bandwidth_order(body);
     return order == VertexOrder::bfs ? breadth_first(body) : along_curve(body);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The same body under other numbers. Which vertices lie side by side in memory decides how many cache lines a
-// walk over the surface touches; edges and faces follow the vertices, as the canonical order has it.
+// The same body with its vertices renumbered. Which vertices are neighbours in memory decides how many cache
+// lines a walk over the surface touches; edges and faces follow the vertices, in the canonical order.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ enum class VertexOrder : std::uint8_t {
 };
 
 [[nodiscard]] std::string_view to_string(VertexOrder order);
-/// Nothing for an unknown name.
+/// Returns the order with this name; nothing for an unknown name.
 [[nodiscard]] std::optional<VertexOrder> vertex_order_from(std::string_view name);
 
-/// The body with its vertices in this order; `input_index` still says which is which. Bodies without a volume
-/// stay as they are: a polygon's vertices lie in the order of its ring.
+/// The body with its vertices in this order; `input_index` still maps to the input. Bodies without a volume
+/// stay unchanged: a polygon's vertices lie in the order of its ring.
 [[nodiscard]] Result<Polyhedron> reordered(const Polyhedron& body, VertexOrder order);
 
 }  // namespace edgewise

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a body as a stranger would: offsets and ranges first, so that nothing is followed that leads out of
-// an array; then edges and rings. The second stage runs only if the first found nothing, so that a broken
-// array does not bury its cause under consequences.
+// Reads a body without trusting its arrays: offsets and ranges first, so that no index leads out of an array;
+// then edges and rings. The second stage runs only if the first found nothing, so that a broken array does
+// not bury its cause under consequences.
 #include <algorithm>
 
 #include "edgewise/geometry/check_polyhedron.hpp"
@@ -91,7 +91,7 @@ class TopologyCheck {
         }
     }
 
-    /// Long enough; and each half-edge with the next around by `check_pair`.
+    /// Checks that the ring is long enough, and each half-edge with the next one by `check_pair`.
     template <class CheckPair>
     void check_ring(std::string_view kind, Index i, std::span<const HalfEdge> ring, std::size_t least,
                     CheckPair check_pair) {
@@ -124,7 +124,7 @@ class TopologyCheck {
         }
     }
 
-    /// The canonical order: rings from their smallest half-edge, faces by their first one.
+    /// Checks the canonical order: rings from their smallest half-edge, faces by their first one.
     void check_order() {
         const auto check_start = [&](std::string_view kind, Index i, std::span<const HalfEdge> ring) {
             if (std::min_element(ring.begin(), ring.end()) != ring.begin())

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The tetrahedron of extreme points: the ends of the longest axis, the point farthest from their line, the
-// point farthest from the plane of these three. It tells how thick a point set is (within a small factor of
-// its true width), and gives thin sets axes of their own.
+// point farthest from the plane of the first three. It measures how thick a point set is (within a small
+// factor of its true width), and gives thin sets axes of their own.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether the ring of a face is a convex polygon, and which corner to blame if not.
+// Checks that the ring of a face is a convex polygon, and finds the corner to remove if it is not.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,11 @@ namespace edgewise {
 /// rounding of a plane's offset.
 [[nodiscard]] double shape_tolerance(const Polyhedron& body, double planarity);
 
-/// "face 0-1-3-2": by the input's vertices, since a canonical face number tells the user nothing.
+/// Name of a face by the input's vertices: "face 0-1-3-2". Canonical face numbers mean nothing to the user.
 [[nodiscard]] std::string face_name(const Polyhedron& body, Index f);
 
-/// A corner of face f that lies outside the line of one of the ring's edges by more than the tolerance; a
-/// corner whose edge has no length counts too.
+/// Returns a corner of face f that lies outside the line of one of the ring's edges by more than the
+/// tolerance; a corner with an edge of no length counts too. Returns nothing if there is none.
 [[nodiscard]] std::optional<Index> corner_outside(const Polyhedron& body, Index f, double tolerance);
 
 /// The corner of face f where the ring turns most to the wrong side.

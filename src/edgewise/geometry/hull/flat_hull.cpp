@@ -2,7 +2,7 @@
 //
 // The vertices keep the input's coordinates. The corners of a polygon are found in its own plane, where each
 // axis is scaled to about 1 (extreme_frame.hpp), by Andrew's monotone chain ("Another efficient algorithm for
-// convex hulls in two dimensions", 1979). A corner that rounding cannot tell from a straight side is none.
+// convex hulls in two dimensions", 1979). A corner that is straight to within rounding is left out.
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -38,7 +38,7 @@ Polyhedron segment_body(std::span<const Vec3d> points, Index tail, Index head) {
     return body;
 }
 
-/// The two ends, in the order of the input.
+/// Segment between the two extreme points, in the order of the input.
 Polyhedron segment_of(std::span<const Vec3d> points, std::span<const Index> distinct) {
     const std::vector<Vec3d> along = in_own_axes(points, distinct);
     const auto [low, high] = std::minmax_element(
@@ -48,12 +48,12 @@ Polyhedron segment_of(std::span<const Vec3d> points, std::span<const Index> dist
     return segment_body(points, std::min(first, last), std::max(first, last));
 }
 
-/// Only x and y are looked at.
+/// Returns true if p, q, r turn left; reads only x and y.
 bool turns_left(const Vec3d& p, const Vec3d& q, const Vec3d& r) {
     return (q.x() - p.x()) * (r.y() - q.y()) - (q.y() - p.y()) * (r.x() - q.x()) > straight_corner;
 }
 
-/// Counter-clockwise, as positions in `flat`.
+/// Returns the ring counter-clockwise, as positions in `flat`.
 std::vector<Index> polygon_ring(const std::vector<Vec3d>& flat) {
     std::vector<Index> order(flat.size());
     std::iota(order.begin(), order.end(), Index{0});

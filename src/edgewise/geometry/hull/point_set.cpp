@@ -21,7 +21,7 @@ bool lexicographic_less(const Vec3d& a, const Vec3d& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-/// All indices, equal points side by side with the lowest index first.
+/// Returns all indices, equal points next to each other with the lowest index first.
 std::vector<Index> sorted_indices(std::span<const Vec3d> points) {
     std::vector<Index> order(points.size());
     std::iota(order.begin(), order.end(), Index{0});
@@ -33,14 +33,14 @@ std::vector<Index> sorted_indices(std::span<const Vec3d> points) {
     return order;
 }
 
-/// What is wrong with one coordinate, after its value; empty when nothing is.
+/// Says why a coordinate is unusable, to follow its value; empty for a usable one.
 std::string value_error(double value) {
     if (!std::isfinite(value)) return "; every coordinate must be a finite number";
     if (std::abs(value) <= largest_coordinate) return {};
     return message(" is beyond ", largest_coordinate, "; scale the body down");
 }
 
-/// A number to subtract without rounding from all from low to high; 0 when there is none.
+/// Returns a number that can be subtracted without rounding from all from low to high; 0 if there is none.
 double exact_centre(double low, double high) {
     const bool one_sign = low > 0 || high < 0;
     const double small = std::min(std::abs(low), std::abs(high));

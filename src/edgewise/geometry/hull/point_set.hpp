@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A point set on its way to a hull: are the coordinates usable, which points are distinct, the same set near
-// the origin at unit size, and is it a solid at all. Recentring and scaling are exact, so no decision depends
-// on where a body lies or how large it is.
+// A point set before its hull is made: checks the coordinates, finds the distinct points, moves the set near
+// the origin at unit size, and says if it is a solid at all. Recentring and scaling are exact, so no decision
+// depends on where a body lies or how large it is.
 #pragma once
 
 #include <span>
@@ -13,10 +13,10 @@
 
 namespace edgewise {
 
-/// Empty, or one line naming the first vertex that is not finite or out of range.
+/// Returns an empty text, or one line naming the first vertex that is not finite or out of range.
 [[nodiscard]] std::string coordinate_error(std::span<const Vec3d> points);
 
-/// Of the box around the points.
+/// Longest side of the box around the points.
 [[nodiscard]] double widest_extent(std::span<const Vec3d> points);
 
 /// For each point the lowest index that has the same coordinates.
@@ -36,7 +36,7 @@ namespace edgewise {
 /// to an extent of about 1. Such a map changes neither the hull's vertices nor its faces.
 [[nodiscard]] std::vector<Vec3d> normalised(std::span<const Vec3d> points, std::span<const Index> chosen);
 
-/// Empty, or what keeps these points from having a solid hull: too few, all equal, on a line, in a plane.
+/// Empty, or the reason why these points have no solid hull: too few, all equal, on a line, in a plane.
 [[nodiscard]] std::string flatness_error(std::span<const Vec3d> points, std::span<const Index> distinct);
 
 }  // namespace edgewise

@@ -20,7 +20,7 @@ extern "C" {
 namespace edgewise {
 namespace {
 
-/// What Qhull writes to its error stream, kept in memory.
+/// Collects Qhull's error stream in memory.
 class ErrorStream {
   public:
     ErrorStream() : file_(open_memstream(&text_, &size_)) {}
@@ -45,7 +45,7 @@ class ErrorStream {
     FILE* file_;
 };
 
-/// Qhull's state, freed on the way out.
+/// Owns Qhull's state and frees it in its destructor.
 class Qhull {
   public:
     Qhull() : state_(std::make_unique<qhT>()) { qh_zero(state_.get(), stderr); }
@@ -66,7 +66,7 @@ class Qhull {
 
 using Arc = std::pair<Index, Index>;
 
-/// A triangle keeps no ridges; its orientation is a flag.
+/// Corners of a triangle: it keeps no ridges, and a flag holds its orientation.
 std::vector<Index> triangle_corners(qhT* qh, facetT* facet) {
     std::vector<Index> ring;
     vertexT *vertex, **vertexp;
@@ -75,7 +75,7 @@ std::vector<Index> triangle_corners(qhT* qh, facetT* facet) {
     return ring;
 }
 
-/// The arcs head to tail; when they are not one cycle the ring repeats corners, which the builder refuses.
+/// The arcs head to tail; if they are not one cycle the ring repeats corners, and the builder refuses it.
 std::vector<Index> chained(std::vector<Arc> arcs) {
     std::vector<Index> ring;
     if (arcs.empty()) return ring;

@@ -12,8 +12,8 @@
 namespace edgewise {
 namespace {
 
-/// Of this many, about, a cell is to hold: with V of them on a surface, V / 16 cells are as many as boxes
-/// cost no more than the vertices in the ones looked into.
+/// About how many vertices a cell holds. With V vertices on a surface there are V / 16 cells: testing that
+/// many boxes costs no more than the vertices in the boxes that are opened.
 constexpr double vertices_per_cell = 16;
 
 Aabb box_around(const std::vector<Vec3d>& points) {
@@ -25,7 +25,7 @@ Aabb box_around(const std::vector<Vec3d>& points) {
     return box;
 }
 
-/// Distance from the plane of the box's farthest corner on its positive side.
+/// Distance from the plane to the box's farthest corner on the positive side.
 double reach(const Plane<double>& plane, const Aabb& box) {
     const Vec3d half = (box.high - box.low) / 2;
     return plane.distance(box.low + half) + plane.normal.cwiseAbs().dot(half);

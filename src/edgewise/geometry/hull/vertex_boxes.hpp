@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Vertices in the cells of a grid, each cell with the box around its own: which vertices lie above a plane is
-// found by looking into the few boxes that reach above it, not at every vertex for every face.
+// Vertices in the cells of a grid, each cell with the box around its own vertices. A search for vertices
+// above a plane opens the few boxes that reach above it, instead of testing every vertex for every face.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,11 @@ namespace edgewise {
 
 class VertexBoxes {
   public:
-    /// Finite vertices, which must outlive this.
+    /// Holds a reference to these vertices, which must be finite and outlive this object.
     explicit VertexBoxes(const std::vector<Vec3d>& vertices);
 
-    /// The least index of a vertex whose distance from the plane is not at most `height`, as a look at all of
-    /// them would find it, to the bit.
+    /// Returns the least index of a vertex with a distance from the plane that is not at most `height`: the
+    /// index that a scan of all vertices returns, to the bit.
     [[nodiscard]] std::optional<Index> first_above(const Plane<double>& plane, double height) const;
 
   private:
