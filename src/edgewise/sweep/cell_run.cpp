@@ -56,8 +56,8 @@ void CellRun::verify(SharedQueries& shared) {
                                                          : store::CellStatus::failed;
 }
 
-std::vector<measure::CheckedAnswer> CellRun::checked(SharedQueries& shared,
-                                                     std::span<const Distance> answers) const {
+std::vector<truth::CheckedAnswer> CellRun::checked(SharedQueries& shared,
+                                                   std::span<const Distance> answers) const {
     const auto stored = runner_->stored_bodies();
     if (axes_.needs == Needs::nearer)
         return check_nearness(shared, stored, answers, type_.eps, axes_.query,

@@ -57,8 +57,8 @@ class CellRun {
     [[nodiscard]] const std::vector<store::FigureRow>& figures() const { return figures_; }
 
   private:
-    [[nodiscard]] std::vector<measure::CheckedAnswer> checked(SharedQueries& shared,
-                                                              std::span<const Distance> answers) const;
+    [[nodiscard]] std::vector<truth::CheckedAnswer> checked(SharedQueries& shared,
+                                                            std::span<const Distance> answers) const;
 
     /// Whether another pass gave the answers of the first; fails the cell if not.
     void hold_against_answers(const bench::PassSum& sum, std::string_view probe);
@@ -73,7 +73,7 @@ class CellRun {
     std::span<const std::string> only_;     ///< none: by all probes
     std::vector<std::uint8_t> in_contact_;  ///< of every query; empty where the answers do not tell
     std::vector<double> distances_;         ///< the answers' sums, query by query
-    std::vector<measure::CheckedAnswer> checked_;
+    std::vector<truth::CheckedAnswer> checked_;
     measure::AnswerCounts counts_;
     std::vector<store::FigureRow> figures_;
 };

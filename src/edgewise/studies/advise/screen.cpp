@@ -45,8 +45,8 @@ void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& op
     cell.steps = steps / static_cast<double>(answers.size());
     const auto checked =
         sweep::check_answers(shared, runner->stored_bodies(), answers, cell.type->eps, query.query);
-    for (const measure::CheckedAnswer& answer : checked)
-        cell.error = std::max(cell.error, answer.error_given);
+    for (const truth::CheckedAnswer& answer : checked)
+        cell.error = std::max(cell.error, answer.band.over_scale(answer.error_given));
     if (std::string wrong = sweep::what_is_wrong(shared, checked, cell.type->eps); !wrong.empty())
         leave_out(cell, OutFor::failure, std::move(wrong));
     else if (cell.error > asked.error_limit)
