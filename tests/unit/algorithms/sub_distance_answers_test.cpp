@@ -13,7 +13,6 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/single_cell.hpp"
 #include "edgewise/studies/stability_cases.hpp"
-#include "edgewise/sweep/verify.hpp"
 
 namespace edgewise {
 namespace {
@@ -114,20 +113,18 @@ struct Checked {
 
 /// As a sweep checks a cell.
 Checked checked_cell(SubDistanceSolver solver, const std::string& table, const scene::SceneParameters& gaps) {
-    studies::SingleCell cell({.table = table,
-                              .algorithm = "gjk",
-                              .scene = "gap",
-                              .shape = "sphere38",
-                              .parameters = gaps,
-                              .queries = 2000,
-                              .sub_distance = solver,
-                              .checked = 500});
-    const std::vector<Distance> answers = cell.runner().answer();
-    const auto results =
-        sweep::check_answers(cell.shared(), cell.runner().stored_bodies(), answers, cell.type().eps);
-    EXPECT_EQ(sweep::what_is_wrong(cell.shared(), results, cell.type().eps), "") << table;
+    const studies::SingleCell cell({.table = table,
+                                    .algorithm = "gjk",
+                                    .scene = "gap",
+                                    .shape = "sphere38",
+                                    .parameters = gaps,
+                                    .queries = 2000,
+                                    .sub_distance = solver,
+                                    .checked = 500});
+    const sweep::PreparedCell& found = cell.prepared();
+    EXPECT_EQ(found.wrong(), "") << table;
     Checked checked;
-    for (const auto& result : results) {
+    for (const auto& result : found.checked()) {
         checked.error = std::max(checked.error, result.band.over_scale(result.error));
         ++(result.exact == truth::ExactVerdict::separated ? checked.separated : checked.contact);
     }

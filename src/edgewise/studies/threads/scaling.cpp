@@ -10,7 +10,6 @@
 
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/studies/threads/thread_race.hpp"
-#include "edgewise/sweep/verify.hpp"
 
 namespace edgewise::studies {
 
@@ -61,7 +60,8 @@ class ScalingRun {
         found_.queries = queries;
         found_.frames = shared_->frames();
         found_.table_bytes = cell_.runner().memory().requested;
-        check_answers();
+        found_.checked = cell_.prepared().checked().size();
+        found_.wrong = cell_.prepared().wrong();
     }
 
     [[nodiscard]] bool is_wrong() const { return !found_.wrong.empty(); }
@@ -85,15 +85,6 @@ class ScalingRun {
     }
 
   private:
-    void check_answers() {
-        QueryOptions asked = options_.query;
-        asked.verdict_only = asked.verdict_only || cell_.type().verdict_only;
-        const auto checked = sweep::check_answers(cell_.shared(), cell_.runner().stored_bodies(),
-                                                  cell_.runner().answer(), cell_.type().eps, asked);
-        found_.checked = checked.size();
-        found_.wrong = sweep::what_is_wrong(cell_.shared(), checked, cell_.type().eps);
-    }
-
     void check_sum(const TimedPass& pass, int threads, const char* how) {
         ++found_.passes;
         if (!is_wrong()) found_.wrong = compare_sums(pass.sum, single_sum_, threads, how);

@@ -11,11 +11,9 @@ namespace edgewise::studies {
 
 CellCopy::CellCopy(const SingleCell& cell, const bench::RunnerOptions& options)
     : workload_(std::make_unique<scene::Workload>(cell.workload())),
-      runner_(cell.type().make_runner(cell.algorithm())) {
-    runner_->configure(options);
-    if (const std::string error = runner_->load(*workload_); !error.empty())
-        throw std::invalid_argument(error);
-    pass_ = runner_->prepared_frames();
+      cell_(cell.type(), cell.algorithm(), options) {
+    if (const std::string error = cell_.load(*workload_); !error.empty()) throw std::invalid_argument(error);
+    pass_ = cell_.runner().prepared_frames();
 }
 
 TimedPass time_shared(bench::ThreadedPass& pass, int threads) {

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "edgewise/bench/runner.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::studies {
@@ -22,7 +21,7 @@ class CellCopy {
 
   private:
     std::unique_ptr<scene::Workload> workload_;
-    std::unique_ptr<bench::Runner> runner_;
+    sweep::PreparedCell cell_;
     std::unique_ptr<bench::ThreadedPass> pass_;
 };
 
