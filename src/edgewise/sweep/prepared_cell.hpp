@@ -16,6 +16,25 @@
 
 namespace edgewise::sweep {
 
+using MarginOf = std::function<double(const scene::Query&)>;
+
+/// The checked answers of one cell. `stored` are the bodies its tables hold; eps the rounding step that
+/// computes, which alone decides the errors allowed; `options` what the answers were allowed to give away.
+/// With a margin they are verdicts on nearness (bench::near_answer).
+[[nodiscard]] std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared,
+                                                              std::span<const Polyhedron> stored,
+                                                              std::span<const Distance> answers, double eps,
+                                                              const QueryOptions& options = {},
+                                                              const MarginOf& margin = {});
+
+/// Empty when every checked answer is right; else what is wrong, with the first case as example.
+[[nodiscard]] std::string what_is_wrong(const SharedQueries& shared,
+                                        std::span<const truth::CheckedAnswer> checked, double eps);
+
+/// `cold`: a flag per query, as cold_starts says; of a scene without warm pairs all count as cold.
+[[nodiscard]] measure::AnswerCounts count_answers(std::span<const Distance> answers,
+                                                  std::span<const std::uint8_t> cold = {});
+
 class PreparedCell {
   public:
     PreparedCell(const bench::TableType& type, const std::string& algorithm,

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "edgewise/measure/process/thread_time.hpp"
-#include "edgewise/studies/campaign/checked_answer.hpp"
 #include "edgewise/studies/campaign/workload_of.hpp"
 
 namespace edgewise::studies::campaign {

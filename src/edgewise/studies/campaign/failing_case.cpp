@@ -7,7 +7,6 @@
 
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/scene/minimise.hpp"
-#include "edgewise/studies/campaign/checked_answer.hpp"
 #include "edgewise/studies/campaign/workload_of.hpp"
 #include "edgewise/truth/exact_body.hpp"
 
