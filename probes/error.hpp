@@ -17,7 +17,7 @@ namespace edgewise::probes {
 
 class error {
   public:
-    using Answers = std::span<const measure::CheckedAnswer>;
+    using Answers = std::span<const truth::CheckedAnswer>;
 
     static constexpr std::string_view summary =
         "worst error and wrong verdicts against exact arithmetic; steps, escapes, cycles, "
@@ -37,20 +37,20 @@ class error {
         const auto count = [&](auto is) {
             return static_cast<double>(std::count_if(answers.begin(), answers.end(), is));
         };
-        using Answer = const measure::CheckedAnswer&;
-        const double separated = count([](Answer a) { return a.separated; });
-        const double touching = count([](Answer a) { return a.touching; });
+        using Answer = const truth::CheckedAnswer&;
+        const double separated = count([](Answer a) { return a.exact == truth::ExactVerdict::separated; });
+        const double touching = count([](Answer a) { return a.exact == truth::ExactVerdict::touching; });
         const double checked = static_cast<double>(answers.size());
         std::vector<measure::Figure> all = {
             store::figure("error.checked", checked),
-            worst("error.worst_error_stored", answers, &measure::CheckedAnswer::error_stored),
-            worst("error.worst_error_given", answers, &measure::CheckedAnswer::error_given),
-            at_quantile("error.p50_error_given", answers, &measure::CheckedAnswer::error_given, 0.5),
+            worst("error.worst_error_stored", answers, stored),
+            worst("error.worst_error_given", answers, given),
+            at_quantile("error.p50_error_given", answers, given, 0.5),
             p999_given(answers),
-            at_quantile("error.p99_error_stored", answers, &measure::CheckedAnswer::error_stored, 0.99),
-            worst("error.witness_error", answers, &measure::CheckedAnswer::witness_error),
+            at_quantile("error.p99_error_stored", answers, stored, 0.99),
+            worst("error.witness_error", answers, &truth::CheckedAnswer::witness_error),
             store::figure("error.wrong_verdicts", count([](Answer a) { return a.verdict_wrong; })),
-            store::figure("error.wrong_answers", count([](Answer a) { return a.wrong; })),
+            store::figure("error.wrong_answers", count([](Answer a) { return a.wrong(); })),
             store::figure("error.verdicts_in_band", count([](Answer a) { return a.in_band; })),
             store::figure("error.separated", separated),
             store::figure("error.touching", touching),
@@ -70,6 +70,9 @@ class error {
     static constexpr std::size_t least_for_p999 = 1000;
 
   private:
+    using Error = double truth::CheckedAnswer::*;
+    static constexpr Error stored = &truth::CheckedAnswer::error, given = &truth::CheckedAnswer::error_given;
+
     static void add_steps(const measure::AnswerCounts& counts, std::vector<measure::Figure>& all) {
         const std::uint64_t warm = counts.warm, cold = counts.queries - warm;
         store::add_means(store::mean_steps,
@@ -96,7 +99,7 @@ class error {
     /// How often the paper's control disagrees: of checked answers, and of these outside the band.
     static void add_control(Answers answers, std::vector<measure::Figure>& all) {
         double asked = 0, disagrees = 0, outside = 0;
-        for (const measure::CheckedAnswer& answer : answers) {
+        for (const truth::CheckedAnswer& answer : answers) {
             if (!answer.control_disagrees) continue;
             ++asked;
             disagrees += *answer.control_disagrees;
@@ -112,29 +115,29 @@ class error {
         add("error.control_disagreements_outside_band", outside);
     }
 
-    static std::vector<double> column(Answers answers, double measure::CheckedAnswer::*error) {
+    /// Over the scales of the pairs.
+    static std::vector<double> column(Answers answers, Error error) {
         std::vector<double> result;
-        for (const measure::CheckedAnswer& answer : answers) result.push_back(answer.*error);
+        for (const truth::CheckedAnswer& answer : answers)
+            result.push_back(answer.band.over_scale(answer.*error));
         return result;
     }
 
-    static measure::Figure worst(const store::FigureName& name, Answers answers,
-                                 double measure::CheckedAnswer::*error) {
+    static measure::Figure worst(const store::FigureName& name, Answers answers, Error error) {
         return at_quantile(name, answers, error, 1.0);
     }
 
     static measure::Figure p999_given(Answers answers) {
         const store::FigureName name("error.p999_error_given");
-        if (answers.size() >= least_for_p999)
-            return at_quantile(name, answers, &measure::CheckedAnswer::error_given, 0.999);
+        if (answers.size() >= least_for_p999) return at_quantile(name, answers, given, 0.999);
         return store::no_figure(name,
                                 "of " + std::to_string(answers.size()) +
                                     " checked answers a p99.9 would say no more than the worst",
                                 "check " + std::to_string(least_for_p999) + " queries or more (--checked)");
     }
 
-    static measure::Figure at_quantile(const store::FigureName& name, Answers answers,
-                                       double measure::CheckedAnswer::*error, double p) {
+    static measure::Figure at_quantile(const store::FigureName& name, Answers answers, Error error,
+                                       double p) {
         return store::figure(name, measure::quantile(column(answers, error), p), "no query was checked",
                              "check more queries");
     }

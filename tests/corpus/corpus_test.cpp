@@ -13,7 +13,6 @@
 
 #include "corpus.hpp"
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 #include "judged_case.hpp"
 
@@ -38,8 +37,7 @@ class Corpus : public testing::TestWithParam<Subject> {
     void SetUp() override { runner_ = GetParam().type.make_runner(GetParam().algorithm); }
 
     void expect_right(const scene::Case& given) {
-        const double eps = GetParam().type.eps;
-        const JudgedCase judged = judge_case(*runner_, {eps, eps > Tolerance<double>::eps}, given);
+        const JudgedCase judged = judge_case(*runner_, {GetParam().type.eps}, given);
         if (!judged.answered) {
             const bool large = judged.refusal.find(" takes bodies of up to ") != std::string::npos;
             ++(large ? worst_.too_large : worst_.refused);

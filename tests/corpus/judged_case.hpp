@@ -20,10 +20,10 @@ struct JudgedCase {
     double distance = 0, witness = 0, depth = 0;  ///< errors over scale, beyond the band
 };
 
-/// What an answer may be wrong by.
+/// What decides the errors that an answer is allowed.
 struct Exactness {
-    double eps = 0;          ///< rounding step that computes: the verdict's band
-    bool as_single = false;  ///< distances and depths by the bounds of single precision
+    double eps = 0;               ///< rounding step that computes
+    bool rounded_planes = false;  ///< the planes are rounder
 };
 
 /// Verdict outside the band, distance, witness points, depth, and the certificates of the stored and of the

@@ -14,8 +14,7 @@
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/truth/accuracy_band.hpp"
-#include "edgewise/truth/exact_distance.hpp"
+#include "edgewise/truth/checked_answer.hpp"
 
 namespace edgewise {
 namespace {
@@ -116,9 +115,8 @@ TEST(LayoutsAgree, OnFeaturesStatusAndDistance) {
         most_unique = std::max(most_unique, tally.unique);
         EXPECT_LE(tally.other_features, single || plain->rounded_planes ? most_unique / 100 : 0) << type.name;
         EXPECT_EQ(tally.other_status, 0) << type.name;
-        EXPECT_LE(tally.difference, single || type.rounded_planes || plain->rounded_planes
-                                        ? verified_error_single
-                                        : verified_error_double)
+        EXPECT_LE(tally.difference,
+                  truth::allowed_errors(type.eps, type.rounded_planes || plain->rounded_planes).distance)
             << type.name;
     }
 }

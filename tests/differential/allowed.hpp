@@ -19,8 +19,7 @@ template <class Table>
 inline constexpr bool computes_in_single = compute_eps<Table> > Tolerance<double>::eps;
 
 template <class Table>
-inline constexpr double verified_error =
-    computes_in_single<Table> ? verified_error_single : verified_error_double;
+inline constexpr double verified_error = truth::allowed_errors(compute_eps<Table>).distance;
 
 /// Two edges (or an edge and a face) that are parallel but for a little tilt have a direction of shortest
 /// distance that is only known to eps x size / gap, times 64 for V-Clip's dead bands; either algorithm may

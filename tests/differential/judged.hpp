@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgewise/algorithms/distance.hpp"
-#include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/truth/accuracy_band.hpp"
+#include "edgewise/scene/answer_claim.hpp"
 #include "random_pairs.hpp"
 
 namespace edgewise {
@@ -65,15 +63,16 @@ struct Judged {
 
 [[nodiscard]] inline Judged judge_answer(const Distance& answer, const CheckedPair& checked,
                                          const Polyhedron& a, const Polyhedron& b) {
-    const bool apart = answer.status == Status::separated;
-    const truth::Judgement judgement = truth::judge({apart, answer.distance}, checked.exact, checked.band);
+    truth::KnownPair known(checked.exact);
+    const truth::CheckedAnswer found = truth::check(
+        scene::claim_of(answer), {a.vertices, checked.pair.pose_a, b.vertices, checked.pair.pose_b}, known,
+        checked.band, {});
     Judged result;
-    result.verdict_wrong = judgement.verdict_wrong || answer.status == Status::failed;
-    result.distance_error = finite_or_worst(judgement.error_over_scale);
-    if (!apart) return result;
+    result.verdict_wrong = found.verdict_wrong;
+    result.distance_error = finite_or_worst(found.band.over_scale(found.error));
+    if (answer.status != Status::separated) return result;
+    result.witness_error = finite_or_worst(found.band.over_scale(found.witness_error));
     const double scale = checked.band.scale;
-    const double between = norm(Vec3d(answer.point_a - answer.point_b));
-    result.witness_error = finite_or_worst(std::abs(between - answer.distance) / scale);
     const Vec3d in_b = checked.a_from_b.inverse().point(answer.point_b);
     result.outside = std::max(0.0, std::max(outside(a, answer.point_a), outside(b, in_b)) / scale);
     result.outside = finite_or_worst(result.outside);

@@ -46,9 +46,9 @@ template <class Algorithm, class P>
 void fuzz_table(const scene::Case& given) {
     using Compute = typename P::Compute;
     // Planes stored in single keep V-Clip from the bounds of double even where double computes.
-    const bool as_single = std::is_same_v<typename P::Stored, float>;
+    const bool rounded_planes = std::is_same_v<typename P::Stored, float>;
     bench::RunnerFor<Algorithm, aos<P>, aos<P, Traced<measure::TraceSink>>> runner;
-    const JudgedCase judged = judge_case(runner, {Tolerance<Compute>::eps, as_single}, given);
+    const JudgedCase judged = judge_case(runner, {Tolerance<Compute>::eps, rounded_planes}, given);
     if (!judged.complaints.empty()) report(given, judged, P::name);
 }
 

@@ -162,8 +162,8 @@ edgewise_mutant(touching_counts_as_overlap truth/exact_distance.cpp [[interior ?
     ExactVerdict.* ${unit}/truth/exact_verdict_test.cpp)
 edgewise_mutant(band_without_rotations truth/accuracy_band.cpp [[verdict_band_ortho * ortho]] [[0 * ortho]]
     AccuracyBand.* ${unit}/truth/accuracy_band_test.cpp)
-edgewise_mutant(judge_lets_nan_pass truth/accuracy_band.cpp [[if (answer.separated && std::isnan(answer.distance)) result.verdict_wrong = true;]] [[]]
-    Judge.* ${unit}/truth/accuracy_band_test.cpp)
+edgewise_mutant(judge_lets_nan_pass truth/checked_answer.cpp [[(claim.separated && std::isnan(claim.distance))]] [[false]]
+    CheckedAnswer.* ${unit}/truth/checked_answer_test.cpp)
 
 # Cache model
 edgewise_mutant(sets_by_the_wrong_bits measure/cache/cache_model.hpp [[return mask_ != 0 ? line & (mask_ - 1)]] [[return mask_ != 0 ? line >> 1 & (mask_ - 1)]]
@@ -260,7 +260,7 @@ edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobo
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
 edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return walk(a, b, nobody, true);]] [[return walk(a, b, nobody, false);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
-edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability_tally.cpp [[judged.judgement.verdict_wrong || beyond;]] [[judged.judgement.verdict_wrong;]]
+edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability_tally.cpp [[+= checked.wrong();]] [[+= checked.verdict_wrong;]]
     StabilityTally.AWrongDistance* ${unit}/studies/stability_tally_test.cpp)
 
 # Figure 8
@@ -277,7 +277,7 @@ edgewise_mutant(proofs_round_the_wrong_way truth/filter/posed_pair.cpp [[height 
     FloatProof.SaysNothingFalse* ${campaign}/float_proof_test.cpp)
 edgewise_mutant(corners_are_where_they_seem truth/filter/enclosure.cpp [[return v > certain;]] [[return v > 0;]]
     Enclosure.* ${unit}/truth/enclosure_test.cpp)
-edgewise_mutant(any_answer_is_proven studies/campaign/checked_answer.cpp [[return checked.error <= cell.error_allowed;]] [[return true;]]
+edgewise_mutant(any_answer_is_proven truth/checked_answer.cpp [[if (!(checked.worst_beyond() <= allowed.distance)) return std::nullopt;]] [[]]
     Campaign.FindsALiar* ${campaign}/campaign_test.cpp)
 # Fields that travel together
 edgewise_mutant(records_of_any_kind_are_one studies/fields/co_access.cpp [[kind_[field.field] << 40 |]] [[]]

@@ -13,9 +13,10 @@
 #include <vector>
 
 #include "edgewise/bench/registry.hpp"
+#include "edgewise/measure/answer_counts.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
-#include "edgewise/measure/checked_answer.hpp"
 #include "edgewise/measure/figure.hpp"
+#include "edgewise/truth/checked_answer.hpp"
 
 namespace edgewise::bench {
 
@@ -51,14 +52,14 @@ struct ProbedCell {
     const AlgorithmInfo& algorithm;
     const Runner& runner;  ///< with the workload loaded
     const scene::Workload& workload;
-    bool plain = true;                                     ///< without further axes
-    Needs needs = Needs::witnesses;                        ///< what was asked of every answer
-    bool verified = true;                                  ///< else a checked answer is wrong
-    std::span<const std::size_t> checked_positions = {};   ///< of the queries that were checked
-    std::span<const measure::CheckedAnswer> checked = {};  ///< in that order
-    measure::AnswerCounts counts = {};                     ///< of all answers
-    std::span<const measure::Round> rounds = {};           ///< timed so far
-    CacheOrder caches = {};                                ///< what is to be modelled
+    bool plain = true;                                    ///< without further axes
+    Needs needs = Needs::witnesses;                       ///< what was asked of every answer
+    bool verified = true;                                 ///< else a checked answer is wrong
+    std::span<const std::size_t> checked_positions = {};  ///< of the queries that were checked
+    std::span<const truth::CheckedAnswer> checked = {};   ///< in that order
+    measure::AnswerCounts counts = {};                    ///< of all answers
+    std::span<const measure::Round> rounds = {};          ///< timed so far
+    CacheOrder caches = {};                               ///< what is to be modelled
     SharedResults shared = {};
 };
 

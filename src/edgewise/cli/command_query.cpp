@@ -18,9 +18,9 @@
 #include "edgewise/cli/number_option.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/known_names.hpp"
+#include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/scene/case_file.hpp"
 #include "edgewise/studies/parts/allowed_errors.hpp"
-#include "edgewise/truth/accuracy_band.hpp"
 
 namespace edgewise::cli {
 
@@ -114,9 +114,7 @@ struct Respondent {
 /// Why the distance cannot be right, by the certificate of the bodies as stored; empty if it can be.
 std::string contradiction(const bench::NamedAnswer& answer, const truth::Certificate& stored,
                           const scene::Query& query, const Respondent& by, const QueryArguments& options) {
-    const auto bodies = by.runner->stored_bodies();
-    const auto band = truth::accuracy_band(bodies[query.body_a].vertices, query.pose_a,
-                                           bodies[query.body_b].vertices, query.pose_b, by.type.eps);
+    const auto band = scene::placed(by.runner->stored_bodies(), query).band(by.type.eps);
     const double allowed =
         studies::allowed_errors(by.type, options.algorithm).distance * band.scale + band.band;
     const double distance = answer.distance.distance,

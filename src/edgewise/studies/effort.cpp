@@ -10,7 +10,6 @@
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/studies/callgrind_pass.hpp"
 #include "edgewise/studies/read_counter.hpp"
-#include "edgewise/sweep/verify.hpp"
 
 namespace edgewise::studies {
 
@@ -26,19 +25,6 @@ double vertex_bytes(const SingleCell& cell, const Ledger& ledger) {
     if (storage == "single") return 3 * sizeof(float);
     return static_cast<double>(ledger[Component::vertex_coordinates]) /
            static_cast<double>(cell.runner().stored_bodies()[0].vertex_count());
-}
-
-void take_answers(SingleCell& cell, Effort& effort) {
-    const std::vector<Distance> answers = cell.runner().answer();
-    double steps = 0;
-    for (const Distance& answer : answers) steps += answer.steps;
-    QueryOptions asked;
-    asked.verdict_only = cell.type().verdict_only;
-    const auto checked =
-        sweep::check_answers(cell.shared(), cell.runner().stored_bodies(), answers, cell.type().eps, asked);
-    effort.wrong = sweep::what_is_wrong(cell.shared(), checked, cell.type().eps);
-    effort.steps = effort.is_peer ? Count::none("a library does not tell its steps")
-                                  : Count{steps / static_cast<double>(answers.size())};
 }
 
 void take_trace(const SingleCell& cell, double bytes_of_vertex, Effort& effort) {
@@ -111,7 +97,7 @@ Counts count_effort(const CellChoice& choice, const Effort& effort,
 }
 
 Effort examine(const CellChoice& choice) {
-    SingleCell cell(choice);
+    const SingleCell cell(choice);
     const bench::TableType& type = cell.type();
     const Polyhedron& body = cell.runner().stored_bodies()[0];
     const Ledger ledger = cell.runner().ledger();
@@ -127,7 +113,9 @@ Effort examine(const CellChoice& choice) {
     effort.table_bytes = static_cast<double>(ledger.total());
     effort.object_bytes = static_cast<double>(cell.runner().object_bytes());
     effort.pair_bytes = static_cast<double>(cell.runner().pair_bytes());
-    take_answers(cell, effort);
+    effort.wrong = cell.prepared().wrong();
+    effort.steps =
+        type.is_peer ? Count::none("a library does not tell its steps") : Count{cell.prepared().mean_steps()};
     const double bytes_of_vertex = vertex_bytes(cell, ledger);
     take_trace(cell, bytes_of_vertex, effort);
     // Whether a library knows neighbours it does not tell: the lower floor of the two.

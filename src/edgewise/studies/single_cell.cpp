@@ -27,7 +27,21 @@ const bench::TableType& type_of(const CellChoice& choice) {
 /// A peer has one, of its own name.
 std::string algorithm_of(const CellChoice& choice, const bench::TableType& type) {
     const std::string names[] = {choice.algorithm};
-    return type.is_peer ? type.algorithms.front() : bench::select_algorithms(names).front();
+    std::string algorithm = type.is_peer ? type.algorithms.front() : bench::select_algorithms(names).front();
+    if (!type.serves(algorithm))
+        throw std::invalid_argument(fmt::format("{} does not serve {}", type.name, algorithm));
+    if (choice.margin && choice.needs != Needs::nearer)
+        throw std::invalid_argument("a margin is of needs nearer: give both");
+    if (type.is_peer && choice.needs != Needs::witnesses)
+        throw std::invalid_argument(fmt::format("{} answers with witnesses: leave needs out", type.name));
+    return algorithm;
+}
+
+bench::RunnerOptions options_of(const CellChoice& choice, const bench::TableOptions& placing) {
+    bench::RunnerOptions options{.tables = placing, .margin = choice.margin.value_or(bench::usual_margin)};
+    options.query.sub_distance = choice.sub_distance;
+    options.set_needs(choice.needs);
+    return options;
 }
 
 std::unique_ptr<sweep::SharedQueries> shared_queries(const CellChoice& choice) {
@@ -43,20 +57,11 @@ std::unique_ptr<sweep::SharedQueries> shared_queries(const CellChoice& choice) {
 }  // namespace
 
 SingleCell::SingleCell(const CellChoice& choice, const bench::TableOptions& placing)
-    : type_(&type_of(choice)), algorithm_(algorithm_of(choice, *type_)), shared_(shared_queries(choice)) {
-    if (!type_->serves(algorithm_))
-        throw std::invalid_argument(fmt::format("{} does not serve {}", type_->name, algorithm_));
-    if (choice.margin && choice.needs != Needs::nearer)
-        throw std::invalid_argument("a margin is of needs nearer: give both");
-    if (type_->is_peer && choice.needs != Needs::witnesses)
-        throw std::invalid_argument(fmt::format("{} answers with witnesses: leave needs out", type_->name));
-    runner_ = type_->make_runner(algorithm_);
-    bench::RunnerOptions options{.tables = placing, .margin = choice.margin.value_or(bench::usual_margin)};
-    options.query.sub_distance = choice.sub_distance;
-    options.set_needs(choice.needs);
-    runner_->configure(options);
-    if (const std::string error = runner_->load(workload()); !error.empty())
-        throw std::invalid_argument(error);
+    : algorithm_(algorithm_of(choice, type_of(choice))),
+      shared_(shared_queries(choice)),
+      cell_(type_of(choice), algorithm_, options_of(choice, placing)) {
+    if (const std::string error = cell_.load(workload()); !error.empty()) throw std::invalid_argument(error);
+    if (choice.checked > 0) cell_.check(*shared_);
 }
 
 store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, store::Run run) {

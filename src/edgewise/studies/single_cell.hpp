@@ -7,9 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "edgewise/bench/registry.hpp"
 #include "edgewise/store/rows.hpp"
-#include "edgewise/sweep/shared_queries.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 
 namespace edgewise::studies {
 
@@ -22,7 +21,7 @@ struct CellChoice {
     std::optional<double> margin = {};                              ///< of Needs::nearer; else the usual one
     SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;  ///< GJK's
     std::string peer = {};    ///< another library, as for select_peer_types: in place of table and algorithm
-    std::size_t checked = 0;  ///< queries to be compared with exact answers by those who ask for that
+    std::size_t checked = 0;  ///< answers to be compared with exact ones
 };
 
 class SingleCell {
@@ -30,17 +29,17 @@ class SingleCell {
     /// Throws std::invalid_argument: what, where, what to do.
     explicit SingleCell(const CellChoice& choice, const bench::TableOptions& placing = {});
 
-    [[nodiscard]] const bench::TableType& type() const { return *type_; }
+    [[nodiscard]] const bench::TableType& type() const { return cell_.type(); }
     [[nodiscard]] const scene::Workload& workload() const { return shared_->workload(); }
     [[nodiscard]] const std::string& algorithm() const { return algorithm_; }
-    [[nodiscard]] const bench::Runner& runner() const { return *runner_; }
-    [[nodiscard]] sweep::SharedQueries& shared() { return *shared_; }
+    [[nodiscard]] const bench::Runner& runner() const { return cell_.runner(); }
+    /// With its answers checked where the choice asks for that.
+    [[nodiscard]] const sweep::PreparedCell& prepared() const { return cell_; }
 
   private:
-    const bench::TableType* type_;
     std::string algorithm_;
     std::unique_ptr<sweep::SharedQueries> shared_;
-    std::unique_ptr<bench::Runner> runner_;
+    sweep::PreparedCell cell_;
 };
 
 /// The row that such a run has of such a cell, named; its status is the run's to say.

@@ -11,7 +11,6 @@
 
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/input/known_names.hpp"
-#include "edgewise/studies/parts/allowed_errors.hpp"
 #include "edgewise/studies/stability_subject.hpp"
 
 namespace edgewise::studies {
@@ -87,8 +86,7 @@ StabilityRow measured_row(const StabilityPlan& plan, const scene::HardFamily& fa
         return row;
     }
     const bench::TableType& type = *subject.type;
-    const AllowedErrors allowed = allowed_errors(type, subject.algorithm);
-    StabilityTally tally(allowed.distance, allowed.depth);
+    StabilityTally tally;
     const auto of_storage =
         cases.try_emplace(type.storage, family, plan.count, plan.seed, type.single_storage, plan.real);
     StabilitySubject asked(type, subject.algorithm, family.warm, of_storage.first->second,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/studies/stability_cases.hpp"
 
-#include "edgewise/truth/depth/exact_depth.hpp"
 #include "edgewise/truth/exact_body.hpp"
 #include "edgewise/truth/moore_wilhelms.hpp"
 
@@ -44,23 +43,6 @@ StabilityCases::StabilityCases(const scene::HardFamily& family, std::size_t coun
             if (first_refusal_.empty()) first_refusal_ = error;
         }
     }
-}
-
-const truth::ExactDistance& StabilityCases::exact(StabilityPose at, std::span<const Polyhedron> stored) {
-    std::optional<truth::ExactDistance>& known = truth_of(at).distance;
-    const auto& [pose_a, pose_b] = poses_of(at);
-    if (!known) known = *truth::exact_distance(stored[0].vertices, pose_a, stored[1].vertices, pose_b);
-    return *known;
-}
-
-double StabilityCases::depth(StabilityPose at, std::span<const Polyhedron> stored) {
-    std::optional<double>& known = truth_of(at).depth;
-    const auto& [pose_a, pose_b] = poses_of(at);
-    if (!known)
-        known = truth::exact_depth(stored[0].vertices, pose_a, stored[1].vertices, pose_b,
-                                   exact(at, stored).simplex)
-                    ->depth;
-    return *known;
 }
 
 std::optional<bool> StabilityCases::control(StabilityPose at, std::span<const Polyhedron> stored) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "edgewise/scene/hard/families.hpp"
-#include "edgewise/truth/exact_distance.hpp"
+#include "edgewise/truth/known_pair.hpp"
 
 namespace edgewise::studies {
 
@@ -35,18 +35,18 @@ class StabilityCases {
     [[nodiscard]] std::size_t refused() const { return refused_; }
     [[nodiscard]] const std::string& first_refusal() const { return first_refusal_; }
 
-    /// Of a pose between the two bodies that the tables hold: as given, or rounded to single. Each answer is
-    /// computed when first asked for.
-    [[nodiscard]] const truth::ExactDistance& exact(StabilityPose at, std::span<const Polyhedron> stored);
-    /// For pairs in contact.
-    [[nodiscard]] double depth(StabilityPose at, std::span<const Polyhedron> stored);
+    /// The exact answers of a pose between the two bodies that the tables hold: as given, or rounded to
+    /// single.
+    [[nodiscard]] truth::KnownPair& known(StabilityPose at) { return truth_of(at).pair; }
+    [[nodiscard]] truth::PlacedBodies placed(StabilityPose at, std::span<const Polyhedron> stored) const {
+        return {stored[0].vertices, poses_of(at).first, stored[1].vertices, poses_of(at).second};
+    }
     /// The paper's control, in double on the same bodies; nothing where a body is flat.
     [[nodiscard]] std::optional<bool> control(StabilityPose at, std::span<const Polyhedron> stored);
 
   private:
     struct Truth {
-        std::optional<truth::ExactDistance> distance;
-        std::optional<double> depth;
+        truth::KnownPair pair;
         std::optional<std::optional<bool>> control;
     };
 

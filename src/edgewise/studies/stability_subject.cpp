@@ -8,6 +8,7 @@
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/studies/parts/allowed_errors.hpp"
 
 namespace edgewise::studies {
@@ -61,26 +62,24 @@ void StabilitySubject::ask(std::size_t index, StabilityTally& tally) {
     if (!error.empty()) return tally.add_refusal(workload.queries.size(), error);
     const auto answers = runner_->answer();
     for (std::size_t pose = 0; pose < answers.size(); ++pose) {
-        judge_pose({index, pose}, answers[pose], tally);
+        check_pose({index, pose}, answers[pose], tally);
         if (proven_ < proofs_) prove_pose({index, pose}, tally);
     }
 }
 
-truth::AccuracyBand StabilitySubject::band_of(const Pose& pose_a, const Pose& pose_b) const {
-    const auto stored = runner_->stored_bodies();
-    return truth::accuracy_band(stored[0].vertices, pose_a, stored[1].vertices, pose_b, type_.eps);
+truth::CheckedAnswer StabilitySubject::checked(StabilityPose at, const truth::Claim& claim) const {
+    const truth::PlacedBodies bodies = cases_.placed(at, runner_->stored_bodies());
+    return truth::check(claim, bodies, cases_.known(at), bodies.band(type_.eps),
+                        allowed_errors(type_, algorithm_));
 }
 
-void StabilitySubject::judge_pose(StabilityPose at, const Distance& answer, StabilityTally& tally) {
+void StabilitySubject::check_pose(StabilityPose at, const Distance& answer, StabilityTally& tally) {
     const auto stored = runner_->stored_bodies();
-    const auto& [pose_a, pose_b] = cases_.all()[at.index].poses[at.pose];
-    const truth::ExactDistance& exact = cases_.exact(at, stored);
-    const truth::AccuracyBand band = band_of(pose_a, pose_b);
-    const bool separated = answer.status == Status::separated;
-    std::optional<double> depth;
-    if (separated && exact.verdict != truth::ExactVerdict::separated) depth = cases_.depth(at, stored);
-    tally.add({truth::judge({separated, answer.distance}, exact, band, depth), band, answer, &exact,
-               cases_.control(at, stored)});
+    StabilityAnswer asked{checked(at, scene::claim_of(answer)), answer,
+                          cases_.known(at).exact(cases_.placed(at, stored)).distance};
+    if (const auto control = cases_.control(at, stored))
+        asked.checked.control_disagrees = *control == (answer.status == Status::separated);
+    tally.add(asked);
 }
 
 void StabilitySubject::prove_pose(StabilityPose at, StabilityTally& tally) {
@@ -92,21 +91,24 @@ void StabilitySubject::prove_pose(StabilityPose at, StabilityTally& tally) {
     const bench::NamedAnswer answer = runner_->answer(query);
     const std::vector<Polyhedron> bodies = {given.a, given.b};
     const auto certificates = bench::certificates_of(answer, query, bodies, stored);
-    const truth::ExactDistance& exact = cases_.exact(at, stored);
-    const truth::AccuracyBand band = band_of(pose_a, pose_b);
+    truth::Claim claim = scene::claim_of(answer.distance);
+    claim.depth = answer.depth;
+    const truth::CheckedAnswer found = checked(at, claim);
+    const truth::AccuracyBand& band = found.band;
     StabilityProof proof;
+    proof.depth_error = band.beyond(found.depth_error);
+    proof.depth_wrong = found.depth_wrong;
     proof.certificate_missed = true;
     proof.depth_cut_short = answer.depth_cut_short;
     if (certificates) {
         const auto of_given = truth::exact_distance(given.a.vertices, pose_a, given.b.vertices, pose_b);
         proof.certificate_width = certificates->stored.width() / (band.scale > 0 ? band.scale : 1);
         const double allowed = allowed_errors(type_, algorithm_).distance * band.scale + band.band;
+        const truth::ExactDistance& exact = cases_.known(at).exact(cases_.placed(at, stored));
         proof.certificate_missed =
             !holds(certificates->stored, exact) || !of_given || !holds(certificates->given, *of_given) ||
             !bench::contradiction(answer.distance.distance, certificates->stored, allowed, allowed).empty();
     }
-    if (exact.verdict != truth::ExactVerdict::separated && answer.distance.status != Status::separated)
-        proof.depth_error = error_beyond(std::abs(answer.depth - cases_.depth(at, stored)), band);
     tally.add(proof);
 }
 
@@ -120,11 +122,13 @@ std::map<std::string, scene::Workload> StabilitySubject::by_gap() {
         const auto stored = runner_->stored_bodies();
         std::map<std::string, std::uint32_t> first;  // of the case's bodies in a bin
         for (std::size_t pose = 0; pose < one.queries.size() && taken < proofs_; ++pose, ++taken) {
-            const truth::ExactDistance& exact = cases_.exact({i, pose}, stored);
+            const truth::PlacedBodies placed = cases_.placed({i, pose}, stored);
+            truth::KnownPair& known = cases_.known({i, pose});
             const auto& query = one.queries[pose];
-            const double scale = band_of(query.pose_a, query.pose_b).scale;
+            const double scale = placed.band(type_.eps).scale;
+            const truth::ExactDistance& exact = known.exact(placed);
             const bool separated = exact.verdict == truth::ExactVerdict::separated;
-            const double gap = separated ? exact.distance : -cases_.depth({i, pose}, stored);
+            const double gap = separated ? exact.distance : -known.depth(placed);
             const std::string bin = bin_of(gap / (scale > 0 ? scale : 1));
             auto& bodies = bins[bin].bodies;
             const auto [place, is_new] = first.try_emplace(bin, static_cast<std::uint32_t>(bodies.size()));

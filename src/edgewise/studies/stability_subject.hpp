@@ -32,10 +32,9 @@ class StabilitySubject {
 
   private:
     void ask(std::size_t index, StabilityTally& tally);
-    void judge_pose(StabilityPose at, const Distance& answer, StabilityTally& tally);
+    void check_pose(StabilityPose at, const Distance& answer, StabilityTally& tally);
     void prove_pose(StabilityPose at, StabilityTally& tally);
-    /// Of these poses of the stored bodies.
-    [[nodiscard]] truth::AccuracyBand band_of(const Pose& pose_a, const Pose& pose_b) const;
+    [[nodiscard]] truth::CheckedAnswer checked(StabilityPose at, const truth::Claim& claim) const;
     [[nodiscard]] std::map<std::string, scene::Workload> by_gap();
     void time(StabilityTally& tally);
     [[nodiscard]] scene::Workload workload_of(std::size_t index) const;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/store/vocabulary.hpp"
@@ -12,12 +11,6 @@
 namespace edgewise::studies {
 
 namespace {
-
-double witness_error(const StabilityJudgement& judged) {
-    if (judged.answer.status != Status::separated) return 0;
-    const double between = norm(Vec3d(judged.answer.point_a - judged.answer.point_b));
-    return error_beyond(std::abs(between - judged.answer.distance), judged.band);
-}
 
 measure::Figure at_quantile(const store::FigureName& name, const std::vector<double>& sample, double p,
                             const std::string& none) {
@@ -32,48 +25,40 @@ measure::Figure worst(const store::FigureName& name, const std::vector<double>& 
 
 }  // namespace
 
-double error_beyond(double error, const truth::AccuracyBand& band) {
-    const double beyond = error - band.band;
-    return beyond <= 0 ? 0 : beyond / (band.scale > 0 ? band.scale : 1);
-}
-
-StabilityTally::StabilityTally(double error_allowed, double depth_error_allowed)
-    : error_allowed_(error_allowed), depth_error_allowed_(depth_error_allowed) {
+StabilityTally::StabilityTally() {
     for (const store::FigureInfo& info : store::vocabulary::answers) {
         const bool counts = info.unit == "queries" || info.unit == "escapes";
         if (info.probe() == "stability" && counts && info.key.find('{') == info.key.npos) counts_[&info] = 0;
     }
 }
 
-void StabilityTally::note(const char* what, const StabilityJudgement& judged) {
+void StabilityTally::note(const char* what, const StabilityAnswer& asked) {
     if (!first_wrong_.empty()) return;
     first_wrong_ = fmt::format("case {}: {}, {} at {:.6g}, exact {:.6g}, scale {:.3g}",
-                               counted("stability.cases") - 1, what, to_string(judged.answer.status),
-                               judged.answer.distance, judged.exact->distance, judged.band.scale);
+                               counted("stability.cases") - 1, what, to_string(asked.answer.status),
+                               asked.answer.distance, asked.exact_distance, asked.checked.band.scale);
 }
 
-void StabilityTally::add(const StabilityJudgement& judged) {
-    const Distance& answer = judged.answer;
-    const bool separated = judged.exact->verdict == truth::ExactVerdict::separated;
+void StabilityTally::add(const StabilityAnswer& asked) {
+    const truth::CheckedAnswer& checked = asked.checked;
+    const bool separated = checked.exact == truth::ExactVerdict::separated;
     count("stability.separated") += separated;
-    count("stability.touching") += judged.exact->verdict == truth::ExactVerdict::touching;
-    count("stability.overlapping") += judged.exact->verdict == truth::ExactVerdict::overlapping;
-    const bool disagrees = (answer.status == Status::separated) != separated;
-    const bool near = judged.judgement.in_band || (separated && judged.exact->distance <= judged.band.band);
-    count("stability.in_band") += near;
-    compare_with_control(judged, separated, near);
-    count("stability.wrong_outside_band") += judged.judgement.verdict_wrong;
-    count("stability.wrong_inside_band") += disagrees && !judged.judgement.verdict_wrong;
-    errors_.push_back(error_beyond(judged.judgement.error, judged.band));
-    witness_errors_.push_back(witness_error(judged));
-    const bool beyond = !(errors_.back() <= error_allowed_) || !(witness_errors_.back() <= error_allowed_);
-    count("stability.errors_beyond") += beyond;
-    count("stability.wrong_answers") += judged.judgement.verdict_wrong || beyond;
-    count_answer(answer);
-    if (judged.judgement.verdict_wrong) note("wrong verdict", judged);
-    if (beyond) note("wrong distance", judged);
+    count("stability.touching") += checked.exact == truth::ExactVerdict::touching;
+    count("stability.overlapping") += checked.exact == truth::ExactVerdict::overlapping;
+    const bool disagrees = (asked.answer.status == Status::separated) != separated;
+    count("stability.in_band") += checked.in_band;
+    compare_with_control(asked);
+    count("stability.wrong_outside_band") += checked.verdict_wrong;
+    count("stability.wrong_inside_band") += disagrees && !checked.verdict_wrong;
+    errors_.push_back(checked.band.beyond(checked.error));
+    witness_errors_.push_back(checked.band.beyond(checked.witness_error));
+    count("stability.errors_beyond") += checked.distance_wrong;
+    count("stability.wrong_answers") += checked.wrong();
+    count_answer(asked.answer);
+    if (checked.verdict_wrong) note("wrong verdict", asked);
+    if (checked.distance_wrong) note("wrong distance", asked);
     for (std::size_t i = 0; i < failures_.size(); ++i) {
-        const bool contact = answer.distance <= stability_tolerances[i] * judged.band.scale;
+        const bool contact = asked.answer.distance <= stability_tolerances[i] * checked.band.scale;
         failures_[i] += contact == separated;
     }
 }
@@ -89,21 +74,23 @@ void StabilityTally::count_answer(const Distance& answer) {
 }
 
 /// The paper's robustness metric, with the exact referee beside it.
-void StabilityTally::compare_with_control(const StabilityJudgement& judged, bool separated, bool near) {
-    if (!judged.control) return;
-    const bool touching = judged.exact->verdict == truth::ExactVerdict::touching;
-    const bool disagrees = *judged.control != (judged.answer.status != Status::separated);
+void StabilityTally::compare_with_control(const StabilityAnswer& asked) {
+    const truth::CheckedAnswer& checked = asked.checked;
+    if (!checked.control_disagrees) return;
+    const bool disagrees = *checked.control_disagrees;
+    const bool control = disagrees == (asked.answer.status == Status::separated);  // in contact?
+    const bool separated = checked.exact == truth::ExactVerdict::separated;
     ++count("stability.control_asked");
     count("stability.control_disagrees") += disagrees;
-    count("stability.control_disagrees_outside_band") += disagrees && !near && !touching;
-    count("stability.control_wrong") += *judged.control == separated && !near && !touching;
+    count("stability.control_disagrees_outside_band") += disagrees && !checked.in_band;
+    count("stability.control_wrong") += control == separated && !checked.in_band;
 }
 
 void StabilityTally::add(const StabilityProof& proof) {
     ++count("stability.certificates");
     depth_errors_.push_back(proof.depth_error);
     widths_.push_back(proof.certificate_width);
-    count("stability.depths_beyond") += !(proof.depth_error <= depth_error_allowed_);
+    count("stability.depths_beyond") += proof.depth_wrong;
     count("stability.certificates_missed") += proof.certificate_missed;
     count("stability.cap_hits") += proof.depth_cut_short;
 }

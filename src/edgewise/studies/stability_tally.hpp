@@ -12,7 +12,7 @@
 
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/store/vocabulary.hpp"
-#include "edgewise/truth/accuracy_band.hpp"
+#include "edgewise/truth/checked_answer.hpp"
 
 namespace edgewise::studies {
 
@@ -23,21 +23,17 @@ inline constexpr std::array<double, 9> stability_tolerances = {0,    1e-16, 1e-1
 /// Bins of time against signed gap: edges of the gap divided by the scale.
 inline constexpr std::array<double, 4> stability_gaps = {1e-9, 1e-6, 1e-3, 1e-1};
 
-/// An error divided by the scale, less what the band excuses; NaN stays NaN.
-[[nodiscard]] double error_beyond(double error, const truth::AccuracyBand& band);
-
-/// One judged answer.
-struct StabilityJudgement {
-    truth::Judgement judgement;
-    truth::AccuracyBand band;
+/// One checked answer.
+struct StabilityAnswer {
+    truth::CheckedAnswer checked;
     Distance answer;
-    const truth::ExactDistance* exact = nullptr;
-    std::optional<bool> control;  ///< Moore-Wilhelms: in contact?
+    double exact_distance = 0;
 };
 
 /// One answer with depth and certificate.
 struct StabilityProof {
-    double depth_error = 0;        ///< over scale, beyond the band; 0 unless in contact
+    double depth_error = 0;  ///< over scale, beyond the band; 0 unless in contact
+    bool depth_wrong = false;
     double certificate_width = 0;  ///< over scale; of the stored bodies
     /// Of the stored or of the given bodies: it does not hold the exact distance, or the answer contradicts
     /// it; or there was none.
@@ -47,10 +43,9 @@ struct StabilityProof {
 
 class StabilityTally {
   public:
-    /// Over scale, beyond the band: errors allowed of distances and witness points, and of depths.
-    StabilityTally(double error_allowed, double depth_error_allowed);
+    StabilityTally();
 
-    void add(const StabilityJudgement& judged);
+    void add(const StabilityAnswer& asked);
     void add(const StabilityProof& proof);
     void add_refusal(std::size_t poses, const std::string& reason);
     /// Of one bin of gaps, e.g. "-1e-03"; or why there is none.
@@ -66,10 +61,9 @@ class StabilityTally {
         return counts_.at(&name.info());
     }
     void count_answer(const Distance& answer);
-    void compare_with_control(const StabilityJudgement& judged, bool separated, bool near);
-    void note(const char* what, const StabilityJudgement& judged);
+    void compare_with_control(const StabilityAnswer& asked);
+    void note(const char* what, const StabilityAnswer& asked);
 
-    double error_allowed_, depth_error_allowed_;
     std::map<const store::FigureInfo*, std::uint64_t>
         counts_;  ///< of each figure that counts queries or escapes
     std::uint64_t steps_ = 0;

@@ -4,15 +4,13 @@
 // measured by every probe.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "edgewise/bench/probe.hpp"
-#include "edgewise/bench/registry.hpp"
 #include "edgewise/store/store.hpp"
 #include "edgewise/sweep/axes.hpp"
-#include "edgewise/sweep/shared_queries.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 
 namespace edgewise::sweep {
 
@@ -42,7 +40,7 @@ class CellRun {
     [[nodiscard]] const store::CellRow& row() const { return row_; }
 
     /// One timed pass; of a cell that is unavailable nothing.
-    [[nodiscard]] measure::Timing time(double clock_cost_ns) const;
+    [[nodiscard]] measure::Timing time(double clock_cost_ns) const { return cell_.time(clock_cost_ns); }
 
     enum class Stage { beside_others, alone };
     /// Lets the probes of that stage measure the cell: those that several cells may be measured by at a time,
@@ -57,24 +55,15 @@ class CellRun {
     [[nodiscard]] const std::vector<store::FigureRow>& figures() const { return figures_; }
 
   private:
-    [[nodiscard]] std::vector<measure::CheckedAnswer> checked(SharedQueries& shared,
-                                                              std::span<const Distance> answers) const;
-
     /// Whether another pass gave the answers of the first; fails the cell if not.
     void hold_against_answers(const bench::PassSum& sum, std::string_view probe);
 
-    const bench::TableType& type_;
+    PreparedCell cell_;
     Axes axes_;
     store::CellRow row_;
-    std::unique_ptr<bench::Runner> runner_;
-    const SharedQueries* shared_ = nullptr;      ///< when the cell has run
-    const scene::Workload* workload_ = nullptr;  ///< likewise: the queries as this cell is asked them
+    const SharedQueries* shared_ = nullptr;  ///< when the cell has run
     bench::CacheOrder caches_;
-    std::span<const std::string> only_;     ///< none: by all probes
-    std::vector<std::uint8_t> in_contact_;  ///< of every query; empty where the answers do not tell
-    std::vector<double> distances_;         ///< the answers' sums, query by query
-    std::vector<measure::CheckedAnswer> checked_;
-    measure::AnswerCounts counts_;
+    std::span<const std::string> only_;  ///< none: by all probes
     std::vector<store::FigureRow> figures_;
 };
 

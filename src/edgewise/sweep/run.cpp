@@ -13,7 +13,6 @@
 #include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/parallel.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/sweep/cell_run.hpp"
@@ -79,21 +78,18 @@ void store_sweep(const SweepWork& work, const store::BuildRow& build, store::Sto
 
 using StoredRound = std::vector<std::pair<std::string, measure::Round>>;
 
-StoredRound time_round(const Plan& plan, int number, std::vector<const CellRun*> in_order,
+StoredRound time_round(const Plan& plan, int number, const std::vector<const CellRun*>& cells,
                        const CellRun& baseline, double clock_cost_ns) {
-    in_order.push_back(&baseline);
-    scene::Rng rng(plan.seed + static_cast<std::uint64_t>(number));
-    rng.shuffle(in_order);
     StoredRound rounds;
     measure::Timing baseline_timing;
-    for (const CellRun* cell : in_order) {
-        const measure::Timing timing = cell->time(clock_cost_ns);
-        if (cell == &baseline) {
-            baseline_timing = timing;
+    take_turns(cells.size() + 1, plan.seed + static_cast<std::uint64_t>(number), [&](std::size_t i) {
+        if (i == cells.size()) {
+            baseline_timing = baseline.time(clock_cost_ns);
         } else {
-            rounds.emplace_back(cell->row().hash, measure::Round{number, timing, {}});
+            rounds.emplace_back(cells[i]->row().hash,
+                                measure::Round{number, cells[i]->time(clock_cost_ns), {}});
         }
-    }
+    });
     for (auto& [hash, round] : rounds) round.baseline = baseline_timing;
     return rounds;
 }

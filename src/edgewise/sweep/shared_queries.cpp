@@ -7,6 +7,7 @@
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/parallel.hpp"
+#include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/table/canonical.hpp"
 #include "edgewise/truth/moore_wilhelms.hpp"
@@ -48,21 +49,15 @@ SharedQueries::SharedQueries(const Plan& plan, const SceneChoice& scene, const s
     for (std::size_t k = 0; k < wanted; ++k) checked_.push_back(k * workload_.queries.size() / wanted);
 }
 
-const std::vector<truth::ExactDistance>& SharedQueries::exact(std::span<const Polyhedron> bodies) {
-    auto [place, is_new] = exact_.try_emplace(print_of(bodies));
-    if (is_new) place->second = compute_exact(bodies);
-    return place->second;
-}
-
-std::vector<truth::ExactDistance> SharedQueries::compute_exact(std::span<const Polyhedron> bodies) const {
-    std::vector<truth::ExactDistance> answers(checked_.size());
+std::vector<truth::KnownPair>& SharedQueries::known(std::span<const Polyhedron> bodies) {
+    auto [place, is_new] = known_.try_emplace(print_of(bodies));
+    std::vector<truth::KnownPair>& pairs = place->second;
+    if (!is_new) return pairs;
+    pairs.resize(checked_.size());
     bench::for_each_index(checked_.size(), [&](std::size_t k) {
-        const scene::Query& query = workload_.queries[checked_[k]];
-        answers[k] = truth::exact_distance(bodies[query.body_a].vertices, query.pose_a,
-                                           bodies[query.body_b].vertices, query.pose_b)
-                         .or_throw();
+        pairs[k].exact(scene::placed(bodies, workload_.queries[checked_[k]]));
     });
-    return answers;
+    return pairs;
 }
 
 const scene::Workload& SharedQueries::cold_workload() {

@@ -12,7 +12,7 @@
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/sweep/plan.hpp"
-#include "edgewise/truth/exact_distance.hpp"
+#include "edgewise/truth/known_pair.hpp"
 
 namespace edgewise::sweep {
 
@@ -28,21 +28,19 @@ class SharedQueries {
     /// Positions of the checked queries, spread evenly over the workload.
     [[nodiscard]] const std::vector<std::size_t>& checked() const { return checked_; }
 
-    /// Exact answers of the checked queries for these bodies, in the order of checked().
-    [[nodiscard]] const std::vector<truth::ExactDistance>& exact(std::span<const Polyhedron> bodies);
+    /// The checked queries between these bodies, in the order of checked(): their exact distances are known.
+    [[nodiscard]] std::vector<truth::KnownPair>& known(std::span<const Polyhedron> bodies);
 
     /// What the paper's control says of them, in contact or not (truth/moore_wilhelms.hpp); empty where
     /// the plan does not ask it, and nothing for most of large bodies, where it takes too long.
     [[nodiscard]] const std::vector<std::optional<bool>>& control(std::span<const Polyhedron> bodies);
 
   private:
-    [[nodiscard]] std::vector<truth::ExactDistance> compute_exact(std::span<const Polyhedron> bodies) const;
-
     bool asks_control_;
     scene::Workload workload_;
     std::optional<scene::Workload> cold_workload_;  ///< once it was asked for
     std::vector<std::size_t> checked_;
-    std::map<std::string, std::vector<truth::ExactDistance>> exact_;  // by the bodies' fingerprint
+    std::map<std::string, std::vector<truth::KnownPair>> known_;  // by the bodies' fingerprint
     std::map<std::string, std::vector<std::optional<bool>>> control_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The band and the judgement. The factors are in geometry/tolerance.hpp.
+// The factors are in geometry/tolerance.hpp.
 #include "edgewise/truth/accuracy_band.hpp"
 
 #include <algorithm>
@@ -35,24 +35,6 @@ AccuracyBand accuracy_band(std::span<const Vec3d> a, const Pose& pose_a, std::sp
     const double apart = norm(Vec3d(pose_b.translation - pose_a.translation));
     const double ortho = std::max(ortho_error(pose_a.rotation), ortho_error(pose_b.rotation));
     return accuracy_band(BodySize{reach(a), extent(a)}, BodySize{reach(b), extent(b)}, apart, ortho, eps);
-}
-
-Judgement judge(const JudgedAnswer& answer, const ExactDistance& exact, const AccuracyBand& band,
-                std::optional<double> depth) {
-    const bool separated = exact.verdict == ExactVerdict::separated;
-    std::optional<double> margin = depth;
-    if (separated) margin = exact.distance;
-    if (exact.verdict == ExactVerdict::touching) margin = 0;
-    // Written so that NaN is outside.
-    const bool answer_inside = !answer.separated || answer.distance <= band.band;
-
-    Judgement result;
-    result.in_band = margin ? *margin <= band.band : answer.separated && answer_inside;
-    if (answer.separated != separated) result.verdict_wrong = !(result.in_band && answer_inside);
-    if (answer.separated && std::isnan(answer.distance)) result.verdict_wrong = true;
-    result.error = std::abs((answer.separated ? answer.distance : 0) - exact.distance);
-    result.error_over_scale = result.error == 0 ? 0 : result.error / band.scale;
-    return result;
 }
 
 }  // namespace edgewise::truth

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How near to contact a pair must be for its verdict to be a matter of rounding, and how an answer is judged.
+// How near to contact a pair must be for its verdict to be a matter of rounding.
 //
 //     scale  = max(extent A, extent B, |offset|)
 //     extent = diagonal of the vertex box, in the body's frame
@@ -11,17 +11,23 @@
 // that of the worse of the two rotations: code that uses R_A^T R_B may differ by it from R v + t as given.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "edgewise/geometry/pose.hpp"
-#include "edgewise/truth/exact_distance.hpp"
 
 namespace edgewise::truth {
 
 struct AccuracyBand {
     double scale = 0;
     double band = 0;
+
+    /// An error divided by the scale; 0 for two points at one place that were found there.
+    [[nodiscard]] double over_scale(double error) const { return error == 0 ? 0 : error / scale; }
+    /// An error divided by the scale, less what the band excuses; NaN stays NaN.
+    [[nodiscard]] double beyond(double error) const {
+        const double rest = error - band;
+        return rest <= 0 ? 0 : rest / (scale > 0 ? scale : 1);
+    }
 };
 
 /// eps: Tolerance<Compute>::eps.
@@ -36,25 +42,5 @@ struct BodySize {
 /// The same of bodies that were measured before, at many poses. ortho_error: of the worse rotation.
 [[nodiscard]] AccuracyBand accuracy_band(const BodySize& a, const BodySize& b, double offset,
                                          double ortho_error, double eps);
-
-/// An answer as far as it is judged. In contact the distance is not judged.
-struct JudgedAnswer {
-    bool separated = false;
-    double distance = 0;
-};
-
-struct Judgement {
-    bool verdict_wrong = false;   ///< contact against no contact, outside the band; or a distance that is NaN
-    bool in_band = false;         ///< the pair is nearer to grazing than the band; see judge
-    double error = 0;             ///< |d - d*|, contact counting as d = 0
-    double error_over_scale = 0;  ///< error / scale; 0 for two points at one place that were found there
-};
-
-/// Verdicts are about distance zero or not; touching counts as contact. The margin is the exact distance when
-/// separated, 0 when touching, the depth (if known) when overlapping. A wrong "separated" is excused by the
-/// band only if its distance is inside it too. If the depth is not known, that distance alone decides, and
-/// in_band is only known, and only set, for such an answer.
-[[nodiscard]] Judgement judge(const JudgedAnswer& answer, const ExactDistance& exact,
-                              const AccuracyBand& band, std::optional<double> depth = std::nullopt);
 
 }  // namespace edgewise::truth

@@ -9,13 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/single_cell.hpp"
 #include "edgewise/studies/stability_cases.hpp"
-#include "edgewise/studies/stability_tally.hpp"
-#include "edgewise/sweep/verify.hpp"
-#include "edgewise/truth/accuracy_band.hpp"
 
 namespace edgewise {
 namespace {
@@ -25,10 +22,6 @@ constexpr SubDistanceSolver both_solvers[] = {SubDistanceSolver::cofactors, SubD
 const bench::TableType& type_called(const std::string& name) {
     const std::string names[] = {name};
     return *bench::select_table_types(names).front();
-}
-
-double error_allowed_of(const bench::TableType& type) {
-    return type.eps > 1e-10 ? verified_error_single : verified_error_double;
 }
 
 struct Regimes {
@@ -65,20 +58,15 @@ void ask_case(const bench::TableType& type, studies::StabilityCases& cases, std:
         stored.assign(runner->stored_bodies().begin(), runner->stored_bodies().end());
     }
     for (std::size_t pose = 0; pose < given.poses.size(); ++pose) {
-        const auto& [pose_a, pose_b] = given.poses[pose];
-        const truth::ExactDistance& exact = cases.exact({index, pose}, stored);
-        const auto band =
-            truth::accuracy_band(stored[0].vertices, pose_a, stored[1].vertices, pose_b, type.eps);
-        seen.see(exact.verdict);
+        const truth::PlacedBodies placed = cases.placed({index, pose}, stored);
+        const truth::AccuracyBand band = placed.band(type.eps);
+        seen.see(cases.known({index, pose}).exact(placed).verdict);
         for (const auto& of_solver : answers) {
-            const bool separated = of_solver[pose].status == Status::separated;
-            std::optional<double> depth;
-            if (separated && exact.verdict != truth::ExactVerdict::separated)
-                depth = cases.depth({index, pose}, stored);
-            const auto judged = truth::judge({separated, of_solver[pose].distance}, exact, band, depth);
-            seen.wrong += judged.verdict_wrong || of_solver[pose].status == Status::failed;
-            seen.whole_error = std::max(seen.whole_error, judged.error_over_scale);
-            seen.error = std::max(seen.error, studies::error_beyond(judged.error, band));
+            const truth::CheckedAnswer checked =
+                truth::check(scene::claim_of(of_solver[pose]), placed, cases.known({index, pose}), band, {});
+            seen.wrong += checked.verdict_wrong;
+            seen.whole_error = std::max(seen.whole_error, band.over_scale(checked.error));
+            seen.error = std::max(seen.error, band.beyond(checked.error));
         }
         const double difference = std::abs(answers[0][pose].distance - answers[1][pose].distance);
         if (band.scale > 0) seen.apart = std::max(seen.apart, difference / band.scale);
@@ -95,8 +83,8 @@ void ask_families(const char* table) {
         Regimes seen;
         for (std::size_t i = 0; i < cases.all().size(); ++i) ask_case(type, cases, i, family.warm, seen);
         EXPECT_EQ(seen.wrong, 0) << family.name;
-        EXPECT_LE(seen.error, error_allowed_of(type)) << family.name;
-        EXPECT_LE(seen.apart, 2 * error_allowed_of(type)) << family.name;
+        EXPECT_LE(seen.error, truth::allowed_errors(type.eps).distance) << family.name;
+        EXPECT_LE(seen.apart, 2 * truth::allowed_errors(type.eps).distance) << family.name;
         all.error = std::max(all.error, seen.error);
         all.whole_error = std::max(all.whole_error, seen.whole_error);
         all.apart = std::max(all.apart, seen.apart);
@@ -125,22 +113,20 @@ struct Checked {
 
 /// As a sweep checks a cell.
 Checked checked_cell(SubDistanceSolver solver, const std::string& table, const scene::SceneParameters& gaps) {
-    studies::SingleCell cell({.table = table,
-                              .algorithm = "gjk",
-                              .scene = "gap",
-                              .shape = "sphere38",
-                              .parameters = gaps,
-                              .queries = 2000,
-                              .sub_distance = solver,
-                              .checked = 500});
-    const std::vector<Distance> answers = cell.runner().answer();
-    const auto results =
-        sweep::check_answers(cell.shared(), cell.runner().stored_bodies(), answers, cell.type().eps);
-    EXPECT_EQ(sweep::what_is_wrong(cell.shared(), results, cell.type().eps), "") << table;
+    const studies::SingleCell cell({.table = table,
+                                    .algorithm = "gjk",
+                                    .scene = "gap",
+                                    .shape = "sphere38",
+                                    .parameters = gaps,
+                                    .queries = 2000,
+                                    .sub_distance = solver,
+                                    .checked = 500});
+    const sweep::PreparedCell& found = cell.prepared();
+    EXPECT_EQ(found.wrong(), "") << table;
     Checked checked;
-    for (const auto& result : results) {
-        checked.error = std::max(checked.error, result.error_stored);
-        ++(result.separated ? checked.separated : checked.contact);
+    for (const auto& result : found.checked()) {
+        checked.error = std::max(checked.error, result.band.over_scale(result.error));
+        ++(result.exact == truth::ExactVerdict::separated ? checked.separated : checked.contact);
     }
     return checked;
 }

@@ -10,19 +10,21 @@
 namespace edgewise::probes {
 namespace {
 
-std::vector<measure::CheckedAnswer> ten_answers() {
-    std::vector<measure::CheckedAnswer> checked;
+std::vector<truth::CheckedAnswer> ten_answers() {
+    std::vector<truth::CheckedAnswer> checked;
     for (int i = 0; i < 10; ++i) {
-        measure::CheckedAnswer answer;
-        answer.separated = i < 7;
-        answer.touching = i == 7;
-        answer.error_stored = i * 1e-15;
+        truth::CheckedAnswer answer;
+        answer.exact = i < 7    ? truth::ExactVerdict::separated
+                       : i == 7 ? truth::ExactVerdict::touching
+                                : truth::ExactVerdict::overlapping;
+        answer.band.scale = 2;
+        answer.error = i * 1e-15;
         answer.error_given = i * 1e-8;
         answer.witness_error = i * 1e-16;
         checked.push_back(answer);
     }
     checked[9].verdict_wrong = true;
-    checked[8].wrong = checked[9].wrong = true;
+    checked[8].distance_wrong = true;
     checked[4].in_band = true;
     return checked;
 }
@@ -31,8 +33,8 @@ TEST(Error, IsTheWorstAndVerdictsAreCounted) {
     const auto checked = ten_answers();
     auto found = by_name(error::figures(checked, {1000, 1500, 3, 2, 17, 5, 8}));
     EXPECT_EQ(found["checked"].value, 10);
-    EXPECT_EQ(found["worst_error_stored"].value, checked[9].error_stored);
-    EXPECT_EQ(found["worst_error_given"].value, checked[9].error_given);
+    EXPECT_EQ(found["worst_error_stored"].value, checked[9].error / 2);
+    EXPECT_EQ(found["worst_error_given"].value, checked[9].error_given / 2);
     EXPECT_EQ(found["wrong_verdicts"].value, 1);
     EXPECT_EQ(found["wrong_answers"].value, 2);
     EXPECT_EQ(found["verdicts_in_band"].value, 1);
@@ -60,11 +62,12 @@ TEST(Error, OfTheControlIsCountedOrSaidNotToBeAsked) {
 }
 
 /// Errors 1 to `count`, in no order: 17 has no divisor in common with the counts that are asked for.
-std::vector<measure::CheckedAnswer> ranked_answers(std::size_t count) {
-    std::vector<measure::CheckedAnswer> checked(count);
+std::vector<truth::CheckedAnswer> ranked_answers(std::size_t count) {
+    std::vector<truth::CheckedAnswer> checked(count);
     for (std::size_t i = 0; i < count; ++i) {
+        checked[i].band.scale = 1;
         checked[i].error_given = static_cast<double>(1 + i * 17 % count);
-        checked[i].error_stored = 1e9;
+        checked[i].error = 1e9;
     }
     return checked;
 }

@@ -26,7 +26,7 @@ TEST(Probes, HaveNamesOfTheirOwnAndSayWhatTheyMeasure) {
 
 TEST(Probes, FindNumbersOrSayWhyNot) {
     const studies::SingleCell cell({"aos_f64", "gjk", "tumble", "cube8", {{"in_time_order", 1}}, 200, 1});
-    const std::vector<measure::CheckedAnswer> checked(10);
+    const std::vector<truth::CheckedAnswer> checked(10);
     const std::size_t positions[] = {0, 20, 40, 60, 80, 100, 120, 140, 160, 180};
     const measure::Round round = {0, {150, 50, 1e5, 2e4}, {150, 50, 2e5, 3e4}};
     const std::vector<measure::Round> rounds(9, round);

@@ -21,17 +21,15 @@ std::map<std::string, std::optional<double>> figures_of(const StabilityTally& ta
 }
 
 TEST(StabilityTally, SumsWhatTheAnswersCounted) {
-    StabilityTally tally(1e-12, 1e-9);
-    const truth::ExactDistance exact;
-    StabilityJudgement judged;
-    judged.exact = &exact;
-    judged.answer.status = Status::separated;
-    judged.answer.escapes = 2;
-    judged.answer.refinements = 1;
-    tally.add(judged);
-    judged.answer.escapes = 3;
-    judged.answer.cycles = judged.answer.fallbacks = 1;
-    tally.add(judged);
+    StabilityTally tally;
+    StabilityAnswer asked;
+    asked.answer.status = Status::separated;
+    asked.answer.escapes = 2;
+    asked.answer.refinements = 1;
+    tally.add(asked);
+    asked.answer.escapes = 3;
+    asked.answer.cycles = asked.answer.fallbacks = 1;
+    tally.add(asked);
     auto found = figures_of(tally);
     EXPECT_EQ(found["cases"], 2);
     EXPECT_EQ(found["escapes"], 5);
@@ -41,22 +39,16 @@ TEST(StabilityTally, SumsWhatTheAnswersCounted) {
 }
 
 TEST(StabilityTally, AWrongDistanceIsAWrongAnswerAndIsCountedOnce) {
-    StabilityTally tally(1e-12, 1e-9);
-    truth::ExactDistance exact;
-    exact.verdict = truth::ExactVerdict::separated;
-    exact.distance = 1;
-    StabilityJudgement judged;
-    judged.exact = &exact;
-    judged.answer.status = Status::separated;
-    judged.answer.distance = 1;
-    judged.answer.point_b = Vec3d{1, 0, 0};
-    tally.add(judged);  // right
-    judged.judgement.error = 1e-6;
-    tally.add(judged);
-    judged.judgement.verdict_wrong = true;
-    tally.add(judged);
-    judged.judgement.error = 0;
-    tally.add(judged);
+    StabilityTally tally;
+    StabilityAnswer asked;
+    asked.answer.status = Status::separated;
+    tally.add(asked);  // right
+    asked.checked.distance_wrong = true;
+    tally.add(asked);
+    asked.checked.verdict_wrong = true;
+    tally.add(asked);
+    asked.checked.distance_wrong = false;
+    tally.add(asked);
     auto found = figures_of(tally);
     EXPECT_EQ(found["errors_beyond"], 2);
     EXPECT_EQ(found["wrong_outside_band"], 2);
@@ -64,7 +56,7 @@ TEST(StabilityTally, AWrongDistanceIsAWrongAnswerAndIsCountedOnce) {
 }
 
 TEST(StabilityTally, SaysWhyThereIsNoTime) {
-    StabilityTally tally(1e-12, 1e-9);
+    StabilityTally tally;
     tally.add_time("0", std::nullopt, "not asked for");
     for (const measure::Figure& figure : tally.figures()) {
         if (figure.name == "ns_at_0") {
@@ -75,12 +67,12 @@ TEST(StabilityTally, SaysWhyThereIsNoTime) {
 }
 
 TEST(StabilityTally, CountsCapHitsApartFromWrongDepths) {
-    StabilityTally tally(1e-12, 1e-9);
+    StabilityTally tally;
     StabilityProof proof;
     tally.add(proof);
     proof.depth_cut_short = true;
     tally.add(proof);
-    proof.depth_error = 1;
+    proof.depth_wrong = true;
     tally.add(proof);
     auto found = figures_of(tally);
     EXPECT_EQ(found["certificates"], 3);

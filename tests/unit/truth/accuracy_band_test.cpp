@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The band around contact, and who is judged wrong on either side of it.
+// The band around contact.
 #include "edgewise/truth/accuracy_band.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "exact_bodies.hpp"
@@ -34,57 +35,13 @@ TEST(AccuracyBand, widens_with_the_worse_rotation) {
     EXPECT_EQ(accuracy_band(small_box, {}, small_box, stretched, eps).band, expected);
 }
 
-ExactDistance exactly(ExactVerdict verdict, double distance) {
-    ExactDistance exact;
-    exact.verdict = verdict;
-    exact.distance = distance;
-    return exact;
-}
-
-constexpr AccuracyBand band{10, 0.5};
-constexpr JudgedAnswer contact{false, 0};
-
-TEST(Judge, separated_pairs) {
-    const ExactDistance far = exactly(ExactVerdict::separated, 2);
-    const ExactDistance near = exactly(ExactVerdict::separated, 0.25);
-    const Judgement good = judge({true, 1.5}, far, band);
-    EXPECT_FALSE(good.verdict_wrong);
-    EXPECT_FALSE(good.in_band);
-    EXPECT_EQ(good.error, 0.5);
-    EXPECT_EQ(good.error_over_scale, 0.05);
-    EXPECT_TRUE(judge(contact, far, band).verdict_wrong);
-    EXPECT_EQ(judge(contact, far, band).error, 2);
-    EXPECT_FALSE(judge(contact, near, band).verdict_wrong);
-    EXPECT_TRUE(judge(contact, near, band).in_band);
-    EXPECT_TRUE(judge({true, 0.25}, near, band).in_band);
-}
-
-TEST(Judge, touching_pairs_count_as_contact) {
-    const ExactDistance touching = exactly(ExactVerdict::touching, 0);
-    EXPECT_FALSE(judge(contact, touching, band).verdict_wrong);
-    EXPECT_TRUE(judge(contact, touching, band).in_band);
-    EXPECT_FALSE(judge({true, 0.5}, touching, band).verdict_wrong);
-    EXPECT_TRUE(judge({true, 0.75}, touching, band).verdict_wrong);
-}
-
-TEST(Judge, overlapping_pairs_with_and_without_depth) {
-    const ExactDistance overlapping = exactly(ExactVerdict::overlapping, 0);
-    EXPECT_FALSE(judge(contact, overlapping, band).verdict_wrong);
-    EXPECT_FALSE(judge(contact, overlapping, band).in_band);
-    EXPECT_FALSE(judge({true, 0.25}, overlapping, band).verdict_wrong);
-    EXPECT_TRUE(judge({true, 0.25}, overlapping, band).in_band);
-    EXPECT_TRUE(judge({true, 0.75}, overlapping, band).verdict_wrong);
-    EXPECT_TRUE(judge({true, 0.25}, overlapping, band, 1.0).verdict_wrong);
-    EXPECT_FALSE(judge({true, 0.25}, overlapping, band, 0.25).verdict_wrong);
-    EXPECT_TRUE(judge(contact, overlapping, band, 0.25).in_band);
-}
-
-TEST(Judge, nan_is_wrong_everywhere) {
-    const JudgedAnswer nan{true, std::numeric_limits<double>::quiet_NaN()};
-    for (const ExactVerdict v :
-         {ExactVerdict::separated, ExactVerdict::touching, ExactVerdict::overlapping}) {
-        EXPECT_TRUE(judge(nan, exactly(v, 0), band).verdict_wrong);
-    }
+TEST(AccuracyBand, excuses_its_width_of_an_error) {
+    constexpr AccuracyBand band{10, 0.5};
+    EXPECT_EQ(band.over_scale(5), 0.5);
+    EXPECT_EQ(band.beyond(0.5), 0);
+    EXPECT_EQ(band.beyond(5.5), 0.5);
+    EXPECT_TRUE(std::isnan(band.beyond(std::numeric_limits<double>::quiet_NaN())));
+    EXPECT_EQ((AccuracyBand{0, 0}.over_scale(0)), 0);
 }
 
 }  // namespace

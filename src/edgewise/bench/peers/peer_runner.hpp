@@ -23,6 +23,9 @@ class PeerRunner final : public Runner {
     /// The distance and the witnesses: a library names no features, and no depth is asked for.
     [[nodiscard]] NamedAnswer answer(const scene::Query& query) const override;
 
+    /// Whether the library is asked such a query: one too long or too short for its precision it never sees.
+    [[nodiscard]] bool asks(const scene::Query& given) const { return in_range(prepared().prepared(given)); }
+
     /// Poses are in the library's own type before a query is asked. One such pass at a time: they share the
     /// pairs' caches.
     [[nodiscard]] RangePass prepared_range() const override;

@@ -78,7 +78,7 @@ Judged judge(const JudgeArguments& options, const scene::PastedPair& pasted,
     judged.answers = studies::ask_all(respondents, pair, judged.truth);
     if (judged.pasted.reported) said.insert(said.begin(), *judged.pasted.reported);
     for (const scene::ReportedAnswer& reported : said)
-        judged.answers.push_back(studies::judge_reported(reported, judged.truth));
+        judged.answers.push_back(studies::judge_reported(reported, pair, judged.truth));
     for (const auto& answer : judged.answers)
         if (answer.wrong()) judged.wrong.push_back(answer.who);
     if (options.as_given) return judged;

@@ -7,7 +7,7 @@
 
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/studies/table_memory_cost.hpp"
-#include "edgewise/sweep/shared_queries.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 
 namespace edgewise::studies::advise {
 
@@ -16,25 +16,23 @@ namespace {
 constexpr std::size_t queries = 2000;
 constexpr int rounds = 7;
 
-/// A body's queries and the runner that they are loaded into.
+/// A body's queries and the cell that they are loaded into.
 struct Timed {
     std::unique_ptr<sweep::SharedQueries> shared;
-    std::unique_ptr<bench::Runner> runner;
-    std::vector<std::uint8_t> in_contact;
+    sweep::PreparedCell cell;
 };
 
 Timed prepare(const Polyhedron& body, const bench::TableType& type, const std::string& algorithm) {
     sweep::Plan plan;
     plan.queries = queries;
+    plan.checked = 0;
     plan.seed = 1;
-    Timed timed;
-    timed.shared = std::make_unique<sweep::SharedQueries>(plan, sweep::SceneChoice{"cold"},
-                                                          scene::NamedShape{"budget", "given", body, {}});
-    timed.runner = type.make_runner(algorithm);
-    if (const std::string error = timed.runner->load(timed.shared->workload()); !error.empty())
+    Timed timed{std::make_unique<sweep::SharedQueries>(plan, sweep::SceneChoice{"cold"},
+                                                       scene::NamedShape{"budget", "given", body, {}}),
+                {type, algorithm}};
+    if (const std::string error = timed.cell.load(timed.shared->workload()); !error.empty())
         throw std::invalid_argument(error);
-    for (const Distance& answer : timed.runner->answer())
-        timed.in_contact.push_back(answer.status != Status::separated);
+    timed.cell.check(*timed.shared);
     return timed;
 }
 
@@ -46,17 +44,17 @@ std::vector<BodyCost> costs_of(std::span<const Polyhedron> bodies, const bench::
     std::vector<BodyCost> costs(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         timed.push_back(prepare(bodies[i], type, algorithm));
-        costs[i].table_bytes = static_cast<double>(timed[i].runner->ledger().total());
+        costs[i].table_bytes = static_cast<double>(timed[i].cell.runner().ledger().total());
         const auto touched = studies::lines_in_tumble(type, algorithm, bodies[i]);
         if (touched)
             costs[i].lines = static_cast<double>(touched->lines) / static_cast<double>(touched->queries);
     }
     const double clock_cost_ns = measure::calibrate();
     for (int round = 0; round < rounds; ++round) {
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            const auto ns = timed[i].runner->time(timed[i].in_contact, clock_cost_ns).all();
+        sweep::take_turns(bodies.size(), static_cast<std::uint64_t>(round), [&](std::size_t i) {
+            const auto ns = timed[i].cell.time(clock_cost_ns).all();
             if (ns && (round == 0 || *ns < costs[i].ns)) costs[i].ns = *ns;
-        }
+        });
     }
     return costs;
 }

@@ -8,8 +8,7 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/studies/advise/finals.hpp"
 #include "edgewise/studies/parts/contender_name.hpp"
-#include "edgewise/sweep/shared_queries.hpp"
-#include "edgewise/sweep/verify.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 
 namespace edgewise::studies::advise {
 
@@ -24,36 +23,26 @@ void leave_out(ScreenedCell& cell, OutFor out_for, std::string why) {
 void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& options,
              sweep::SharedQueries& shared, double clock_cost_ns) {
     const measure::Stopwatch watch;
-    const scene::Workload& workload = shared.workload();
-    const auto runner = cell.type->make_runner(cell.algorithm);
     bench::RunnerOptions query;
     query.set_needs(asked.needs);
-    runner->configure(query);
-    if (std::string problem = runner->load(workload); !problem.empty()) {
+    sweep::PreparedCell ready(*cell.type, cell.algorithm, query);
+    if (std::string problem = ready.load(shared.workload()); !problem.empty()) {
         leave_out(cell, OutFor::failure, std::move(problem));
         return;
     }
-    cell.table_bytes = static_cast<double>(runner->ledger().total());
+    cell.table_bytes = static_cast<double>(ready.runner().ledger().total());
     cell.bytes_per_edge = cell.table_bytes / static_cast<double>(asked.shape.body.edge_count());
-    const std::vector<Distance> answers = runner->answer();
-    double steps = 0;
-    std::vector<std::uint8_t> in_contact;
-    for (const Distance& answer : answers) {
-        steps += answer.steps;
-        in_contact.push_back(answer.status != Status::separated);
-    }
-    cell.steps = steps / static_cast<double>(answers.size());
-    const auto checked =
-        sweep::check_answers(shared, runner->stored_bodies(), answers, cell.type->eps, query.query);
-    for (const measure::CheckedAnswer& answer : checked)
-        cell.error = std::max(cell.error, answer.error_given);
-    if (std::string wrong = sweep::what_is_wrong(shared, checked, cell.type->eps); !wrong.empty())
-        leave_out(cell, OutFor::failure, std::move(wrong));
+    ready.check(shared);
+    cell.steps = ready.mean_steps();
+    for (const truth::CheckedAnswer& answer : ready.checked())
+        cell.error = std::max(cell.error, answer.band.over_scale(answer.error_given));
+    if (!ready.wrong().empty())
+        leave_out(cell, OutFor::failure, ready.wrong());
     else if (cell.error > asked.error_limit)
         leave_out(cell, OutFor::error, fmt::format("error {:.1e} is over {}", cell.error, asked.error_limit));
     cell.seconds = watch.elapsed_ns() * 1e-9;
     for (int pass = 0; pass < options.passes; ++pass) {
-        const auto ns = runner->time(in_contact, clock_cost_ns).all();
+        const auto ns = ready.time(clock_cost_ns).all();
         if (ns && (pass == 0 || *ns < cell.ns)) cell.ns = *ns;
     }
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "edgewise/measure/process/thread_usage.hpp"
-#include "edgewise/studies/campaign/checked_answer.hpp"
 #include "edgewise/studies/campaign/workload_of.hpp"
 
 namespace edgewise::studies::campaign {
@@ -24,7 +23,7 @@ class SecondsBetween {
     double last_ = measure::thread_seconds();
 };
 
-void count_verdict(const KnownPair& known, FamilyTally& family) {
+void count_verdict(const truth::ProvenPair& known, FamilyTally& family) {
     family.grazing += known.is_grazing;
     if (known.is_grazing) return;
     family.separated += known.is_separated();
@@ -32,26 +31,25 @@ void count_verdict(const KnownPair& known, FamilyTally& family) {
     family.overlapping += known.verdict == truth::ExactVerdict::overlapping;
 }
 
-void count_proof(const KnownPair& known, FamilyTally& family) {
-    family.double_proofs += known.by == KnownBy::double_proof;
-    family.wide_proofs += known.by == KnownBy::wide_proof;
-    family.exact_proofs += known.by == KnownBy::exact;
+void count_proof(const truth::ProvenPair& known, FamilyTally& family) {
+    family.double_proofs += known.by == truth::KnownBy::double_proof;
+    family.wide_proofs += known.by == truth::KnownBy::wide_proof;
+    family.exact_proofs += known.by == truth::KnownBy::exact;
 }
 
-void count_answer(const CheckedAnswer& checked, std::uint64_t pair, FamilyTally& family, CellTally& cell) {
+void count_answer(const truth::CheckedAnswer& checked, std::uint64_t pair, FamilyTally& family,
+                  CellTally& cell) {
     CellTally one;
-    one.answers = !checked.refused;
-    one.refused = checked.refused;
+    one.answers = 1;
     one.in_band = checked.in_band;
-    one.wrong = !checked.wrong.empty();
-    one.worst_error = checked.error;
+    one.wrong = checked.wrong();
+    one.worst_error = checked.worst_beyond();
     one.worst_pair = pair;
     cell.add(one);
-    family.answers += one.answers;
-    family.refused += one.refused;
+    ++family.answers;
     family.in_band += one.in_band;
     family.wrong += one.wrong;
-    family.exact_answers += checked.was_exact;
+    family.exact_answers += !checked.is_bound;
 }
 
 void count_block(const Block& block, std::uint64_t count, FamilyTally& family) {
@@ -75,7 +73,8 @@ std::size_t BlockRun::storage_of(std::span<const Polyhedron> stored) {
         const auto known = storages_[i].bodies;
         if (known[0].vertices == stored[0].vertices && known[1].vertices == stored[1].vertices) return i;
     }
-    storages_.push_back({stored, StoredPair(stored[0].vertices, stored[1].vertices), {}, storages_.empty()});
+    storages_.push_back(
+        {stored, truth::StoredPair(stored[0].vertices, stored[1].vertices), {}, storages_.empty()});
     return storages_.size() - 1;
 }
 
@@ -98,19 +97,25 @@ void BlockRun::ask(std::size_t cell, bool warm, const Block& block, FamilyTally&
     seconds.add_to(family.asking_s);
     BlockStorage& storage = storages_[storage_[cell]];
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        KnownPair& known = storage.known[i];
+        truth::ProvenPair& known = storage.known[i];
         const auto& poses = block.poses[i];
-        if (known.by == KnownBy::nothing) {
+        if (known.by == truth::KnownBy::nothing) {
             known = storage.pair.know(poses, multiply(poses.first.rotation, answers[i].normal));
             count_proof(known, family);
             if (storage.counts) count_verdict(known, family);
         }
-        const CheckedAnswer checked = check_answer(answers[i], cells_[cell], storage.pair, poses, known);
+        if (answers[i].status == Status::failed) {  // too far from each other for the precision
+            ++family.refused;
+            ++tally.refused;
+            continue;
+        }
+        const truth::CheckedAnswer checked =
+            check_answer(answers[i], cells_[cell], storage.pair, poses, known);
         const std::uint64_t pair = PairPlace{block_, i}.pair();
         count_answer(checked, pair, family, tally);
-        if (!checked.wrong.empty())
-            failures_.push_back(
-                {pair, cells_[cell].name, block.family, (warm ? "warm, " : "") + checked.wrong});
+        if (const std::string wrong = what_is_wrong(checked, answers[i], storage.pair, poses, known);
+            !wrong.empty())
+            failures_.push_back({pair, cells_[cell].name, block.family, (warm ? "warm, " : "") + wrong});
     }
     seconds.add_to(family.proving_s);
 }

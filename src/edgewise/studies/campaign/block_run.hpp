@@ -25,8 +25,8 @@ struct Failure {
 /// The bodies that some cells hold alike, and what is known of their pairs.
 struct BlockStorage {
     std::span<const Polyhedron> bodies;
-    StoredPair pair;
-    std::vector<KnownPair> known;
+    truth::StoredPair pair;
+    std::vector<truth::ProvenPair> known;
     bool counts = false;  ///< the first: its pairs are counted by verdict
 };
 

@@ -15,6 +15,7 @@
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/workload.hpp"
+#include "edgewise/truth/checked_answer.hpp"
 
 namespace edgewise::studies::campaign {
 
@@ -48,5 +49,15 @@ struct Cell {
 
 /// The first of each class of equal answers (status, distance, witness points, normal).
 [[nodiscard]] std::vector<Cell> one_of_each_class(std::vector<Cell> cells);
+
+/// The check of an answer that there is.
+[[nodiscard]] truth::CheckedAnswer check_answer(const Distance& answer, const Cell& cell,
+                                                const truth::StoredPair& stored,
+                                                const truth::PosesOfPair& poses, truth::ProvenPair& known);
+
+/// Empty where the answer is right.
+[[nodiscard]] std::string what_is_wrong(const truth::CheckedAnswer& checked, const Distance& answer,
+                                        const truth::StoredPair& stored, const truth::PosesOfPair& poses,
+                                        truth::ProvenPair& known);
 
 }  // namespace edgewise::studies::campaign

@@ -7,7 +7,6 @@
 
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/scene/minimise.hpp"
-#include "edgewise/studies/campaign/checked_answer.hpp"
 #include "edgewise/studies/campaign/workload_of.hpp"
 #include "edgewise/truth/exact_body.hpp"
 
@@ -47,9 +46,12 @@ std::string what_is_wrong(const scene::Case& of, const Cell& cell) {
     const auto asker = cell.make_asker();
     if (!asker->load(workload).empty()) return {};
     const auto stored = asker->stored_bodies();
-    StoredPair pair(stored[0].vertices, stored[1].vertices);
-    KnownPair known = pair.know(block.poses[0], Vec3d::Zero());
-    return check_answer(asker->answer().front(), cell, pair, block.poses[0], known).wrong;
+    truth::StoredPair pair(stored[0].vertices, stored[1].vertices);
+    truth::ProvenPair known = pair.know(block.poses[0], Vec3d::Zero());
+    const Distance answer = asker->answer().front();
+    if (answer.status == Status::failed) return {};
+    const truth::CheckedAnswer checked = check_answer(answer, cell, pair, block.poses[0], known);
+    return what_is_wrong(checked, answer, pair, block.poses[0], known);
 }
 
 std::string failing_line(const PairSource& source, const Failure& failure, const Cell& cell) {

@@ -10,8 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/studies/campaign/known_pair.hpp"
-
 namespace edgewise::studies::campaign {
 
 /// Of one family. Pairs are counted once, proofs once for each storage that holds other bodies, answers once

@@ -4,20 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 
 #include "edgewise/layout_parts/linked_nodes.hpp"
 #include "edgewise/layout_parts/stored_fields.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/scene/rng.hpp"
 #include "edgewise/studies/fields/best_groups.hpp"
 #include "edgewise/studies/fields/field_places.hpp"
 #include "edgewise/studies/fields/group_text.hpp"
 #include "edgewise/studies/fields/node_groups.hpp"
 #include "edgewise/studies/fields/node_places.hpp"
-#include "edgewise/sweep/verify.hpp"
 
 namespace edgewise::studies {
 
@@ -73,11 +70,7 @@ class FieldsRun {
         FieldsContender contender{role, table, groups, {}, {}, 0, {}};
         auto cell = make_cell(choice, groups);
         contender.table = cell->type().name;
-        contender.wrong =
-            sweep::what_is_wrong(cell->shared(),
-                                 sweep::check_answers(cell->shared(), cell->runner().stored_bodies(),
-                                                      cell->runner().answer(), cell->type().eps),
-                                 cell->type().eps);
+        contender.wrong = cell->prepared().wrong();
         contender.cost = cost_of(
             [&](measure::TraceListener& listener) {
                 static_cast<void>(cell->runner().trace(bench::TraceExtent::everything(), listener));
@@ -155,18 +148,11 @@ class FieldsRun {
 
     void time_rounds(const std::function<void()>& on_round) {
         const double clock_cost_ns = measure::calibrate();
-        std::vector<std::size_t> order(standing_.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
         for (int round = 0; round < plan_.rounds; ++round) {
-            scene::Rng rng(static_cast<std::uint64_t>(round) + 1);
-            rng.shuffle(order);
-            for (const std::size_t i : order) {
-                const bench::Runner& runner = standing_[i].cell->runner();
-                // The first pass finds its tables out of the caches, and an interrupt seldom hits both.
-                const double first = runner.time({}, clock_cost_ns).all().value_or(0),
-                             second = runner.time({}, clock_cost_ns).all().value_or(0);
-                standing_[i].contender.ns.push_back(std::min(first, second));
-            }
+            sweep::take_turns(standing_.size(), static_cast<std::uint64_t>(round) + 1, [&](std::size_t i) {
+                standing_[i].contender.ns.push_back(
+                    standing_[i].cell->prepared().ns_per_query(clock_cost_ns));
+            });
             on_round();
         }
     }

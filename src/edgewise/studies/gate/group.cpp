@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 
-#include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/axes.hpp"
-#include "edgewise/sweep/verify.hpp"
 
 namespace edgewise::studies {
 
@@ -59,12 +56,6 @@ sweep::Plan plan_for(const GatePlan& plan) {
     return queries;
 }
 
-/// The faster of two passes: the first finds its tables out of the caches, and an interrupt seldom hits both.
-double ns_per_query(const bench::Runner& runner, double clock_cost_ns) {
-    const auto first = runner.time({}, clock_cost_ns).all(), second = runner.time({}, clock_cost_ns).all();
-    return std::min(first.value_or(0), second.value_or(0));
-}
-
 }  // namespace
 
 const std::vector<GateScene>& gate_scenes() {
@@ -88,9 +79,13 @@ GateGroup::GateGroup(const GatePlan& plan, const GateScene& scene, const std::st
     : shared_(plan_for(plan), {scene.kind, scene.parameters},
               {shape, "built-in", scene::make_shape(shape).or_throw(), {}}) {
     for (const GateCellChoice& choice : cells_of(plan, scene)) {
-        Cell cell;
-        cell.entry = {choice.algorithm, choice.type->name, scene.name, shape, choice.axes, {}, {}};
-        const std::string problem = prepare(cell, *choice.type);
+        Cell cell{{choice.algorithm, choice.type->name, scene.name, shape, choice.axes, {}, {}},
+                  {*choice.type, choice.algorithm, sweep::parse_axes(choice.axes)},
+                  {}};
+        if (const std::string error = cell.cell.load(shared_.workload()); !error.empty())
+            throw std::invalid_argument(cell.entry.name() + ": " + error);
+        cell.cell.check(shared_);
+        const std::string problem = cell.cell.wrong();
         if (!problem.empty()) wrong.push_back(cell.entry.name() + ": " + problem);
         const bool is_reference = cells_.empty();
         if (is_reference) cell.entry.over = GateOver::kernel;
@@ -98,30 +93,14 @@ GateGroup::GateGroup(const GatePlan& plan, const GateScene& scene, const std::st
     }
 }
 
-std::string GateGroup::prepare(Cell& cell, const bench::TableType& type) {
-    const sweep::Axes axes = sweep::parse_axes(cell.entry.axes);
-    cell.runner = type.make_runner(cell.entry.algorithm);
-    cell.runner->configure(axes);
-    if (std::string error = cell.runner->load(shared_.workload()); !error.empty())
-        throw std::invalid_argument(cell.entry.name() + ": " + error);
-    const std::vector<Distance> answers = cell.runner->answer();
-    return sweep::what_is_wrong(
-        shared_, sweep::check_answers(shared_, cell.runner->stored_bodies(), answers, type.eps, axes.query),
-        type.eps);
-}
-
 void GateGroup::time_round(int number, const GateKernel& kernel, double clock_cost_ns) {
-    std::vector<std::size_t> order(cells_.size() + 1);  // the last is the kernel
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    scene::Rng rng(static_cast<std::uint64_t>(number) + 1);
-    rng.shuffle(order);
-    for (const std::size_t i : order) {
+    sweep::take_turns(cells_.size() + 1, static_cast<std::uint64_t>(number) + 1, [&](std::size_t i) {
         if (i < cells_.size()) {
-            cells_[i].ns.push_back(ns_per_query(*cells_[i].runner, clock_cost_ns));
+            cells_[i].ns.push_back(cells_[i].cell.ns_per_query(clock_cost_ns));
         } else {
             kernel_ns_.push_back(std::min(kernel.time_ns(), kernel.time_ns()));
         }
-    }
+    });
 }
 
 std::vector<GateEntry> GateGroup::entries() const {

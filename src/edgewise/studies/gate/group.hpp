@@ -4,13 +4,12 @@
 // asked in batches where pairs are cold. The first cell is the reference.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "edgewise/studies/gate/kernel.hpp"
 #include "edgewise/studies/gate/run.hpp"
-#include "edgewise/sweep/shared_queries.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 
 namespace edgewise::studies {
 
@@ -39,12 +38,9 @@ class GateGroup {
   private:
     struct Cell {
         GateEntry entry;
-        std::unique_ptr<bench::Runner> runner;
+        sweep::PreparedCell cell;
         std::vector<double> ns;  ///< per query, round by round
     };
-
-    /// Loads it and checks it: what is wrong with its answers, or nothing.
-    [[nodiscard]] std::string prepare(Cell& cell, const bench::TableType& type);
 
     sweep::SharedQueries shared_;
     std::vector<Cell> cells_;

@@ -4,70 +4,58 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "edgewise/bench/certificates.hpp"
+#include "edgewise/bench/peers/peer_runner.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/studies/parts/allowed_errors.hpp"
 #include "edgewise/studies/parts/contender_name.hpp"
-#include "edgewise/truth/depth/exact_depth.hpp"
+#include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::studies {
 
 namespace {
 
-struct Posed {
-    std::span<const Vec3d> a, b;
-    const Pose &pose_a, &pose_b;
-};
-
-Result<PairTruth> exact_of(const Posed& posed, double eps) {
-    using Truth = Result<PairTruth>;
-    const auto exact = truth::exact_distance(posed.a, posed.pose_a, posed.b, posed.pose_b);
-    if (!exact) return Truth::failure(exact.error);
-    PairTruth truth;
-    truth.exact = *exact;
-    truth.band = truth::accuracy_band(posed.a, posed.pose_a, posed.b, posed.pose_b, eps);
-    if (exact->verdict == truth::ExactVerdict::separated) return Truth::success(truth);
-    const auto depth = truth::exact_depth(posed.a, posed.pose_a, posed.b, posed.pose_b, exact->simplex);
-    if (!depth) return Truth::failure(depth.error);
-    truth.depth = depth->depth;
-    return Truth::success(truth);
+truth::PlacedBodies placed(const scene::Case& pair) {
+    return {pair.a.vertices, pair.pose_a, pair.b.vertices, pair.pose_b};
 }
 
-/// Of a library what it aims at by itself, too. Its depths are not asked for.
-AllowedErrors allowed_errors_of(const Respondent& respondent) {
-    AllowedErrors allowed = allowed_errors(*respondent.type, respondent.algorithm);
+/// A library may also be wrong by what it aims at by itself. Its depths are not asked for.
+truth::AllowedErrors allowed_errors_of(const Respondent& respondent) {
+    truth::AllowedErrors allowed = allowed_errors(*respondent.type, respondent.algorithm);
     if (respondent.type->is_peer) allowed.distance = std::max(allowed.distance, judged_error_peer);
     return allowed;
 }
 
-/// Of an answer that is one: verdict, then distance, then depth; within the errors and the band.
-void judge(JudgedResponse& response, bool separated, const PairTruth& stored, const AllowedErrors& relative) {
-    const double allowed = relative.distance * stored.band.scale + stored.band.band,
-                 allowed_depth = relative.depth * stored.band.scale + stored.band.band;
-    const truth::JudgedAnswer answer{separated, response.distance.value_or(0)};
-    const truth::Judgement judged = truth::judge(answer, stored.exact, stored.band, stored.depth);
-    if (response.distance) response.error = judged.error;
-    const bool truly_separated = stored.exact.verdict == truth::ExactVerdict::separated;
-    if (judged.verdict_wrong) {
+/// Fills in whether the answer is right: verdict, then distance, then depth; within the errors and the band.
+void judge(JudgedResponse& response, bool separated, const truth::PlacedBodies& bodies,
+           truth::KnownPair& known, const truth::AccuracyBand& band, const truth::AllowedErrors& relative) {
+    const truth::Claim claim{
+        .separated = separated, .distance = response.distance.value_or(0), .depth = response.depth};
+    const truth::CheckedAnswer checked = truth::check(claim, bodies, known, band, relative);
+    const truth::ExactDistance& exact = known.exact(bodies);
+    const auto allowed = [&](double error) { return error * band.scale + band.band; };
+    if (response.distance) response.error = checked.error;
+    const bool truly_separated = exact.verdict == truth::ExactVerdict::separated;
+    if (checked.verdict_wrong) {
         response.is = AnswerIs::wrong_verdict;
-        response.beyond = std::max(judged.error, stored.depth.value_or(0)) - stored.band.band;
-        response.why = fmt::format("says {}, is {}", response.status, to_string(stored.exact.verdict));
-    } else if (response.distance && !(judged.error <= allowed)) {
+        response.beyond = std::max(checked.error, truly_separated ? 0 : known.depth(bodies)) - band.band;
+        response.why = fmt::format("says {}, is {}", response.status, to_string(exact.verdict));
+    } else if (response.distance && checked.distance_wrong) {
         response.is = AnswerIs::wrong_distance;
-        response.beyond = judged.error - allowed;
-        response.why = fmt::format("distance {} instead of {}", *response.distance, stored.exact.distance);
+        response.beyond = checked.error - allowed(relative.distance);
+        response.why = fmt::format("distance {} instead of {}", *response.distance, exact.distance);
     } else if (separated != truly_separated) {
         response.is = AnswerIs::in_band;
         response.why = "another verdict, where rounding decides";
-    } else if (!separated && response.depth && stored.depth) {
-        response.error = std::abs(*response.depth - *stored.depth);
-        if (response.error <= allowed_depth) return;
+    } else if (!separated && response.depth) {
+        response.error = checked.depth_error;
+        if (!checked.depth_wrong) return;
         response.is = AnswerIs::wrong_depth;
-        response.beyond = response.error - allowed_depth;
-        response.why = fmt::format("depth {} instead of {}", *response.depth, *stored.depth);
+        response.beyond = response.error - allowed(relative.depth);
+        response.why = fmt::format("depth {} instead of {}", *response.depth, known.depth(bodies));
     }
 }
 
@@ -123,7 +111,15 @@ Result<PairTruth> exact_truth_of(const scene::Case& pair) {
         if (const auto made = scene::body_from_case(*body); !made)
             return Result<PairTruth>::failure(made.error);
     }
-    return exact_of({pair.a.vertices, pair.b.vertices, pair.pose_a, pair.pose_b}, Tolerance<double>::eps);
+    const truth::PlacedBodies bodies = placed(pair);
+    if (std::string error = truth::pair_error(bodies.a, pair.pose_a, bodies.b, pair.pose_b); !error.empty())
+        return Result<PairTruth>::failure(std::move(error));
+    truth::KnownPair known;
+    PairTruth truth;
+    truth.exact = known.exact(bodies);
+    truth.band = bodies.band(Tolerance<double>::eps);
+    if (truth.exact.verdict != truth::ExactVerdict::separated) truth.depth = known.depth(bodies);
+    return Result<PairTruth>::success(std::move(truth));
 }
 
 Result<PairTruth> truth_of(const scene::Case& pair) {
@@ -142,33 +138,33 @@ JudgedResponse ask(const Respondent& respondent, const scene::Case& pair, const 
         refuse(response, error);
         return response;
     }
-    const bench::NamedAnswer answer = runner->answer({0, 1, 0, pair.pose_a, pair.pose_b});
+    const scene::Query query{0, 1, 0, pair.pose_a, pair.pose_b};
+    const bench::NamedAnswer answer = runner->answer(query);
     const Distance& d = answer.distance;
     response.status = to_string(d.status);
     if (d.status == Status::failed) {
-        response.is = type.is_peer ? AnswerIs::no_answer : AnswerIs::refused;
+        const auto* library = dynamic_cast<const bench::PeerRunner*>(runner.get());
+        const bool was_asked = library && library->asks(query);
+        response.is = was_asked ? AnswerIs::no_answer : AnswerIs::refused;
         response.why =
-            type.is_peer ? "gave no answer" : "too large, too small or too far apart for this precision";
-        return response;
-    }
-    const auto stored = runner->stored_bodies();
-    const auto held = exact_of({stored[0].vertices, stored[1].vertices, pair.pose_a, pair.pose_b}, type.eps);
-    if (!held) {
-        refuse(response, held.error);
+            was_asked ? "gave no answer" : "too large, too small or too far apart for this precision";
         return response;
     }
     const bool separated = d.status == Status::separated;
     if (!type.verdict_only) response.distance = d.distance;
     if (!separated && !type.is_peer) response.depth = answer.depth;
-    judge(response, separated, *held, allowed_errors_of(respondent));
-    response.of_given = std::abs((separated ? d.distance : 0) - truth.exact.distance);
+    const truth::PlacedBodies held = scene::placed(runner->stored_bodies(), query);
+    truth::KnownPair known;
+    judge(response, separated, held, known, held.band(type.eps), allowed_errors_of(respondent));
+    response.of_given = truth::distance_error({.separated = separated, .distance = d.distance}, truth.exact);
     if (response.is == AnswerIs::right &&
         separated != (truth.exact.verdict == truth::ExactVerdict::separated))
         response.why = "of the bodies as it rounds them";
     return response;
 }
 
-JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const PairTruth& truth) {
+JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const scene::Case& pair,
+                              const PairTruth& truth) {
     JudgedResponse response;
     response.who = reported.who;
     response.distance = reported.distance;
@@ -184,7 +180,8 @@ JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const PairT
         response.depth = -*reported.distance;
         response.distance = 0;
     }
-    judge(response, separated, truth, {judged_error_peer, judged_error_peer});
+    truth::KnownPair known(truth.exact, truth.depth);
+    judge(response, separated, placed(pair), known, truth.band, {judged_error_peer, judged_error_peer});
     response.of_given = response.error;
     return response;
 }

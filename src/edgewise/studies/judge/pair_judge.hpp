@@ -74,7 +74,8 @@ struct JudgedResponse {
                                  const PairTruth& truth);
 
 /// An answer that was printed elsewhere.
-[[nodiscard]] JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const PairTruth& truth);
+[[nodiscard]] JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const scene::Case& pair,
+                                            const PairTruth& truth);
 
 /// All of them, those of one answer together: the first of each, in the order of the respondents.
 [[nodiscard]] std::vector<JudgedResponse> ask_all(std::span<const Respondent> respondents,

@@ -12,17 +12,14 @@
 
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/sweep/verify.hpp"
 
 namespace edgewise::studies {
 
 CellCopy::CellCopy(const SingleCell& cell, const bench::RunnerOptions& options)
     : workload_(std::make_unique<scene::Workload>(cell.workload())),
-      runner_(cell.type().make_runner(cell.algorithm())) {
-    runner_->configure(options);
-    if (const std::string error = runner_->load(*workload_); !error.empty())
-        throw std::invalid_argument(error);
-    pass_ = runner_->prepared_frames();
+      cell_(cell.type(), cell.algorithm(), options) {
+    if (const std::string error = cell_.load(*workload_); !error.empty()) throw std::invalid_argument(error);
+    pass_ = cell_.runner().prepared_frames();
 }
 
 TimedPass time_shared(bench::ThreadedPass& pass, int threads) {
@@ -106,7 +103,8 @@ class ScalingRun {
         found_.queries = queries;
         found_.frames = shared_->frames();
         found_.table_bytes = cell_.runner().memory().requested;
-        check_answers();
+        found_.checked = cell_.prepared().checked().size();
+        found_.wrong = cell_.prepared().wrong();
     }
 
     [[nodiscard]] bool is_wrong() const { return !found_.wrong.empty(); }
@@ -130,15 +128,6 @@ class ScalingRun {
     }
 
   private:
-    void check_answers() {
-        QueryOptions asked = options_.query;
-        asked.verdict_only = asked.verdict_only || cell_.type().verdict_only;
-        const auto checked = sweep::check_answers(cell_.shared(), cell_.runner().stored_bodies(),
-                                                  cell_.runner().answer(), cell_.type().eps, asked);
-        found_.checked = checked.size();
-        found_.wrong = sweep::what_is_wrong(cell_.shared(), checked, cell_.type().eps);
-    }
-
     void check_sum(const TimedPass& pass, int threads, const char* how) {
         ++found_.passes;
         if (!is_wrong()) found_.wrong = compare_sums(pass.sum, single_sum_, threads, how);

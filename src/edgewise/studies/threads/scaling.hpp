@@ -19,7 +19,6 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/bench/runner.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::studies {
@@ -34,7 +33,7 @@ class CellCopy {
 
   private:
     std::unique_ptr<scene::Workload> workload_;
-    std::unique_ptr<bench::Runner> runner_;
+    sweep::PreparedCell cell_;
     std::unique_ptr<bench::ThreadedPass> pass_;
 };
 

@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/studies/campaign/checked_answer.hpp"
 #include "edgewise/studies/campaign/failing_case.hpp"
 #include "edgewise/studies/campaign/run.hpp"
 
@@ -176,13 +175,13 @@ TEST(Campaign, FindsWrongVerdictsOfACellWithoutDistances) {
     const PairSource source(3, {"random"}, {"cube8"});
     const Block block = source.block(0, 1);
     const Cell distance{"distance", 0x1p-52, 1e-12, false, {}}, verdict{"verdict", 0x1p-52, 1e-12, true, {}};
-    StoredPair stored(block.a.vertices, block.b.vertices);
+    truth::StoredPair stored(block.a.vertices, block.b.vertices);
     Distance far;
     far.status = Status::separated;
     far.distance = 1e3;
     const auto wrong = [&](const Cell& cell, const std::pair<Pose, Pose>& poses) {
-        KnownPair known = stored.know(poses, Vec3d::UnitX());
-        return check_answer(far, cell, stored, poses, known).wrong;
+        truth::ProvenPair known = stored.know(poses, Vec3d::UnitX());
+        return what_is_wrong(check_answer(far, cell, stored, poses, known), far, stored, poses, known);
     };
     Pose beside;
     beside.translation = Vec3d(9, 0, 0);

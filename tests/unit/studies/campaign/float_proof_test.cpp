@@ -11,9 +11,9 @@
 #include <limits>
 
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/studies/campaign/known_pair.hpp"
 #include "edgewise/studies/campaign/pair_source.hpp"
 #include "edgewise/truth/depth/exact_depth.hpp"
+#include "edgewise/truth/known_pair.hpp"
 
 namespace edgewise::studies::campaign {
 namespace {
@@ -139,9 +139,10 @@ TEST(FloatProof, KnowsNearlyEveryRandomPair) {
     const PairSource source(seed, {"random"}, {"cube8", "sphere386"});
     for (std::uint64_t block = 0; block < 2; ++block) {
         const Block made = source.block(block, 2048);
-        StoredPair stored(made.a.vertices, made.b.vertices);
+        truth::StoredPair stored(made.a.vertices, made.b.vertices);
         int exact = 0;
-        for (const auto& poses : made.poses) exact += stored.know(poses, Vec3d::Zero()).by == KnownBy::exact;
+        for (const auto& poses : made.poses)
+            exact += stored.know(poses, Vec3d::Zero()).by == truth::KnownBy::exact;
         std::printf("%s: exact arithmetic for %d of 2048\n", made.family.c_str(), exact);
         EXPECT_LT(exact, 2048 / 20);
     }

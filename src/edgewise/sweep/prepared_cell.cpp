@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/sweep/prepared_cell.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "edgewise/scene/answer_claim.hpp"
+#include "edgewise/scene/rng.hpp"
+
+namespace edgewise::sweep {
+
+std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared, std::span<const Polyhedron> stored,
+                                                std::span<const Distance> answers, double eps,
+                                                const QueryOptions& options, const MarginOf& margin) {
+    auto& known_stored = shared.known(stored);
+    auto& known_given = shared.known(shared.workload().bodies);
+    const auto& control = shared.control(stored);
+    const truth::Leeway leeway{options.contact_tolerance, options.gap_tolerance};
+    std::vector<truth::CheckedAnswer> result;
+    for (std::size_t k = 0; k < shared.checked().size(); ++k) {
+        const Distance& answer = answers[shared.checked()[k]];
+        const scene::Query& query = shared.workload().queries[shared.checked()[k]];
+        const truth::PlacedBodies bodies = scene::placed(stored, query);
+        const truth::AccuracyBand band = bodies.band(eps);
+        truth::KnownPair& known = known_stored[k];
+        if (margin) {
+            result.push_back(truth::check_nearness(answer.status == Status::touching, known.exact(bodies),
+                                                   margin(query), band, options.gap_tolerance));
+            if (answer.status > Status::touching) result.back().verdict_wrong = true;  // it says neither
+            continue;
+        }
+        const truth::Claim claim = scene::claim_of(answer, options.verdict_only);
+        truth::CheckedAnswer& checked =
+            result.emplace_back(truth::check(claim, bodies, known, band, truth::allowed_errors(eps), leeway));
+        const auto& given = known_given[k].exact(scene::placed(shared.workload().bodies, query));
+        if (!options.verdict_only)
+            checked.error_given = truth::distance_error(claim, given, leeway.contact_tolerance);
+        if (k < control.size() && control[k]) checked.control_disagrees = *control[k] == claim.separated;
+    }
+    return result;
+}
+
+std::string what_is_wrong(const SharedQueries& shared, std::span<const truth::CheckedAnswer> checked,
+                          double eps) {
+    const auto first = std::ranges::find_if(checked, &truth::CheckedAnswer::wrong);
+    if (first == checked.end()) return {};
+    return fmt::format(
+        "{} of {} checked answers are wrong; first: query {} ({}), error {:.3g} of scale, witness error "
+        "{:.3g}, allowed {:.0e}",
+        std::ranges::count_if(checked, &truth::CheckedAnswer::wrong), checked.size(),
+        shared.checked()[static_cast<std::size_t>(first - checked.begin())],
+        first->verdict_wrong ? "wrong verdict" : "wrong distance", first->band.over_scale(first->error),
+        first->band.over_scale(first->witness_error), truth::allowed_errors(eps).distance);
+}
+
+measure::AnswerCounts count_answers(std::span<const Distance> answers, std::span<const std::uint8_t> cold) {
+    measure::AnswerCounts counts;
+    counts.queries = answers.size();
+    counts.follows_pairs = !cold.empty();
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const bool warm = !cold.empty() && !cold[i];
+        int& most = warm ? counts.max_warm_steps : counts.max_cold_steps;
+        most = std::max(most, answers[i].steps);
+        if (warm) counts.warm_steps += static_cast<std::uint64_t>(answers[i].steps);
+    }
+    for (std::size_t i = 0; i < cold.size(); ++i) {
+        counts.warm += !cold[i];
+        counts.unchanged += !cold[i] && answers[i].steps == 1;
+        counts.told += !cold[i] && answers[i].steps == 0 && answers[i].status != Status::failed;
+    }
+    for (const Distance& answer : answers) {
+        counts.steps += static_cast<std::uint64_t>(answer.steps);
+        counts.fallbacks += static_cast<std::uint64_t>(answer.fallbacks);
+        counts.refinements += static_cast<std::uint64_t>(answer.refinements);
+        counts.escapes += static_cast<std::uint64_t>(answer.escapes);
+        counts.cycles += static_cast<std::uint64_t>(answer.cycles);
+        counts.max_steps = std::max(counts.max_steps, answer.steps);
+    }
+    return counts;
+}
+
+PreparedCell::PreparedCell(const bench::TableType& type, const std::string& algorithm,
+                           const bench::RunnerOptions& options)
+    : type_(&type), options_(options), runner_(type.make_runner(algorithm)) {
+    runner_->configure(options);
+}
+
+std::string PreparedCell::load(const scene::Workload& workload) {
+    workload_ = &workload;
+    return runner_->load(workload);
+}
+
+void PreparedCell::check(SharedQueries& shared) {
+    const std::vector<Distance> answers = runner_->answer();
+    counts_ = count_answers(answers,
+                            workload_->warm ? bench::cold_starts(*workload_) : std::vector<std::uint8_t>{});
+    double sum = 0;
+    for (const Distance& answer : answers) {
+        if (options_.needs > Needs::nearer) in_contact_.push_back(answer.status != Status::separated);
+        distances_.push_back(sum += answer.distance);
+    }
+    const auto stored = runner_->stored_bodies();
+    QueryOptions asked = options_.query;
+    asked.verdict_only = asked.verdict_only || type_->verdict_only;
+    MarginOf margin;
+    if (options_.needs == Needs::nearer)
+        margin = [&](const scene::Query& query) { return runner_->margin(query); };
+    checked_ = check_answers(shared, stored, answers, type_->eps, asked, margin);
+    wrong_ = what_is_wrong(shared, checked_, type_->eps);
+}
+
+double PreparedCell::mean_steps() const {
+    return static_cast<double>(counts_.steps) / static_cast<double>(counts_.queries);
+}
+
+double PreparedCell::distances(std::size_t queries) const {
+    return queries > 0 ? distances_[queries - 1] : 0;
+}
+
+double PreparedCell::ns_per_query(double clock_cost_ns) const {
+    const auto first = runner_->time({}, clock_cost_ns).all(),
+               second = runner_->time({}, clock_cost_ns).all();
+    return std::min(first.value_or(0), second.value_or(0));
+}
+
+void take_turns(std::size_t count, std::uint64_t seed, const std::function<void(std::size_t)>& take) {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    scene::Rng rng(seed);
+    rng.shuffle(order);
+    for (const std::size_t i : order) take(i);
+}
+
+}  // namespace edgewise::sweep

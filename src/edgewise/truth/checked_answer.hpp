@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// The check of an answer: what it claims about a stored pair is compared with what is known exactly, and an
+// error counts as wrong where it is larger than allowed.
+#pragma once
+
+#include <optional>
+
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/truth/accuracy_band.hpp"
+#include "edgewise/truth/known_pair.hpp"
+
+namespace edgewise::truth {
+
+/// What an answer says, as far as it is checked. In contact the distance is not.
+struct Claim {
+    bool separated = false;
+    double distance = 0;
+    double witness_error = 0;  ///< | |p_a - p_b| - d | of the two witness points
+    std::optional<double> depth = {};
+    bool verdict_only = false;  ///< the distance is a bound, and no witness was asked for
+    bool failed = false;        ///< there is no answer, which is wrong
+};
+
+/// Errors allowed beyond the band, over the scale of the pair.
+struct AllowedErrors {
+    double distance = 0;  ///< also of the distance of the witness points
+    double depth = 0;
+};
+
+/// The errors allowed to arithmetic with this rounding step (Tolerance<Compute>::eps). Where planes are
+/// stored in single and computed with in double, V-Clip is as good as the planes.
+[[nodiscard]] constexpr AllowedErrors allowed_errors(double eps, bool rounded_planes = false) {
+    const bool single = eps > Tolerance<double>::eps;
+    return {single || rounded_planes ? verified_error_single : verified_error_double,
+            single ? verified_error_single : verified_depth_error_double};
+}
+
+/// Tolerances that a query was given. Bodies within the contact tolerance are in contact, and distances are
+/// told beyond it; a distance may be too long by gap_tolerance of itself.
+struct Leeway {
+    double contact_tolerance = 0, gap_tolerance = 0;
+};
+
+struct CheckedAnswer {
+    ExactVerdict exact = ExactVerdict::separated;
+    bool verdict_wrong = false;  ///< contact against no contact outside the band, or a distance that is NaN
+    bool in_band = false;  ///< the pair is nearer to grazing than the band, as far as its depth was asked
+    bool distance_wrong = false, depth_wrong = false;
+    bool is_bound = false;   ///< an interval proved the answer right: errors are upper bounds
+    double error = 0;        ///< |d - d*|, contact counting as d = 0; d* of the bodies that the table holds
+    double error_given = 0;  ///< the same, d* of the bodies as given; by those who ask for it
+    double witness_error = 0, depth_error = 0;
+    AccuracyBand band;
+    /// Whether the verdict is another than the paper's control gives; nothing where it was not asked or has
+    /// no answer.
+    std::optional<bool> control_disagrees = {};
+
+    [[nodiscard]] bool wrong() const { return verdict_wrong || distance_wrong || depth_wrong; }
+    /// The larger error of distance and witness points, over scale and beyond the band.
+    [[nodiscard]] double worst_beyond() const;
+};
+
+/// |d - d*| beyond the contact tolerance; a distance within it counts as 0, and so does contact.
+[[nodiscard]] double distance_error(const Claim& claim, const ExactDistance& exact,
+                                    double contact_tolerance = 0);
+
+/// Verdicts are about distance zero or not; touching counts as contact. A wrong "separated" is excused by the
+/// band only if its distance is inside it too. The depth is asked for where that decides, or is claimed.
+[[nodiscard]] CheckedAnswer check(const Claim& claim, const PlacedBodies& bodies, KnownPair& known,
+                                  const AccuracyBand& band, const AllowedErrors& allowed,
+                                  const Leeway& leeway = {});
+
+/// A verdict on nearness: whether the bodies are nearer to each other than a margin. Either is right for a
+/// pair at its margin to within the band; "farther" is, too, where the gap tolerance explains it.
+[[nodiscard]] CheckedAnswer check_nearness(bool nearer, const ExactDistance& exact, double margin,
+                                           const AccuracyBand& band, double gap_tolerance);
+
+/// The check by an interval where that proves the answer right, else by exact arithmetic.
+[[nodiscard]] CheckedAnswer check(const Claim& claim, const StoredPair& bodies, const PosesOfPair& poses,
+                                  ProvenPair& known, const AccuracyBand& band, const AllowedErrors& allowed);
+
+}  // namespace edgewise::truth
