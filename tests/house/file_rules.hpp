@@ -9,7 +9,7 @@
 
 namespace edgewise::house {
 
-inline constexpr std::size_t longest_file = 300, longest_function = 40;
+inline constexpr std::size_t longest_file = 400, longest_function = 40;
 
 /// Sources, CMake files and scripts whose first three lines lack the licence.
 [[nodiscard]] std::vector<Violation> missing_licences(const std::vector<SourceFile>& files);
