@@ -44,7 +44,7 @@ const std::map<std::string, Examples> examples = {
     {"export",
      {"export --figures 'time.*' --out times.csv",
       "export mine.db --figures 'caches.*.step.*' --format json"}},
-    {"fields", {"fields --table aos_f64 --scene tumble", "fields --table linked_f64 --algorithm gjk --json"}},
+    {"fields", {"fields --table aos_f64 --scene tumble", "fields --table soa_f64 --algorithm gjk --json"}},
     {"heat",
      {"heat --table aos_f64 --shape sphere386 --queries 500", "heat --table lean_f32 --svg > lean_heat.svg"}},
     {"judge",
