@@ -55,7 +55,6 @@ const std::map<std::string, Examples> examples = {
     {"machine", {"machine", "machine --json"}},
     {"merge", {"merge 0.db 1.db 2.db --out all.db", "merge parts/0.db parts/1.db --out all.db --fom"}},
     {"paging", {"paging", "paging --bodies 200 --json"}},
-    {"progress", {"progress", "progress mine.db --json"}},
     {"query",
      {"query cases.jsonl --algorithm gjk --layout aos_f64", "query - --needs certificate < cases.jsonl",
       example_case.c_str()}},
