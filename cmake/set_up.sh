@@ -9,9 +9,9 @@ set -eu
 
 needed='g++ zlib1g-dev cmake ninja-build git ca-certificates libeigen3-dev libqhull-dev libassimp-dev libgmp-dev libsqlite3-dev
 nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libjemalloc-dev libpfm4-dev libgtest-dev libgmock-dev'
-# Formatting, linting, fuzzing; second opinions on exact distances and on modelled caches; a parser of CITATION.cff; a
-# browser for the report's page, and what drives it; what deals the parts of a campaign; packages; what keeps objects.
-wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev libyaml-cpp-dev valgrind chromium nodejs sqlite3
+# Formatting, linting, fuzzing; second opinions on exact distances and on modelled caches; a browser for the report's
+# page, and what drives it; what deals the parts of a campaign; packages; what keeps objects.
+wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev valgrind chromium nodejs sqlite3
 parallel slurmctld slurmd slurm-client dpkg-dev lintian pkgconf ccache'
 # Other libraries to be measured beside ours, with EDGEWISE_PEERS=ON in the environment; and what counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'

@@ -196,9 +196,7 @@ TEST(SceneFileNames, ThatAreNoUtf8OrActAreShownAsNumbers) {
     ASSERT_EQ(swept.exit_code, 0) << swept.err;
     std::filesystem::copy(folder / "reports/out/edgewise.db", folder / "other\xff.db");
     const std::string store = "reports/out/edgewise.db", other = "other\xff.db";
-    for (const Arguments& arguments : {Arguments{"progress", store},
-                                       {"progress", store, "--json"},
-                                       {"export", store},
+    for (const Arguments& arguments : {Arguments{"export", store},
                                        {"export", store, "--json"},
                                        {"report", other, "--compare", store, "--json", "--out", "p1"},
                                        {"report", other, "--compare", store, "--out", "p2"},

@@ -69,6 +69,7 @@ const std::vector<Slip> unknown_names = {
 const std::vector<Slip> near_names = {
     {"sweeep", {"sweeep"}, {"did you mean 'sweep'?"}},
     {"no_command_so_short", {"no"}, {"unknown command 'no'; known: ", "sweep"}},
+    {"command_that_is_gone", {"progress", "mine.db"}, {"progress: gone; a sweep says"}},
     {"option_of_sweep",
      {"sweep", "--layout", "aos"},
      {"unknown option '--layout'", "did you mean '--layouts'?"}},

@@ -3,7 +3,6 @@
 // The checks themselves: each catches what was planted for it, and lets pass what it should.
 #include <gtest/gtest.h>
 
-#include "container_recipe.hpp"
 #include "dependency_rule.hpp"
 #include "file_rules.hpp"
 #include "function_spans.hpp"
@@ -159,19 +158,6 @@ TEST(StdHeaders, AreIncludedWhereTheirNamesStand) {
     EXPECT_EQ(verdict("src/edgewise/cli/a.hpp", "std::vector<int> v;\n"), "") << "not installed";
 }
 
-TEST(FullFolders, AreThoseWithoutAReason) {
-    std::vector<SourceFile> files;
-    for (std::size_t i = 0; i < most_files; ++i) {
-        files.push_back(source_file("src/edgewise/a/" + std::to_string(i) + ".hpp", ""));
-        files.push_back(source_file("src/edgewise/a/b/" + std::to_string(i) + ".hpp", ""));
-    }
-    EXPECT_EQ(to_text(full_folders(files)), "");
-    files.push_back(source_file("src/edgewise/a/CMakeLists.txt", "# a list\n"));
-    EXPECT_EQ(to_text(full_folders(files)), "src/edgewise/a:0: 31 files\n");
-    files.back().lines.emplace_back("# More than 30 files: one for each of something.");
-    EXPECT_EQ(to_text(full_folders(files)), "");
-}
-
 TEST(OwnFlattening, IsSeenInEitherSpelling) {
     const auto verdict = [](const std::string& line) {
         return to_text(own_flattening({source_file("src/edgewise/table/ring.hpp", line + "\n")}));
@@ -229,42 +215,6 @@ TEST(LongClasses, AreCountedToTheLine) {
     EXPECT_EQ(long_classes({class_of("template <class T>\nstruct A", longest_class)}).size(), 1u);
     EXPECT_TRUE(long_classes({class_of("namespace b", 2 * longest_class)}).empty());
     EXPECT_TRUE(long_classes({class_of("enum class A", 2 * longest_class)}).empty());
-}
-
-TEST(LongProse, IsThatOfNeighbouringLiteralsTogether) {
-    const auto verdict = [](const std::string& path, const std::string& text) {
-        return to_text(long_prose({source_file(path, text)}));
-    };
-    const std::string half(101, 'a');
-    const std::string two = "f(\n\"" + half + "\"\n  \"" + half + "\");\n";
-    EXPECT_EQ(verdict("reports/a.cpp", two), "reports/a.cpp:2: 202 characters in one literal\n");
-    EXPECT_EQ(verdict("src/edgewise/a.cpp", two), "");
-    EXPECT_EQ(verdict("reports/a.cpp", "f(\"" + half + "\", \"" + half + "\");\n"), "");
-    EXPECT_EQ(verdict("reports/a.cpp", "// \"" + half + half + "\"\n"), "");
-    EXPECT_EQ(verdict("reports/a.cpp", "f(\"SELECT " + half + half + "\");\n"), "");
-}
-
-const std::string sound_recipe =
-    "# a\nARG BASE=x/library/debian:bookworm\nFROM ${BASE}\nCOPY cmake \\\n  cmake\nRUN sh cmake/a.sh\n"
-    "ENTRYPOINT [\"layouts/sweep\"]\nCMD [\"--paper\"]\n";
-
-std::string faults_in(const std::string& recipe) {
-    return to_text(recipe_faults(source_file("Containerfile", recipe),
-                                 {source_file("cmake/a.sh", ""), source_file("layouts/sweep", "")}));
-}
-
-TEST(ContainerRecipe, CatchesPlantedFaults) {
-    EXPECT_EQ(faults_in(sound_recipe), "");
-    EXPECT_EQ(faults_in(sound_recipe + "RUNN x\n"), "Containerfile:9: no instruction of a recipe: RUNN\n");
-    EXPECT_EQ(faults_in(sound_recipe + "RUN sh cmake/gone.sh\n"),
-              "Containerfile:9: not in the tree: cmake/gone.sh\n");
-    EXPECT_NE(faults_in(sound_recipe + "COPY gone here\n"), "");
-    EXPECT_NE(faults_in(sound_recipe + "RUN apt-get install cmake\n"), "");
-    EXPECT_NE(faults_in(sound_recipe + "RUN echo $NOBODY\n"), "");
-    EXPECT_NE(faults_in(sound_recipe + "FROM other\n"), "");
-    EXPECT_NE(faults_in("RUN x\n" + sound_recipe), "");
-    EXPECT_NE(faults_in("FROM alpine\nENTRYPOINT [\"layouts/sweep\"]\n"), "");
-    EXPECT_NE(faults_in("ARG BASE=x/library/debian:bookworm\nFROM ${BASE}\n"), "");
 }
 
 }  // namespace

@@ -153,22 +153,4 @@ std::vector<Span> class_spans(const std::vector<std::string>& lines) {
     return Scan(code).run(Brace::type);
 }
 
-std::vector<Literal> string_literals(const std::vector<std::string>& lines) {
-    const std::string text = joined(lines);
-    std::vector<Literal> found;
-    bool goes_on = false;
-    std::size_t line = 1;
-    for (std::size_t i = 0; i < text.size();) {
-        const std::size_t end = std::max(end_of_blank(text, i), i + 1);
-        const bool is_string = text[i] == '"' || text.compare(i, 2, "R\"") == 0;
-        if (is_string && !goes_on) found.push_back({line, ""});
-        if (is_string) found.back().text += text.substr(i + 1, end - i - 2);
-        if (!is_space(text[i]) && text.compare(i, 2, "//") != 0) goes_on = is_string;
-        line += static_cast<std::size_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(i),
-                                                    text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
-        i = end;
-    }
-    return found;
-}
-
 }  // namespace edgewise::house

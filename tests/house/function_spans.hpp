@@ -18,14 +18,6 @@ struct Span {
 [[nodiscard]] std::vector<Span> function_spans(const std::vector<std::string>& lines);
 [[nodiscard]] std::vector<Span> class_spans(const std::vector<std::string>& lines);
 
-/// A string literal, with those that follow it at once: the compiler joins them.
-struct Literal {
-    std::size_t line = 0;
-    std::string text;
-};
-
-[[nodiscard]] std::vector<Literal> string_literals(const std::vector<std::string>& lines);
-
 /// The text with comments, literals and preprocessor lines blanked out; line breaks stay.
 [[nodiscard]] std::string bare_code(const std::vector<std::string>& lines);
 

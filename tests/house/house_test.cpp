@@ -7,7 +7,6 @@
 #include <regex>
 #include <set>
 
-#include "container_recipe.hpp"
 #include "dependency_rule.hpp"
 #include "file_rules.hpp"
 #include "function_spans.hpp"
@@ -59,18 +58,6 @@ TEST(ExportedHeaders, IncludeWhatTheyUse) { EXPECT_EQ(to_text(missing_std_header
 TEST(FlattenedFunctions, AreSoByOneMacro) { EXPECT_EQ(to_text(own_flattening(tree())), ""); }
 
 TEST(Comments, NameFilesThatAreThere) { EXPECT_EQ(to_text(dead_mentions(tree())), ""); }
-
-TEST(Folders, AreNotFull) { EXPECT_EQ(to_text(full_folders(tree())), ""); }
-
-TEST(Reports, HaveTheirProseInFiles) { EXPECT_EQ(to_text(long_prose(tree())), ""); }
-
-TEST(ContainerRecipe, IsSoundAndOfThisTree) {
-    const auto recipe = std::find_if(tree().begin(), tree().end(), [](const SourceFile& file) {
-        return file.path == "replication/Containerfile";
-    });
-    ASSERT_NE(recipe, tree().end());
-    EXPECT_EQ(to_text(recipe_faults(*recipe, tree())), "");
-}
 
 TEST(Readme, IsShort) { EXPECT_EQ(to_text(long_readme(tree())), ""); }
 

@@ -43,26 +43,6 @@ std::set<std::string> ends_of_paths(const std::vector<SourceFile>& files) {
 
 }  // namespace
 
-std::vector<Violation> full_folders(const std::vector<SourceFile>& files) {
-    std::map<std::string, std::size_t> counts;
-    std::set<std::string> excused;
-    for (const SourceFile& file : files) {
-        const auto slash = file.path.rfind('/');
-        const std::string folder = slash == std::string::npos ? "" : file.path.substr(0, slash);
-        ++counts[folder];
-        if (!file.path.ends_with("CMakeLists.txt")) continue;
-        for (const std::string& line : file.lines) {
-            if (line.starts_with("# More than 30 files:")) excused.insert(folder);
-        }
-    }
-    std::vector<Violation> found;
-    for (const auto& [folder, count] : counts) {
-        if (count > most_files && !excused.contains(folder))
-            found.push_back({folder, 0, std::to_string(count) + " files"});
-    }
-    return found;
-}
-
 std::vector<Violation> own_flattening(const std::vector<SourceFile>& files) {
     static const std::regex attribute(R"((__attribute__\(\(|\[\[).*\b(flatten|no_sanitize)\b)");
     std::vector<Violation> found;
@@ -120,20 +100,6 @@ std::vector<Violation> long_classes(const std::vector<SourceFile>& files) {
             const std::size_t length = span.last - span.first + 1;
             if (length > longest_class)
                 found.push_back({file.path, span.first, "a class of " + std::to_string(length) + " lines"});
-        }
-    }
-    return found;
-}
-
-std::vector<Violation> long_prose(const std::vector<SourceFile>& files) {
-    static const std::regex sql(R"(^\W*(SELECT|WITH|CREATE|INSERT|UPDATE)\b)", std::regex::icase);
-    std::vector<Violation> found;
-    for (const SourceFile& file : files) {
-        if (!is_cpp(file) || !file.path.starts_with("reports/")) continue;
-        for (const Literal& literal : string_literals(file.lines)) {
-            if (literal.text.size() <= longest_prose || std::regex_search(literal.text, sql)) continue;
-            found.push_back({file.path, literal.line,
-                             std::to_string(literal.text.size()) + " characters in one literal"});
         }
     }
     return found;

@@ -10,12 +10,7 @@
 
 namespace edgewise::house {
 
-inline constexpr std::size_t most_files = 30, longest_class = 150, longest_prose = 200;
-inline constexpr std::size_t readme_lines = 120, readme_words = 900;
-
-/// Folders with more files of their own than a reader can survey. A folder may have more that gives its
-/// reason in its CMakeLists.txt, on a line that begins "# More than 30 files:".
-[[nodiscard]] std::vector<Violation> full_folders(const std::vector<SourceFile>& files);
+inline constexpr std::size_t longest_class = 150, readme_lines = 120, readme_words = 900;
 
 /// Functions flattened, or kept from a sanitizer, by attributes of their own: under a user's sanitizers these
 /// take g++ minutes to compile, or give false reports (geometry/inlining.hpp).
@@ -27,8 +22,5 @@ inline constexpr std::size_t readme_lines = 120, readme_words = 900;
 [[nodiscard]] std::vector<Violation> long_readme(const std::vector<SourceFile>& files);
 
 [[nodiscard]] std::vector<Violation> long_classes(const std::vector<SourceFile>& files);
-
-/// Prose in the string literals of reports: it belongs into a file of text. Statements of SQL may be long.
-[[nodiscard]] std::vector<Violation> long_prose(const std::vector<SourceFile>& files);
 
 }  // namespace edgewise::house

@@ -290,8 +290,6 @@ edgewise_mutant(unread_fields_travel_along studies/fields/best_groups.cpp [[(rea
     BestGroups.FieldsThat* ${unit}/studies/fields_test.cpp)
 edgewise_mutant(caches_of_pairs_stay_where_they_were studies/fields/field_places.cpp [[access.address += is - was;]] [[]]
     FieldPlaces.OfAny* ${unit}/studies/fields_test.cpp)
-edgewise_mutant(further_records_are_free studies/fields/node_places.cpp [[listener.on_access(link);]] [[]]
-    FieldPlaces.OfAny* ${unit}/studies/fields_test.cpp)
 edgewise_mutant(any_faster_median_holds studies/fields/verdicts.cpp [[if (time->high < std::min(1.0, noise->low))]] [[if (time->middle < 1)]]
     FieldsAdvice.* ${unit}/studies/fields_advice_test.cpp)
 

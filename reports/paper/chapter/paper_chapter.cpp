@@ -52,7 +52,7 @@ std::vector<ChapterPart> paper_parts(const ReportData& data) {
          scene_grids(data, {"paper_angular_38", "paper_angular_386", "paper_bodies", "paper_bodies_shrinking",
                             "paper_complexity", "paper_cold"})},
         {"Robustness", prose("part_robustness.md"), "", {robustness_grid(data), raw_vclip_grid(data)}, {}},
-        {"Ease of implementation", prose("part_ease.md"), "", {source_grid(), build_grid(data)}, {}},
+        {"Ease of implementation", prose("part_ease.md"), "", {build_grid(data)}, {}},
         {"Cost functions", prose("part_cost.md"), "", {cost_grid(data, true)}, {cost_grid(data, false)}},
         {"Needs", prose("part_needs.md"), "", {all_needs_grid(data), needs_grid(data)}, {}},
         {"The thrash at 386 vertices",

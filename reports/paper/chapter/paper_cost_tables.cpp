@@ -4,9 +4,8 @@
 // term as measured, and their sums beside the measured step. What each need costs: times with the axis
 // `needs` over the plain cell's, which gives witness points; and what it reads, nearness beside the others,
 // over all pairs, since a verdict on nearness does not tell which of them are in contact. Ease of
-// implementation: what the algorithms' source says, and what building their tables costs.
+// implementation: what building their tables costs.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +16,6 @@
 
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
-#include "edgewise/reports/tables/source_facts.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
@@ -99,20 +97,6 @@ std::vector<const ReportCell*> by_need(const ByAxes& cells) {
     return sorted;
 }
 
-/// What the contract between layouts and algorithms asks of a body (table/contract.hpp).
-std::string bodies_accepted(const std::string& algorithm) {
-    const std::map<std::string, std::string> accepted{
-        {"V-Clip",
-         "convex polyhedra with their features: solids, flat polygons, segments, points; planes stored or "
-         "derived"},
-        {"Enhanced GJK", "convex hulls of points: vertices alone, or with neighbours for hill climbing"},
-        {"Moore-Wilhelms", "convex polyhedra: vertices, edges and faces"},
-        {"sweep and prune", "boxes of any bodies"},
-        {"penetration (EPA)", "what GJK takes, after a query found contact"}};
-    const auto found = accepted.find(algorithm);
-    return found == accepted.end() ? "–" : found->second;
-}
-
 }  // namespace
 
 TextGrid cost_grid(const ReportData& data, bool of_bodies) {
@@ -168,19 +152,6 @@ TextGrid all_needs_grid(const ReportData& data) {
                                          figure_cell(cell->figure("work.told_by_bounds"), 1, 3)));
         }
     }
-    return grid;
-}
-
-TextGrid source_grid() {
-    TextGrid grid{"Source of each algorithm in this program (no blank and no comment lines)",
-                  columns_of("algorithm|#files|#lines of code|#tolerances|which|"
-                             "bodies accepted (concave ones by none)"),
-                  {}};
-    for (const SourceFacts& facts : source_facts())
-        grid.rows.push_back(
-            grid_row(facts.algorithm, facts.files, facts.code_lines, facts.tolerances.size(),
-                     facts.tolerances.empty() ? "–" : fmt::format("{}", fmt::join(facts.tolerances, ", ")),
-                     bodies_accepted(facts.algorithm)));
     return grid;
 }
 

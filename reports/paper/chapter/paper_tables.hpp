@@ -35,8 +35,6 @@ namespace edgewise::reports {
 [[nodiscard]] TextGrid robustness_grid(const ReportData& data);
 /// V-Clip as published: how often it is wrong on the queries that the hardened one answers right.
 [[nodiscard]] TextGrid raw_vclip_grid(const ReportData& data);
-/// Code lines, tolerances and bodies accepted: facts of this program's source.
-[[nodiscard]] TextGrid source_grid();
 /// What building and refitting a table costs, and what it takes.
 [[nodiscard]] TextGrid build_grid(const ReportData& data);
 

@@ -132,7 +132,6 @@ void add_machine(CLI::App& app, Context& context);
 void add_merge(CLI::App& app, Context& context);
 void add_paging(CLI::App& app, Context& context);
 void add_pass(CLI::App& app, Context& context);
-void add_progress(CLI::App& app, Context& context);
 void add_query(CLI::App& app, Context& context);
 void add_report(CLI::App& app, Context& context);
 void add_scaling(CLI::App& app, Context& context);

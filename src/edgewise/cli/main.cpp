@@ -29,11 +29,10 @@ using namespace edgewise::cli;
 
 /// In the order of the help text.
 constexpr void (*commands[])(CLI::App&, Context&) = {
-    add_sweep,     add_advise, add_budget,     add_thrash,  add_stability, add_merge,
-    add_campaign,  add_report, add_export,     add_compare, add_additions, add_bytes,
-    add_draw,      add_query,  add_judge,      add_machine, add_heat,      add_caches,
-    add_lock,      add_paging, add_crosscheck, add_effort,  add_fields,    add_scaling,
-    add_calibrate, add_bench,  add_progress,   add_pass,    add_list};
+    add_sweep,  add_advise,  add_budget,  add_thrash,    add_stability, add_merge,  add_campaign,
+    add_report, add_export,  add_compare, add_additions, add_bytes,     add_draw,   add_query,
+    add_judge,  add_machine, add_heat,    add_caches,    add_lock,      add_paging, add_crosscheck,
+    add_effort, add_fields,  add_scaling, add_calibrate, add_bench,     add_pass,   add_list};
 
 /// Fills the places of standard streams that the caller closed. The next file that is opened would take such
 /// a place, and printed text would be written into it.

@@ -40,7 +40,7 @@ inline constexpr const char* peer_key = "peer ";
 inline constexpr const char *shard_key = "shard", *complete_key = "complete";
 
 /// This and the name of a comparison, of a group of a sweep or of another run: the seconds that it took when
-/// it last ran, by which parts are weighed and progress is told.
+/// it last ran, by which parts are weighed and what is left of a sweep is estimated.
 inline constexpr const char* took_key = "took ";
 
 /// schema.sql: creates what is not there.

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: MIT
-//
-// The model: its constants were fitted by hand to the seconds of plan quick on a machine of two cores, group
-// by group (tests/unit/sweep/progress_model_test.cpp has them). A machine that is faster or slower in all of
-// them changes no ratio, and the seconds of groups that the store remembers take the place of the model's.
 #include "edgewise/sweep/expected_work.hpp"
 
 #include <fmt/format.h>
@@ -11,34 +7,24 @@
 #include <cmath>
 
 #include "edgewise/bench/cell.hpp"
+#include "edgewise/sweep/time_left.hpp"
 
 namespace edgewise::sweep {
 
 namespace {
 
-// ns per query by the square root of the body's vertices, of which a walk across the body meets so many.
-struct PerQuery {
-    double least, per_root;
-
-    [[nodiscard]] double seconds(double vertices) const {
-        return (least + per_root * std::sqrt(vertices)) * 1e-9;
-    }
-};
-constexpr PerQuery cold_query{300, 73};     ///< pairs that have not met before
-constexpr PerQuery still_query{130, 3};     ///< pairs that hardly moved
-constexpr PerQuery static_query{190, 152};  ///< of the scene static: half of its pairs overlap deeply
-
-constexpr double out_of_cache = 4.5;           ///< times as long a query takes whose tables are in memory
-constexpr double cached_vertices = 50'000;     ///< of tables of their own that together fit a cache
-constexpr double table_seconds = 0.55e-6;      ///< per vertex of a table that is built
-constexpr double exact_seconds = 0.4e-6;       ///< per vertex and checked query, of all storages of bodies
-constexpr double cell_seconds = 0.003;         ///< what probes take whatever the queries are
-constexpr double passes = 1.5;                 ///< of all queries, by probes that count
-constexpr double followed_queries = 1000,      ///< about as many are traced for their lines, each
-    followed_factor = 23.5;                    ///< so many times as long as a timed one
-constexpr double cached_query_least = 114e-6,  ///< s per query and machine whose caches are modelled, and
-    cached_query_factor = 40;                  ///< of a timed one in cache beside that
-constexpr double fitted_processors = 2;        ///< that shared what is beside others
+constexpr double query_seconds = 75e-9;      ///< of a query, times the root of the vertices
+constexpr double vertex_seconds = 0.3e-6;    ///< of a vertex of a table that is built
+constexpr double exact_seconds = 12e-6;      ///< of a checked query, times the root of the vertices
+constexpr double traced_factor = 300;        ///< times as long a query takes whose caches are modelled
+constexpr double followed_seconds = 1e-6;    ///< of a query whose lines are followed, per step of the search
+constexpr double point_seconds = 1e-6;       ///< the same per vertex of a table of points
+constexpr double followed_queries = 1000;    ///< at most
+constexpr double counted_seconds = 1e-6;     ///< of a query in what else is counted cell by cell
+constexpr double out_of_cache = 5;           ///< times as long a query takes whose tables are in memory
+constexpr double trace_out_of_cache = 2.5;   ///< the same for a query whose caches are modelled
+constexpr double cached_vertices = 100'000;  ///< of tables that together fit a cache
+constexpr double pairs_per_body = 1.2;       ///< that the broad phase leaves in a step
 
 double parameter(const SceneWork& scene, const char* name, double standard) {
     const auto found = scene.choice.parameters.find(name);
@@ -51,44 +37,64 @@ const std::string& kind_of(const SceneWork& scene) {
 
 /// Tables that a cell builds.
 double tables_of(const SceneWork& scene) {
-    const bool own = kind_of(scene) == "pressure" || parameter(scene, "own_tables", 0) > 0;
-    return own ? parameter(scene, "bodies", 1) : 1;
+    return parameter(scene, "own_tables", 0) > 0 ? parameter(scene, "bodies", 1) : 1;
 }
 
-/// s per query that finds its tables in a cache. The more a body turns in a step, the less a pair's last
-/// answer helps: by the root of the angle, up to a rad.
-double query_seconds(const SceneWork& scene, double vertices) {
-    const double cold = cold_query.seconds(vertices), still = still_query.seconds(vertices);
-    if (kind_of(scene) == "static") return static_query.seconds(vertices);
-    // Every other query of the scene pressure is its pair's first.
-    const bool turns = scene.choice.parameters.contains("rotation_step") && kind_of(scene) != "pressure";
-    if (!turns) return cold;
-    const double turn =
-        parameter(scene, "random_orientation", 0) > 0 ? 1 : parameter(scene, "rotation_step", 0);
-    return still + std::sqrt(std::min(1.0, turn)) * (cold - still);
+/// A query that finds its tables in a cache. A search across the body meets about the root of its vertices.
+/// The less a body turns in a step, the more a pair's last answer helps; most queries of `pressure` are first
+/// ones.
+double seconds_per_query(const SceneWork& scene, double vertices) {
+    const bool searches = kind_of(scene) == "pressure" || parameter(scene, "random_orientation", 0) > 0;
+    const double turn = searches ? 1 : std::clamp(parameter(scene, "rotation_step", 1), 0.05, 1.0);
+    return query_seconds * (4 + std::sqrt(turn * vertices));
+}
+
+/// Scenes of a number of steps ask as many queries as these have.
+double queries_of(const SceneWork& scene) {
+    const double stepped =
+        parameter(scene, "least_steps", 0) * parameter(scene, "bodies", 0) * pairs_per_body;
+    return std::max(static_cast<double>(scene.queries), stepped);
 }
 
 }  // namespace
 
-GroupWork modelled_work(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape,
-                        std::size_t cells, unsigned processors) {
+std::string GroupWork::kind(Step step) const {
+    constexpr const char* names[] = {"verify", "trace", "rounds", "alone"};
+    if (remembered) return TimeLeft::last_run;
+    return std::string(names[static_cast<std::size_t>(step)]) + (own_tables ? ", own tables" : "");
+}
+
+CellCount count_cells(const SweepWork& work, const SceneWork& scene) {
+    CellCount cells;
+    work.each_cell(scene, [&](const bench::TableType& type, const auto&, const auto&) {
+        ++cells.all;
+        cells.points += !type.is_peer && !type.serves("vclip");
+    });
+    return cells;
+}
+
+GroupWork estimated_work(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape,
+                         const CellCount& cells, unsigned processors) {
     if (!shape.error.empty()) return {};
-    const auto count = static_cast<double>(cells), queries = static_cast<double>(scene.queries);
+    const auto count = static_cast<double>(cells.all), queries = queries_of(scene);
     const auto vertices = static_cast<double>(shape.body.vertex_count());
-    const double tables = tables_of(scene), in_cache = query_seconds(scene, vertices);
-    const double each = tables * vertices > cached_vertices ? out_of_cache * in_cache : in_cache;
+    const double tables = tables_of(scene), in_cache = seconds_per_query(scene, vertices);
+    const bool fits = tables * vertices <= cached_vertices;
+    const double query = fits ? in_cache : out_of_cache * in_cache;
+    const auto checked = static_cast<double>(std::min(plan.checked, scene.queries));
     const double traced = plan.traced > 0 ? std::min(queries, static_cast<double>(plan.traced)) : queries;
     GroupWork work;
-    // With the baseline's.
-    work.verify = count * queries * each + (count + 1) * tables * vertices * table_seconds +
-                  static_cast<double>(plan.checked) * vertices * exact_seconds;
+    work.own_tables = tables > 1;
+    work.parts[0] = count * (queries * query + tables * vertices * vertex_seconds) +
+                    checked * std::sqrt(vertices) * exact_seconds;
     if (scene.models_caches(shape))
-        work.beside = count * traced * static_cast<double>(plan.machines.size()) *
-                      (cached_query_least + cached_query_factor * in_cache) * fitted_processors /
-                      std::max(1U, processors);
-    work.rounds = (count + 1) * plan.rounds * queries * each;
-    work.alone = count * (cell_seconds + in_cache * (passes * queries +
-                                                     followed_factor * std::min(queries, followed_queries)));
+        work.parts[1] = count * traced * static_cast<double>(plan.machines.size()) * traced_factor *
+                        in_cache * (fits ? 1 : trace_out_of_cache) / std::max(1U, processors);
+    work.parts[2] = (count + 1) * plan.rounds * queries * query;  // with the baseline
+    const double followed = std::min(queries, followed_queries);
+    work.parts[3] = count * (queries * (query + counted_seconds) +
+                             followed * (10 + std::sqrt(vertices)) * followed_seconds) +
+                    static_cast<double>(cells.points) * followed * vertices * point_seconds;
     return work;
 }
 
@@ -100,27 +106,18 @@ std::string group_key(const Plan& plan, const SceneWork& scene, const scene::Nam
 }
 
 std::vector<GroupWork> expected_work(
-    const SweepWork& work, const std::function<std::optional<double>(const std::string& key)>& remembered) {
+    const SweepWork& work, const std::function<std::optional<double>(const std::string& key)>& took_before) {
     std::vector<GroupWork> groups;
-    std::vector<std::optional<double>> seconds;
-    double known = 0, modelled = 0;  // of the groups that are remembered
     for (const SceneWork& scene : work.scenes) {
-        std::size_t cells = 0;
-        work.each_cell(scene, [&](const auto&, const auto&, const auto&) { ++cells; });
+        const CellCount cells = count_cells(work, scene);
         for (const scene::NamedShape* shape : scene.shapes) {
-            groups.push_back(modelled_work(work.plan, scene, *shape, cells));
-            seconds.push_back(remembered(group_key(work.plan, scene, *shape, cells)));
-            if (!seconds.back()) continue;
-            known += *seconds.back();
-            modelled += groups.back().all();
+            GroupWork& group = groups.emplace_back(estimated_work(work.plan, scene, *shape, cells));
+            const auto took = took_before(group_key(work.plan, scene, *shape, cells.all));
+            group.remembered = took && group.all() > 0;
+            if (!group.remembered) continue;
+            const double factor = *took / group.all();
+            for (double& part : group.parts) part *= factor;
         }
-    }
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        const double missed = known > 0 && modelled > 0 ? known / modelled : 1;
-        GroupWork& group = groups[i];
-        if (group.all() == 0) continue;  // of a body that there is not
-        const double factor = seconds[i] ? *seconds[i] / group.all() : missed;
-        group = {group.verify * factor, group.beside * factor, group.rounds * factor, group.alone * factor};
     }
     return groups;
 }

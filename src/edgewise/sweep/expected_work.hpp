@@ -1,42 +1,61 @@
 // SPDX-License-Identifier: MIT
 //
-// What the groups of a sweep are expected to take, so that its progress is one of time: a group is a scene on
-// a shape with all its cells. From the seconds that the same group took when it last ran into the store, else
-// from a model of the work; only ratios between groups count.
+// How much work the groups of a sweep are, so that what is left can be estimated (time_left.hpp) and shards
+// be made even. A group is a scene on a shape with all its cells. Work is in seconds: those that the same
+// group took when it last ran into the store, else by rules of thumb, of which only ratios count.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "edgewise/sweep/work.hpp"
 
 namespace edgewise::sweep {
 
-/// By what a group does in turn; seconds on some machine.
-struct GroupWork {
-    double verify = 0;  ///< tables built, every query answered, a sample checked exactly
-    double beside = 0;  ///< caches modelled, on all processors
-    double rounds = 0;  ///< timed
-    double alone = 0;   ///< counters, lines, and what else is measured cell by cell
-
-    [[nodiscard]] double all() const { return verify + beside + rounds + alone; }
+/// What a group does in turn.
+enum class Step {
+    verify,  ///< tables built, every query answered, a sample checked exactly
+    trace,   ///< caches modelled, on all processors
+    rounds,  ///< timed
+    alone    ///< counters, lines, and what else is measured cell by cell
 };
 
-/// Of a group of this many cells, by the model; nothing of a body that there is not. What is beside others is
-/// shared by so many processors.
-[[nodiscard]] GroupWork modelled_work(const Plan& plan, const SceneWork& scene,
-                                      const scene::NamedShape& shape, std::size_t cells,
-                                      unsigned processors = std::thread::hardware_concurrency());
+inline constexpr Step steps[] = {Step::verify, Step::trace, Step::rounds, Step::alone};
+
+struct GroupWork {
+    std::array<double, 4> parts{};  ///< by Step
+    bool remembered = false;        ///< an earlier run measured their sum
+    bool own_tables = false;        ///< every body has one: queries wait for memory
+
+    [[nodiscard]] double of(Step step) const { return parts[static_cast<std::size_t>(step)]; }
+    [[nodiscard]] double all() const { return parts[0] + parts[1] + parts[2] + parts[3]; }
+    /// Kind of work for TimeLeft.
+    [[nodiscard]] std::string kind(Step step) const;
+};
+
+/// How many cells a group has, and how many of them are on tables of points alone, of which most are read
+/// whole.
+struct CellCount {
+    std::size_t all = 0, points = 0;
+};
+[[nodiscard]] CellCount count_cells(const SweepWork& work, const SceneWork& scene);
+
+/// Work of a group by rules of thumb: queries by the root of the body's vertices, tables by its vertices.
+/// None of a body that there is not. Traces are shared by so many processors.
+[[nodiscard]] GroupWork estimated_work(const Plan& plan, const SceneWork& scene,
+                                       const scene::NamedShape& shape, const CellCount& cells,
+                                       unsigned processors = std::thread::hardware_concurrency());
 
 /// Names a group in a store: scene, parameters, shape, queries, rounds, and how many cells.
 [[nodiscard]] std::string group_key(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape,
                                     std::size_t cells);
 
-/// For all groups, in the order in which they run. `remembered`: seconds by a group's key. Of groups that are
-/// not remembered the model, in the proportion in which it misses those that are.
+/// Work of all groups, in the order in which they run. `took_before`: seconds by a group's key.
 [[nodiscard]] std::vector<GroupWork> expected_work(
-    const SweepWork& work, const std::function<std::optional<double>(const std::string& key)>& remembered);
+    const SweepWork& work, const std::function<std::optional<double>(const std::string& key)>& took_before);
 
 }  // namespace edgewise::sweep

@@ -134,28 +134,21 @@ store::CellRow row_of(const Plan& plan, const SceneWork& scene, const scene::Nam
     return row;
 }
 
-/// Seconds until now; another lap begins.
-double lap(measure::Stopwatch& watch) {
-    const double seconds = watch.elapsed_ns() * 1e-9;
-    watch.restart();
-    return seconds;
-}
-
 class Sweep {
   public:
-    Sweep(const SweepWork& work, store::Store& store, const std::string& build, const SweepListener& listener,
-          const std::atomic<bool>& stop)
-        : work_(work), stored_(store, build, work.plan), listener_(listener), stop_(stop) {}
+    Sweep(const SweepWork& work, store::Store& store, const std::string& build, TimeLeft& left,
+          const SweepListener& listener, const std::atomic<bool>& stop)
+        : work_(work), stored_(store, build, work.plan), left_(left), listener_(listener), stop_(stop) {}
 
     SweepSummary run() {
         const std::vector<GroupWork> expected =
             expected_work(work_, [&](const std::string& group) { return stored_.took(group); });
-        double all = 0;
-        for (const GroupWork& group : expected) all += group.all();
-        listener_.on_start(all, work_.cells());
+        for (const GroupWork& group : expected)
+            for (const Step step : steps) left_.expect(group.kind(step), group.of(step));
+        auto group = expected.begin();
         for (const SceneWork& scene : work_.scenes) {
             for (const scene::NamedShape* shape : scene.shapes) {
-                if (!stop_) run_group(scene, *shape, expected[place_++]);
+                if (!stop_) run_group(scene, *shape, *group++);
             }
         }
         summary_.stopped = stop_;
@@ -166,17 +159,27 @@ class Sweep {
     void run_group(const SceneWork& scene, const scene::NamedShape& shape, const GroupWork& expected) {
         std::vector<CellRun> cells = cells_of(scene, shape);
         if (all_stored(cells)) {
-            listener_.on_resumed(expected.all(), cells.size());
+            for (const Step step : steps) left_.skip(expected.kind(step), expected.of(step));
+            listener_.on_resumed(cells.size());
             return;
         }
-        took_ = {};
-        watch_.restart();
+        const measure::Stopwatch watch;
+        lap_.restart();
         run_cells(scene, shape, cells, expected);
         if (stop_) return;
-        stored_.put_seconds(group_key(work_.plan, scene, shape, cells.size()), took_.all());
-        stored_.put_seconds(comparison_name(scene, shape), took_.all());  // for shards to be weighed by
-        stored_.put_progress(place_, short_name(scene, shape), expected, took_);
-        listener_.on_done(0, cells.size(), scene.choice.name + " " + shape.name);
+        left_.end_group();
+        const double took = watch.elapsed_ns() * 1e-9;
+        stored_.put_seconds(group_key(work_.plan, scene, shape, cells.size()), took);
+        stored_.put_seconds(comparison_name(scene, shape), took);  // for shards to be weighed by
+        listener_.on_done(cells.size(), scene.choice.name + " " + shape.name);
+    }
+
+    /// One of so many equal parts of the step is done.
+    void advance(const GroupWork& expected, Step step, std::size_t parts, const std::string& what) {
+        left_.done(expected.kind(step), expected.of(step) / static_cast<double>(parts),
+                   lap_.elapsed_ns() * 1e-9);
+        lap_.restart();
+        listener_.on_done(0, what);
     }
 
     [[nodiscard]] std::vector<CellRun> cells_of(const SceneWork& scene,
@@ -208,33 +211,28 @@ class Sweep {
     /// Every cell's answers checked, then what may be measured of cells side by side.
     void verify_and_trace(std::vector<CellRun>& cells, SharedQueries& shared, const GroupWork& expected,
                           const std::string& what) {
-        const auto count = static_cast<double>(cells.size());
         for (CellRun& cell : cells) {
             if (stop_) return;
             cell.verify(shared);
-            listener_.on_done(expected.verify / count, 0, what);
+            advance(expected, Step::verify, cells.size(), what);
         }
-        took_.verify = lap(watch_);
         // On all processors: nothing is timed meanwhile, and traces do not depend on what runs beside them.
         std::mutex telling;
         bench::for_each_index(cells.size(), [&](std::size_t i) {
             if (stop_) return;
             cells[i].measure(CellRun::Stage::beside_others, {});
             const std::scoped_lock lock(telling);
-            listener_.on_done(expected.beside / count, 0, what);
+            advance(expected, Step::trace, cells.size(), what);
         });
-        took_.beside = lap(watch_);
     }
 
     void run_cells(const SceneWork& scene, const scene::NamedShape& shape, std::vector<CellRun>& cells,
                    const GroupWork& expected) {
         if (!shape.error.empty()) {  // nothing to measure
             for (const CellRun& cell : cells) keep(cell);
-            listener_.on_done(expected.all(), 0, {});
             return;
         }
         const std::string what = scene.choice.name + " " + shape.name;
-        const auto count = static_cast<double>(cells.size());
         Plan plan = work_.plan;
         plan.queries = scene.queries;
         SceneChoice made = scene.choice;
@@ -249,16 +247,14 @@ class Sweep {
                 "the baseline {} on {} {} is {}: {}; nothing to compare times with", baseline.row().table,
                 scene.choice.name, shape.name, to_string(baseline.row().status), baseline.row().reason));
         time_rounds(plan, cells, baseline, stored_, stop_,
-                    [&] { listener_.on_done(expected.rounds / plan.rounds, 0, what); });
+                    [&] { advance(expected, Step::rounds, static_cast<std::size_t>(plan.rounds), what); });
         if (stop_) return;
-        took_.rounds = lap(watch_);
         for (CellRun& cell : cells) {
             cell.measure(CellRun::Stage::alone, stored_.rounds_of(cell));
             stored_.put_heat(cell, shape.body);
             keep(cell);
-            listener_.on_done(expected.alone / count, 0, what);
+            advance(expected, Step::alone, cells.size(), what);
         }
-        took_.alone = lap(watch_);
     }
 
     void keep(const CellRun& cell) {
@@ -272,22 +268,21 @@ class Sweep {
 
     const SweepWork& work_;
     StoredCells stored_;
+    TimeLeft& left_;
     const SweepListener& listener_;
     const std::atomic<bool>& stop_;
     SweepSummary summary_;
-    std::size_t place_ = 0;  ///< of the group in hand, counted from 1
-    measure::Stopwatch watch_;
-    GroupWork took_;  ///< s, by the group in hand
+    measure::Stopwatch lap_;  ///< since the last part of a step was done
 };
 
 }  // namespace
 
-SweepSummary run_sweep(const SweepWork& work, store::Store& store, const SweepListener& listener,
-                       const std::atomic<bool>& stop) {
+SweepSummary run_sweep(const SweepWork& work, store::Store& store, TimeLeft& left,
+                       const SweepListener& listener, const std::atomic<bool>& stop) {
     const store::BuildRow build = bench::this_build();
     check_scene_files(work, store);
     store_sweep(work, build, store);
-    return Sweep(work, store, build.id, listener, stop).run();
+    return Sweep(work, store, build.id, left, listener, stop).run();
 }
 
 }  // namespace edgewise::sweep

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "edgewise/store/store.hpp"
+#include "edgewise/sweep/time_left.hpp"
 #include "edgewise/sweep/work.hpp"
 
 namespace edgewise::sweep {
@@ -21,17 +22,15 @@ struct SweepSummary {
 
 /// What a sweep tells while it runs.
 struct SweepListener {
-    /// How much work there will be, in expected seconds, and how many cells.
-    std::function<void(double work, std::size_t cells)> on_start;
-    /// That much more is done; cells as their group ends.
-    std::function<void(double work, std::size_t cells, const std::string& what)> on_done;
-    /// Likewise, by an earlier run.
-    std::function<void(double work, std::size_t cells)> on_resumed;
+    /// More work is done; cells as their group ends.
+    std::function<void(std::size_t cells, const std::string& what)> on_done;
+    /// Cells that an earlier run measured.
+    std::function<void(std::size_t cells)> on_resumed;
     std::function<void(const std::string& line)> on_warning;
 };
 
-/// `stop` is looked at between rounds.
-[[nodiscard]] SweepSummary run_sweep(const SweepWork& work, store::Store& store,
+/// `left` learns what there is to do and how long it takes. `stop` is looked at between rounds.
+[[nodiscard]] SweepSummary run_sweep(const SweepWork& work, store::Store& store, TimeLeft& left,
                                      const SweepListener& listener, const std::atomic<bool>& stop);
 
 }  // namespace edgewise::sweep

@@ -9,7 +9,6 @@
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/vocabulary.hpp"
 #include "edgewise/sweep/body_heat.hpp"
-#include "edgewise/sweep/progress_pieces.hpp"
 
 namespace edgewise::sweep {
 
@@ -63,15 +62,6 @@ void StoredCells::put_heat(const CellRun& cell, const Polyhedron& body) {
 
 void StoredCells::put_seconds(const std::string& of, double seconds) {
     store_.set_meta(store::took_key + of, fmt::format("{:.3f}", seconds));
-}
-
-void StoredCells::put_progress(std::size_t place, const std::string& group, const GroupWork& expected,
-                               const GroupWork& took) {
-    const ProgressPiece pieces[] = {{"verify", expected.verify, took.verify},
-                                    {"beside others", expected.beside, took.beside},
-                                    {"rounds", expected.rounds, took.rounds},
-                                    {"alone", expected.alone, took.alone}};
-    store_.set_meta(progress_key(place, group), progress_value(pieces));
 }
 
 bool StoredCells::lacks_checks(const store::CellRow& row, StoredFigures stored) const {

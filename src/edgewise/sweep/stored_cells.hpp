@@ -12,7 +12,6 @@
 
 #include "edgewise/store/store.hpp"
 #include "edgewise/sweep/cell_run.hpp"
-#include "edgewise/sweep/expected_work.hpp"
 #include "edgewise/sweep/plan.hpp"
 
 namespace edgewise::sweep {
@@ -46,9 +45,6 @@ class StoredCells {
     /// Its heat on the body, and the body; of a cell that has none nothing.
     void put_heat(const CellRun& cell, const Polyhedron& body);
     void put_seconds(const std::string& of, double seconds);
-    /// What the group at that place was expected to take, and took.
-    void put_progress(std::size_t place, const std::string& group, const GroupWork& expected,
-                      const GroupWork& took);
 
   private:
     /// An earlier run may have checked fewer answers: the cell is not verified as it is asked to be now.

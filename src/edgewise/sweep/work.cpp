@@ -173,18 +173,6 @@ std::string comparison_name(const SceneWork& scene, const scene::NamedShape& sha
     return scene.choice.name + " " + bench::parameters_json(scene.choice.parameters) + " " + shape.name;
 }
 
-std::string short_name(const SceneWork& scene, const scene::NamedShape& shape) {
-    const auto usual =
-        scene::complete_parameters(scene.kind.empty() ? scene.choice.name : scene.kind, {}).or_throw();
-    std::string name = scene.choice.name;
-    for (const auto& [parameter, value] : scene.choice.parameters) {
-        const auto standard = usual.find(parameter);
-        if (standard == usual.end() || standard->second != value)
-            name += fmt::format(" {}={}", parameter, value);
-    }
-    return name + " " + shape.name;
-}
-
 std::size_t SweepWork::cells() const {
     std::size_t count = 0;
     for (const SceneWork& scene : scenes) {

@@ -54,9 +54,6 @@ struct SweepWork {
 /// A scene on a shape, whose cells are compared with each other: the same in every plan and process.
 [[nodiscard]] std::string comparison_name(const SceneWork& scene, const scene::NamedShape& shape);
 
-/// The same for people: of the parameters those that are not the scene's usual ones.
-[[nodiscard]] std::string short_name(const SceneWork& scene, const scene::NamedShape& shape);
-
 /// The bodies of a plan: built-in shapes and hulls of mesh files. A mesh file that cannot be read becomes a
 /// shape with an error, so that its cells appear in the report as unavailable, with the reason. Throws
 /// std::invalid_argument for an unknown built-in name (a slip of the user, not of the data).

@@ -47,7 +47,6 @@ const std::map<std::string, Arguments>& printing() {
         {"merge", {"s.db", "--out", "m.db"}},
         {"paging",
          {"--bodies", "4", "--steps", "1", "--shape", "cube8", "--layouts", "aos_f64", "--limits", "0"}},
-        {"progress", {"s.db"}},
         {"query", {"c.jsonl"}},
         {"report", {"s.db", "--out", "report"}},
         {"scaling",

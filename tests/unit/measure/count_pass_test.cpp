@@ -30,7 +30,7 @@ ChosenEvent stand_in(const char* name, const EventCode& code) {
 ChosenEvent unavailable(const char* name) {
     ChosenEvent event;
     event.event = name;
-    event.by = "raw";
+    event.by = "libpfm";
     event.error = ENOENT;
     event.refusal = {"not here", "look elsewhere"};
     return event;

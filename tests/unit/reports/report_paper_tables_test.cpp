@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/paper/chapter/paper_tables.hpp"
-#include "edgewise/reports/tables/source_facts.hpp"
 #include "paper_data.hpp"
 
 namespace edgewise::reports {
@@ -164,19 +163,6 @@ TEST(PaperTables, RobustnessIsInPercentWithItsNumber) {
     EXPECT_FALSE(grid.rows[0][5].why.empty()) << "pairs in the band were not counted";
     EXPECT_EQ(grid.rows[0][7].text, "2.5 (5)");
     EXPECT_EQ(grid.rows[0][8].text, "0");
-}
-
-/// Counted from the source by cmake/count_source.cmake.
-TEST(PaperTables, SourceIsCounted) {
-    const auto facts = source_facts();
-    ASSERT_EQ(facts.size(), 5U);
-    EXPECT_EQ(facts[0].algorithm, "V-Clip");
-    EXPECT_GT(facts[0].files, 10);
-    EXPECT_GT(facts[0].code_lines, facts[1].code_lines);
-    EXPECT_THAT(facts[0].tolerances, testing::Contains("vertex_derivative"));
-    EXPECT_EQ(facts[1].files, 7);
-    EXPECT_THAT(facts[1].tolerances, testing::Contains("support_noise"));
-    EXPECT_EQ(source_grid().rows.size(), 5U);
 }
 
 }  // namespace

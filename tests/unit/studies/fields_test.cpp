@@ -12,9 +12,8 @@
 #include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/studies/fields/best_groups.hpp"
+#include "edgewise/studies/fields/field_places.hpp"
 #include "edgewise/studies/fields/group_text.hpp"
-#include "edgewise/studies/fields/node_groups.hpp"
-#include "edgewise/studies/fields/node_places.hpp"
 
 namespace edgewise::studies {
 namespace {
@@ -174,7 +173,6 @@ FieldGroups random_groups(const std::vector<RecordField>& fields, scene::Rng& rn
     return groups_by(groups);
 }
 
-template <class Places>
 class Prediction {
   public:
     Prediction(const std::string& table, const std::string& algorithm)
@@ -187,10 +185,9 @@ class Prediction {
     void expect_of_itself(const FieldGroups& groups) const {
         expect_same(told(groups), asked(cell_), what_ + " as it is");
     }
-    template <class Field>
-    void expect_of_built(const std::string& builder, const FieldGroups& groups) const {
-        const FieldsGroupedBy<Field> chosen(groups);
-        const SingleCell built(small(builder, cell_.algorithm()));
+    void expect_of_built(const FieldGroups& groups) const {
+        const FieldsGroupedBy<StoredField> chosen(groups);
+        const SingleCell built(small("grouped_f64", cell_.algorithm()));
         expect_same(told(groups), asked(built), what_ + " as " + groups_text(groups, trace_.fields()));
         const std::vector<Distance> before = cell_.runner().answer(), after = built.runner().answer();
         ASSERT_EQ(before.size(), after.size());
@@ -203,10 +200,7 @@ class Prediction {
   private:
     [[nodiscard]] Recorded told(const FieldGroups& groups) const {
         Recorder recorder;
-        if constexpr (std::is_same_v<Places, GroupedNodePlaces>)
-            replay(trace_, Places(trace_.maps, groups), recorder);
-        else
-            replay(trace_, Places(trace_.tables, groups), recorder);
+        replay(trace_, GroupedPlaces(trace_.tables, groups), recorder);
         return recorder.recorded;
     }
     [[nodiscard]] static Recorded asked(const SingleCell& cell) {
@@ -224,49 +218,34 @@ class Prediction {
 TEST(FieldPlaces, OfItsOwnGroupsAreATableAsItIs) {
     for (const char* algorithm : {"vclip", "gjk"}) {
         for (const char* table : {"aos_f64", "hot_cold_f64"}) {
-            const Prediction<GroupedPlaces> prediction(table, algorithm);
+            const Prediction prediction(table, algorithm);
             const auto own = groups_of(prediction.trace().maps.front());
             ASSERT_TRUE(own) << table;
             prediction.expect_of_itself(*own);
-            prediction.expect_of_built<StoredField>("grouped_f64", *own);
+            prediction.expect_of_built(*own);
         }
-        const Prediction<GroupedNodePlaces> nodes("linked_f64", algorithm);
-        nodes.expect_of_itself(whole_nodes());
-        nodes.expect_of_built<NodeField>("grouped_nodes_f64", whole_nodes());
     }
 }
 
 TEST(FieldPlaces, OfAnyGroupsAreThoseOfATableBuiltSo) {
     scene::Rng rng(1);
     for (const char* algorithm : {"vclip", "gjk"}) {
-        const Prediction<GroupedPlaces> records("aos_f64", algorithm);
-        const Prediction<GroupedNodePlaces> nodes("linked_f64", algorithm);
-        for (int turn = 0; turn < 10; ++turn) {
-            records.expect_of_built<StoredField>("grouped_f64", random_groups(records.trace().fields(), rng));
-            nodes.expect_of_built<NodeField>("grouped_nodes_f64", random_groups(nodes.trace().fields(), rng));
-        }
+        const Prediction records("aos_f64", algorithm);
+        for (int turn = 0; turn < 10; ++turn)
+            records.expect_of_built(random_groups(records.trace().fields(), rng));
     }
 }
 
-TEST(BestGroups, OfNodesAreNotWorseThanTheNodes) {
-    const Prediction<GroupedNodePlaces> nodes("linked_f64", "vclip");
-    const FieldTrace& trace = nodes.trace();
-    measure::LineCounter before, after;
-    replay(trace, GroupedNodePlaces(trace.maps, whole_nodes()), before);
-    replay(trace, GroupedNodePlaces(trace.maps, best_node_groups(trace)), after);
-    std::printf("linked_f64: %llu lines, %llu as advised\n",
-                static_cast<unsigned long long>(before.sums().all.lines),
-                static_cast<unsigned long long>(after.sums().all.lines));
-    EXPECT_LT(after.sums().all.lines, before.sums().all.lines);
-}
-
 TEST(FieldTrace, RefusesLayoutsWhoseFieldsHaveNoPlace) {
-    const SingleCell cell(small("lean_f64", "gjk"));
-    try {
-        static_cast<void>(trace_fields(cell.runner(), 10, "lean_f64"));
-        FAIL();
-    } catch (const std::invalid_argument& problem) {
-        EXPECT_THAT(problem.what(), HasSubstr("lean_f64: this layout does not keep every field"));
+    for (const std::string table : {"lean_f64", "linked_f64"}) {
+        const SingleCell cell(small(table, "gjk"));
+        try {
+            static_cast<void>(trace_fields(cell.runner(), 10, table));
+            FAIL();
+        } catch (const std::invalid_argument& problem) {
+            EXPECT_THAT(problem.what(),
+                        HasSubstr(table + ": this layout does not keep its fields in arrays"));
+        }
     }
 }
 

@@ -19,7 +19,6 @@
 #include "edgewise/studies/parts/expected_seconds.hpp"
 #include "edgewise/studies/parts/sharded_work.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
-#include "edgewise/sweep/progress_pieces.hpp"
 #include "edgewise/sweep/stored_cells.hpp"
 
 namespace edgewise::cli {
@@ -35,8 +34,10 @@ struct Part {
     std::size_t rows = 0;
     double seconds_each = 0;                ///< expected, of a row
     std::function<bool(const OnRow&)> run;  ///< false: stopped
+    bool remembered = false;                ///< an earlier run measured the seconds
 
     [[nodiscard]] std::string key() const { return fmt::format("part {} {}", name, rows); }
+    [[nodiscard]] std::string kind() const { return remembered ? sweep::TimeLeft::last_run : name; }
 };
 
 studies::StabilityPlan stability_plan(const sweep::SweepWork& work) {
@@ -71,7 +72,6 @@ studies::EffortPlan effort_plan(const sweep::SweepWork& work) {
 }
 
 constexpr const char* stability_part_name = "stability";
-constexpr std::size_t first_part_place = 500'000;  ///< in the order of a sweep: after all of its groups
 
 Part stability_part(const sweep::SweepWork& work, store::Store& store, studies::StabilitySummary& stability) {
     auto of = stability_plan(work);
@@ -147,15 +147,12 @@ std::vector<Part> later_parts(const sweep::SweepWork& work, store::Store& store,
 
 sweep::SweepListener listener_for(Progress& progress, const OnCells& on_cells) {
     sweep::SweepListener listener;
-    listener.on_start = [&](double seconds, std::size_t) { progress.expect(seconds); };
-    listener.on_done = [&](double seconds, std::size_t cells, const std::string& what) {
-        progress.advance_work(seconds, what);
-        if (cells == 0) return;
+    listener.on_done = [&](std::size_t cells, const std::string& what) {
         progress.advance(cells, what);
-        on_cells(cells);
+        if (cells > 0) on_cells(cells);
     };
-    listener.on_resumed = [&](double seconds, std::size_t cells) {
-        progress.resume(cells, seconds);
+    listener.on_resumed = [&](std::size_t cells) {
+        progress.advance(cells);
         on_cells(cells);
     };
     listener.on_warning = [&](const std::string& line) {
@@ -165,29 +162,30 @@ sweep::SweepListener listener_for(Progress& progress, const OnCells& on_cells) {
     return listener;
 }
 
-/// What the part took, for later sweeps and shards; and beside that what it was expected to.
-void store_seconds(const Part& part, double seconds, std::size_t place, store::Store& store) {
+/// What the part took, for later sweeps and shards.
+void store_seconds(const Part& part, double seconds, store::Store& store) {
     const std::string took = fmt::format("{:.4g}", seconds);
     store.set_meta(store::took_key + part.key(), took);
     if (part.name != stability_part_name) store.set_meta(store::took_key + part.name, took);
-    const sweep::ProgressPiece piece[] = {
-        {"all", part.seconds_each * static_cast<double>(part.rows), seconds}};
-    store.set_meta(sweep::progress_key(place, part.name), sweep::progress_value(piece));
 }
 
 /// Whether it came to its end. Rows that are there already are counted as resumed.
-bool run_part(const Part& part, std::size_t place, store::Store& store, Progress& progress) {
+bool run_part(const Part& part, store::Store& store, sweep::TimeLeft& left, Progress& progress) {
     const measure::Stopwatch watch;
+    measure::Stopwatch lap;
     std::size_t done = 0;
     const bool ended = part.run([&](const std::string& what) {
         ++done;
-        progress.advance_work(part.seconds_each, what);
+        left.done(part.kind(), part.seconds_each, lap.elapsed_ns() * 1e-9);
+        lap.restart();
+        left.end_group();
         progress.advance(1, part.name + " " + what);
     });
     if (!ended) return false;
-    if (done == part.rows) store_seconds(part, watch.elapsed_ns() * 1e-9, place, store);
+    if (done == part.rows) store_seconds(part, watch.elapsed_ns() * 1e-9, store);
     const std::size_t earlier = part.rows - std::min(done, part.rows);
-    progress.resume(earlier, part.seconds_each * static_cast<double>(earlier));
+    left.skip(part.kind(), part.seconds_each * static_cast<double>(earlier));
+    progress.advance(earlier);
     return true;
 }
 
@@ -198,17 +196,19 @@ PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store, const 
     std::vector<Part> parts = later_parts(work, store, summary.stability);
     std::size_t steps = work.cells();
     for (const Part& part : parts) steps += part.rows;
+    sweep::TimeLeft left;
     Progress progress("sweep", steps, 0, "cells");
+    progress.estimate_by([&] { return left.seconds(); });
     for (Part& part : parts) {
-        if (const auto took = sweep::took_in(store, part.key()); took && part.rows > 0)
-            part.seconds_each = *took / static_cast<double>(part.rows);
-        progress.expect(part.seconds_each * static_cast<double>(part.rows));
+        const auto took = sweep::took_in(store, part.key());
+        part.remembered = took && part.rows > 0;
+        if (part.remembered) part.seconds_each = *took / static_cast<double>(part.rows);
+        left.expect(part.kind(), part.seconds_each * static_cast<double>(part.rows));
     }
-    summary.sweep = sweep::run_sweep(work, store, listener_for(progress, on_cells), stop_on_signals());
+    summary.sweep = sweep::run_sweep(work, store, left, listener_for(progress, on_cells), stop_on_signals());
     summary.stopped = summary.sweep.stopped;
-    std::size_t place = first_part_place;
     for (const Part& part : parts) {
-        if (!summary.stopped) summary.stopped = !run_part(part, place++, store, progress);
+        if (!summary.stopped) summary.stopped = !run_part(part, store, left, progress);
     }
     return summary;
 }

@@ -34,21 +34,19 @@ std::string plain(std::string text) {
     return text;
 }
 
-/// Part of the work that is done; of steps where no work is known.
+/// Part of the steps that are done.
 double share_done(const ProgressState& state) {
-    if (state.work_total > 0) return std::clamp(state.work_done / state.work_total, 0.0, 1.0);
     if (state.total == 0) return 1;
     return static_cast<double>(std::min(state.done, state.total)) / static_cast<double>(state.total);
 }
 
 /// Nothing while there is no idea, and at the end.
 std::optional<double> seconds_left(const ProgressState& state) {
-    const bool weighted = state.work_total > 0;
-    const double total = weighted ? state.work_total : static_cast<double>(state.total);
-    const double done = std::min(weighted ? state.work_done : static_cast<double>(state.done), total);
-    const double fresh = done - (weighted ? state.work_resumed : static_cast<double>(state.resumed));
-    if (state.done >= state.total || fresh <= 0) return std::nullopt;
-    return state.seconds / fresh * (total - done);
+    if (state.done >= state.total) return std::nullopt;
+    if (!state.even) return state.left;
+    if (state.done <= state.resumed) return std::nullopt;
+    return state.seconds / static_cast<double>(state.done - state.resumed) *
+           static_cast<double>(state.total - state.done);
 }
 
 std::string remaining(const ProgressState& state) {
@@ -70,7 +68,6 @@ std::string format_duration(double seconds) {
 std::string progress_line(const std::string& title, const ProgressState& state, const std::string& note,
                           std::size_t columns) {
     const std::size_t done = std::min(state.done, state.total);
-    // 100 % only when every step is done, however well the work was guessed.
     const bool all = state.done >= state.total;
     const std::size_t percent =
         all ? 100 : std::min<std::size_t>(99, static_cast<std::size_t>(share_done(state) * 100));
@@ -123,18 +120,9 @@ void Progress::advance(std::size_t steps, const std::string& note) {
     draw();
 }
 
-void Progress::advance_work(double work, const std::string& note) {
-    state_.work_done += work;
-    if (!note.empty()) note_ = note;
-    draw();
-}
-
-void Progress::resume(std::size_t steps, double work) {
-    state_.done = std::min(state_.done + steps, state_.total);
-    state_.resumed += steps;
-    state_.work_done += work;
-    state_.work_resumed += work;
-    draw();
+void Progress::estimate_by(std::function<std::optional<double>()> left) {
+    left_ = std::move(left);
+    state_.even = false;
 }
 
 void Progress::clear() {
@@ -150,11 +138,13 @@ void Progress::draw() {
     if (!visible_) {
         if (state_.seconds < next_log_ || state_.done >= state_.total) return;
         next_log_ = state_.seconds + log_seconds;
+        if (left_) state_.left = left_();
         fmt::print(stderr, "{}\n", progress_log_line(title_, state_, steps_));
         return;
     }
     if (state_.seconds < next_draw_ && state_.done < state_.total) return;
     next_draw_ = state_.seconds + redraw_seconds;
+    if (left_) state_.left = left_();
     // Padded, so that a shorter line leaves nothing of a longer one.
     const std::size_t columns = terminal_columns() - 1;
     const std::string line = progress_line(title_, state_, note_, columns);

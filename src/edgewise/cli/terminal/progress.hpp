@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "edgewise/measure/stopwatch.hpp"
@@ -13,10 +15,10 @@ namespace edgewise {
 
 struct ProgressState {
     std::size_t done = 0, total = 0;
-    std::size_t resumed = 0;  ///< of `done`, what an earlier run did; the estimate leaves it out
-    double seconds = 0;       ///< since the start of this run
-    /// Where steps differ in what they take: expected seconds; the bar and the estimate are of these then.
-    double work_done = 0, work_total = 0, work_resumed = 0;
+    std::size_t resumed = 0;          ///< of `done`, what an earlier run did; the estimate leaves it out
+    double seconds = 0;               ///< since the start of this run
+    bool even = true;                 ///< steps take about the same time each, which tells what is left
+    std::optional<double> left = {};  ///< s, of steps that are not even; nothing where that is not known
 };
 
 /// One line of at most `columns` characters, without a line break; "" when there is no room for anything.
@@ -45,12 +47,8 @@ class Progress {
     /// Counts `steps` more as done; `note` says what comes next.
     void advance(std::size_t steps = 1, const std::string& note = {});
 
-    /// For steps that differ in what they take: this much is expected in all, in seconds.
-    void expect(double work) { state_.work_total += work; }
-    /// So much of it is done, whether or not a step has ended.
-    void advance_work(double work, const std::string& note = {});
-    /// So many steps, and so much of the work, an earlier run did.
-    void resume(std::size_t steps, double work);
+    /// For steps that differ in what they take: the seconds that are left, where they are known.
+    void estimate_by(std::function<std::optional<double>()> left);
     /// Wipes the line; to be called before other output to the terminal.
     void clear();
 
@@ -59,6 +57,7 @@ class Progress {
 
     std::string title_, note_, steps_;
     ProgressState state_;
+    std::function<std::optional<double>()> left_;
     measure::Stopwatch watch_;
     double quiet_;          ///< seconds
     double next_draw_ = 0;  ///< seconds; a terminal is slow, and drawing must not disturb what is measured

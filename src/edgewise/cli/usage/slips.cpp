@@ -63,6 +63,11 @@ std::string unexpected(const CLI::App& app, const CLI::App& command, const std::
     return unknown_name("option", name, options_of(command)) + where_it_is(app, command, name);
 }
 
+/// What became of a command that there was once; "" of any other name.
+std::string gone(const std::string& name) {
+    return name == "progress" ? "progress: gone; a sweep says while it runs how much time is left" : "";
+}
+
 }  // namespace
 
 std::string one_line(const CLI::App* app, const CLI::Error& problem) {
@@ -72,7 +77,9 @@ std::string one_line(const CLI::App* app, const CLI::Error& problem) {
     if (!command->get_subcommands({}).empty()) {
         const std::string kind = command == app ? "command" : "subcommand of " + command->get_name();
         what = strays.empty() ? fmt::format("no {}; known: {}", kind, fmt::join(commands_of(*command), ", "))
-                              : unknown_name(kind, strays.front(), commands_of(*command));
+               : command == app && !gone(strays.front()).empty()
+                   ? gone(strays.front())
+                   : unknown_name(kind, strays.front(), commands_of(*command));
     } else if (dynamic_cast<const CLI::ExtrasError*>(&problem) && !strays.empty()) {
         what = unexpected(*app, *command, strays);
     }

@@ -20,30 +20,31 @@ ChosenEvent event_by(const MetricName& metric, std::string by, const EventCode& 
     return event;
 }
 
-void add_of_processor(std::vector<ChosenEvent>& found, const MetricName& metric, const Processor& processor) {
-    const EventRow* const row = find_event(metric.metric, processor.generation);
-    if (row == nullptr) return;
-    const std::string name = fmt::format("{}::{}", processor.pmu, row->name);
-    if (const Expected<EventCode> code = encode_by_libpfm(name); code.value) {
-        ChosenEvent& event = found.emplace_back(event_by(metric, "libpfm", *code.value, meaning(*row)));
-        event.encoding = fmt::format("{} = {}", name, event.encoding);
-    }
-    found.push_back(event_by(metric, "raw", {PERF_TYPE_RAW, row->config}, meaning(*row)));
+/// libpfm's name of the processor's own event; "" where the processor has none.
+std::string own_event(const MetricName& metric, const Processor* processor) {
+    const EventRow* const row =
+        processor == nullptr ? nullptr : find_event(metric.metric, processor->generation);
+    return row == nullptr ? "" : fmt::format("{}::{}", processor->pmu, row->name);
 }
 
 /// The errno of opening it; 0: it opens.
 int error_of(const EventCode& code) { return CounterGroup(std::span(&code, 1)).error(); }
 
+Refusal why_no_event(const MetricName& metric, const Processor* processor, const Cpu& cpu) {
+    if (const std::string name = own_event(metric, processor); !name.empty())
+        return {encode_by_libpfm(name).reason, "build with a version of libpfm4 that knows the event"};
+    const std::string where = processor != nullptr
+                                  ? std::string(processor->name)
+                                  : fmt::format("this processor ({})", cpu.name.value.value_or("unknown"));
+    return {fmt::format("no event that counts this is known on {}", where),
+            fmt::format("measure on one of: {}", processors_with(metric.metric))};
+}
+
 /// Nothing known counts it here.
 ChosenEvent no_event(const MetricName& metric, const Cpu& cpu) {
     ChosenEvent event{std::string(metric.name), "none", "none", std::nullopt, "not known here"};
     event.must_happen = metric.must_happen;
-    const Processor* const processor = find_processor(cpu);
-    const std::string where = processor != nullptr
-                                  ? std::string(processor->name)
-                                  : fmt::format("this processor ({})", cpu.name.value.value_or("unknown"));
-    event.refusal = {fmt::format("no event that counts this is known on {}", where),
-                     fmt::format("measure on one of: {}", processors_with(metric.metric))};
+    event.refusal = why_no_event(metric, find_processor(cpu), cpu);
     return event;
 }
 
@@ -51,8 +52,13 @@ ChosenEvent no_event(const MetricName& metric, const Cpu& cpu) {
 
 std::vector<ChosenEvent> event_candidates(const MetricName& metric, const Cpu& cpu) {
     std::vector<ChosenEvent> found;
-    if (const Processor* const processor = find_processor(cpu); processor != nullptr) {
-        add_of_processor(found, metric, *processor);
+    const Processor* const processor = find_processor(cpu);
+    if (const std::string name = own_event(metric, processor); !name.empty()) {
+        const EventRow& row = *find_event(metric.metric, processor->generation);
+        if (const Expected<EventCode> code = encode_by_libpfm(name); code.value) {
+            ChosenEvent& event = found.emplace_back(event_by(metric, "libpfm", *code.value, meaning(row)));
+            event.encoding = fmt::format("{} = {}", name, event.encoding);
+        }
     }
     if (const GenericEvent* const generic = find_generic(metric.metric, maker_of(cpu)); generic != nullptr)
         found.push_back(event_by(metric, "generic", generic->code, std::string(generic->meaning)));

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// From a metric to an event that this machine counts: libpfm's name for it, else its raw code by the
-// processor's family, else a generic event of the kernel. Raw comes before generic because it is the same
-// event as libpfm's name, while a generic one may count at another level or other causes (event_table.hpp);
-// it also covers processors newer than the libpfm at hand. What is not found is said, with a reason.
+// From a metric to an event that this machine counts: libpfm's name for it, else a generic event of the
+// kernel, which may count at another level or other causes (event_table.hpp). If neither is found, the
+// refusal says why.
 #pragma once
 
 #include <optional>
@@ -18,7 +17,7 @@ namespace edgewise::measure {
 
 struct ChosenEvent {
     std::string event;                 ///< the metric's name, or what perf calls a software event
-    std::string by;                    ///< how it was found: libpfm, raw, generic, software; none: not at all
+    std::string by;                    ///< how it was found: libpfm, generic, software; none: not at all
     std::string encoding = "none";     ///< what is asked of the kernel, e.g. "PERF_TYPE_RAW:0x8d1:u"
     std::optional<std::string> level;  ///< what it counts: see MetricName, or "kernel"
     std::string meaning;               ///< the same in words

@@ -35,7 +35,7 @@ Refusal explain_error(int error, bool hardware, const Cpu& cpu) {
     }
     if (is_one_of(ENOENT, EOPNOTSUPP, ENODEV, EINVAL)) {
         return {"this processor or kernel does not have the event: " + words,
-                "use a kernel that knows the processor, or an event by its raw code"};
+                "use a kernel that knows the processor"};
     }
     if (error == ENOSYS) {
         return {"the kernel has no perf_event_open: " + words,

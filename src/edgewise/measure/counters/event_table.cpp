@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Names and codes: libpfm 4.13 for the x86 processors it has (a unit test encodes each row again with the
-// libpfm of the build); for Zen 5 libpfm's later tables and the Linux kernel's
-// tools/perf/pmu-events/arch/x86/amdzen5; for Arm the architected codes (Arm ARM, D13.12) under libpfm's
-// names. AMD's L3 counters are left out: they belong to a whole core complex, not to a thread, so the last
-// level is seen through the core's own fills from memory. What the generic events are: the kernel's tables in
+// Names: libpfm 4.13 for the x86 processors it has; for Zen 5 libpfm's later tables; for Arm libpfm's names.
+// AMD's L3 counters are left out: they belong to a whole core complex, not to a thread, so the last level is
+// seen through the core's own fills from memory. What the generic events are: the kernel's tables in
 // arch/x86/events/intel/core.c, amd/core.c and drivers/perf/arm_pmuv3.c.
 #include "edgewise/measure/counters/event_table.hpp"
 
@@ -31,94 +29,92 @@ constexpr std::string_view fills = "lines brought into L1D, for loads and stores
 constexpr std::string_view fills_from_memory = "lines brought into L1D from memory, for loads and stores";
 
 constexpr EventRow rows[] = {
-    {instructions, intel, "INSTRUCTION_RETIRED", 0xc0, "instructions", demand, retired},
-    {instructions, zen | k7, "RETIRED_INSTRUCTIONS", 0xc0, "instructions", demand, retired},
-    {instructions, arm, "INST_RETIRED", 0x08, "instructions", demand, retired},
+    {instructions, intel, "INSTRUCTION_RETIRED", "instructions", demand, retired},
+    {instructions, zen | k7, "RETIRED_INSTRUCTIONS", "instructions", demand, retired},
+    {instructions, arm, "INST_RETIRED", "instructions", demand, retired},
 
-    {cycles, intel, "UNHALTED_CORE_CYCLES", 0x3c, own_clock, all},
-    {cycles, zen, "CYCLES_NOT_IN_HALT", 0x76, own_clock, all},
-    {cycles, k7, "CPU_CLK_UNHALTED", 0x76, own_clock, all},
-    {cycles, arm, "CPU_CYCLES", 0x11, own_clock, all},
+    {cycles, intel, "UNHALTED_CORE_CYCLES", own_clock, all},
+    {cycles, zen, "CYCLES_NOT_IN_HALT", own_clock, all},
+    {cycles, k7, "CPU_CLK_UNHALTED", own_clock, all},
+    {cycles, arm, "CPU_CYCLES", own_clock, all},
 
-    {branches, intel, "BR_INST_RETIRED:ALL_BRANCHES", 0xc4, "branches of every kind", demand, retired},
-    {branches, zen | k7, "RETIRED_BRANCH_INSTRUCTIONS", 0xc2, "branches of every kind, interrupts too",
-     demand, retired},
-    {branches, arm, "BR_RETIRED", 0x21, "branches that a wrong guess would cost", demand, retired},
+    {branches, intel, "BR_INST_RETIRED:ALL_BRANCHES", "branches of every kind", demand, retired},
+    {branches, zen | k7, "RETIRED_BRANCH_INSTRUCTIONS", "branches of every kind, interrupts too", demand,
+     retired},
+    {branches, arm, "BR_RETIRED", "branches that a wrong guess would cost", demand, retired},
 
-    {branch_misses, intel, "BR_MISP_RETIRED:ALL_BRANCHES", 0xc5, guessed_wrong, demand, retired},
-    {branch_misses, zen, "RETIRED_BRANCH_INSTRUCTIONS_MISPREDICTED", 0xc3, guessed_wrong, demand, retired},
-    {branch_misses, k7, "RETIRED_MISPREDICTED_BRANCH_INSTRUCTIONS", 0xc3, guessed_wrong, demand, retired},
-    {branch_misses, arm, "BR_MIS_PRED_RETIRED", 0x22, guessed_wrong, demand, retired},
+    {branch_misses, intel, "BR_MISP_RETIRED:ALL_BRANCHES", guessed_wrong, demand, retired},
+    {branch_misses, zen, "RETIRED_BRANCH_INSTRUCTIONS_MISPREDICTED", guessed_wrong, demand, retired},
+    {branch_misses, k7, "RETIRED_MISPREDICTED_BRANCH_INSTRUCTIONS", guessed_wrong, demand, retired},
+    {branch_misses, arm, "BR_MIS_PRED_RETIRED", guessed_wrong, demand, retired},
 
-    {loads, intel, "MEM_INST_RETIRED:ALL_LOADS", 0x81d0, "load instructions", demand, retired},
-    {loads, zen, "LS_DISPATCH:LD_DISPATCH", 0x129, "load operations sent to the load-store unit"},
-    {loads, arm, "MEM_ACCESS_RD", 0x66, "read accesses to memory"},
+    {loads, intel, "MEM_INST_RETIRED:ALL_LOADS", "load instructions", demand, retired},
+    {loads, zen, "LS_DISPATCH:LD_DISPATCH", "load operations sent to the load-store unit"},
+    {loads, arm, "MEM_ACCESS_RD", "read accesses to memory"},
 
-    {stores, intel, "MEM_INST_RETIRED:ALL_STORES", 0x82d0, "store instructions", demand, retired},
-    {stores, zen, "LS_DISPATCH:STORE_DISPATCH", 0x229, "store operations sent to the load-store unit"},
-    {stores, arm, "MEM_ACCESS_WR", 0x67, "write accesses to memory"},
+    {stores, intel, "MEM_INST_RETIRED:ALL_STORES", "store instructions", demand, retired},
+    {stores, zen, "LS_DISPATCH:STORE_DISPATCH", "store operations sent to the load-store unit"},
+    {stores, arm, "MEM_ACCESS_WR", "write accesses to memory"},
 
-    {l1d_fills, intel, "L1D:REPLACEMENT", 0x151, fills, all},
-    {l1d_fills, zen2, "REQUESTS_TO_L2_GROUP1:RD_BLK_L:RD_BLK_X:LS_RD_BLK_C_S:CHANGE_TO_X", 0xe860,
+    {l1d_fills, intel, "L1D:REPLACEMENT", fills, all},
+    {l1d_fills, zen2, "REQUESTS_TO_L2_GROUP1:RD_BLK_L:RD_BLK_X:LS_RD_BLK_C_S:CHANGE_TO_X",
      "requests of L1D to L2, for loads and stores, among them those to own a line it has", all},
     {l1d_fills, zen3,
      "ANY_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:INT_CACHE:EXT_CACHE_LCL:MEM_IO_LCL:EXT_CACHE_RMT:MEM_IO_RMT",
-     0x5f44, fills, all},
+     fills, all},
     {l1d_fills, zen4,
      "ANY_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_CACHE_NEAR_FAR:DRAM_IO_NEAR:FAR_CACHE_NEAR_FAR:DRAM_IO_FAR:ALT_MEM_NEAR_FAR",
-     0xdf44, fills, all},
+     fills, all},
     {l1d_fills, zen5,
      "ANY_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_FAR_CACHE_NEAR:DRAM_IO_NEAR:NEAR_FAR_CACHE_FAR:DRAM_IO_FAR",
-     0x5f44, fills, all},
-    {l1d_fills, arm, "L1D_CACHE_REFILL", 0x03, fills, all},
-    {l1d_fills, k7, "DATA_CACHE_MISSES", 0x41, "loads and stores that missed L1D"},
+     fills, all},
+    {l1d_fills, arm, "L1D_CACHE_REFILL", fills, all},
+    {l1d_fills, k7, "DATA_CACHE_MISSES", "loads and stores that missed L1D"},
 
-    {l1d_load_misses, intel, "MEM_LOAD_RETIRED:L1_MISS", 0x8d1,
+    {l1d_load_misses, intel, "MEM_LOAD_RETIRED:L1_MISS",
      "load instructions that missed L1D; one that met a line under way is not among them", demand, retired},
     {l1d_load_misses, zen2,
      "DATA_CACHE_REFILLS_FROM_SYSTEM:MABRESP_LCL_L2:LS_MABRESP_LCL_CACHE:LS_MABRESP_LCL_DRAM:LS_MABRESP_RMT_CACHE:LS_MABRESP_RMT_DRAM",
-     0x5b43, fills},
+     fills},
     {l1d_load_misses, zen3,
      "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:INT_CACHE:EXT_CACHE_LCL:MEM_IO_LCL:EXT_CACHE_RMT:MEM_IO_RMT",
-     0x5f43, fills},
+     fills},
     {l1d_load_misses, zen4,
      "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_CACHE_NEAR_FAR:DRAM_IO_NEAR:FAR_CACHE_NEAR_FAR:DRAM_IO_FAR:ALT_MEM_NEAR_FAR",
-     0xdf43, fills},
+     fills},
     {l1d_load_misses, zen5,
      "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:LCL_L2:LOCAL_CCX:NEAR_FAR_CACHE_NEAR:DRAM_IO_NEAR:NEAR_FAR_CACHE_FAR:DRAM_IO_FAR",
-     0x5f43, fills},
-    {l1d_load_misses, neoverse_n1, "L1D_CACHE_REFILL_RD", 0x42, "lines brought into L1D, for loads", all},
-    {l1d_load_misses, neoverse_v2, "L1D_CACHE_LMISS_RD", 0x39, "reads that missed L1D and had to wait"},
+     fills},
+    {l1d_load_misses, neoverse_n1, "L1D_CACHE_REFILL_RD", "lines brought into L1D, for loads", all},
+    {l1d_load_misses, neoverse_v2, "L1D_CACHE_LMISS_RD", "reads that missed L1D and had to wait"},
 
-    {l2_demand_misses, intel, "L2_RQSTS:ALL_DEMAND_MISS", 0x2724,
+    {l2_demand_misses, intel, "L2_RQSTS:ALL_DEMAND_MISS",
      "loads, stores and instruction fetches that missed L2"},
-    {l2_demand_misses, zen, "CORE_TO_L2_CACHEABLE_REQUEST_ACCESS_STATUS:LS_RD_BLK_C", 0x864,
+    {l2_demand_misses, zen, "CORE_TO_L2_CACHEABLE_REQUEST_ACCESS_STATUS:LS_RD_BLK_C",
      "requests of L1D and its prefetcher, not of L2's, that missed L2", all},
-    {l2_demand_misses, arm, "L2D_CACHE_REFILL", 0x17, "lines brought into L2, for data and instructions",
-     all},
+    {l2_demand_misses, arm, "L2D_CACHE_REFILL", "lines brought into L2, for data and instructions", all},
 
-    {llc_misses, intel, "MEM_LOAD_RETIRED:L3_MISS", 0x20d1, "load instructions that missed the last level",
-     demand, retired},
-    {llc_misses, zen2, "DATA_CACHE_REFILLS_FROM_SYSTEM:LS_MABRESP_LCL_DRAM:LS_MABRESP_RMT_DRAM", 0x4843,
+    {llc_misses, intel, "MEM_LOAD_RETIRED:L3_MISS", "load instructions that missed the last level", demand,
+     retired},
+    {llc_misses, zen2, "DATA_CACHE_REFILLS_FROM_SYSTEM:LS_MABRESP_LCL_DRAM:LS_MABRESP_RMT_DRAM",
      fills_from_memory},
-    {llc_misses, zen3, "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:MEM_IO_LCL:MEM_IO_RMT", 0x4843,
+    {llc_misses, zen3, "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:MEM_IO_LCL:MEM_IO_RMT", fills_from_memory},
+    {llc_misses, zen4 | zen5, "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:DRAM_IO_NEAR:DRAM_IO_FAR",
      fills_from_memory},
-    {llc_misses, zen4 | zen5, "DEMAND_DATA_CACHE_FILLS_FROM_SYSTEM:DRAM_IO_NEAR:DRAM_IO_FAR", 0x4843,
-     fills_from_memory},
-    {llc_misses, arm, "LL_CACHE_MISS_RD", 0x37, "reads that missed the last level"},
+    {llc_misses, arm, "LL_CACHE_MISS_RD", "reads that missed the last level"},
 
-    {dtlb_walks, skylake, "DTLB_LOAD_MISSES:WALK_COMPLETED", 0xe08, "page walks ended, for loads"},
-    {dtlb_walks, sapphire_rapids, "DTLB_LOAD_MISSES:WALK_COMPLETED", 0xe12, "page walks ended, for loads"},
+    {dtlb_walks, skylake, "DTLB_LOAD_MISSES:WALK_COMPLETED", "page walks ended, for loads"},
+    {dtlb_walks, sapphire_rapids, "DTLB_LOAD_MISSES:WALK_COMPLETED", "page walks ended, for loads"},
     {dtlb_walks, zen,
      "L1_DTLB_MISS:TLB_RELOAD_4K_L2_MISS:TLB_RELOAD_COALESCED_PAGE_MISS:TLB_RELOAD_2M_L2_MISS:TLB_RELOAD_1G_L2_MISS",
-     0xf045, "misses of both data TLBs, for loads and stores"},
-    {dtlb_walks, arm, "DTLB_WALK", 0x34, "page walks, for loads and stores"},
-    {dtlb_walks, k7, "L1_DTLB_AND_L2_DTLB_MISS", 0x46, "misses of both data TLBs, for loads and stores"},
+     "misses of both data TLBs, for loads and stores"},
+    {dtlb_walks, arm, "DTLB_WALK", "page walks, for loads and stores"},
+    {dtlb_walks, k7, "L1_DTLB_AND_L2_DTLB_MISS", "misses of both data TLBs, for loads and stores"},
 
-    {line_crossing_loads, intel, "MEM_INST_RETIRED:SPLIT_LOADS", 0x41d0,
+    {line_crossing_loads, intel, "MEM_INST_RETIRED:SPLIT_LOADS",
      "load instructions that touch two cache lines", demand, retired},
-    {line_crossing_loads, zen_3_to_5, "MISALIGNED_LOADS:MA64", 0x147, "loads that touch two cache lines",
-     demand, retired},
+    {line_crossing_loads, zen_3_to_5, "MISALIGNED_LOADS:MA64", "loads that touch two cache lines", demand,
+     retired},
 };
 
 constexpr EventCode hardware(std::uint64_t config) { return {PERF_TYPE_HARDWARE, config}; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which event of which processor answers a metric: libpfm's name for it, its raw code for where libpfm does
-// not know the processor, and what exactly it counts. Processors differ in that, so every count is reported
-// with its meaning. A metric that no event of a processor counts has no row for it.
+// Which event of which processor answers a metric: libpfm's name for it, and what exactly it counts.
+// Processors differ in that, so every count is reported with its meaning. A metric that no event of a
+// processor counts has no row for it.
 //
 // And the kernel's generic events ("perf list hw cache"). The same one is another thing on another maker's
 // processor: "cache-misses" is the last level on Intel, the second level on AMD and the first on Arm. So one
@@ -36,7 +36,6 @@ struct EventRow {
     Metric metric;
     unsigned generations;     ///< of processor.hpp, a set
     std::string_view name;    ///< libpfm's, without the PMU
-    std::uint64_t config;     ///< of PERF_TYPE_RAW: event, unit mask << 8
     std::string_view counts;  ///< in words
     EventScope scope = EventScope::demand;
     EventTime time = EventTime::speculative;

@@ -13,8 +13,8 @@ namespace edgewise::measure {
 /// Why it cannot be used: left out of this build, or it did not start. Empty: it can be.
 [[nodiscard]] std::string why_no_libpfm();
 
-/// Of a name like "skx::MEM_LOAD_RETIRED:L1_MISS", user mode only. Unknown also when the processor is
-/// another. libpfm reads LIBPFM_ENCODE_INACTIVE and LIBPFM_FORCE_PMU once, when it starts.
+/// The code of an event with a name like "skx::MEM_LOAD_RETIRED:L1_MISS", user mode only; the processor at
+/// hand may be another one.
 [[nodiscard]] Expected<EventCode> encode_by_libpfm(const std::string& name);
 
 }  // namespace edgewise::measure

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A build without libpfm4: events are found by their raw codes or by the kernel's generic names.
+// A build without libpfm4: events are found by the kernel's generic names.
 #include "edgewise/measure/counters/libpfm.hpp"
 
 namespace edgewise::measure {

@@ -2,7 +2,7 @@
 //
 // Family and model numbers: libpfm 4.13 (pfmlib_intel_*.c, pfmlib_amd64.c) and, for what is newer, the Linux
 // kernel's arch/x86/include/asm/intel-family.h and arch/x86/kernel/cpu/amd.c. 4.13 itself does not recognise
-// some desktop models of Zen 3 and 4 (family 25, model 0x61), which then are counted by their raw codes.
+// some desktop models of Zen 3 and 4 (family 25, model 0x61).
 #include "edgewise/measure/machine/processor.hpp"
 
 namespace edgewise::measure {

@@ -21,15 +21,7 @@ GroupedPlaces::GroupedPlaces(const std::vector<TableFields>& tables, const Field
     }
 }
 
-void GroupedPlaces::tell(const measure::TracedAccess& as_was, const FieldAccess& field,
-                         measure::TraceListener& listener) const {
-    const Column& column = columns_[field.table][field.field];
-    measure::TracedAccess access = as_was;
-    access.address = column.first + field.element * column.stride + field.part;
-    listener.on_access(access);
-}
-
-void replay(const FieldTrace& trace, const FieldPlaces& places, measure::TraceListener& listener) {
+void replay(const FieldTrace& trace, const GroupedPlaces& places, measure::TraceListener& listener) {
     const std::uint64_t was = bench::TracePlaces::page_after(trace.taken),
                         is = bench::TracePlaces::page_after(places.taken());
     for (const FieldEvent& event : trace.events) {
@@ -43,7 +35,8 @@ void replay(const FieldTrace& trace, const FieldPlaces& places, measure::TraceLi
                 listener.on_step_start(access.step);
                 break;
             case field:
-                places.tell(access, event.field, listener);
+                access.address = places.address(event.field);
+                listener.on_access(access);
                 break;
             case other:
                 access.address += is - was;

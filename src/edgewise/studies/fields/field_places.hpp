@@ -14,30 +14,19 @@
 
 namespace edgewise::studies {
 
-class FieldPlaces {
-  public:
-    FieldPlaces() = default;
-    FieldPlaces(const FieldPlaces&) = delete;
-    FieldPlaces& operator=(const FieldPlaces&) = delete;
-    virtual ~FieldPlaces() = default;
-
-    /// Tells of all that is read for a field: its value, and before it what leads there. `as_was`: the access
-    /// in the trace.
-    virtual void tell(const measure::TracedAccess& as_was, const FieldAccess& field,
-                      measure::TraceListener& listener) const = 0;
-
-    /// Bytes from the first table's start to the last one's end.
-    [[nodiscard]] virtual std::uint64_t taken() const = 0;
-};
-
 /// Records by groups in one block a table, the tables one after another in an arena: the layout `grouped`.
-class GroupedPlaces final : public FieldPlaces {
+class GroupedPlaces {
   public:
     GroupedPlaces(const std::vector<TableFields>& tables, const FieldGroups& groups);
 
-    void tell(const measure::TracedAccess& as_was, const FieldAccess& field,
-              measure::TraceListener& listener) const override;
-    [[nodiscard]] std::uint64_t taken() const override { return taken_; }
+    /// Where the field lies.
+    [[nodiscard]] std::uint64_t address(const FieldAccess& field) const {
+        const Column& column = columns_[field.table][field.field];
+        return column.first + field.element * column.stride + field.part;
+    }
+
+    /// Bytes from the first table's start to the last one's end.
+    [[nodiscard]] std::uint64_t taken() const { return taken_; }
 
   private:
     struct Column {
@@ -48,6 +37,6 @@ class GroupedPlaces final : public FieldPlaces {
 };
 
 /// What lies behind the tables (pairs' caches, the broad phase) moves with their end.
-void replay(const FieldTrace& trace, const FieldPlaces& places, measure::TraceListener& listener);
+void replay(const FieldTrace& trace, const GroupedPlaces& places, measure::TraceListener& listener);
 
 }  // namespace edgewise::studies

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "edgewise/bench/trace/trace_names.hpp"
+#include "edgewise/layout_parts/stored_fields.hpp"
 
 namespace edgewise::studies {
 
@@ -79,26 +80,21 @@ TableFields fields_of(const FieldMap& map) {
     return table;
 }
 
-}  // namespace
-
-FieldTrace FieldTrace::first(std::uint64_t wanted) const {
-    FieldTrace part{maps, tables, {}, taken, 0};
-    for (const FieldEvent& event : events) {
-        if (part.queries == wanted) break;
-        part.events.push_back(event);
-        part.queries += event.kind == FieldEvent::Kind::query_end ? 1 : 0;
-    }
-    return part;
+/// False for nodes: their records hold other fields.
+bool holds_stored_fields(const FieldMap& map) {
+    return std::ranges::equal(map.fields, stored_field_infos, {}, &RecordField::name, &StoredFieldInfo::name);
 }
+
+}  // namespace
 
 FieldTrace trace_fields(const bench::Runner& runner, const bench::TraceExtent& extent,
                         const std::string& table) {
     const std::vector<FieldMap> maps = runner.field_maps();
-    if (maps.empty() || !runner.table_allocator().base())
-        throw std::invalid_argument(fmt::format(
-            "{}: this layout does not keep every field in a place of its own; name aos, aos_padded, "
-            "hot_cold, soa, soa_stagger, aosoa, grouped or linked",
-            table));
+    if (maps.empty() || !holds_stored_fields(maps.front()) || !runner.table_allocator().base())
+        throw std::invalid_argument(
+            fmt::format("{}: this layout does not keep its fields in arrays, each in a place of its own; "
+                        "name aos, aos_padded, hot_cold, soa, soa_stagger, aosoa or grouped",
+                        table));
     FieldRecorder recorder(maps);
     FieldTrace trace;
     trace.queries = runner.trace(extent, recorder).queries;

@@ -52,8 +52,6 @@ struct FieldTrace {
     std::uint64_t queries = 0;
 
     [[nodiscard]] const std::vector<RecordField>& fields() const { return tables.front().fields; }
-    /// Its first queries, so many.
-    [[nodiscard]] FieldTrace first(std::uint64_t wanted) const;
 };
 
 /// Of a runner that a workload was loaded into. Throws std::invalid_argument where its layout does not say

@@ -6,15 +6,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "edgewise/layout_parts/linked_nodes.hpp"
 #include "edgewise/layout_parts/stored_fields.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/studies/fields/best_groups.hpp"
 #include "edgewise/studies/fields/field_places.hpp"
 #include "edgewise/studies/fields/group_text.hpp"
-#include "edgewise/studies/fields/node_groups.hpp"
-#include "edgewise/studies/fields/node_places.hpp"
 
 namespace edgewise::studies {
 
@@ -28,13 +25,10 @@ struct Standing {
     std::unique_ptr<SingleCell> cell;
 };
 
-bool holds_nodes(const bench::TableType& type) { return type.layout == "linked"; }
-
 /// Fewer lines by hand than the table that is asked about: what it would be compared with.
 std::string usual_beside(const bench::TableType& type) {
     const std::string name = "hot_cold_" + type.precision;
-    const bool none = holds_nodes(type) || type.layout == "hot_cold" || !has_table_type(name);
-    return none ? "" : name;
+    return type.layout == "hot_cold" || !has_table_type(name) ? "" : name;
 }
 
 class FieldsRun {
@@ -83,9 +77,7 @@ class FieldsRun {
     static std::unique_ptr<SingleCell> make_cell(const CellChoice& choice,
                                                  const std::optional<FieldGroups>& groups) {
         if (!groups) return std::make_unique<SingleCell>(choice);
-        // Of these two the layout asks for its own.
-        const FieldsGroupedBy<StoredField> fields(*groups);
-        const FieldsGroupedBy<NodeField> nodes(*groups);
+        const FieldsGroupedBy<StoredField> fields(*groups);  // which the layout asks for
         return std::make_unique<SingleCell>(choice);
     }
 
@@ -101,35 +93,24 @@ class FieldsRun {
         advice_.fields = trace.fields();
         advice_.together = co_access(trace);
         advice_.own = own_groups(trace);
-        if (!plan_.groups_file.empty())
-            advice_.advised = read_groups(plan_.groups_file, advice_.fields);
-        else
-            advice_.advised = is_of_nodes() ? best_node_groups(trace) : best_groups(trace);
+        advice_.advised =
+            plan_.groups_file.empty() ? best_groups(trace) : read_groups(plan_.groups_file, advice_.fields);
         advice_.predicted = predict(trace, advice_.advised);
         look_at_unseen(trace.queries);
     }
 
-    [[nodiscard]] bool is_of_nodes() const { return holds_nodes(type()); }
-
     /// The groups of the table, if such records give it again: as many lines and bytes.
     [[nodiscard]] std::optional<FieldGroups> own_groups(const FieldTrace& trace) const {
-        const std::optional<FieldGroups> groups =
-            is_of_nodes() ? whole_nodes() : groups_of(trace.maps.front());
+        const std::optional<FieldGroups> groups = groups_of(trace.maps.front());
         if (!groups) return std::nullopt;
-        const bool same = places_of(trace, *groups)->taken() == trace.taken &&
+        const bool same = GroupedPlaces(trace.tables, *groups).taken() == trace.taken &&
                           predict(trace, *groups).lines == standing_.front().contender.cost.lines;
         return same ? groups : std::nullopt;
     }
 
-    [[nodiscard]] std::unique_ptr<FieldPlaces> places_of(const FieldTrace& trace,
-                                                         const FieldGroups& groups) const {
-        if (is_of_nodes()) return std::make_unique<GroupedNodePlaces>(trace.maps, groups);
-        return std::make_unique<GroupedPlaces>(trace.tables, groups);
-    }
     [[nodiscard]] TraceCost predict(const FieldTrace& trace, const FieldGroups& groups) const {
-        const auto places = places_of(trace, groups);
-        return cost_of([&](measure::TraceListener& listener) { replay(trace, *places, listener); },
-                       machines_);
+        const GroupedPlaces places(trace.tables, groups);
+        return cost_of([&](measure::TraceListener& listener) { replay(trace, places, listener); }, machines_);
     }
 
     /// The scene from another seed.
@@ -170,9 +151,7 @@ bool has_table_type(const std::string& name) {
            bench::table_types().end();
 }
 
-std::string builder_of(const bench::TableType& type) {
-    return (holds_nodes(type) ? "grouped_nodes_" : "grouped_") + type.precision;
-}
+std::string builder_of(const bench::TableType& type) { return "grouped_" + type.precision; }
 
 FieldsAdvice advise_fields(const FieldsPlan& plan, const std::function<void()>& on_round) {
     return FieldsRun(plan).run(on_round);

@@ -112,15 +112,13 @@ bool can_build(const CellChoice& choice) {
 
 std::vector<CellChoice> fields_cells(std::size_t queries, std::uint64_t seed) {
     std::vector<CellChoice> cells;
-    for (const char* table : {"aos_f64", "linked_f64"}) {
-        for (const char* algorithm : {"vclip", "gjk"}) {
-            CellChoice choice = fields_cell;
-            choice.table = table;
-            choice.algorithm = algorithm;
-            choice.queries = queries;
-            choice.seed = seed;
-            if (can_build(choice)) cells.push_back(choice);
-        }
+    for (const char* algorithm : {"vclip", "gjk"}) {
+        CellChoice choice = fields_cell;
+        choice.table = "aos_f64";
+        choice.algorithm = algorithm;
+        choice.queries = queries;
+        choice.seed = seed;
+        if (can_build(choice)) cells.push_back(choice);
     }
     return cells;
 }

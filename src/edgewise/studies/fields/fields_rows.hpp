@@ -15,10 +15,8 @@
 
 namespace edgewise::studies {
 
-/// What the scene names of these rows begin with.
-
-/// Cells that a plan asks about: the paper's record and the nodes of 1998, by both algorithms; those that
-/// this program can build otherwise.
+/// Cells that a plan asks about: the paper's record by both algorithms; those that this program can build
+/// otherwise.
 [[nodiscard]] std::vector<CellChoice> fields_cells(std::size_t queries, std::uint64_t seed);
 
 [[nodiscard]] store::CellRow fields_row(const CellChoice& choice);

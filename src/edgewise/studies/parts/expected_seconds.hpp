@@ -7,10 +7,10 @@
 
 namespace edgewise::studies {
 
-inline constexpr double stability_case_seconds = 0.00044,  ///< of a row, per hard case of its family
-    paging_row_seconds = 6,                                ///< mostly of waiting for a disk
-    thrash_unit_seconds = 5,                               ///< a scene traced for figure 8
-    effort_query_seconds = 0.012,                          ///< of a row, per query under Callgrind
+inline constexpr double stability_case_seconds = 0.0007,  ///< of a row, per hard case of its family
+    paging_row_seconds = 6,                               ///< mostly of waiting for a disk
+    thrash_unit_seconds = 5,                              ///< a scene traced for figure 8
+    effort_query_seconds = 0.02,                          ///< of a row, per query under Callgrind
     fields_cell_seconds = 10;
 
 }  // namespace edgewise::studies

@@ -21,12 +21,6 @@ namespace edgewise::studies {
 
 namespace {
 
-std::size_t cells_of(const sweep::SweepWork& work, const sweep::SceneWork& scene) {
-    std::size_t cells = 0;
-    work.each_cell(scene, [&](const bench::TableType&, const std::string&, const sweep::Axes&) { ++cells; });
-    return cells;
-}
-
 double subjects_of(const std::vector<const bench::TableType*>& types,
                    const std::vector<std::string>& algorithms) {
     double subjects = 0;
@@ -49,7 +43,7 @@ std::vector<sweep::ShardUnit> units_of(const sweep::SweepWork& work) {
     for (const sweep::SceneWork& scene : work.scenes) {
         for (const scene::NamedShape* shape : scene.shapes)
             units.push_back({sweep::comparison_name(scene, *shape),
-                             modelled_work(work.plan, scene, *shape, cells_of(work, scene)).all()});
+                             estimated_work(work.plan, scene, *shape, count_cells(work, scene)).all()});
     }
     const double subjects = subjects_of(work.types, work.algorithms);
     if (work.plan.stability > 0) {
