@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/studies/advise/finals.hpp"
 #include "edgewise/studies/parts/contender_name.hpp"
 #include "edgewise/sweep/shared_queries.hpp"
 #include "edgewise/sweep/verify.hpp"
@@ -15,9 +14,9 @@ namespace edgewise::studies::advise {
 
 namespace {
 
-void leave_out(ScreenedCell& cell, OutFor out_for, std::string why) {
-    cell.out_for = out_for;
-    cell.out = std::move(why);
+void drop(ScreenedCell& cell, DroppedFor dropped_for, std::string why) {
+    cell.dropped_for = dropped_for;
+    cell.dropped = std::move(why);
 }
 
 /// Bytes of one table, and whether the answers are right and exact enough; then the shortest of some passes.
@@ -30,27 +29,22 @@ void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& op
     query.set_needs(asked.needs);
     runner->configure(query);
     if (std::string problem = runner->load(workload); !problem.empty()) {
-        leave_out(cell, OutFor::failure, std::move(problem));
+        drop(cell, DroppedFor::failure, std::move(problem));
         return;
     }
     cell.table_bytes = static_cast<double>(runner->ledger().total());
     cell.bytes_per_edge = cell.table_bytes / static_cast<double>(asked.shape.body.edge_count());
     const std::vector<Distance> answers = runner->answer();
-    double steps = 0;
     std::vector<std::uint8_t> in_contact;
-    for (const Distance& answer : answers) {
-        steps += answer.steps;
-        in_contact.push_back(answer.status != Status::separated);
-    }
-    cell.steps = steps / static_cast<double>(answers.size());
+    for (const Distance& answer : answers) in_contact.push_back(answer.status != Status::separated);
     const auto checked =
         sweep::check_answers(shared, runner->stored_bodies(), answers, cell.type->eps, query.query);
     for (const measure::CheckedAnswer& answer : checked)
         cell.error = std::max(cell.error, answer.error_given);
     if (std::string wrong = sweep::what_is_wrong(shared, checked, cell.type->eps); !wrong.empty())
-        leave_out(cell, OutFor::failure, std::move(wrong));
+        drop(cell, DroppedFor::failure, std::move(wrong));
     else if (cell.error > asked.error_limit)
-        leave_out(cell, OutFor::error, fmt::format("error {:.1e} is over {}", cell.error, asked.error_limit));
+        drop(cell, DroppedFor::error, fmt::format("error {:.1e} is over {}", cell.error, asked.error_limit));
     cell.seconds = watch.elapsed_ns() * 1e-9;
     for (int pass = 0; pass < options.passes; ++pass) {
         const auto ns = runner->time(in_contact, clock_cost_ns).all();
@@ -75,15 +69,15 @@ std::vector<ScreenedCell> cells_to_look_at() {
     return cells;
 }
 
-/// Who takes longer than the fastest by more than the options allow.
-void leave_out_slow_ones(std::vector<ScreenedCell>& cells, double slowest) {
+/// Drops cells that take longer than the fastest by more than the options allow.
+void drop_slow_ones(std::vector<ScreenedCell>& cells, double slowest) {
     double fastest = 0;
     for (const ScreenedCell& cell : cells)
         if (cell.is_in() && (fastest == 0 || cell.ns < fastest)) fastest = cell.ns;
     for (ScreenedCell& cell : cells) {
         if (cell.is_in() && cell.ns > slowest * fastest && !cell.is_baseline())
-            leave_out(cell, OutFor::time,
-                      fmt::format("{:.2f} times as long as the fastest", cell.ns / fastest));
+            drop(cell, DroppedFor::time,
+                 fmt::format("{:.2f} times as long as the fastest", cell.ns / fastest));
     }
 }
 
@@ -95,10 +89,9 @@ bool ScreenedCell::is_baseline() const {
 
 std::string ScreenedCell::name() const { return contender_name(algorithm, type->name); }
 
-bool Screen::is_inexact(const std::string& algorithm, const std::string& table) const {
-    return std::ranges::any_of(cells, [&](const ScreenedCell& cell) {
-        return cell.algorithm == algorithm && cell.type->name == table && cell.out_for == OutFor::error;
-    });
+bool Screen::is_inexact(const std::string& name) const {
+    const auto found = std::ranges::find(cells, name, &ScreenedCell::name);
+    return found != cells.end() && found->dropped_for == DroppedFor::error;
 }
 
 Screen screen(const CaseAsked& asked, const ScreenOptions& options, const std::function<bool()>& stop) {
@@ -117,7 +110,7 @@ Screen screen(const CaseAsked& asked, const ScreenOptions& options, const std::f
         look_at(cell, asked, options, shared, clock_cost_ns);
         result.cells.push_back(std::move(cell));
     }
-    leave_out_slow_ones(result.cells, options.slowest);
+    drop_slow_ones(result.cells, options.slowest);
     std::ranges::stable_sort(result.cells, [](const ScreenedCell& a, const ScreenedCell& b) {
         return std::pair(!a.is_in(), a.ns) < std::pair(!b.is_in(), b.ns);
     });
