@@ -58,11 +58,12 @@ CellCounts counts_of(const ReportData& data) {
 
 /// Of one table type over all scenes.
 struct Tally {
-    std::size_t losses = 0, ties = 0;
+    std::size_t losses = 0, ties = 0, choices = 0;
     double bytes = std::numeric_limits<double>::infinity();
 
     [[nodiscard]] bool better_than(const Tally& other) const {
-        return std::make_tuple(other.ties, losses, bytes) < std::make_tuple(ties, other.losses, other.bytes);
+        return std::make_tuple(other.ties, losses, other.choices, bytes) <
+               std::make_tuple(ties, other.losses, choices, other.bytes);
     }
 };
 
@@ -75,10 +76,10 @@ Baseline baseline_of(const ReportData& data) {
     return {pair.substr(0, cross), pair.substr(cross + 3)};
 }
 
-std::vector<const SceneAnswer*> Answer::scenes() const {
-    std::vector<const SceneAnswer*> all;
+std::vector<const SceneRanking*> Answer::scenes() const {
+    std::vector<const SceneRanking*> all;
     for (const auto* from : {&shared, &own})
-        for (const SceneAnswer& scene : *from) all.push_back(&scene);
+        for (const SceneRanking& scene : *from) all.push_back(&scene);
     return all;
 }
 
@@ -88,15 +89,15 @@ Answer answer_of_scenes(const ReportData& data, const Question& question) {
     answer.baseline = baseline_of(data);
     answer.shape = question.shape.value_or(reference_shape(data));
     const StoredScenes stored = scenes_of(data);
-    std::vector<SceneAnswer> scenes;
+    std::vector<SceneRanking> scenes;
     for (const std::string& key : stored.order) {
         const auto* cells = chosen_shape(stored.by_key.at(key), question, answer.shape);
         if (!cells) continue;
-        SceneAnswer scene = scene_answer(*cells, question, answer.baseline);
-        if (!scene.candidates.empty()) scenes.push_back(std::move(scene));
+        SceneRanking scene = rank_scene(*cells, question.error_limit, answer.baseline);
+        if (!scene.cells.empty()) scenes.push_back(std::move(scene));
     }
     check_contests(scenes);
-    for (SceneAnswer& scene : scenes) {
+    for (SceneRanking& scene : scenes) {
         if (scene.own_tables != question.own_tables.value_or(scene.own_tables)) continue;
         if (scene.shape == answer.shape) answer.vertices = scene.vertices;
         (scene.own_tables ? answer.own : answer.shared).push_back(std::move(scene));
@@ -112,42 +113,43 @@ Answer answer_of(const ReportData& data, const Question& question) {
     return answer;
 }
 
-const Candidate& Take::example() const {
-    const Candidate* best = nullptr;
-    for (const Place& place : places)
-        if (place.ties && (!best || place.candidate->ratio < best->ratio)) best = place.candidate;
+const RankedCell& Recommendation::example() const {
+    const RankedCell* best = nullptr;
+    for (const InScene& one : scenes)
+        if (one.ties && (!best || one.cell->ratio < best->ratio)) best = one.cell;
     return *best;
 }
 
-bool Take::is(const Baseline& baseline) const {
+bool Recommendation::is(const Baseline& baseline) const {
     return algorithm == baseline.algorithm && table == baseline.table;
 }
 
-bool Take::beats_baseline_somewhere() const {
-    return std::any_of(places.begin(), places.end(),
-                       [](const Place& place) { return place.ties && place.scene->beats_baseline; });
+bool Recommendation::beats_baseline_somewhere() const {
+    return std::ranges::any_of(scenes,
+                               [](const InScene& one) { return one.ties && one.scene->beats_baseline; });
 }
 
-std::optional<double> worst_error_of(const std::vector<SceneAnswer>& scenes, const std::string& algorithm,
+std::optional<double> worst_error_of(const std::vector<SceneRanking>& scenes, const std::string& algorithm,
                                      const std::string& table) {
     std::optional<double> worst;
-    for (const SceneAnswer& scene : scenes) {
-        const Candidate* one = scene.recommends() ? scene.find(algorithm, table) : nullptr;
+    for (const SceneRanking& scene : scenes) {
+        const RankedCell* one = scene.recommends() ? scene.find(algorithm, table) : nullptr;
         if (one && one->worst_error) worst = std::max(worst.value_or(0), *one->worst_error);
     }
     return worst;
 }
 
-std::optional<Take> take_of(const std::vector<SceneAnswer>& scenes) {
+std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>& scenes) {
     std::map<std::pair<std::string, std::string>, Tally> tallies;
-    const bool any_quiet = std::any_of(scenes.begin(), scenes.end(), [](const SceneAnswer& scene) {
+    const bool any_quiet = std::any_of(scenes.begin(), scenes.end(), [](const SceneRanking& scene) {
         return scene.winner() && scene.recommends() && !scene.too_noisy;
     });
-    for (const SceneAnswer& scene : scenes) {
+    for (const SceneRanking& scene : scenes) {
         if (!scene.recommends() || (any_quiet && scene.too_noisy)) continue;
-        for (const Candidate& one : scene.candidates) {
+        for (const RankedCell& one : scene.cells) {
             Tally& tally = tallies[{one.cell->algorithm, one.table}];
             ++(scene.ties_with_winner(one) ? tally.ties : tally.losses);
+            tally.choices += &one == scene.choice();
             tally.bytes = one.bytes_per_edge.value_or(tally.bytes);
         }
     }
@@ -156,12 +158,12 @@ std::optional<Take> take_of(const std::vector<SceneAnswer>& scenes) {
     const auto best = std::min_element(tallies.begin(), tallies.end(), [](const auto& a, const auto& b) {
         return a.second.better_than(b.second);
     });
-    Take take{best->first.first, best->first.second, {}};
+    Recommendation take{best->first.first, best->first.second, {}};
     take.worst_error = worst_error_of(scenes, take.algorithm, take.table);
-    for (const SceneAnswer& scene : scenes) {
+    for (const SceneRanking& scene : scenes) {
         if (!scene.winner() || !scene.recommends()) continue;
-        const Candidate* candidate = scene.find(take.algorithm, take.table);
-        take.places.push_back({&scene, candidate, candidate && scene.ties_with_winner(*candidate)});
+        const RankedCell* cell = scene.find(take.algorithm, take.table);
+        take.scenes.push_back({&scene, cell, cell && scene.ties_with_winner(*cell)});
     }
     return take;
 }

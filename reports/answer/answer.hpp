@@ -3,10 +3,8 @@
 // The report's answer: which layout to take, scene by scene, how sure that is, and what was not measured. One
 // function from a store to it; page, Markdown, the end of a sweep and `edgewise advise` show the same object.
 //
-// Per scene the fastest table type within the error limit wins, and those tie with it that the scene's times
-// cannot tell from it (scene_answer.hpp). Where the baseline ties, or the ratio lies within what the baseline
-// differs from itself in that scene, nothing beats the baseline, and of the ties the smallest is named. A
-// scene in which V-Clip or GJK lacks a small or a fast layout recommends nothing (contest.hpp).
+// The ranker says which cell wins a scene and which tie with it (ranking.hpp). A scene in which V-Clip or GJK
+// lacks a small or a fast layout recommends nothing (contest.hpp).
 #pragma once
 
 #include <string>
@@ -14,7 +12,7 @@
 
 #include "edgewise/reports/answer/gaps.hpp"
 #include "edgewise/reports/answer/question.hpp"
-#include "edgewise/reports/answer/scene_answer.hpp"
+#include "edgewise/reports/answer/ranking.hpp"
 #include "edgewise/reports/answer/sweep_runs.hpp"
 
 namespace edgewise::reports {
@@ -30,13 +28,13 @@ struct Answer {
     std::string shape;          ///< the one asked for, or the reference shape
     std::int64_t vertices = 0;  ///< of that shape
     Baseline baseline;
-    std::vector<SceneAnswer> shared;  ///< scenes whose bodies share a table, in the order of the cells
-    std::vector<SceneAnswer> own;     ///< scenes with a table for each body
+    std::vector<SceneRanking> shared;  ///< scenes whose bodies share a table, in the order of the cells
+    std::vector<SceneRanking> own;     ///< scenes with a table for each body
     CellCounts counts;
     std::vector<SweepRun> runs;  ///< that filled the store, in order of their commands
     Gaps gaps;
 
-    [[nodiscard]] std::vector<const SceneAnswer*> scenes() const;  ///< shared, then own
+    [[nodiscard]] std::vector<const SceneRanking*> scenes() const;  ///< shared, then own
 };
 
 /// "vclip x aos_f64" in the store's meta; where it is silent, that.
@@ -49,27 +47,27 @@ struct Answer {
 [[nodiscard]] Answer answer_of_scenes(const ReportData& data, const Question& question);
 
 /// One algorithm and table type for several scenes.
-struct Take {
+struct Recommendation {
     std::string algorithm, table;
-    struct Place {
-        const SceneAnswer* scene;
-        const Candidate* candidate;  ///< null: not measured there
-        bool ties;                   ///< with the winner, or is it
+    struct InScene {
+        const SceneRanking* scene;
+        const RankedCell* cell;  ///< null: not measured there
+        bool ties;               ///< with the winner, or is it
     };
-    std::vector<Place> places;  ///< one for each scene that has a winner and recommends something
+    std::vector<InScene> scenes;  ///< one for each scene that has a winner and recommends something
     std::optional<double> worst_error = {};  ///< over all scenes that recommend something
 
-    [[nodiscard]] const Candidate& example() const;  ///< where it ties; the smallest ratio
+    [[nodiscard]] const RankedCell& example() const;  ///< where it ties; the smallest ratio
     [[nodiscard]] bool is(const Baseline& baseline) const;
     [[nodiscard]] bool beats_baseline_somewhere() const;
 };
-/// The most scenes in which it ties, then the fewest in which it is beaten, then the smallest tables; scenes
-/// that are too noisy count only where all are, and those that recommend nothing never. Null where no scene
-/// is left with a winner.
-[[nodiscard]] std::optional<Take> take_of(const std::vector<SceneAnswer>& scenes);
+/// The most scenes in which it ties, then the fewest in which it is beaten, then the most whose choice it is,
+/// then the smallest tables. Scenes that are too noisy count only where all are, and those that recommend
+/// nothing never. Null where no scene is left with a winner.
+[[nodiscard]] std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>& scenes);
 
 /// The largest error of this table type in the scenes that recommend something; null where it has none.
-[[nodiscard]] std::optional<double> worst_error_of(const std::vector<SceneAnswer>& scenes,
+[[nodiscard]] std::optional<double> worst_error_of(const std::vector<SceneRanking>& scenes,
                                                    const std::string& algorithm, const std::string& table);
 
 }  // namespace edgewise::reports

@@ -22,79 +22,74 @@ AnswerJson or_null(const std::optional<double>& value) { return value ? AnswerJs
 
 /// Of the noisiest scene, and of how many it is known.
 AnswerJson noise_json(const Answer& answer) {
-    NoiseBand widest;
+    OwnVariation widest;
     std::size_t cells = 0;
-    for (const SceneAnswer* scene : answer.scenes()) {
-        if (!scene->noise.factor) continue;
+    for (const SceneRanking* scene : answer.scenes()) {
+        if (!scene->own_variation.factor) continue;
         ++cells;
-        widest.factor = std::max(widest.high(), scene->noise.high());
+        widest.factor = std::max(widest.high(), scene->own_variation.high());
     }
     return cells == 0 ? AnswerJson()
                       : AnswerJson{{"low", widest.low()}, {"high", widest.high()}, {"cells", cells}};
 }
 
-AnswerJson scene_json(const SceneAnswer& scene) {
+AnswerJson scene_json(const SceneRanking& scene) {
     AnswerJson json = {{"scene", scene.label},
                        {"sentence", scene.sentence},
                        {"shape", scene.shape},
                        {"vertices", scene.vertices},
                        {"own_tables", scene.own_tables},
                        {"beats_baseline", scene.beats_baseline},
-                       {"noise", or_null(scene.noise.factor)},
+                       {"noise", or_null(scene.own_variation.factor)},
                        {"not_measured", scene.not_measured}};
-    json["candidates"] = AnswerJson::array();
-    for (const Candidate& one : scene.candidates) {
-        json["candidates"].push_back(candidate_json(one));
-        json["candidates"].back()["meets_error"] = one.meets_error;
-        json["candidates"].back()["ties"] = scene.ties_with_winner(one);
+    json["cells"] = AnswerJson::array();
+    for (const RankedCell& one : scene.cells) {
+        json["cells"].push_back(ranked_json(one));
+        json["cells"].back()["dropped"] = one.dropped;
+        json["cells"].back()["ties"] = scene.ties_with_winner(one);
     }
     json["peers"] = AnswerJson::array();
-    for (const Candidate& one : scene.peers) json["peers"].push_back(candidate_json(one));
+    for (const RankedCell& one : scene.peers) json["peers"].push_back(ranked_json(one));
     return json;
 }
 
 /// The scene by which `take` is shown: where it ties with the smallest ratio.
-const SceneAnswer& shown_scene(const Take& take) {
-    const Candidate* example = &take.example();
-    for (const Take::Place& place : take.places)
-        if (place.candidate == example) return *place.scene;
-    return *take.places.front().scene;
+const SceneRanking& shown_scene(const Recommendation& take) {
+    const RankedCell* example = &take.example();
+    return *std::ranges::find(take.scenes, example, &Recommendation::InScene::cell)->scene;
 }
 
-AnswerJson next_json(const SceneAnswer& scene, const Candidate& taken) {
+AnswerJson next_json(const SceneRanking& scene, const RankedCell& taken) {
     AnswerJson next = AnswerJson::array();
     std::size_t behind = 0;
-    for (const Candidate& one : scene.candidates) {
-        if (&one == &taken || !one.meets_error) continue;
+    for (const RankedCell& one : scene.cells) {
+        if (&one == &taken || !one.meets_error()) continue;
         const bool ties = scene.ties_with_winner(one);
         if (!ties && behind++ >= runners_up) continue;
-        next.push_back(candidate_json(one));
+        next.push_back(ranked_json(one));
         next.back()["ties"] = ties;
     }
     return next;
 }
 
-AnswerJson out_json(const SceneAnswer& scene, double limit) {
-    AnswerJson out = AnswerJson::array();
-    for (const std::size_t place : scene.out) {
-        const Candidate& one = scene.candidates[place];
-        out.push_back(candidate_json(one));
-        out.back()["reason"] = one.worst_error
-                                   ? fmt::format("error {} is over {}",
-                                                 number_text(*one.worst_error, "scale"), limit_text(limit))
-                                   : "its error was not measured";
+AnswerJson dropped_json(const SceneRanking& scene) {
+    AnswerJson dropped = AnswerJson::array();
+    for (const RankedCell& one : scene.cells) {
+        if (one.meets_error()) continue;
+        dropped.push_back(ranked_json(one));
+        dropped.back()["reason"] = one.dropped;
     }
-    return out;
+    return dropped;
 }
 
-/// Who would win under a larger limit: the fastest of those that are out, if it is faster than the winner.
-void add_larger_limit(const std::vector<SceneAnswer>& scenes, const SceneAnswer& scene,
+/// Who would win under a larger limit: the fastest of the dropped cells, if it is faster than the winner.
+void add_larger_limit(const std::vector<SceneRanking>& scenes, const SceneRanking& scene,
                       std::vector<std::string>& changes) {
-    for (const std::size_t place : scene.out) {
-        const Candidate& one = scene.candidates[place];
+    for (const RankedCell& one : scene.cells) {
+        if (one.meets_error()) continue;
         const auto worst_error = worst_error_of(scenes, one.cell->algorithm, one.table);
         if (!worst_error || !scene.winner()) continue;
-        const Candidate& winner = *scene.winner();
+        const RankedCell& winner = *scene.winner();
         const bool smaller = one.bytes_per_edge && winner.bytes_per_edge &&
                              *one.bytes_per_edge < *winner.bytes_per_edge && one.low() <= winner.high();
         if (!smaller && one.high() >= winner.low()) continue;
@@ -106,26 +101,26 @@ void add_larger_limit(const std::vector<SceneAnswer>& scenes, const SceneAnswer&
     }
 }
 
-/// Below which limit the taken one goes out.
-void add_smaller_limit(const Take& take, std::vector<std::string>& changes) {
+/// Below which limit the recommended cell is dropped.
+void add_smaller_limit(const Recommendation& take, std::vector<std::string>& changes) {
     if (take.worst_error && *take.worst_error > 0)
-        changes.push_back(fmt::format("an error below {} asked for: {} goes out",
+        changes.push_back(fmt::format("an error below {} asked for: {} is dropped",
                                       number_text(*take.worst_error, "scale"), take.example().name()));
 }
 
-void add_other_tables(const Answer& answer, const std::vector<SceneAnswer>& scenes, const Take& take,
-                      std::vector<std::string>& changes) {
+void add_other_tables(const Answer& answer, const std::vector<SceneRanking>& scenes,
+                      const Recommendation& take, std::vector<std::string>& changes) {
     const bool own = scenes.front().own_tables;
-    const std::vector<SceneAnswer>& others = own ? answer.shared : answer.own;
+    const std::vector<SceneRanking>& others = own ? answer.shared : answer.own;
     const char* condition = own ? "one table for all bodies" : "a table for each body";
-    const std::optional<Take> other = take_of(others);
+    const std::optional<Recommendation> other = recommendation_of(others);
     if (!other) {
         changes.push_back(fmt::format("{}: not measured here", condition));
         return;
     }
     if (other->algorithm == take.algorithm && other->table == take.table) return;
-    const SceneAnswer& scene = shown_scene(*other);
-    const Candidate* here = scene.find(take.algorithm, take.table);
+    const SceneRanking& scene = shown_scene(*other);
+    const RankedCell* here = scene.find(take.algorithm, take.table);
     std::string text = fmt::format("{}: {}, {} of the paper's time", condition, other->example().name(),
                                    ratio_text(other->example()));
     if (here) text += fmt::format("; {} then takes {}", here->name(), ratio_text(*here));
@@ -134,20 +129,20 @@ void add_other_tables(const Answer& answer, const std::vector<SceneAnswer>& scen
 
 }  // namespace
 
-AnswerJson candidate_json(const Candidate& candidate) {
-    return {{"algorithm", candidate.cell->algorithm},
-            {"table", candidate.table},
-            {"ns", candidate.ns},
-            {"time_ratio", {candidate.low(), candidate.ratio, candidate.high()}},
-            {"bytes_per_edge", or_null(candidate.bytes_per_edge)},
-            {"table_bytes", or_null(candidate.table_bytes)},
-            {"lines_per_query", or_null(candidate.lines_per_query)},
-            {"error", or_null(candidate.worst_error)}};
+AnswerJson ranked_json(const RankedCell& cell) {
+    return {{"algorithm", cell.cell->algorithm},
+            {"table", cell.table},
+            {"ns", cell.ns},
+            {"time_ratio", {cell.low(), cell.ratio, cell.high()}},
+            {"bytes_per_edge", or_null(cell.bytes_per_edge)},
+            {"table_bytes", or_null(cell.table_bytes)},
+            {"lines_per_query", or_null(cell.lines_per_query)},
+            {"error", or_null(cell.worst_error)}};
 }
 
-std::vector<std::string> what_changes_it(const Answer& answer, const std::vector<SceneAnswer>& scenes) {
+std::vector<std::string> what_changes_it(const Answer& answer, const std::vector<SceneRanking>& scenes) {
     std::vector<std::string> changes;
-    const std::optional<Take> take = take_of(scenes);
+    const std::optional<Recommendation> take = recommendation_of(scenes);
     if (!take) return changes;
     add_other_tables(answer, scenes, *take, changes);
     add_larger_limit(scenes, shown_scene(*take), changes);
@@ -172,24 +167,24 @@ AnswerJson answer_json(const Answer& answer) {
           {"own_tables", question.own_tables ? AnswerJson(*question.own_tables) : AnswerJson()}}},
         {"take", nullptr},
         {"next", AnswerJson::array()},
-        {"out", AnswerJson::array()},
+        {"dropped", AnswerJson::array()},
         {"changes_it", AnswerJson::array()},
         {"held", nullptr},
         {"command", advise_command(answer)},
         {"noise", noise_json(answer)}};
     json["scenes"] = AnswerJson::array();
-    for (const SceneAnswer* scene : answer.scenes()) json["scenes"].push_back(scene_json(*scene));
-    const std::vector<SceneAnswer>& scenes = answer.shared.empty() ? answer.own : answer.shared;
-    const std::optional<Take> take = take_of(scenes);
+    for (const SceneRanking* scene : answer.scenes()) json["scenes"].push_back(scene_json(*scene));
+    const std::vector<SceneRanking>& scenes = answer.shared.empty() ? answer.own : answer.shared;
+    const std::optional<Recommendation> take = recommendation_of(scenes);
     if (!take) return json;
-    const SceneAnswer& shown = shown_scene(*take);
-    json["take"] = candidate_json(take->example());
+    const SceneRanking& shown = shown_scene(*take);
+    json["take"] = ranked_json(take->example());
     json["take"]["error"] = or_null(take->worst_error);
     json["take"]["scene"] = shown.label;
     json["take"]["own_tables"] = shown.own_tables;
     json["take"]["beats_baseline"] = take->beats_baseline_somewhere();
     json["next"] = next_json(shown, take->example());
-    json["out"] = out_json(shown, question.error_limit);
+    json["dropped"] = dropped_json(shown);
     json["changes_it"] = what_changes_it(answer, scenes);
     return json;
 }

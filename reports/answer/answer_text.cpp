@@ -32,13 +32,13 @@ std::string condition_of(bool own_tables) {
 }
 
 /// "139 bytes per edge instead of 234, worst error 2e-7"
-std::string costs(const Take& take) {
-    const Candidate& candidate = take.example();
-    const Candidate* baseline = take.places.front().scene->baseline();
+std::string costs(const Recommendation& take) {
+    const RankedCell& cell = take.example();
+    const RankedCell* baseline = take.scenes.front().scene->baseline();
     std::string text;
-    if (candidate.bytes_per_edge) {
-        text = number_text(*candidate.bytes_per_edge, "B/edge") + " bytes per edge";
-        if (baseline && baseline->bytes_per_edge && baseline->bytes_per_edge != candidate.bytes_per_edge)
+    if (cell.bytes_per_edge) {
+        text = number_text(*cell.bytes_per_edge, "B/edge") + " bytes per edge";
+        if (baseline && baseline->bytes_per_edge && baseline->bytes_per_edge != cell.bytes_per_edge)
             text += " instead of " + number_text(*baseline->bytes_per_edge, "B/edge");
     }
     if (take.worst_error) append(text, "worst error " + number_text(*take.worst_error, "scale"));
@@ -46,25 +46,25 @@ std::string costs(const Take& take) {
 }
 
 /// How the best GJK does beside the choice, over the scenes of the take.
-std::string gjk_sentence(const Take& take) {
+std::string gjk_sentence(const Recommendation& take) {
     if (take.algorithm == "gjk") return {};
     Range range;
-    for (const Take::Place& place : take.places) {
-        const Candidate* gjk = place.scene->best("gjk");
-        if (gjk && place.candidate) range.add(gjk->ratio / place.candidate->ratio);
+    for (const Recommendation::InScene& one : take.scenes) {
+        const RankedCell* gjk = one.scene->best("gjk");
+        if (gjk && one.cell) range.add(gjk->ratio / one.cell->ratio);
     }
     if (!range.low) return " No GJK is within the error.";
     return fmt::format(" The best GJK within the error takes {} times as long.", range.text());
 }
 
 /// "600 tables take 5.8 MiB instead of 154 MiB"
-std::string memory_sentence(const Take& take) {
-    const Candidate* most = nullptr;
-    const Candidate* beside = nullptr;
-    for (const Take::Place& place : take.places) {
-        if (!place.ties || !place.candidate->scene_bytes || !place.candidate->tables) continue;
-        if (most && *place.candidate->tables <= *most->tables) continue;
-        most = place.candidate, beside = place.scene->baseline();
+std::string memory_sentence(const Recommendation& take) {
+    const RankedCell* most = nullptr;
+    const RankedCell* beside = nullptr;
+    for (const Recommendation::InScene& one : take.scenes) {
+        if (!one.ties || !one.cell->scene_bytes || !one.cell->tables) continue;
+        if (most && *one.cell->tables <= *most->tables) continue;
+        most = one.cell, beside = one.scene->baseline();
     }
     if (!most || *most->tables < 2) return {};
     std::string text = fmt::format(" {:.0f} tables take {}", *most->tables, size_text(*most->scene_bytes));
@@ -74,25 +74,23 @@ std::string memory_sentence(const Take& take) {
 }
 
 /// Scenes where something else wins.
-std::string exceptions(const Take& take) {
+std::string exceptions(const Recommendation& take) {
     std::string text;
-    for (const Take::Place& place : take.places) {
-        const Candidate& winner = *place.scene->winner();
-        if (place.ties || !place.scene->beats_baseline) continue;
-        const std::string against =
-            place.candidate ? fmt::format(" and this one {}", ratio_text(*place.candidate)) : "";
-        append(
-            text,
-            fmt::format("{}: {} takes {}{}", place.scene->label, winner.name(), ratio_text(winner), against),
-            "; ");
+    for (const Recommendation::InScene& one : take.scenes) {
+        const RankedCell& winner = *one.scene->winner();
+        if (one.ties || !one.scene->beats_baseline) continue;
+        const std::string against = one.cell ? fmt::format(" and this one {}", ratio_text(*one.cell)) : "";
+        append(text,
+               fmt::format("{}: {} takes {}{}", one.scene->label, winner.name(), ratio_text(winner), against),
+               "; ");
     }
     return text.empty() ? text : " Elsewhere: " + text + ".";
 }
 
 /// Scenes in which the winner's own interval tells next to nothing.
-std::string noisy_sentence(const std::vector<SceneAnswer>& scenes) {
+std::string noisy_sentence(const std::vector<SceneRanking>& scenes) {
     std::string names;
-    for (const SceneAnswer& scene : scenes)
+    for (const SceneRanking& scene : scenes)
         if (scene.too_noisy) append(names, scene.label);
     if (names.empty()) return names;
     return fmt::format(
@@ -104,18 +102,18 @@ std::string noisy_sentence(const std::vector<SceneAnswer>& scenes) {
 std::string scene_count(std::size_t count) { return plural(count, "scene"); }
 
 /// Where the choice beats the baseline, by how much; where not, that nothing does.
-std::string ratios_sentence(const Take& take) {
+std::string ratios_sentence(const Recommendation& take) {
     Range faster;
     std::size_t wins = 0, tied = 0;
-    const Candidate* only = nullptr;
-    for (const Take::Place& place : take.places) {
-        if (!place.ties) continue;
-        if (!place.scene->beats_baseline) {
+    const RankedCell* only = nullptr;
+    for (const Recommendation::InScene& one : take.scenes) {
+        if (!one.ties) continue;
+        if (!one.scene->beats_baseline) {
             ++tied;
             continue;
         }
-        ++wins, only = place.candidate;
-        faster.add(place.candidate->ratio);
+        ++wins, only = one.cell;
+        faster.add(one.cell->ratio);
     }
     if (wins == 0) return {};
     std::string text = fmt::format(" A query takes {} of the time of the paper's layout",
@@ -125,32 +123,31 @@ std::string ratios_sentence(const Take& take) {
     return text + ".";
 }
 
-AdviceText keep_baseline(const Take& take, const Answer& answer, bool own_tables) {
-    const std::string scenes = plural(take.places.size(), "scene");
+AdviceText keep_baseline(const Recommendation& take, const Answer& answer, bool own_tables) {
+    const std::string scenes = plural(take.scenes.size(), "scene");
     const std::string paper = fmt::format("{} on the paper's layout ({})",
                                           algorithm_title(answer.baseline.algorithm), answer.baseline.table);
     if (take.is(answer.baseline))
         return {fmt::format("{}, keep {}.", condition_of(own_tables), paper),
                 fmt::format("Nothing beats it by more than noise in {}.", scenes)};
-    const Candidate& chosen = take.example();
-    return {fmt::format("{}, nothing beats the paper's layout ({} on {}): take {}.", condition_of(own_tables),
-                        algorithm_title(answer.baseline.algorithm), answer.baseline.table, chosen.name()),
-            fmt::format("It ties in {} of {} and is the smallest that does: {}.",
-                        std::count_if(take.places.begin(), take.places.end(),
-                                      [](const Take::Place& place) { return place.ties; }),
-                        scenes, costs(take))};
+    const RankedCell& chosen = take.example();
+    return {
+        fmt::format("{}, nothing beats the paper's layout ({} on {}): take {}.", condition_of(own_tables),
+                    algorithm_title(answer.baseline.algorithm), answer.baseline.table, chosen.name()),
+        fmt::format("It ties in {} of {}. It has {}.",
+                    std::ranges::count_if(take.scenes, &Recommendation::InScene::ties), scenes, costs(take))};
 }
 
-AdviceText take_winner(const Take& take, bool own_tables) {
+AdviceText take_winner(const Recommendation& take, bool own_tables) {
     const std::string cost = costs(take);
     return {fmt::format("{}, take {}.", condition_of(own_tables), take.example().name()),
             (cost.empty() ? "" : "It has " + cost + ".") + ratios_sentence(take)};
 }
 
 /// What was not measured in scenes that therefore recommend nothing, and how to measure it.
-std::string missing_sentence(const std::vector<SceneAnswer>& scenes, const Answer& answer) {
+std::string missing_sentence(const std::vector<SceneRanking>& scenes, const Answer& answer) {
     std::string missing;
-    for (const SceneAnswer& scene : scenes) {
+    for (const SceneRanking& scene : scenes) {
         if (!scene.winner() || scene.recommends()) continue;
         std::string cells;
         for (const std::string& cell : scene.not_measured) append(cells, cell);
@@ -177,14 +174,14 @@ std::string unfinished_sentence(const Answer& answer) {
 
 }  // namespace
 
-std::optional<AdviceText> advice_of(const std::vector<SceneAnswer>& scenes, const Answer& answer) {
-    const std::optional<Take> take = take_of(scenes);
+std::optional<AdviceText> advice_of(const std::vector<SceneRanking>& scenes, const Answer& answer) {
+    const std::optional<Recommendation> take = recommendation_of(scenes);
     const std::string missing = missing_sentence(scenes, answer);
     if (!take && missing.empty()) return std::nullopt;
     const bool own_tables = scenes.front().own_tables;
     if (!take) return AdviceText{condition_of(own_tables) + ", nothing is recommended.", missing};
-    if (std::all_of(take->places.begin(), take->places.end(),
-                    [](const Take::Place& place) { return place.scene->too_noisy; }))
+    if (std::all_of(take->scenes.begin(), take->scenes.end(),
+                    [](const Recommendation::InScene& one) { return one.scene->too_noisy; }))
         return AdviceText{condition_of(own_tables) + ", these times are too noisy to choose by.",
                           noisy_sentence(scenes).substr(1)};
     AdviceText text = take->beats_baseline_somewhere() ? take_winner(*take, own_tables)
@@ -195,17 +192,22 @@ std::optional<AdviceText> advice_of(const std::vector<SceneAnswer>& scenes, cons
     return text;
 }
 
+std::string own_variation_text(const SceneRanking& scene) {
+    if (!scene.own_variation.factor) return {};
+    const double percent = (scene.own_variation.high() - 1) * 100;
+    return fmt::format("{:.{}f} %", percent, percent < 9.95 ? 1 : 0);
+}
+
 std::string noise_text(const Answer& answer) {
-    const SceneAnswer *quietest = nullptr, *noisiest = nullptr;
-    for (const SceneAnswer* scene : answer.scenes()) {
-        if (!scene->noise.factor) continue;
-        if (!quietest || scene->noise.high() < quietest->noise.high()) quietest = scene;
-        if (!noisiest || scene->noise.high() > noisiest->noise.high()) noisiest = scene;
+    const SceneRanking *quietest = nullptr, *noisiest = nullptr;
+    for (const SceneRanking* scene : answer.scenes()) {
+        if (!scene->own_variation.factor) continue;
+        if (!quietest || scene->own_variation.high() < quietest->own_variation.high()) quietest = scene;
+        if (!noisiest || scene->own_variation.high() > noisiest->own_variation.high()) noisiest = scene;
     }
     if (!quietest) return {};
-    const auto text = [](const SceneAnswer& scene) {
-        const double percent = (scene.noise.high() - 1) * 100;
-        return fmt::format("{:.{}f} % ({})", percent, percent < 9.95 ? 1 : 0, scene.label);
+    const auto text = [](const SceneRanking& scene) {
+        return fmt::format("{} ({})", own_variation_text(scene), scene.label);
     };
     return quietest == noisiest ? text(*quietest) : text(*quietest) + " to " + text(*noisiest);
 }
@@ -225,19 +227,19 @@ std::string gaps_sentence(const Answer& answer) {
     return fmt::format("{} of {} figures were not measured.", answer.gaps.missing, answer.gaps.figures());
 }
 
-std::string why_sentence(const Candidate& candidate, const Candidate& beside) {
+std::string why_sentence(const RankedCell& cell, const RankedCell& beside) {
     const auto both = [](const std::optional<double>& one, const std::optional<double>& other,
                          const char* what) {
         if (!one || !other) return fmt::format("{} not measured", what);
         return fmt::format("{} {} against {}", number_text(*one), what, number_text(*other));
     };
-    const auto of_step = [](const Candidate& one) -> std::optional<double> {
+    const auto of_step = [](const RankedCell& one) -> std::optional<double> {
         if (!one.steps || !(*one.steps > 0)) return std::nullopt;
         return one.ns / *one.steps;
     };
-    return fmt::format("{}, {}, {}", both(candidate.steps, beside.steps, "steps per query"),
-                       both(candidate.lines_per_query, beside.lines_per_query, "lines per query"),
-                       both(of_step(candidate), of_step(beside), "ns per step"));
+    return fmt::format("{}, {}, {}", both(cell.steps, beside.steps, "steps per query"),
+                       both(cell.lines_per_query, beside.lines_per_query, "lines per query"),
+                       both(of_step(cell), of_step(beside), "ns per step"));
 }
 
 AnswerText answer_text(const Answer& answer, const ReportData& data) {
@@ -252,15 +254,28 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
     const std::string noise = noise_text(answer);
     text.noise =
         noise.empty()
-            ? "What a cell timed against itself differs by was not measured: the baseline is not among "
-              "the cells."
+            ? "The baseline's own variation was not measured: it is not among the cells."
             : fmt::format(
-                  "The baseline timed against itself differs by {}. In each scene, a smaller "
-                  "difference than that scene's counts as none. "
-                  "Intervals are over the rounds of one process.",
+                  "The baseline timed against itself differs by {}: its own variation. Cells that differ by less in "
+                  "that scene tie. Intervals are over the rounds of one process.",
                   noise);
     text.counts = cells_sentence(answer) + " " + gaps_sentence(answer);
     if (any_unfinished(answer.runs)) text.counts = unfinished_sentence(answer) + " " + text.counts;
+    return text;
+}
+
+std::string tie_set_text(const SceneRanking& scene) {
+    if (scene.ties.empty()) return "nothing is within the error";
+    std::string cells;
+    for (const std::size_t i : scene.ties)
+        append(cells, scene.cells[i].name() + " " + ratio_text(scene.cells[i]), "; ");
+    return (scene.ties.size() == 1 ? "alone: " : fmt::format("{} tie: ", scene.ties.size())) + cells;
+}
+
+std::string terminal_text(const Answer& answer, const ReportData& data) {
+    std::string text = answer_paragraph(answer, data) + "\n";
+    for (const SceneRanking* scene : answer.scenes())
+        text += fmt::format("\n  {}, {}: {}", scene->label, scene->shape, tie_set_text(*scene));
     return text;
 }
 

@@ -52,37 +52,26 @@ std::vector<MapColumn> columns_of_data(const ReportData& data, BreakEvenMap& map
 
 /// Of two scenes at one place the one that is nearer to what stands for it; then those that come along, then
 /// the shorter name.
-auto preference(const SceneAnswer& scene, const MapPlace& place) {
-    const ReportCell& cell = *scene.candidates.front().cell;
+auto preference(const SceneRanking& scene, const MapPlace& place) {
+    const ReportCell& cell = *scene.cells.front().cell;
     return std::make_tuple(distance_from_class(cell, place.coherence), !cell.scene_kind.empty(),
                            scene.label.size(), scene.label);
-}
-
-void judge_place(MapCell& cell, double error_limit) {
-    cell.best = cell.scene->winner();
-    if (!cell.best) {
-        cell.why = fmt::format("no table type is known to be within an error of {}", limit_text(error_limit));
-        return;
-    }
-    for (const Candidate& one : cell.scene->candidates) {
-        if (!one.meets_error) continue;
-        if (!cell.best_of_others && one.cell->algorithm != cell.best->cell->algorithm)
-            cell.best_of_others = &one;
-        if (&one != cell.best && cell.scene->ties_with_winner(one)) cell.ties.push_back(&one);
-    }
 }
 
 /// The scenes of one column at their places.
 std::map<MapPlace, MapCell> map_cells_of(const Answer& answer) {
     std::map<MapPlace, MapCell> cells;
-    for (const SceneAnswer* scene : answer.scenes()) {
-        const auto place = place_of(*scene->candidates.front().cell);
+    for (const SceneRanking* scene : answer.scenes()) {
+        const auto place = place_of(*scene->cells.front().cell);
         if (!place) continue;
         MapCell& cell = cells[*place];
         if (cell.scene) ++cell.further_scenes;
         if (!cell.scene || preference(*scene, *place) < preference(*cell.scene, *place)) cell.scene = scene;
     }
-    for (auto& [place, cell] : cells) judge_place(cell, answer.question.error_limit);
+    for (auto& [place, cell] : cells)
+        if (!cell.winner())
+            cell.why = fmt::format("no table type is known to be within an error of {}",
+                                   limit_text(answer.question.error_limit));
     return cells;
 }
 
@@ -143,11 +132,18 @@ void fill_map_panels(const PlacedCells& placed, BreakEvenMap& map) {
 
 }  // namespace
 
-std::vector<std::string> MapCell::tied_contenders() const {
+const RankedCell* MapCell::best_of_others() const {
+    const auto other = std::ranges::find_if(scene->cells, [&](const RankedCell& one) {
+        return one.meets_error() && one.cell->algorithm != winner()->cell->algorithm;
+    });
+    return other == scene->cells.end() ? nullptr : &*other;
+}
+
+std::vector<std::string> MapCell::tied_layouts() const {
     std::vector<std::string> names;
-    for (const Candidate* one : ties) {
-        const std::string name = contender_name(*one);
-        if (name != contender_name(*best) && std::ranges::find(names, name) == names.end())
+    for (const std::size_t i : scene->ties) {
+        const std::string name = layout_name(scene->cells[i]);
+        if (name != layout_name(*winner()) && std::ranges::find(names, name) == names.end())
             names.push_back(name);
     }
     return names;
@@ -158,7 +154,7 @@ std::string MapPanel::only_algorithm() const {
     for (const MapRow& row : rows)
         for (const MapCell& cell : row.cells)
             if (cell.scene)
-                for (const Candidate& one : cell.scene->candidates) algorithms.insert(one.cell->algorithm);
+                for (const RankedCell& one : cell.scene->cells) algorithms.insert(one.cell->algorithm);
     return algorithms.size() == 1 ? algorithm_title(*algorithms.begin()) : std::string();
 }
 
@@ -183,8 +179,8 @@ BreakEvenMap break_even_map(const ReportData& data, double error_limit) {
     return map;
 }
 
-std::string contender_name(const Candidate& candidate) {
-    return fmt::format("{} on {}", algorithm_title(candidate.cell->algorithm), candidate.cell->layout);
+std::string layout_name(const RankedCell& cell) {
+    return fmt::format("{} on {}", algorithm_title(cell.cell->algorithm), cell.cell->layout);
 }
 
 }  // namespace edgewise::reports

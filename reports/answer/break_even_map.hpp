@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Which algorithm and layout is fastest within the error, by vertices, coherence and number of tables: the
-// answers for all bodies of a store, each put in its place. A place has the fastest table type and those that
-// tie with it, as its scene's answer says. A place of which nothing was measured says so.
+// ranked scenes of all bodies of a store, each put in its place. A place of which nothing was measured says
+// so.
 #pragma once
 
 #include <cstddef>
@@ -15,17 +15,17 @@
 namespace edgewise::reports {
 
 struct MapCell {
-    const SceneAnswer* scene = nullptr;         ///< the one that stands here; null: none
-    const Candidate* best = nullptr;            ///< the fastest within the error; null: none is
-    std::vector<const Candidate*> ties = {};    ///< the others that tie with it, fastest first
-    const Candidate* best_of_others = nullptr;  ///< the fastest of another algorithm; null: none
-    std::size_t further_scenes = 0;             ///< of the same place, which are not shown
-    std::string why = {};                       ///< of a cell without a best
+    const SceneRanking* scene = nullptr;  ///< the one that stands here; null: none
+    std::size_t further_scenes = 0;       ///< of the same place, which are not shown
+    std::string why = {};                 ///< of a place without a winner
 
-    /// Algorithms and layouts that tie with the best one's; another precision of it is none.
-    [[nodiscard]] std::vector<std::string> tied_contenders() const;
+    [[nodiscard]] const RankedCell* winner() const { return scene ? scene->winner() : nullptr; }
+    /// The fastest cell of another algorithm within the error; null: none.
+    [[nodiscard]] const RankedCell* best_of_others() const;
+    /// Algorithms and layouts that tie with the winner's; another precision of it is none.
+    [[nodiscard]] std::vector<std::string> tied_layouts() const;
     /// One algorithm and layout is ahead of all others.
-    [[nodiscard]] bool is_won() const { return best && tied_contenders().empty() && !scene->too_noisy; }
+    [[nodiscard]] bool is_won() const { return winner() && tied_layouts().empty() && !scene->too_noisy; }
 };
 
 struct MapColumn {
@@ -67,6 +67,6 @@ inline constexpr std::size_t most_map_columns = 12;
 [[nodiscard]] BreakEvenMap break_even_map(const ReportData& data, double error_limit);
 
 /// "V-Clip on lean": without the precision, which seldom decides.
-[[nodiscard]] std::string contender_name(const Candidate& candidate);
+[[nodiscard]] std::string layout_name(const RankedCell& cell);
 
 }  // namespace edgewise::reports

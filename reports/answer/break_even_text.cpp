@@ -21,12 +21,12 @@ void each_cell(const BreakEvenMap& map, const Use& use) {
             for (std::size_t i = 0; i < row.cells.size(); ++i) use(row.cells[i], i);
 }
 
-/// What stands at a place, short enough to be compared with its neighbour.
-std::string who_stands(const MapCell& cell) {
-    if (!cell.best) return "nobody within the error";
+/// The answer at a place, short enough to be compared with its neighbour.
+std::string answer_at(const MapCell& cell) {
+    if (!cell.winner()) return "nothing within the error";
     if (cell.scene->too_noisy) return "too noisy to tell";
-    std::string text = contender_name(*cell.best);
-    const std::vector<std::string> others = cell.tied_contenders();
+    std::string text = layout_name(*cell.winner());
+    const std::vector<std::string> others = cell.tied_layouts();
     if (others.empty()) return text;
     if (others.size() > 2) return fmt::format("a tie of {} ({} first)", others.size() + 1, text);
     for (const std::string& other : others) text += " or " + other;
@@ -37,47 +37,48 @@ std::string who_stands(const MapCell& cell) {
 std::string map_line_of(const MapRow& row, const std::vector<MapColumn>& columns) {
     struct Stretch {
         std::int64_t from, to;
-        std::string who;
+        std::string answer;
     };
     std::vector<Stretch> stretches;
     std::size_t measured = 0;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
         if (!row.cells[i].scene) continue;
         ++measured;
-        const std::string who = who_stands(row.cells[i]);
+        const std::string there = answer_at(row.cells[i]);
         const std::int64_t vertices = columns[i].vertices;
-        if (stretches.empty() || stretches.back().who != who) stretches.push_back({vertices, vertices, who});
+        if (stretches.empty() || stretches.back().answer != there)
+            stretches.push_back({vertices, vertices, there});
         stretches.back().to = vertices;
     }
     if (measured < 2) return {};
     if (stretches.size() == 1)
-        return fmt::format("{} from {} to {} vertices", stretches.front().who, stretches.front().from,
+        return fmt::format("{} from {} to {} vertices", stretches.front().answer, stretches.front().from,
                            stretches.front().to);
     std::string text;
     for (const Stretch& one : stretches)
         append(text,
-               one.from == one.to ? fmt::format("{} vertices {}", one.from, one.who)
-                                  : fmt::format("{} to {} vertices {}", one.from, one.to, one.who),
+               one.from == one.to ? fmt::format("{} vertices {}", one.from, one.answer)
+                                  : fmt::format("{} to {} vertices {}", one.from, one.to, one.answer),
                "; ");
     return text;
 }
 
 /// The columns of which the most was measured, in the map's order.
 std::vector<std::size_t> fullest_columns(const BreakEvenMap& map, std::size_t most) {
-    std::vector<std::size_t> counts(map.columns.size()), places(map.columns.size());
+    std::vector<std::size_t> counts(map.columns.size()), columns(map.columns.size());
     each_cell(map, [&](const MapCell& cell, std::size_t i) { counts[i] += cell.scene != nullptr; });
-    std::iota(places.begin(), places.end(), std::size_t{0});
-    std::ranges::stable_sort(places, [&](std::size_t a, std::size_t b) { return counts[a] > counts[b]; });
-    if (places.size() > most) places.resize(most);
-    std::ranges::sort(places);
-    return places;
+    std::iota(columns.begin(), columns.end(), std::size_t{0});
+    std::ranges::stable_sort(columns, [&](std::size_t a, std::size_t b) { return counts[a] > counts[b]; });
+    if (columns.size() > most) columns.resize(most);
+    std::ranges::sort(columns);
+    return columns;
 }
 
 GridCell grid_cell_of(const MapCell& cell) {
-    if (!cell.best) return missing_cell(cell.why);
-    std::string text = fmt::format("{} {:.2f}", cell.best->name(), cell.best->ratio);
+    if (!cell.winner()) return missing_cell(cell.why);
+    const std::string text = cell.winner()->name() + " " + ratio_text(*cell.winner());
     if (cell.scene->too_noisy) return {text + ", too noisy to tell"};
-    return {cell.ties.empty() ? text : fmt::format("{}, {} more tie", text, cell.ties.size())};
+    return {cell.scene->ties.size() == 1 ? text : fmt::format("{}, {} tie", text, cell.scene->ties.size())};
 }
 
 }  // namespace
@@ -87,11 +88,11 @@ std::string break_even_sentence(const BreakEvenMap& map) {
     std::size_t won = 0, tied = 0, noisy = 0;
     std::map<std::string, std::size_t> winners;
     each_cell(map, [&](const MapCell& cell, std::size_t) {
-        if (!cell.best) return;
+        if (!cell.winner()) return;
         if (cell.scene->too_noisy)
             ++noisy;
         else if (cell.is_won())
-            ++won, ++winners[contender_name(*cell.best)];
+            ++won, ++winners[layout_name(*cell.winner())];
         else
             ++tied;
     });
@@ -115,16 +116,13 @@ std::vector<std::string> break_even_lines(const BreakEvenMap& map) {
 }
 
 std::string cell_text(const MapCell& cell) {
-    if (!cell.best) return cell.scene ? cell.scene->label + ": " + cell.why : "Not measured: " + cell.why;
-    std::string text = fmt::format("{}. {}: {} of the baseline's time, {} ns", cell.scene->label,
-                                   cell.best->name(), ratio_text(*cell.best), number_text(cell.best->ns));
+    const RankedCell* const winner = cell.winner();
+    if (!winner) return cell.scene ? cell.scene->label + ": " + cell.why : "Not measured: " + cell.why;
+    std::string text =
+        fmt::format("{}. {}; {} ns", cell.scene->label, tie_set_text(*cell.scene), number_text(winner->ns));
     if (cell.scene->too_noisy) text += "; too noisy to tell";
-    std::string ties;
-    for (const Candidate* one : cell.ties) append(ties, fmt::format("{} {:.2f}", one->name(), one->ratio));
-    if (!ties.empty()) text += "; tied with " + ties;
-    if (cell.best_of_others)
-        text += fmt::format("; {} takes {:.2f} times as long", cell.best_of_others->name(),
-                            cell.best_of_others->ratio / cell.best->ratio);
+    if (const RankedCell* const other = cell.best_of_others())
+        text += fmt::format("; {} takes {:.2f} times as long", other->name(), other->ratio / winner->ratio);
     if (cell.further_scenes > 0)
         text += fmt::format("; {} of this place", plural(cell.further_scenes, "further scene"));
     return text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The break-even map in words: how many places are won by whom, where the winner changes from one body to a
+// The break-even map in words: how many places each layout wins, where the winner changes from one body to a
 // larger one, and every place as a table.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace edgewise::reports {
 /// A line for each row of the map with two sizes of bodies or more: from how many vertices on who wins.
 [[nodiscard]] std::vector<std::string> break_even_lines(const BreakEvenMap& map);
 
-/// "V-Clip on lean_f32: 0.72 [0.69, 0.83], 742 ns"; who ties; what is beside it; or why there is nothing.
+/// The tie set of the place's scene and what is beside it; or why there is nothing.
 [[nodiscard]] std::string cell_text(const MapCell& cell);
 
 /// A row per coherence and number of tables, a column per body, at most `most_columns` of those of which the

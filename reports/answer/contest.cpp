@@ -16,27 +16,27 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr const char* contenders[] = {"vclip", "gjk"};
+constexpr const char* both_algorithms[] = {"vclip", "gjk"};
 
 /// Shape, algorithm and table type.
 using Known = std::set<std::tuple<std::string, std::string, std::string>>;
 
-std::ptrdiff_t types_of(const SceneAnswer& scene, const char* algorithm) {
-    return std::ranges::count_if(scene.candidates,
-                                 [&](const Candidate& one) { return one.cell->algorithm == algorithm; });
+std::ptrdiff_t types_of(const SceneRanking& scene, const char* algorithm) {
+    return std::ranges::count_if(scene.cells,
+                                 [&](const RankedCell& one) { return one.cell->algorithm == algorithm; });
 }
 
 /// Those that are fast in a scene with the most table types.
-Known fast_ones(const std::vector<SceneAnswer>& scenes) {
+Known fast_ones(const std::vector<SceneRanking>& scenes) {
     Known fast;
-    for (const char* const algorithm : contenders) {
+    for (const char* const algorithm : both_algorithms) {
         std::map<std::string, std::ptrdiff_t> most;  // by shape
-        for (const SceneAnswer& scene : scenes)
+        for (const SceneRanking& scene : scenes)
             most[scene.shape] = std::max(most[scene.shape], types_of(scene, algorithm));
-        for (const SceneAnswer& scene : scenes) {
-            const Candidate* best = scene.best(algorithm);
+        for (const SceneRanking& scene : scenes) {
+            const RankedCell* best = scene.best(algorithm);
             if (!best || types_of(scene, algorithm) < most[scene.shape]) continue;
-            for (const Candidate& one : scene.candidates)
+            for (const RankedCell& one : scene.cells)
                 if (one.cell->algorithm == algorithm && one.ratio <= fast_ratio * best->ratio)
                     fast.emplace(scene.shape, algorithm, one.table);
         }
@@ -44,15 +44,15 @@ Known fast_ones(const std::vector<SceneAnswer>& scenes) {
     return fast;
 }
 
-bool is_small(const Candidate& one) {
+bool is_small(const RankedCell& one) {
     return one.bytes_per_edge && *one.bytes_per_edge <= small_bytes_per_edge;
 }
 
-std::vector<std::string> missing_from(const SceneAnswer& scene, const Known& fast) {
+std::vector<std::string> missing_from(const SceneRanking& scene, const Known& fast) {
     std::vector<std::string> missing;
-    for (const char* const algorithm : contenders) {
+    for (const char* const algorithm : both_algorithms) {
         bool has_small = false, has_fast = false;
-        for (const Candidate& one : scene.candidates) {
+        for (const RankedCell& one : scene.cells) {
             if (one.cell->algorithm != algorithm) continue;
             has_small = has_small || is_small(one);
             has_fast = has_fast || fast.contains({scene.shape, algorithm, one.table});
@@ -66,9 +66,9 @@ std::vector<std::string> missing_from(const SceneAnswer& scene, const Known& fas
 
 }  // namespace
 
-void check_contests(std::vector<SceneAnswer>& scenes) {
+void check_contests(std::vector<SceneRanking>& scenes) {
     const Known fast = fast_ones(scenes);
-    for (SceneAnswer& scene : scenes) scene.not_measured = missing_from(scene, fast);
+    for (SceneRanking& scene : scenes) scene.not_measured = missing_from(scene, fast);
 }
 
 std::string contest_rule() {

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "edgewise/reports/answer/scene_answer.hpp"
+#include "edgewise/reports/answer/ranking.hpp"
 
 namespace edgewise::reports {
 
@@ -19,7 +19,7 @@ inline constexpr double small_bytes_per_edge = 42;
 inline constexpr double fast_ratio = 1.25;
 
 /// Sets `not_measured` of each: "GJK on a small layout", "V-Clip on a fast layout".
-void check_contests(std::vector<SceneAnswer>& scenes);
+void check_contests(std::vector<SceneRanking>& scenes);
 
 /// The rule in one sentence.
 [[nodiscard]] std::string contest_rule();

@@ -18,8 +18,8 @@ constexpr std::size_t gaps_named = 3;
 double percent_less(double now, double before) { return 100 * (1 - now / before); }
 
 /// What the choice of one scene saves of the baseline's time and bytes; nothing where it is the baseline.
-std::string saving_of(const SceneAnswer& scene) {
-    const Candidate *choice = scene.choice(), *baseline = scene.baseline();
+std::string saving_of(const SceneRanking& scene) {
+    const RankedCell *choice = scene.choice(), *baseline = scene.baseline();
     if (!choice || !baseline || choice == baseline || !scene.recommends()) return {};
     std::string saved;
     if (scene.beats_baseline) saved = fmt::format("{:.0f} % of the time", percent_less(choice->ratio, 1));
@@ -32,8 +32,8 @@ std::string saving_of(const SceneAnswer& scene) {
 }
 
 /// How much a finding saves, for the order.
-double weight_of(const SceneAnswer& scene) {
-    const Candidate* choice = scene.choice();
+double weight_of(const SceneRanking& scene) {
+    const RankedCell* choice = scene.choice();
     return choice ? (scene.beats_baseline ? 1 - choice->ratio : 0) : -1;
 }
 
@@ -47,12 +47,12 @@ std::string gap_text(const Gap& gap) {
 }  // namespace
 
 std::vector<std::string> what_to_look_at(const Answer& answer) {
-    std::vector<const SceneAnswer*> scenes = answer.scenes();
-    std::stable_sort(scenes.begin(), scenes.end(), [](const SceneAnswer* a, const SceneAnswer* b) {
+    std::vector<const SceneRanking*> scenes = answer.scenes();
+    std::stable_sort(scenes.begin(), scenes.end(), [](const SceneRanking* a, const SceneRanking* b) {
         return weight_of(*a) > weight_of(*b);
     });
     std::vector<std::string> findings;
-    for (const SceneAnswer* scene : scenes)
+    for (const SceneRanking* scene : scenes)
         if (std::string saving = saving_of(*scene); !saving.empty()) findings.push_back(std::move(saving));
     if (findings.size() > 4) findings.resize(4);
     const auto& asked = answer.shared.empty() ? answer.own : answer.shared;

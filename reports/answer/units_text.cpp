@@ -57,9 +57,9 @@ std::string limit_text(double limit) {
     return fmt::format("{}e{}", factor, power);
 }
 
-std::string ratio_text(const Candidate& candidate) {
-    if (!candidate.interval) return fmt::format("{:.2f}", candidate.ratio);
-    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", candidate.ratio, candidate.low(), candidate.high());
+std::string ratio_text(const RankedCell& cell) {
+    if (!cell.interval) return fmt::format("{:.2f}", cell.ratio);
+    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", cell.ratio, cell.low(), cell.high());
 }
 
 std::string size_text(double bytes) {

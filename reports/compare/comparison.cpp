@@ -70,7 +70,7 @@ double ratio_or_0(std::optional<double> after, std::optional<double> before) {
 }
 
 std::optional<TimeChange> time_change(const ReportCell& before, const ReportCell& after) {
-    const auto was = candidate_of(before, 1), is = candidate_of(after, 1);
+    const auto was = ranked_cell(before, 1), is = ranked_cell(after, 1);
     if (!was || !is) return std::nullopt;
     TimeChange change{title_of(after), is->low() / was->high(), is->ratio / was->ratio,
                       is->high() / was->low()};
@@ -88,7 +88,7 @@ void widen_noise(const ReportData& data, Comparison& comparison) {
     const Baseline baseline = baseline_of(data);
     for (const ReportCell* cell : data.swept()) {
         if (cell->algorithm != baseline.algorithm || cell->table != baseline.table) continue;
-        const auto itself = candidate_of(*cell, 1);
+        const auto itself = ranked_cell(*cell, 1);
         if (!itself) continue;
         comparison.noise_low = std::min(comparison.noise_low, itself->ratio);
         comparison.noise_high = std::max(comparison.noise_high, itself->ratio);

@@ -63,10 +63,10 @@ std::string bytes_markdown(const ReportData& data, const Answer& answer) {
 
 std::string fronts_markdown(const Answer& answer) {
     std::string out;
-    for (const SceneAnswer* scene : answer.scenes()) {
+    for (const SceneRanking* scene : answer.scenes()) {
         std::string names;
-        for (const std::size_t place : front_of_time_and_bytes(*scene))
-            append(names, mark_text(scene->candidates[place]), "; ");
+        for (const std::size_t i : front_of_time_and_bytes(*scene))
+            append(names, mark_text(scene->cells[i]), "; ");
         if (!names.empty())
             out += fmt::format("- {}: {}\n", markdown_text(scene->label), markdown_text(names));
         if (std::count(out.begin(), out.end(), '\n') == static_cast<long>(most_answer_rows)) break;

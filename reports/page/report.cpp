@@ -51,8 +51,8 @@ ReportSummary summary(const ReportData& data, const StaticPictures& pictures, bo
 std::set<std::string> few_tables(const Answer& answer) {
     constexpr std::size_t most = 6;
     std::set<std::string> tables;
-    for (const SceneAnswer* scene : answer.scenes())
-        for (const Candidate* one :
+    for (const SceneRanking* scene : answer.scenes())
+        for (const RankedCell* one :
              {scene->baseline(), scene->choice(), scene->best("gjk"), scene->best("vclip")})
             if (one && tables.size() < most) tables.insert(one->table);
     return tables;
@@ -60,7 +60,7 @@ std::set<std::string> few_tables(const Answer& answer) {
 
 /// The first scene's of which there is one.
 std::string answer_picture(const Answer& answer) {
-    for (const SceneAnswer* scene : answer.scenes())
+    for (const SceneRanking* scene : answer.scenes())
         if (std::string svg = time_bytes_svg(*scene); !svg.empty()) return svg;
     return {};
 }
@@ -111,7 +111,7 @@ ReportSummary write_report(const ReportData& data, const std::string& out_direct
     write_file(out / "report.md", report_markdown(data, answer, pictures, changes));
     write_file(out / "index.html", page_html(data, answer, chapters, charts, pictures, bundles));
     ReportSummary made = summary(data, pictures, !bundles.empty(), no_pdf, out / "index.html");
-    made.answer = answer_paragraph(answer, data);
+    made.answer = terminal_text(answer, data);
     return made;
 }
 

@@ -19,7 +19,7 @@ struct ReportSummary {
     std::string page;          ///< path of index.html
     bool charts = false;       ///< the page carries the chart bundles
     std::size_t pictures = 0;  ///< static SVG pictures rendered
-    std::string answer = {};   ///< which layout to take, as one paragraph
+    std::string answer = {};   ///< which layout to take, and the tie set of each scene
     std::string note = {};     ///< what is missing and what to do; empty when nothing is
 };
 

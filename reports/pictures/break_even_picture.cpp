@@ -29,9 +29,9 @@ std::string map_text(double x, double y, double room, const std::string& text, c
 /// At the left end: a part for each layout that wins or ties, at most four.
 std::string map_bar_of(const MapCell& cell, double x, double y) {
     constexpr std::size_t most_parts = 4;
-    std::vector<const Candidate*> parts = {cell.best};
-    for (const Candidate* one : cell.ties)
-        if (parts.size() < most_parts) parts.push_back(one);
+    std::vector<const RankedCell*> parts;
+    for (const std::size_t i : cell.scene->ties)
+        if (parts.size() < most_parts) parts.push_back(&cell.scene->cells[i]);
     const double height = (map_cell_height - map_gap) / static_cast<double>(parts.size());
     std::string svg;
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -44,8 +44,9 @@ std::string map_bar_of(const MapCell& cell, double x, double y) {
 /// "0.72, 3 tie"
 std::string map_ratio(const MapCell& cell) {
     if (cell.scene->too_noisy) return "too noisy";
-    const std::string ratio = fmt::format("{:.2f}", cell.best->ratio);
-    return cell.ties.empty() ? ratio : fmt::format("{}, {} tie", ratio, cell.ties.size() + 1);
+    const std::string ratio = fmt::format("{:.2f}", cell.winner()->ratio);
+    const std::size_t ties = cell.scene->ties.size();
+    return ties == 1 ? ratio : fmt::format("{}, {} tie", ratio, ties);
 }
 
 std::string map_cell_svg(const MapCell& cell, const std::string& shape, double x, double y) {
@@ -55,17 +56,17 @@ std::string map_cell_svg(const MapCell& cell, const std::string& shape, double x
     std::string svg = fmt::format("<g data-shape=\"{}\"{}><title>{}</title>", html_text(shape), scene,
                                   html_text(cell_text(cell)));
     const std::string box = fmt::format("<path d=\"M{:.0f} {:.0f}h{}v{}h-{}z\"", x, y, width, height, width);
-    if (!cell.best)
+    if (!cell.winner())
         return svg + box + " class=\"unmeasured\"/>" +
                map_text(x + 8, y + height / 2 + 3.5, width - 12,
                         cell.scene ? "none within error" : "not measured", "") +
                "</g>";
     svg += box + (cell.is_won() ? fmt::format(" fill=\"{}\" fill-opacity=\".25\"/>",
-                                              store::layout_colour(cell.best->cell->layout))
+                                              store::layout_colour(cell.winner()->cell->layout))
                                 : " class=\"tied\"/>");
     svg += map_bar_of(cell, x, y);
-    svg += map_text(x + 10, y + 12, width - 13, cell.best->table, "name");
-    svg += mark_svg(*cell.best, x + 14, y + 21, 4);
+    svg += map_text(x + 10, y + 12, width - 13, cell.winner()->table, "name");
+    svg += mark_svg(*cell.winner(), x + 14, y + 21, 4);
     return svg + map_text(x + 22, y + 24, width - 25, map_ratio(cell), "name") + "</g>";
 }
 

@@ -38,20 +38,20 @@ std::string strip_opening(const std::string& label) {
                        strip_width, strip_height, html_text(label));
 }
 
-std::string strip_label(const SceneAnswer& scene) {
-    const Candidate* choice = scene.choice();
-    const Candidate &first = scene.candidates.front(), &last = scene.candidates.back();
+std::string strip_label(const SceneRanking& scene) {
+    const RankedCell* choice = scene.choice();
+    const RankedCell &first = scene.cells.front(), &last = scene.cells.back();
     std::string text = fmt::format("{} on an axis of time over the baseline's, from {:.2f} to {:.2f}",
-                                   plural(scene.candidates.size(), "table type"), first.ratio, last.ratio);
+                                   plural(scene.cells.size(), "table type"), first.ratio, last.ratio);
     return choice ? fmt::format("{}: {}. {}", choice->name(), ratio_text(*choice), text) : text;
 }
 
 }  // namespace
 
-StripAxis strip_axis(const std::vector<const SceneAnswer*>& scenes) {
+StripAxis strip_axis(const std::vector<const SceneRanking*>& scenes) {
     StripAxis axis;
-    for (const SceneAnswer* scene : scenes) {
-        for (const Candidate& one : scene->candidates) {
+    for (const SceneRanking* scene : scenes) {
+        for (const RankedCell& one : scene->cells) {
             axis.low = std::clamp(one.low() * 0.95, least_ratio, axis.low);
             axis.high = std::clamp(one.high() * 1.05, axis.high, most_ratio);
         }
@@ -59,20 +59,21 @@ StripAxis strip_axis(const std::vector<const SceneAnswer*>& scenes) {
     return axis;
 }
 
-std::string strip_svg(const SceneAnswer& scene, const StripAxis& axis) {
+std::string strip_svg(const SceneRanking& scene, const StripAxis& axis) {
     const LogScale x = strip_scale(axis);
     std::string svg = strip_opening(strip_label(scene));
-    if (scene.noise.factor)
-        svg += fmt::format("<rect x=\"{:.1f}\" y=\"0\" width=\"{:.1f}\" height=\"{}\" class=\"noise\"/>",
-                           x.place(scene.noise.low()),
-                           std::max(1.0, x.place(scene.noise.high()) - x.place(scene.noise.low())),
-                           strip_height);
+    if (scene.own_variation.factor)
+        svg += fmt::format(
+            "<rect x=\"{:.1f}\" y=\"0\" width=\"{:.1f}\" height=\"{}\" class=\"noise\"/>",
+            x.place(scene.own_variation.low()),
+            std::max(1.0, x.place(scene.own_variation.high()) - x.place(scene.own_variation.low())),
+            strip_height);
     for (const double tick : octaves(axis))
         svg += strip_line(x.place(tick), x.place(tick), 0, strip_height, tick == 1 ? "one" : "grid");
     // The winner last, so that nothing covers it.
-    for (auto one = scene.candidates.rbegin(); one != scene.candidates.rend(); ++one)
+    for (auto one = scene.cells.rbegin(); one != scene.cells.rend(); ++one)
         svg += mark_svg(*one, x.place(one->ratio), one->cell->algorithm == "gjk" ? 22 : 11, mark_size);
-    if (const Candidate* choice = scene.choice())
+    if (const RankedCell* choice = scene.choice())
         svg += strip_line(x.place(choice->low()), x.place(choice->high()), strip_height - 3, strip_height - 3,
                           "interval");
     return svg + "</svg>";

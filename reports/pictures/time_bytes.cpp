@@ -24,9 +24,9 @@ struct PlotAxes {
 };
 
 /// Room for every point.
-PlotAxes plot_axes(const SceneAnswer& scene) {
+PlotAxes plot_axes(const SceneRanking& scene) {
     double least_bytes = 1e9, most_bytes = 1, least = 0.8, most = 1.25;
-    for (const Candidate& one : scene.candidates) {
+    for (const RankedCell& one : scene.cells) {
         if (!one.bytes_per_edge || !(*one.bytes_per_edge > 0)) continue;
         least_bytes = std::min(least_bytes, *one.bytes_per_edge);
         most_bytes = std::max(most_bytes, *one.bytes_per_edge);
@@ -36,7 +36,7 @@ PlotAxes plot_axes(const SceneAnswer& scene) {
             {least * 0.9, most * 1.1, plot_height - plot_bottom, plot_top}};
 }
 
-std::string plot_frame(const PlotAxes& axes, const NoiseBand& noise) {
+std::string plot_frame(const PlotAxes& axes, const OwnVariation& noise) {
     std::string svg;
     if (noise.factor)
         svg += fmt::format("<rect x=\"{}\" y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\" class=\"noise\"/>",
@@ -61,11 +61,11 @@ std::string plot_frame(const PlotAxes& axes, const NoiseBand& noise) {
                      (plot_top + plot_height - plot_bottom) / 2);
 }
 
-std::string front_line(const SceneAnswer& scene, const std::vector<std::size_t>& front,
+std::string front_line(const SceneRanking& scene, const std::vector<std::size_t>& front,
                        const PlotAxes& axes) {
     std::string path;
-    for (const std::size_t place : front) {
-        const Candidate& one = scene.candidates[place];
+    for (const std::size_t i : front) {
+        const RankedCell& one = scene.cells[i];
         const double x = axes.x.place(*one.bytes_per_edge), y = axes.y.place(one.ratio);
         path += path.empty() ? fmt::format("M{:.1f} {:.1f}", x, y) : fmt::format("H{:.1f}V{:.1f}", x, y);
     }
@@ -73,13 +73,13 @@ std::string front_line(const SceneAnswer& scene, const std::vector<std::size_t>&
 }
 
 /// At the points of the front, below it; one that would cover the last is left to its tooltip.
-std::string front_names(const SceneAnswer& scene, const std::vector<std::size_t>& front,
+std::string front_names(const SceneRanking& scene, const std::vector<std::size_t>& front,
                         const PlotAxes& axes) {
     constexpr double letter = 6, line_height = 12;
     std::string svg;
     double last_y = -100, last_end = -100;
-    for (const std::size_t place : front) {
-        const Candidate& one = scene.candidates[place];
+    for (const std::size_t i : front) {
+        const RankedCell& one = scene.cells[i];
         const std::string name = one.name();
         const double x = axes.x.place(*one.bytes_per_edge), y = axes.y.place(one.ratio) + line_height + 1;
         const double length = letter * static_cast<double>(name.size());
@@ -93,29 +93,29 @@ std::string front_names(const SceneAnswer& scene, const std::vector<std::size_t>
     return svg;
 }
 
-std::string plot_label(const SceneAnswer& scene, const std::vector<std::size_t>& front) {
+std::string plot_label(const SceneRanking& scene, const std::vector<std::size_t>& front) {
     std::string names;
-    for (const std::size_t place : front) append(names, mark_text(scene.candidates[place]), "; ");
+    for (const std::size_t i : front) append(names, mark_text(scene.cells[i]), "; ");
     return fmt::format("Time against bytes, {}. On the front: {}", scene.label, names);
 }
 
 }  // namespace
 
-std::vector<std::size_t> front_of_time_and_bytes(const SceneAnswer& scene) {
+std::vector<std::size_t> front_of_time_and_bytes(const SceneRanking& scene) {
     std::vector<SpeedError> plane;
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < scene.candidates.size(); ++i) {
-        const Candidate& one = scene.candidates[i];
-        if (!one.meets_error || !one.bytes_per_edge) continue;
+    std::vector<std::size_t> within;
+    for (std::size_t i = 0; i < scene.cells.size(); ++i) {
+        const RankedCell& one = scene.cells[i];
+        if (!one.meets_error() || !one.bytes_per_edge) continue;
         plane.push_back({one.ratio, *one.bytes_per_edge});
-        places.push_back(i);
+        within.push_back(i);
     }
     const std::vector<bool> on_front = pareto_front(plane);
     std::vector<std::size_t> front;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        if (on_front[i]) front.push_back(places[i]);
+    for (std::size_t i = 0; i < within.size(); ++i)
+        if (on_front[i]) front.push_back(within[i]);
     std::sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
-        return *scene.candidates[a].bytes_per_edge < *scene.candidates[b].bytes_per_edge;
+        return *scene.cells[a].bytes_per_edge < *scene.cells[b].bytes_per_edge;
     });
     return front;
 }
@@ -128,14 +128,14 @@ std::string standalone(const std::string& svg) {
         svg.substr(0, end), report_text("page.picture.css"), svg.substr(end + 1));
 }
 
-std::string time_bytes_svg(const SceneAnswer& scene) {
+std::string time_bytes_svg(const SceneRanking& scene) {
     const std::vector<std::size_t> front = front_of_time_and_bytes(scene);
     if (front.empty()) return {};
     const PlotAxes axes = plot_axes(scene);
     std::string svg = fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
                                   plot_width, plot_height, html_text(plot_label(scene, front)));
-    svg += plot_frame(axes, scene.noise) + front_line(scene, front, axes);
-    for (auto one = scene.candidates.rbegin(); one != scene.candidates.rend(); ++one)
+    svg += plot_frame(axes, scene.own_variation) + front_line(scene, front, axes);
+    for (auto one = scene.cells.rbegin(); one != scene.cells.rend(); ++one)
         if (one->bytes_per_edge && *one->bytes_per_edge > 0)
             svg += mark_svg(*one, axes.x.place(*one->bytes_per_edge), axes.y.place(one->ratio), 4.5);
     return svg + front_names(scene, front, axes) + "</svg>";

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/reports/answer/scene_answer.hpp"
+#include "edgewise/reports/answer/ranking.hpp"
 
 namespace edgewise::reports {
 
-/// Places of candidates that no other within the error beats in both, fewest bytes first.
-[[nodiscard]] std::vector<std::size_t> front_of_time_and_bytes(const SceneAnswer& scene);
+/// Indices of cells that no other within the error beats in both, fewest bytes first.
+[[nodiscard]] std::vector<std::size_t> front_of_time_and_bytes(const SceneRanking& scene);
 
 /// A picture of the page as a file of its own, black on white.
 [[nodiscard]] std::string standalone(const std::string& svg);
 
-[[nodiscard]] std::string time_bytes_svg(const SceneAnswer& scene);
+[[nodiscard]] std::string time_bytes_svg(const SceneRanking& scene);
 
 }  // namespace edgewise::reports

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "edgewise/input/json_text.hpp"
-#include "edgewise/reports/answer/candidate.hpp"
+#include "edgewise/reports/answer/ranking.hpp"
 
 namespace edgewise::reports {
 
@@ -105,7 +105,7 @@ MachineRecord measured_record(const ReportData& data) {
     take_facts(data.build.machine_json, record);
     for (const ReportCell& cell : data.cells) {
         if (!is_common(cell)) continue;
-        const auto timed = candidate_of(cell, std::numeric_limits<double>::infinity());
+        const auto timed = ranked_cell(cell, std::numeric_limits<double>::infinity());
         if (!timed || !timed->interval) continue;
         RecordRow row = row_of(cell);
         row.ratio = timed->ratio;

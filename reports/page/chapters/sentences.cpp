@@ -113,8 +113,8 @@ std::string layouts_sentence(const ReportData& data) {
 }
 
 std::string times_sentence(const Answer& answer, const ReportData& data) {
-    for (const SceneAnswer& scene : answer.shared) {
-        const Candidate* baseline = scene.baseline();
+    for (const SceneRanking& scene : answer.shared) {
+        const RankedCell* baseline = scene.baseline();
         if (!baseline) continue;
         std::vector<const ReportCell*> cells = verified_cells(data, "", scene.label);
         std::erase_if(cells, [&](const ReportCell* cell) {
@@ -160,8 +160,8 @@ std::string stability_sentence(const ReportData& data) {
 }
 
 std::string peers_sentence(const Answer& answer) {
-    for (const SceneAnswer* scene : answer.scenes()) {
-        const Candidate *peer = scene->best_peer(), *winner = scene->winner();
+    for (const SceneRanking* scene : answer.scenes()) {
+        const RankedCell *peer = scene->best_peer(), *winner = scene->winner();
         if (!peer || !winner) continue;
         return fmt::format(
             "In {}, the fastest other library, {}, takes {:.2f} times as long as {} (worst "

@@ -17,7 +17,7 @@ namespace {
 
 /// What one row says; `why` where there is no number.
 struct AnswerRow {
-    std::string take, ties;
+    std::string take, tie_set;
     std::string ratio, of_gjk, bytes, bytes_beside, lines, lines_beside, error;
 };
 
@@ -29,7 +29,7 @@ std::string beside(const std::optional<double>& value, const std::string& unit =
     return value ? "paper's " + number_text(*value, unit) : "";
 }
 
-std::string take_of_scene(const SceneAnswer& scene, const Candidate& choice) {
+std::string take_of_scene(const SceneRanking& scene, const RankedCell& choice) {
     std::string missing;
     for (const std::string& cell : scene.not_measured) append(missing, cell);
     if (!missing.empty()) return fmt::format("nothing is recommended; not measured: {}", missing);
@@ -39,27 +39,15 @@ std::string take_of_scene(const SceneAnswer& scene, const Candidate& choice) {
                                        : fmt::format("nothing beats the paper's layout; {}", choice.name());
 }
 
-std::string ties_text(const SceneAnswer& scene, const Candidate& choice) {
-    if (scene.ties.size() == 1) return "alone";
-    const std::size_t others = scene.ties.size() - 1;
-    if (scene.too_noisy) return fmt::format("{} tie", scene.ties.size());
-    if (!scene.beats_baseline) return fmt::format("smallest of {} that tie", scene.ties.size());
-    std::string names;
-    for (const std::size_t place : scene.ties)
-        if (&scene.candidates[place] != &choice && std::count(names.begin(), names.end(), ',') < 2)
-            append(names, scene.candidates[place].name());
-    return others > 3 ? fmt::format("ties with {} and {} more", names, others - 3) : "ties with " + names;
-}
-
-AnswerRow row_of(const SceneAnswer& scene) {
+AnswerRow row_of(const SceneRanking& scene) {
     AnswerRow row;
-    const Candidate* choice = scene.choice();
+    const RankedCell* choice = scene.choice();
     if (!choice) {
         row.take = "nothing is within the error";
         return row;
     }
-    const Candidate *gjk = scene.best("gjk"), *baseline = scene.baseline();
-    row.take = take_of_scene(scene, *choice), row.ties = ties_text(scene, *choice);
+    const RankedCell *gjk = scene.best("gjk"), *baseline = scene.baseline();
+    row.take = take_of_scene(scene, *choice), row.tie_set = tie_set_text(scene);
     row.ratio = ratio_text(*choice);
     row.of_gjk = gjk ? fmt::format("{:.2f}", choice->ratio / gjk->ratio) : "not measured";
     row.bytes = or_not_measured(choice->bytes_per_edge, "B/edge");
@@ -77,12 +65,21 @@ std::string number_html(const std::string& title, const std::string& text, const
                        small.empty() ? "" : "<br><small>" + html_text(small) + "</small>");
 }
 
-std::string row_html(const SceneAnswer& scene, const StripAxis& axis, const std::string& shape) {
+/// A long tie set is folded after its count.
+std::string tie_set_html(const std::string& text) {
+    const std::size_t end = text.find(" tie: ");
+    if (end == text.npos) return "<br><small>" + html_text(text) + "</small>";
+    return fmt::format("<details class=\"ties\"><summary>{} tie</summary>{}</details>", text.substr(0, end),
+                       html_text(text.substr(end + 6)));
+}
+
+std::string row_html(const SceneRanking& scene, const StripAxis& axis, const std::string& shape) {
     const AnswerRow row = row_of(scene);
-    std::string html = fmt::format(
-        "<tr class=\"{}\"><th scope=\"row\">{}<br><small>{}{}</small></th><td><b>{}</b><br><small>{}</small></td>",
-        scene.own_tables ? "own" : "shared", html_text(scene.label), html_text(scene.sentence),
-        scene.shape == shape ? "" : html_text("; " + scene.shape), html_text(row.take), html_text(row.ties));
+    std::string html =
+        fmt::format("<tr class=\"{}\"><th scope=\"row\">{}<br><small>{}{}</small></th><td><b>{}</b>{}</td>",
+                    scene.own_tables ? "own" : "shared", html_text(scene.label), html_text(scene.sentence),
+                    scene.shape == shape ? "" : html_text("; " + scene.shape), html_text(row.take),
+                    tie_set_html(row.tie_set));
     html += fmt::format(
         "<td class=\"strips\">{}<span class=\"ratio\" data-title=\"time / paper's\">{}</span></td>",
         strip_svg(scene, axis), html_text(row.ratio));
@@ -95,13 +92,13 @@ std::string row_html(const SceneAnswer& scene, const StripAxis& axis, const std:
 }  // namespace
 
 std::string answer_rows_html(const Answer& answer) {
-    std::vector<const SceneAnswer*> scenes = answer.scenes();
+    std::vector<const SceneRanking*> scenes = answer.scenes();
     if (scenes.empty()) return {};
     const std::size_t all = scenes.size();
     if (scenes.size() > most_answer_rows) scenes.resize(most_answer_rows);
     const StripAxis axis = strip_axis(scenes);
     std::string rows;
-    for (const SceneAnswer* scene : scenes) rows += row_html(*scene, axis, answer.shape);
+    for (const SceneRanking* scene : scenes) rows += row_html(*scene, axis, answer.shape);
     std::string key = prose("answer_key.md");
     if (all > scenes.size()) key += fmt::format(" {} more scenes are among all cells.", all - scenes.size());
     return fmt::format(fmt::runtime(report_text("page.answer.html")),
@@ -112,14 +109,14 @@ std::string answer_rows_html(const Answer& answer) {
 
 TextGrid answer_grid(const Answer& answer) {
     TextGrid grid{"",
-                  columns_of("scene|tables|take|ties|#time / paper's|#time / best GJK|#bytes per edge|"
+                  columns_of("scene|tables|take|fastest|#time / paper's|#time / best GJK|#bytes per edge|"
                              "#lines per query|#worst error"),
                   {}};
-    for (const SceneAnswer* scene : answer.scenes()) {
+    for (const SceneRanking* scene : answer.scenes()) {
         if (grid.rows.size() == most_answer_rows) break;
         const AnswerRow row = row_of(*scene);
-        grid.rows.push_back(grid_row(scene->label, scene->own_tables ? "each" : "shared", row.take, row.ties,
-                                     row.ratio, row.of_gjk, row.bytes, row.lines, row.error));
+        grid.rows.push_back(grid_row(scene->label, scene->own_tables ? "each" : "shared", row.take,
+                                     row.tie_set, row.ratio, row.of_gjk, row.bytes, row.lines, row.error));
     }
     return grid;
 }

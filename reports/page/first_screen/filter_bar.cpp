@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "edgewise/reports/answer/candidate.hpp"
+#include "edgewise/reports/answer/ranking.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"

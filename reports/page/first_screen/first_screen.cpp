@@ -67,7 +67,7 @@ std::string question_bar(const Answer& answer, const ReportData& data) {
 std::string pictures_of(const Answer& answer) {
     std::string html;
     for (const auto* scenes : {&answer.shared, &answer.own}) {
-        for (const SceneAnswer& scene : *scenes) {
+        for (const SceneRanking& scene : *scenes) {
             const std::string svg = time_bytes_svg(scene);
             if (svg.empty()) continue;
             html += fmt::format("<figure class=\"{}\">{}<figcaption>{} ({})</figcaption></figure>\n",

@@ -95,7 +95,7 @@ int run_report(const ReportArguments& options, bool json) {
                                      {"store", options.store},   {"report", summary.page}};
         print_json(line);
     } else {
-        fmt::print("report: {}\n", summary.page);
+        fmt::print("report: {}\n\n{}\n", summary.page, input::shown_text(summary.answer));
     }
     return exit_done;
 }

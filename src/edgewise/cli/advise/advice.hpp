@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/studies/advise/finals.hpp"
-#include "edgewise/studies/advise/screen.hpp"
+#include "edgewise/cli/advise/race.hpp"
 
 namespace edgewise::cli {
 
@@ -20,18 +19,21 @@ struct Advice {
     std::vector<std::string> assumed;   ///< inputs that nobody gave
     std::vector<std::string> machines;  ///< whose caches were asked about, as given
     studies::advise::Screen screen;
-    studies::advise::Finals finals;
-    /// With the tables shared the other way, a first look only: those that are in, fastest first; empty: not
-    /// looked at, or no such way.
+    Race race;
+    /// With the tables shared the other way, a first look only: those that are not dropped, fastest first;
+    /// empty: not looked at, or no such way.
     std::vector<studies::advise::ScreenedCell> other_tables;
     double seconds = 0;                  ///< that it took
-    std::vector<std::string> dropped;    ///< what no time was left for; what the user named first
+    std::vector<std::string> left_out;   ///< what no time was left for; what the user named first
     std::vector<std::string> not_asked;  ///< what else was left out, and why
 };
 
 /// Measures it in so many seconds: a line to `say` for each step. What there is no time for is left out, and
 /// named.
 void measure_advice(Advice& advice, double seconds, const std::function<void(const std::string&)>& say);
+
+/// Sentences on what would change the advice; none where nothing is taken.
+[[nodiscard]] std::vector<std::string> changes_of(const Advice& advice);
 
 [[nodiscard]] std::string advice_text(const Advice& advice);
 [[nodiscard]] nlohmann::json advice_json(const Advice& advice);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+//
+// The JSON of the report's answer, and what only a race knows.
 #include <fmt/format.h>
 
 #include "edgewise/cli/advise/advice.hpp"
 #include "edgewise/cli/command.hpp"
+#include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/studies/advise/changes.hpp"
 
 namespace edgewise::cli {
@@ -10,30 +13,19 @@ namespace edgewise::cli {
 namespace {
 
 using AdviceJson = nlohmann::json;
-using studies::advise::Finalist;
-using studies::advise::Finals;
 
-/// Null where it was not predicted.
-AdviceJson predicted_here(const Finalist& one) {
-    const auto found = one.predicted_ns.find(studies::advise::this_machine);
-    return found == one.predicted_ns.end() ? AdviceJson() : AdviceJson(found->second);
-}
-
-AdviceJson json_of(const Finalist& one, const Finals& finals) {
-    return {{"algorithm", one.algorithm},
-            {"table", one.table},
-            {"time_ratio", {one.low(), one.mid(), one.high()}},
-            {"ns", one.mid_ns()},
-            {"bytes_per_edge", one.bytes_per_edge},
-            {"table_bytes", one.table_bytes},
-            {"lines_per_query", or_null(one.lines)},
-            {"steps", one.steps},
-            {"error", one.error},
-            {"ties", finals.ties(one)},
-            {"misses_per_query", one.misses},
-            {"in_cache_ns", or_null(one.in_cache_ns)},
-            {"predicted_ns", predicted_here(one)},
-            {"predicted_ns_on", one.predicted_ns}};
+/// Adds steps and caches to a cell that was raced; null where they are not known.
+void add_caches(AdviceJson& json, const Race& race) {
+    const reports::RankedCell& cell = *race.scene()->find(json["algorithm"], json["table"]);
+    const studies::advise::CacheCost* const found = race.caches_of(cell);
+    const studies::advise::CacheCost cost = found ? *found : studies::advise::CacheCost();
+    const auto here = cost.predicted_ns.find(studies::advise::this_machine);
+    json["steps"] = or_null(cell.steps);
+    json["ties"] = race.scene()->ties_with_winner(cell);
+    json["misses_per_query"] = cost.misses;
+    json["in_cache_ns"] = or_null(cost.in_cache_ns);
+    json["predicted_ns"] = here == cost.predicted_ns.end() ? AdviceJson() : AdviceJson(here->second);
+    json["predicted_ns_on"] = cost.predicted_ns;
 }
 
 AdviceJson asked_json(const Advice& advice) {
@@ -47,7 +39,7 @@ AdviceJson asked_json(const Advice& advice) {
 
 /// Of a body that its tables cannot hold nothing is known.
 AdviceJson json_of(const studies::advise::ScreenedCell& cell) {
-    AdviceJson json = {{"algorithm", cell.algorithm}, {"table", cell.type->name}, {"reason", cell.out}};
+    AdviceJson json = {{"algorithm", cell.algorithm}, {"table", cell.type->name}, {"reason", cell.dropped}};
     const bool held = cell.table_bytes > 0;
     json["ns"] = held ? AdviceJson(cell.ns) : AdviceJson();
     json["error"] = held ? AdviceJson(cell.error) : AdviceJson();
@@ -55,42 +47,35 @@ AdviceJson json_of(const studies::advise::ScreenedCell& cell) {
     return json;
 }
 
+/// The first look's; then the race's, which checks more answers.
+AdviceJson dropped_json(const Advice& advice, const AdviceJson& raced) {
+    AdviceJson dropped = AdviceJson::array();
+    for (const auto& cell : advice.screen.cells)
+        if (!cell.is_in()) dropped.push_back(json_of(cell));
+    for (const AdviceJson& one : raced)
+        if (!advice.screen.is_inexact(advice.race.scene()->find(one["algorithm"], one["table"])->name()))
+            dropped.push_back(one);
+    return dropped;
+}
+
 }  // namespace
 
 AdviceJson advice_json(const Advice& advice) {
-    const Finals& finals = advice.finals;
-    std::vector<std::string> not_asked = advice.dropped;
+    const Race& race = advice.race;
+    std::vector<std::string> not_asked = advice.left_out;
     not_asked.insert(not_asked.end(), advice.not_asked.begin(), advice.not_asked.end());
-    AdviceJson json = {{"asked", asked_json(advice)},
-                       {"take", nullptr},
-                       {"next", AdviceJson::array()},
-                       {"out", AdviceJson::array()},
-                       {"changes_it", AdviceJson::array()},
-                       {"held", or_null(finals.prediction_held())},
-                       {"processes", finals.processes},
-                       {"noise", nullptr},
-                       {"latencies_ns", finals.latencies_ns},
-                       {"seconds", advice.seconds},
-                       {"not_asked", not_asked},
-                       {"command", advice.command}};
-    for (const auto& cell : advice.screen.cells)
-        if (!cell.is_in()) json["out"].push_back(json_of(cell));
-    for (const Finalist& one : finals.over_limit) {
-        if (advice.screen.is_inexact(one.algorithm, one.table)) continue;
-        json["out"].push_back({{"algorithm", one.algorithm},
-                               {"table", one.table},
-                               {"reason", "its error, at a closer look"},
-                               {"ns", one.mid_ns()},
-                               {"error", one.error},
-                               {"bytes_per_edge", one.bytes_per_edge}});
-    }
-    if (finals.processes > 1) json["noise"] = {finals.noise_low, finals.noise_high};
-    if (finals.ranked.empty()) return json;
-    json["take"] = json_of(finals.ranked.front(), finals);
-    for (std::size_t i = 1; i < finals.ranked.size(); ++i)
-        json["next"].push_back(json_of(finals.ranked[i], finals));
-    json["changes_it"] =
-        what_would_change(advice.asked, advice.screen, advice.other_tables, finals.ranked.front());
+    AdviceJson json = reports::answer_json(race.answer);
+    if (race.taken()) add_caches(json["take"], race);
+    for (AdviceJson& one : json["next"]) add_caches(one, race);
+    json["asked"] = asked_json(advice);
+    json["dropped"] = dropped_json(advice, json["dropped"]);
+    json["changes_it"] = changes_of(advice);
+    json["held"] = or_null(race.prediction_held());
+    json["processes"] = race.processes();
+    json["latencies_ns"] = race.latencies_ns;
+    json["seconds"] = advice.seconds;
+    json["not_asked"] = not_asked;
+    json["command"] = advice.command;
     return json;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+//
+// The text of the report's answer, and what only a race knows.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "edgewise/cli/advise/advice.hpp"
 #include "edgewise/cli/terminal/text_table.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/studies/advise/changes.hpp"
 
@@ -13,23 +14,20 @@ namespace edgewise::cli {
 
 namespace {
 
-using studies::advise::Finalist;
-using studies::advise::OutFor;
-
-std::string bytes_text(double bytes) {
-    if (bytes >= 1024 * 1024) return fmt::format("{:.1f} MiB", bytes / 1024 / 1024);
-    return fmt::format("{:.1f} KiB", bytes / 1024);
-}
-
-std::string ratio_text(const Finalist& one) {
-    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", one.mid(), one.low(), one.high());
-}
+using reports::RankedCell;
+using studies::advise::CacheCost;
+using studies::advise::DroppedFor;
 
 /// Of all tables of the case where it is known how many there are, else of one.
-std::string table_bytes_text(const studies::advise::CaseAsked& asked, double table_bytes) {
-    if (!can_share(asked)) return bytes_text(table_bytes) + " per table";
-    const auto complete = scene::complete_parameters(asked.scene.name, asked.scene.parameters).or_throw();
-    return bytes_text(asked.own_tables ? complete.at("bodies") * table_bytes : table_bytes) + " in all";
+std::string table_bytes_text(const studies::advise::CaseAsked& asked, const RankedCell& cell) {
+    if (!cell.bytes_per_edge || !cell.table_bytes) return "bytes not measured";
+    const double tables =
+        !can_share(asked) || !asked.own_tables
+            ? 1
+            : scene::complete_parameters(asked.scene.name, asked.scene.parameters).or_throw().at("bodies");
+    return fmt::format("{:.1f} bytes per edge, {} {}", *cell.bytes_per_edge,
+                       reports::size_text(tables * *cell.table_bytes),
+                       can_share(asked) ? "in all" : "per table");
 }
 
 /// Label in a column of its own, the rest folded beside it.
@@ -39,55 +37,45 @@ std::string labelled(const std::string& label, const std::string& text) {
 }
 
 /// The paper's layout; null where it is taken itself, or was not raced.
-const Finalist* compared(const Advice& advice) {
-    const Finalist* const paper = advice.finals.baseline();
-    return paper == &advice.finals.ranked.front() ? nullptr : paper;
+const RankedCell* compared(const Advice& advice) {
+    const RankedCell* const paper = advice.race.scene()->baseline();
+    return paper == advice.race.taken() ? nullptr : paper;
+}
+
+/// How far the times can be trusted.
+std::string variation_text(const Race& race) {
+    const std::string own = reports::own_variation_text(*race.scene());
+    return (race.processes() < 2 ? "one process, and the variation between processes is not known (--time)"
+                                 : fmt::format("{} processes", race.processes())) +
+           "; the baseline's own variation: " + (own.empty() ? "not measured" : own);
 }
 
 std::string taken_text(const Advice& advice) {
-    const Finalist& taken = advice.finals.ranked.front();
-    const Finalist* const paper = compared(advice);
-    std::string bytes = fmt::format("{}; {:.1f} bytes per edge, {}", taken.name(), taken.bytes_per_edge,
-                                    table_bytes_text(advice.asked, taken.table_bytes));
-    if (paper)
-        bytes += fmt::format(" (the paper's layout: {:.1f}, {})", paper->bytes_per_edge,
-                             table_bytes_text(advice.asked, paper->table_bytes));
-    const std::string noise = advice.finals.processes < 2
-                                  ? "what that one differs by from process to process is not known"
-                                  : fmt::format("that one beside itself: {:.2f} to {:.2f}",
-                                                advice.finals.noise_low, advice.finals.noise_high);
-    const std::string lines = taken.lines ? fmt::format(" and {:.1f} lines of 64 bytes", *taken.lines) : "";
-    return labelled("take", bytes) +
+    const reports::Answer& answer = advice.race.answer;
+    const RankedCell& taken = *advice.race.taken();
+    const RankedCell* const paper = compared(advice);
+    const reports::AdviceText text =
+        reports::advice_of(answer.shared.empty() ? answer.own : answer.shared, answer).value();
+    std::string bytes = table_bytes_text(advice.asked, taken);
+    if (paper) bytes += "; the paper's layout: " + table_bytes_text(advice.asked, *paper);
+    return labelled("take", text.lead + " " + text.rest) +
+           labelled("fastest", tie_set_text(*advice.race.scene())) +
            labelled("time",
-                    fmt::format("{:.0f} ns per query here, {} of the paper's layout; processes: {}; {}",
-                                taken.mid_ns(), ratio_text(taken), advice.finals.processes, noise)) +
-           labelled("error", fmt::format("{:.1e} of the pair's size (asked: {})", taken.error,
-                                         advice.asked.error_limit)) +
-           labelled("why", fmt::format("{:.1f} steps{} per query", taken.steps, lines));
+                    fmt::format("{:.0f} ns per query here; {}", taken.ns, variation_text(advice.race))) +
+           labelled("bytes", bytes) + (paper ? labelled("why", reports::why_sentence(taken, *paper)) : "");
 }
 
-std::string next_text(const Advice& advice) {
-    std::string text;
-    for (const Finalist& one : advice.finals.ranked) {
-        if (&one == &advice.finals.ranked.front()) continue;
-        text += labelled(text.empty() ? "next" : "",
-                         fmt::format("{}: {} of the paper's layout, {:.1f} bytes per edge, error {:.1e}{}",
-                                     one.name(), ratio_text(one), one.bytes_per_edge, one.error,
-                                     advice.finals.ties(one) ? ", a tie" : ""));
-    }
-    return text;
-}
-
-/// Those that are out for what they answer, not for their time, which are many.
-std::string out_text(const Advice& advice) {
-    std::vector<std::string> out;
+/// Cells that were dropped for their answers. Those dropped for their time are many.
+std::string dropped_text(const Advice& advice) {
+    std::vector<std::string> dropped;
     for (const auto& cell : advice.screen.cells)
-        if (cell.out_for == OutFor::error || cell.out_for == OutFor::failure)
-            out.push_back(cell.name() + ": " + cell.out);
-    for (const Finalist& one : advice.finals.over_limit)
-        if (!advice.screen.is_inexact(one.algorithm, one.table))
-            out.push_back(fmt::format("{}: error {:.1e}, at a closer look", one.name(), one.error));
-    return out.empty() ? "" : labelled("out", fmt::format("{}", fmt::join(out, "; ")));
+        if (cell.dropped_for == DroppedFor::error || cell.dropped_for == DroppedFor::failure)
+            dropped.push_back(cell.name() + ": " + cell.dropped);
+    if (const reports::SceneRanking* const scene = advice.race.scene())
+        for (const RankedCell& one : scene->cells)
+            if (!one.meets_error() && !advice.screen.is_inexact(one.name()))
+                dropped.push_back(one.name() + ": " + one.dropped);
+    return dropped.empty() ? "" : labelled("dropped", fmt::format("{}", fmt::join(dropped, "; ")));
 }
 
 /// "29.5 / 0.0" per level.
@@ -97,63 +85,41 @@ std::string misses_text(const std::vector<double>& misses) {
     return fmt::format("{}", fmt::join(levels, " / "));
 }
 
-/// Beside the fastest there what is taken, where that is another.
-std::string than_taken(const Finalist& best, const Finalist& taken, const std::string& machine) {
-    if (&best == &taken || !taken.predicted_ns.contains(machine)) return "";
-    return fmt::format(" ({}: {:.0f} ns)", taken.name(), taken.predicted_ns.at(machine));
-}
-
-/// Of each machine: the misses, and for another than this one, whose time is not measured, what is predicted.
+/// For each machine the misses, and for another machine, whose time is not measured, the prediction.
 std::string caches_text(const Advice& advice) {
+    const Race& race = advice.race;
+    const CacheCost* const taken = race.caches_of(*race.taken());
+    const RankedCell* const paper = compared(advice);
+    const CacheCost* const paper_cost = paper ? race.caches_of(*paper) : nullptr;
     std::string text;
-    const Finalist& taken = advice.finals.ranked.front();
-    const Finalist* const paper = compared(advice);
-    for (const auto& [machine, misses] : taken.misses) {
-        std::string line = fmt::format("{}: {} misses per query, level by level: {}", machine, taken.table,
-                                       misses_text(misses));
-        if (paper && paper->misses.contains(machine))
-            line += fmt::format("; the paper's layout: {}", misses_text(paper->misses.at(machine)));
-        const Finalist* const best = advice.finals.fastest_predicted(machine);
+    for (const auto& [machine, misses] :
+         taken ? taken->misses : std::map<std::string, std::vector<double>>()) {
+        std::string line = fmt::format("{}: {} misses per query, level by level: {}", machine,
+                                       race.taken()->table, misses_text(misses));
+        if (paper_cost && paper_cost->misses.contains(machine))
+            line += fmt::format("; the paper's layout: {}", misses_text(paper_cost->misses.at(machine)));
+        const RankedCell* const best = race.fastest_predicted(machine);
         if (machine != studies::advise::this_machine && best)
             line += fmt::format(
-                "; modelled, with every miss waited for as long as here, fastest is {}, "
-                "{:.0f} ns{}; time there was not measured",
-                best->name(), best->predicted_ns.at(machine), than_taken(*best, taken, machine));
+                "; modelled, with every miss waited for as long as here, fastest is {}, {:.0f} ns; time there "
+                "was not measured",
+                best->name(), race.caches_of(*best)->predicted_ns.at(machine));
         text += labelled("caches", line);
     }
     return text;
 }
 
 std::string prediction_text(const Advice& advice) {
-    const Finalist* const best = advice.finals.fastest_predicted(studies::advise::this_machine);
+    const RankedCell* const best = advice.race.fastest_predicted(studies::advise::this_machine);
     if (!best) return labelled("predicted", "nothing: this machine's caches or the misses are not known");
-    std::vector<std::string> latencies;
-    for (const double ns : advice.finals.latencies_ns) latencies.push_back(fmt::format("{:.0f}", ns));
+    const CacheCost& cost = *advice.race.caches_of(*best);
     return labelled(
         "predicted",
         fmt::format("{} fastest, {:.0f} ns: {:.0f} ns in cache, and its modelled misses as long as they take "
-                    "here ({} ns beyond the first level, nothing overlapping): {}",
-                    best->name(), best->predicted_ns.at(studies::advise::this_machine), *best->in_cache_ns,
-                    fmt::join(latencies, ", "),
-                    *advice.finals.prediction_held() ? "held, it is among those that tie" : "did not hold"));
-}
-
-/// How sure the answer is, of the two questions that a reader has.
-std::string certainty_text(const Advice& advice) {
-    const Finalist& taken = advice.finals.ranked.front();
-    if (advice.finals.processes < 2)
-        return "no: one process alone, and what differs between processes is not known (--time)";
-    std::string text = "the paper's layout is the fastest itself";
-    if (compared(advice)) {
-        const bool beats = taken.high() < std::min(1.0, advice.finals.noise_low);
-        text = fmt::format("that {} beats the paper's layout: {}", taken.name(),
-                           beats ? fmt::format("yes, in each of {} processes", advice.finals.processes)
-                                 : "no, not by more than what that differs from itself");
-    }
-    const auto ties = std::ranges::count_if(advice.finals.ranked,
-                                            [&](const Finalist& one) { return advice.finals.ties(one); });
-    return text +
-           (ties > 1 ? fmt::format("; which of the {} that tie: no", ties) : "; that it is the fastest: yes");
+                    "here ({:.0f} ns beyond the first level, nothing overlapping): {}",
+                    best->name(), cost.predicted_ns.at(studies::advise::this_machine), *cost.in_cache_ns,
+                    fmt::join(advice.race.latencies_ns, ", "),
+                    *advice.race.prediction_held() ? "held, it is among those that tie" : "did not hold"));
 }
 
 /// Where nothing was raced: why, and what the first look says.
@@ -162,25 +128,31 @@ std::string nothing_text(const Advice& advice) {
     if (cells.empty()) return "nothing: no time was left to look at any cell (--time)";
     if (!cells.front().is_in()) return "nothing: nothing meets the error";
     return fmt::format("nothing is sure: {}. At a first look {} is fastest, {:.0f} ns per query",
-                       advice.finals.problem, cells.front().name(), cells.front().ns);
+                       advice.race.problem, cells.front().name(), cells.front().ns);
 }
 
 }  // namespace
 
+std::vector<std::string> changes_of(const Advice& advice) {
+    const RankedCell* const taken = advice.race.taken();
+    if (!taken) return {};
+    return what_would_change(
+        advice.asked, advice.screen, advice.other_tables,
+        {taken->name(), taken->bytes_per_edge.value_or(0), taken->worst_error.value_or(0)});
+}
+
 std::string advice_text(const Advice& advice) {
     std::string text = sentence_of(advice.asked) + "\n\n";
-    for (const std::string& dropped : advice.dropped)
-        text += labelled(&dropped == &advice.dropped.front() ? "left out" : "", dropped);
+    for (const std::string& left : advice.left_out)
+        text += labelled(&left == &advice.left_out.front() ? "left out" : "", left);
     for (const std::string& assumed : advice.assumed)
         text += labelled(&assumed == &advice.assumed.front() ? "assumed" : "", assumed);
-    if (advice.finals.ranked.empty()) {
-        text += labelled("take", nothing_text(advice)) + out_text(advice);
+    if (!advice.race.taken()) {
+        text += labelled("take", nothing_text(advice)) + dropped_text(advice);
     } else {
-        text += taken_text(advice) + next_text(advice) + out_text(advice) + caches_text(advice) +
-                prediction_text(advice) + labelled("sure?", certainty_text(advice)) + "  would change it\n";
-        for (const std::string& change : what_would_change(advice.asked, advice.screen, advice.other_tables,
-                                                           advice.finals.ranked.front()))
-            text += labelled("", change);
+        text += taken_text(advice) + dropped_text(advice) + caches_text(advice) + prediction_text(advice) +
+                "  would change it\n";
+        for (const std::string& change : changes_of(advice)) text += labelled("", change);
     }
     for (const std::string& left : advice.not_asked)
         text += labelled(&left == &advice.not_asked.front() ? "not asked" : "", left);

@@ -169,7 +169,7 @@ int answer_from_store(const AdviseArguments& options, bool json) {
     if (json) {
         print_json(reports::answer_json(answer));
     } else {
-        fmt::print("{}\nfrom {}; nothing was measured now\n", reports::answer_paragraph(answer, data),
+        fmt::print("{}\nfrom {}; nothing was measured now\n", reports::terminal_text(answer, data),
                    options.store);
     }
     const bool any =
@@ -193,7 +193,7 @@ int run_advise(const AdviseArguments& options, bool json) {
     });
     fmt::print("{}",
                json ? input::json_text(advice_json(advice)) + "\n" : input::shown_text(advice_text(advice)));
-    return advice.finals.ranked.empty() ? exit_check_failed : exit_done;
+    return advice.race.taken() ? exit_done : exit_check_failed;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace edgewise::cli {
 
 namespace {
 
-using studies::advise::OutFor;
+using studies::advise::DroppedFor;
 using studies::advise::Screen;
 using studies::advise::ScreenedCell;
 using studies::advise::TimeLimit;
@@ -21,31 +21,33 @@ using studies::advise::TimeLimit;
 // Parts of the time at which the first look and the race have to be over.
 constexpr double until_screened = 0.4, until_raced = 0.8;
 constexpr double until_screened_for_machines = 0.3;  ///< where machines were named, which the race models
-constexpr std::size_t most_finalists = 5;
+constexpr std::size_t most_raced = 5;
 
 /// The fastest few, the baseline, and the best of the algorithm that is not among them.
-std::vector<ScreenedCell> finalists_of(const Screen& screen) {
-    std::vector<ScreenedCell> finalists;
+std::vector<ScreenedCell> cells_to_race(const Screen& screen) {
+    std::vector<ScreenedCell> raced;
     const auto add_first = [&](const auto& wanted) {
         const auto found = std::ranges::find_if(screen.cells, wanted);
         if (found == screen.cells.end()) return;
-        const bool known = std::ranges::any_of(finalists, [&](const ScreenedCell& other) {
+        const bool known = std::ranges::any_of(raced, [&](const ScreenedCell& other) {
             return other.type == found->type && other.algorithm == found->algorithm;
         });
-        if (!known) finalists.push_back(*found);
+        if (!known) raced.push_back(*found);
     };
     for (const ScreenedCell& cell : screen.cells)
-        if (cell.is_in() && finalists.size() < most_finalists) finalists.push_back(cell);
-    if (finalists.empty()) return finalists;
-    add_first([](const ScreenedCell& cell) { return cell.is_baseline() && cell.out_for != OutFor::failure; });
+        if (cell.is_in() && raced.size() < most_raced) raced.push_back(cell);
+    if (raced.empty()) return raced;
+    add_first([](const ScreenedCell& cell) {
+        return cell.is_baseline() && cell.dropped_for != DroppedFor::failure;
+    });
     for (const char* algorithm : {"gjk", "vclip"})
         add_first([&](const ScreenedCell& cell) {
-            return cell.algorithm == algorithm && (cell.is_in() || cell.out_for == OutFor::time);
+            return cell.algorithm == algorithm && (cell.is_in() || cell.dropped_for == DroppedFor::time);
         });
-    return finalists;
+    return raced;
 }
 
-std::size_t count_out(const Screen& screen) {
+std::size_t count_dropped(const Screen& screen) {
     return static_cast<std::size_t>(
         std::ranges::count_if(screen.cells, [](const ScreenedCell& cell) { return !cell.is_in(); }));
 }
@@ -58,7 +60,7 @@ class Measuring {
 
     void run() {
         look();
-        if (const auto finalists = finalists_of(advice_.screen); !finalists.empty()) race(finalists);
+        if (const auto cells = cells_to_race(advice_.screen); !cells.empty()) race(cells);
         if (can_share(advice_.asked)) look_at_other_tables();
         advice_.not_asked.emplace_back(
             "other velocities, other bodies; hardware counters (edgewise machine says which there are)");
@@ -74,48 +76,49 @@ class Measuring {
     void look() {
         TimeLimit limit = until(advice_.machines.empty() ? until_screened : until_screened_for_machines);
         advice_.screen = screen(advice_.asked, {}, [&] { return !limit.begin_piece(); });
-        say_(fmt::format("looked at {} cells, {} are out ({:.1f} s)", advice_.screen.cells.size(),
-                         count_out(advice_.screen), elapsed()));
+        say_(fmt::format("looked at {} cells, {} dropped ({:.1f} s)", advice_.screen.cells.size(),
+                         count_dropped(advice_.screen), elapsed()));
         looked_seconds_ = elapsed();
         if (advice_.screen.left_out > 0)
-            advice_.dropped.push_back(fmt::format("{} of {} cells: no time was left to look at them (--time)",
-                                                  advice_.screen.left_out,
-                                                  advice_.screen.cells.size() + advice_.screen.left_out));
+            advice_.left_out.push_back(
+                fmt::format("{} of {} cells: no time was left to look at them (--time)",
+                            advice_.screen.left_out, advice_.screen.cells.size() + advice_.screen.left_out));
     }
 
-    void race(const std::vector<ScreenedCell>& finalists) {
-        advice_.finals = run_race(advice_.asked, finalists, {advice_.machines, until(until_raced).left()});
-        const studies::advise::Finals& finals = advice_.finals;
-        say_(fmt::format("raced {} of them in {} processes ({:.1f} s)", finals.ranked.size(),
-                         finals.processes, elapsed()));
+    void race(const std::vector<ScreenedCell>& cells) {
+        advice_.race = run_race(advice_.asked, cells, {advice_.machines, until(until_raced).left()});
+        const Race& race = advice_.race;
+        const reports::SceneRanking* const scene = race.scene();
+        say_(fmt::format("raced {} of them in {} processes ({:.1f} s)", scene ? scene->cells.size() : 0,
+                         race.processes(), elapsed()));
         const int wanted = studies::advise::whole_race.processes;
         name_unmodelled_machines();
-        const auto lost = std::ranges::count_if(finalists, [&](const ScreenedCell& cell) {
-            return !finals.find(cell.algorithm, cell.type->name);
+        const auto lost = std::ranges::count_if(cells, [&](const ScreenedCell& cell) {
+            return !scene || !scene->find(cell.algorithm, cell.type->name);
         });
-        if (lost > 0 && finals.processes > 0)
-            advice_.dropped.push_back(
-                fmt::format("{} of the {} fastest cells: no time was left to race them (--time)", lost,
-                            finalists.size()));
-        if (finals.processes < wanted)
-            advice_.dropped.push_back(fmt::format(
-                "{} of {} processes: {}", wanted - finals.processes, wanted,
-                finals.problem.empty() ? "too long for the time that was left (--time)" : finals.problem));
-        if (!finals.ranked.empty() && !finals.ranked.front().lines)
-            advice_.dropped.emplace_back("lines, misses and a prediction: no time was left (--time)");
+        if (lost > 0 && race.processes() > 0)
+            advice_.left_out.push_back(fmt::format(
+                "{} of the {} fastest cells: no time was left to race them (--time)", lost, cells.size()));
+        if (race.processes() < wanted)
+            advice_.left_out.push_back(fmt::format(
+                "{} of {} processes: {}", wanted - race.processes(), wanted,
+                race.problem.empty() ? "too long for the time that was left (--time)" : race.problem));
+        if (race.taken() && !race.taken()->lines_per_query)
+            advice_.left_out.emplace_back("lines, misses and a prediction: no time was left (--time)");
     }
 
     /// Before all else that there was no time for.
     void name_unmodelled_machines() {
-        const std::vector<studies::advise::Finalist>& ranked = advice_.finals.ranked;
+        const reports::RankedCell* const taken = advice_.race.taken();
+        const studies::advise::CacheCost* const cost = taken ? advice_.race.caches_of(*taken) : nullptr;
         std::vector<std::string> unmodelled;
         for (const measure::MachineChoice& choice : measure::choose_machines(advice_.machines)) {
-            const bool modelled = !ranked.empty() && ranked.front().misses.contains(choice.name);
+            const bool modelled = cost && cost->misses.contains(choice.name);
             if (choice.machine.value && !modelled)
                 unmodelled.push_back(
                     fmt::format("the caches of {}: no time was left to model them (--time)", choice.name));
         }
-        advice_.dropped.insert(advice_.dropped.begin(), unmodelled.begin(), unmodelled.end());
+        advice_.left_out.insert(advice_.left_out.begin(), unmodelled.begin(), unmodelled.end());
     }
 
     /// Of the case with its tables the other way, shorter than the first look; half of a look says nothing.
@@ -126,13 +129,13 @@ class Measuring {
         TimeLimit limit = until(1);
         const std::string no_time = fmt::format("{}: no time was left for all of it (--time)", name);
         if (limit.left() < looked_seconds_ / 2) {
-            advice_.dropped.push_back(no_time);
+            advice_.left_out.push_back(no_time);
             return;
         }
         const Screen screen = studies::advise::screen(other, {.queries = 1000, .checked = 20, .passes = 3},
                                                       [&] { return !limit.begin_piece(); });
         if (screen.left_out > 0) {
-            advice_.dropped.push_back(no_time);
+            advice_.left_out.push_back(no_time);
             return;
         }
         std::ranges::copy_if(screen.cells, std::back_inserter(advice_.other_tables),

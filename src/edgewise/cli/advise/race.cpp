@@ -8,7 +8,6 @@
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/reports/answer/candidate.hpp"
 #include "edgewise/studies/advise/level_latency.hpp"
 
 namespace edgewise::cli {
@@ -16,8 +15,6 @@ namespace edgewise::cli {
 namespace {
 
 using studies::advise::CaseAsked;
-using studies::advise::Finalist;
-using studies::advise::Finals;
 using studies::advise::RaceCost;
 using studies::advise::RacePlan;
 using studies::advise::ScreenedCell;
@@ -29,14 +26,14 @@ constexpr const char* no_time = "no time was left (--time)";
 
 /// By what the first look took. A traced query takes about 60 times as long, and as long again for the
 /// caches of each machine; processors share that. A sweep is of every table with every algorithm of the
-/// finalists.
-RaceCost cost_of(const std::vector<ScreenedCell>& finalists, std::size_t machines) {
+/// cells.
+RaceCost cost_of(const std::vector<ScreenedCell>& cells, std::size_t machines) {
     constexpr double traced_over_timed = 60, checks_over_first_look = 2;
-    const RaceSweep sweep = sweep_of(finalists);
+    const RaceSweep sweep = sweep_of(cells);
     const double swept = static_cast<double>(sweep.tables.size() * sweep.algorithms.size()) /
-                         static_cast<double>(finalists.size());
+                         static_cast<double>(cells.size());
     RaceCost cost;
-    for (const ScreenedCell& cell : finalists) {
+    for (const ScreenedCell& cell : cells) {
         cost.process += swept * checks_over_first_look * cell.seconds;
         cost.round += swept * cell.ns * 1e-9 * static_cast<double>(sweep.queries);
     }
@@ -45,19 +42,19 @@ RaceCost cost_of(const std::vector<ScreenedCell>& finalists, std::size_t machine
     return cost;
 }
 
-class Race {
+class Running {
   public:
-    Race(const CaseAsked& asked, const std::vector<ScreenedCell>& finalists, const RaceOptions& options)
+    Running(const CaseAsked& asked, const std::vector<ScreenedCell>& cells, const RaceOptions& options)
         : asked_(asked),
-          finalists_(finalists),
+          cells_(cells),
           named_(options.machines),
           seconds_(options.seconds),
-          sweep_(sweep_of(finalists)) {}
+          sweep_(sweep_of(cells)) {}
 
-    Finals run() {
+    Race run() {
         std::string problem = named_.empty() ? "" : model_named_machines();
-        RacePlan plan = studies::advise::race_within(seconds_left(), cost_of(finalists_, named_.size()));
-        plan.processes = std::min(plan.processes, studies::advise::whole_race.processes - ended_);
+        RacePlan plan = studies::advise::race_within(seconds_left(), cost_of(cells_, named_.size()));
+        plan.processes = std::min(plan.processes, studies::advise::whole_race.processes - race_.processes());
         const bool hosts_caches = std::ranges::find(named_, studies::advise::this_machine) == named_.end();
         for (int left = plan.processes; left > 0 && problem.empty(); --left) {
             sweep_.rounds = plan.rounds;
@@ -66,32 +63,32 @@ class Race {
             if (left == 1 && hosts_caches) sweep_.machines = {studies::advise::this_machine};
             problem = run_process(seconds_left());
         }
-        Finals finals = studies::advise::ranked_finals(std::move(found_), asked_.error_limit);
-        finals.processes = ended_;
-        finals.problem = problem;
-        return finals;
+        race_.problem = problem;
+        rank();
+        return std::move(race_);
     }
 
   private:
     [[nodiscard]] double seconds_left() const { return seconds_ - watch_.elapsed_ns() * 1e-9; }
 
     /// A process before all others. Fewer cells on the machines that were named are better than none: the
-    /// slowest finalists are dropped until the process is expected to take a small part of the time, for
+    /// slowest cells are left out until the process is expected to take a small part of the time, for
     /// others may keep the processors busy; where it takes too long all the same, it is begun again with the
     /// fastest and the baseline.
     std::string model_named_machines() {
         sweep_.machines = named_;
-        while (expected_seconds(studies::advise::least_race) > seconds_ / parts && drop_slowest()) continue;
+        while (expected_seconds(studies::advise::least_race) > seconds_ / parts && leave_out_slowest())
+            continue;
         std::string problem = model_within(seconds_ / 2);
         if (problem.empty()) return problem;
-        while (drop_slowest()) continue;
+        while (leave_out_slowest()) continue;
         return model_within(seconds_left());
     }
 
     std::string model_within(double seconds) {
         const bool has_time = expected_seconds(studies::advise::whole_race) < seconds_ / parts;
         sweep_.rounds = (has_time ? studies::advise::whole_race : studies::advise::least_race).rounds;
-        const RaceSweep chosen = sweep_of(finalists_);
+        const RaceSweep chosen = sweep_of(cells_);
         sweep_.tables = chosen.tables;
         sweep_.algorithms = chosen.algorithms;
         return run_process(seconds);
@@ -99,17 +96,17 @@ class Race {
 
     /// Of one process that traces.
     [[nodiscard]] double expected_seconds(const RacePlan& plan) const {
-        const RaceCost one = cost_of(finalists_, named_.size());
+        const RaceCost one = cost_of(cells_, named_.size());
         return one.process + plan.rounds * one.round + one.traces;
     }
 
     /// The fastest and the baseline stay; false where there is nothing else.
-    bool drop_slowest() {
-        const auto slowest = std::find_if(finalists_.rbegin(), finalists_.rend(), [&](const auto& cell) {
-            return !cell.is_baseline() && &cell != &finalists_.front();
+    bool leave_out_slowest() {
+        const auto slowest = std::find_if(cells_.rbegin(), cells_.rend(), [&](const auto& cell) {
+            return !cell.is_baseline() && &cell != &cells_.front();
         });
-        if (slowest == finalists_.rend()) return false;
-        finalists_.erase(std::prev(slowest.base()));
+        if (slowest == cells_.rend()) return false;
+        cells_.erase(std::prev(slowest.base()));
         return true;
     }
 
@@ -122,45 +119,40 @@ class Race {
         const auto run = measure::run_program(command_of(sweep_, asked_, folder_, seconds));
         if (!run.value) return run.reason;
         if (run.value->exit_code != 0) return watch.elapsed_ns() * 1e-9 >= seconds ? no_time : run.value->err;
-        take(reports::read_report(sweep_.store));
-        ++ended_;
+        race_.stores.push_back(reports::read_report(sweep_.store));
+        take_caches(race_.stores.back());
         return "";
     }
 
-    /// Found before, or new.
-    Finalist& finalist(const reports::ReportCell& cell, const reports::Candidate& candidate) {
-        const auto known = std::ranges::find_if(
-            found_, [&](const Finalist& one) { return one.is(cell.algorithm, candidate.table); });
-        if (known != found_.end()) return *known;
-        Finalist& added = found_.emplace_back();
-        added.algorithm = cell.algorithm;
-        added.table = candidate.table;
-        return added;
+    /// The cells of the case, of all processes.
+    void rank() {
+        std::vector<const reports::ReportCell*> cells;
+        for (const reports::ReportData& store : race_.stores)
+            for (const reports::ReportCell* cell : store.swept())
+                if (cell->scene == case_scene) cells.push_back(cell);
+        race_.answer.question.error_limit = asked_.error_limit;
+        if (cells.empty()) return;
+        race_.answer.baseline = reports::baseline_of(race_.stores.front());
+        reports::SceneRanking scene = reports::rank_scene(cells, asked_.error_limit, race_.answer.baseline,
+                                                          reports::Variation::processes);
+        if (scene.cells.empty()) return;
+        scene.label = asked_.scene.name;
+        race_.answer.shape = scene.shape, race_.answer.vertices = scene.vertices;
+        (scene.own_tables ? race_.answer.own : race_.answer.shared).push_back(std::move(scene));
     }
 
-    /// What the process measured.
-    void take(const reports::ReportData& data) {
-        for (const reports::ReportCell* cell : data.swept()) {
-            const auto measured = reports::candidate_of(*cell, asked_.error_limit);
-            if (!measured || !measured->worst_error || !measured->bytes_per_edge || !measured->table_bytes)
-                continue;
-            Finalist& one = finalist(*cell, *measured);
+    void take_caches(const reports::ReportData& store) {
+        for (const reports::ReportCell* cell : store.swept()) {
+            const auto measured = reports::ranked_cell(*cell, asked_.error_limit);
+            if (!measured) continue;
+            studies::advise::CacheCost& one = race_.caches[measured->name()];
             if (cell->scene == small_scene) one.in_cache_ns = measured->ns;
-            if (cell->scene != case_scene) continue;
-            one.ratios.push_back(measured->ratio);
-            one.ns.push_back(measured->ns);
-            one.error = *measured->worst_error;
-            one.bytes_per_edge = *measured->bytes_per_edge;
-            one.table_bytes = *measured->table_bytes;
-            one.steps = measured->steps.value_or(0);
-            if (!sweep_.traces) continue;
-            one.lines = measured->lines_per_query;
-            take_misses(*cell, one);
+            if (cell->scene == case_scene && sweep_.traces) take_misses(*cell, one);
         }
     }
 
     /// Of the asked machines and of this one; of a machine that does not tell its caches none.
-    void take_misses(const reports::ReportCell& cell, Finalist& one) const {
+    void take_misses(const reports::ReportCell& cell, studies::advise::CacheCost& one) const {
         for (const measure::MachineChoice& choice : measure::choose_machines(sweep_.machines)) {
             if (!choice.machine.value) continue;
             constexpr store::FigureName misses("caches.{machine}.{level}.misses_per_query");
@@ -174,24 +166,55 @@ class Race {
     }
 
     const CaseAsked& asked_;
-    std::vector<ScreenedCell> finalists_;
+    std::vector<ScreenedCell> cells_;
     std::vector<std::string> named_;  ///< machines
     double seconds_;
     RaceSweep sweep_;  ///< of the process in hand
     WorkFolder folder_;
     measure::Stopwatch watch_;
-    std::vector<Finalist> found_;
-    int begun_ = 0, ended_ = 0;  ///< processes
+    Race race_;
+    int begun_ = 0;  ///< processes
 };
 
 }  // namespace
 
-Finals run_race(const CaseAsked& asked, const std::vector<ScreenedCell>& finalists,
-                const RaceOptions& options) {
-    Finals finals = Race(asked, finalists, options).run();
-    if (const auto host = measure::host_machine(); host.value && finals.processes > 0)
-        studies::advise::predict(finals, studies::advise::latencies_beyond_first(*host.value));
-    return finals;
+const reports::SceneRanking* Race::scene() const {
+    const auto scenes = answer.scenes();
+    return scenes.empty() ? nullptr : scenes.front();
+}
+
+const reports::RankedCell* Race::taken() const { return scene() ? scene()->choice() : nullptr; }
+
+const studies::advise::CacheCost* Race::caches_of(const reports::RankedCell& cell) const {
+    const auto found = caches.find(cell.name());
+    return found == caches.end() ? nullptr : &found->second;
+}
+
+const reports::RankedCell* Race::fastest_predicted(const std::string& machine) const {
+    if (!scene()) return nullptr;
+    const reports::RankedCell* fastest = nullptr;
+    double least = 0;
+    for (const reports::RankedCell& one : scene()->cells) {
+        const studies::advise::CacheCost* const cost = caches_of(one);
+        if (!one.meets_error() || !cost || !cost->predicted_ns.contains(machine)) continue;
+        const double ns = cost->predicted_ns.at(machine);
+        if (!fastest || ns < least) fastest = &one, least = ns;
+    }
+    return fastest;
+}
+
+std::optional<bool> Race::prediction_held() const {
+    const reports::RankedCell* const fastest = fastest_predicted(studies::advise::this_machine);
+    return fastest ? std::optional(scene()->ties_with_winner(*fastest)) : std::nullopt;
+}
+
+Race run_race(const CaseAsked& asked, const std::vector<ScreenedCell>& cells, const RaceOptions& options) {
+    Race race = Running(asked, cells, options).run();
+    if (const auto host = measure::host_machine(); host.value && race.processes() > 0) {
+        race.latencies_ns = studies::advise::latencies_beyond_first(*host.value);
+        for (auto& [name, cost] : race.caches) studies::advise::predict(cost, race.latencies_ns);
+    }
+    return race;
 }
 
 }  // namespace edgewise::cli

@@ -56,9 +56,9 @@ std::string WorkFolder::write(const std::string& name, const nlohmann::json& jso
     return file(name);
 }
 
-RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& finalists) {
+RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& cells) {
     std::set<std::string> tables, algorithms;
-    for (const auto& cell : finalists) {
+    for (const auto& cell : cells) {
         tables.insert(cell.type->name);
         algorithms.insert(cell.algorithm);
     }

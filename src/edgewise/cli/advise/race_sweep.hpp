@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A process of an advice's race: a sweep of this program over the finalists' tables and algorithms, into a
+// A process of an advice's race: a sweep of this program over the raced cells' tables and algorithms, into a
 // store of its own in a folder that goes with the race.
 #pragma once
 
@@ -40,8 +40,8 @@ struct RaceSweep {
     std::string store;
 };
 
-/// Every table and algorithm of the finalists.
-[[nodiscard]] RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& finalists);
+/// Every table and algorithm of these cells.
+[[nodiscard]] RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& cells);
 
 /// The command; a process that has not ended after so many seconds is ended.
 [[nodiscard]] std::vector<std::string> command_of(const RaceSweep& sweep,

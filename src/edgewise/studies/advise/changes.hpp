@@ -7,15 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/studies/advise/finalist.hpp"
 #include "edgewise/studies/advise/screen.hpp"
 
 namespace edgewise::studies::advise {
+
+/// The recommended cell.
+struct Taken {
+    std::string name;  ///< "V-Clip on lean_f32"
+    double bytes_per_edge = 0, error = 0;
+};
 
 /// A sentence each. `other_tables`: those that are in with the tables shared the other way, fastest first;
 /// none: that was not looked at.
 [[nodiscard]] std::vector<std::string> what_would_change(const CaseAsked& asked, const Screen& screen,
                                                          const std::vector<ScreenedCell>& other_tables,
-                                                         const Finalist& taken);
+                                                         const Taken& taken);
 
 }  // namespace edgewise::studies::advise

@@ -9,7 +9,7 @@ namespace edgewise::studies::advise {
 /// Seconds.
 struct RaceCost {
     double process = 0;  ///< of each process, before its rounds: bodies and tables made, answers checked
-    double round = 0;    ///< every finalist timed once
+    double round = 0;    ///< every cell timed once
     double traces = 0;   ///< lines and caches, of the processes that trace
 };
 

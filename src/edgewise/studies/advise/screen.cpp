@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/studies/advise/finals.hpp"
 #include "edgewise/studies/parts/contender_name.hpp"
 #include "edgewise/sweep/prepared_cell.hpp"
 
@@ -14,9 +13,9 @@ namespace edgewise::studies::advise {
 
 namespace {
 
-void leave_out(ScreenedCell& cell, OutFor out_for, std::string why) {
-    cell.out_for = out_for;
-    cell.out = std::move(why);
+void drop(ScreenedCell& cell, DroppedFor dropped_for, std::string why) {
+    cell.dropped_for = dropped_for;
+    cell.dropped = std::move(why);
 }
 
 /// Bytes of one table, and whether the answers are right and exact enough; then the shortest of some passes.
@@ -27,7 +26,7 @@ void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& op
     query.set_needs(asked.needs);
     sweep::PreparedCell ready(*cell.type, cell.algorithm, query);
     if (std::string problem = ready.load(shared.workload()); !problem.empty()) {
-        leave_out(cell, OutFor::failure, std::move(problem));
+        drop(cell, DroppedFor::failure, std::move(problem));
         return;
     }
     cell.table_bytes = static_cast<double>(ready.runner().ledger().total());
@@ -37,9 +36,9 @@ void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& op
     for (const truth::CheckedAnswer& answer : ready.checked())
         cell.error = std::max(cell.error, answer.band.over_scale(answer.error_given));
     if (!ready.wrong().empty())
-        leave_out(cell, OutFor::failure, ready.wrong());
+        drop(cell, DroppedFor::failure, ready.wrong());
     else if (cell.error > asked.error_limit)
-        leave_out(cell, OutFor::error, fmt::format("error {:.1e} is over {}", cell.error, asked.error_limit));
+        drop(cell, DroppedFor::error, fmt::format("error {:.1e} is over {}", cell.error, asked.error_limit));
     cell.seconds = watch.elapsed_ns() * 1e-9;
     for (int pass = 0; pass < options.passes; ++pass) {
         const auto ns = ready.time(clock_cost_ns).all();
@@ -64,15 +63,15 @@ std::vector<ScreenedCell> cells_to_look_at() {
     return cells;
 }
 
-/// Who takes longer than the fastest by more than the options allow.
-void leave_out_slow_ones(std::vector<ScreenedCell>& cells, double slowest) {
+/// Drops cells that take longer than the fastest by more than the options allow.
+void drop_slow_ones(std::vector<ScreenedCell>& cells, double slowest) {
     double fastest = 0;
     for (const ScreenedCell& cell : cells)
         if (cell.is_in() && (fastest == 0 || cell.ns < fastest)) fastest = cell.ns;
     for (ScreenedCell& cell : cells) {
         if (cell.is_in() && cell.ns > slowest * fastest && !cell.is_baseline())
-            leave_out(cell, OutFor::time,
-                      fmt::format("{:.2f} times as long as the fastest", cell.ns / fastest));
+            drop(cell, DroppedFor::time,
+                 fmt::format("{:.2f} times as long as the fastest", cell.ns / fastest));
     }
 }
 
@@ -84,10 +83,9 @@ bool ScreenedCell::is_baseline() const {
 
 std::string ScreenedCell::name() const { return contender_name(algorithm, type->name); }
 
-bool Screen::is_inexact(const std::string& algorithm, const std::string& table) const {
-    return std::ranges::any_of(cells, [&](const ScreenedCell& cell) {
-        return cell.algorithm == algorithm && cell.type->name == table && cell.out_for == OutFor::error;
-    });
+bool Screen::is_inexact(const std::string& name) const {
+    const auto found = std::ranges::find(cells, name, &ScreenedCell::name);
+    return found != cells.end() && found->dropped_for == DroppedFor::error;
 }
 
 Screen screen(const CaseAsked& asked, const ScreenOptions& options, const std::function<bool()>& stop) {
@@ -106,7 +104,7 @@ Screen screen(const CaseAsked& asked, const ScreenOptions& options, const std::f
         look_at(cell, asked, options, shared, clock_cost_ns);
         result.cells.push_back(std::move(cell));
     }
-    leave_out_slow_ones(result.cells, options.slowest);
+    drop_slow_ones(result.cells, options.slowest);
     std::ranges::stable_sort(result.cells, [](const ScreenedCell& a, const ScreenedCell& b) {
         return std::pair(!a.is_in(), a.ns) < std::pair(!b.is_in(), b.ns);
     });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A first look at every algorithm on every table type for one case: is it right, how exact, how large, and
-// roughly how fast. Short, in this process, without a word on how sure: it only says who need not be looked
-// at again.
+// roughly how fast. Short and in this process, without an interval: it only drops cells that need no closer
+// look.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,11 @@
 
 namespace edgewise::studies::advise {
 
-/// What a cell is out of question for; the first that applies.
-enum class OutFor {
+/// Ratios are to this cell: the paper's algorithm on the paper's layout.
+inline constexpr const char *baseline_algorithm = "vclip", *baseline_table = "aos_f64";
+
+/// Why a cell is dropped; the first reason that applies.
+enum class DroppedFor {
     nothing,
     failure,  ///< its tables cannot hold the body, or an answer is wrong
     error,    ///< right, and not as exact as was asked
@@ -29,12 +32,11 @@ struct ScreenedCell {
     double bytes_per_edge = 0, table_bytes = 0;
     double error = 0;    ///< worst of the checked answers against the bodies as given, divided by the scale
     double ns = 0;       ///< per query, the shortest pass
-    double steps = 0;    ///< per query
     double seconds = 0;  ///< that the look took, without its passes: tables, answers, checks
-    OutFor out_for = OutFor::nothing;
-    std::string out;  ///< why, in words; empty: it is not out
+    DroppedFor dropped_for = DroppedFor::nothing;
+    std::string dropped;  ///< why, in words; empty: it is not
 
-    [[nodiscard]] bool is_in() const { return out_for == OutFor::nothing; }
+    [[nodiscard]] bool is_in() const { return dropped_for == DroppedFor::nothing; }
     [[nodiscard]] bool is_baseline() const;
     [[nodiscard]] std::string name() const;  ///< "V-Clip on lean_f32"
 };
@@ -42,18 +44,18 @@ struct ScreenedCell {
 struct ScreenOptions {
     std::size_t queries = 1500, checked = 60;
     int passes = 5;
-    double slowest = 1.3;  ///< times the fastest that is in: who takes longer is out
+    double slowest = 1.3;  ///< times the fastest that is not dropped; slower cells are dropped
 };
 
 struct Screen {
-    std::vector<ScreenedCell> cells;  ///< fastest first; those that are out last
+    std::vector<ScreenedCell> cells;  ///< fastest first; dropped ones last
     std::size_t left_out = 0;         ///< cells that are missing, since `stop` said so
 
-    /// Whether it is among the cells and out for its error.
-    [[nodiscard]] bool is_inexact(const std::string& algorithm, const std::string& table) const;
+    /// Returns true if it is among the cells and was dropped for its error.
+    [[nodiscard]] bool is_inexact(const std::string& name) const;
 };
 
-/// `stop` is asked before each cell; the baseline, which is never out for its time, is the first.
+/// `stop` is asked before each cell; the baseline, which is never dropped for its time, is the first.
 [[nodiscard]] Screen screen(const CaseAsked& asked, const ScreenOptions& options,
                             const std::function<bool()>& stop);
 

@@ -11,7 +11,7 @@
 
 namespace edgewise::reports {
 
-struct MadeCandidate {
+struct TimedCell {
     std::string algorithm, layout, precision = "f64";
     std::vector<double> ratios;  ///< of the rounds; the median is the cell's
     double error = 1e-15;
@@ -23,7 +23,7 @@ struct MadeCandidate {
 inline const std::string shared_tables = R"({"bodies":100,"rotation_step":0.1})",
                          own_tables_scene = R"({"bodies":600,"rotation_step":0.1,"own_tables":1})";
 
-inline ReportCell answer_cell(const MadeCandidate& made, const std::string& parameters = shared_tables,
+inline ReportCell answer_cell(const TimedCell& made, const std::string& parameters = shared_tables,
                               const std::string& shape = "sphere386") {
     ReportCell cell;
     cell.scene = "tumble", cell.scene_parameters = parameters;

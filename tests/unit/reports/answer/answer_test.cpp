@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The answer of made stores: who wins, who ties, who is out, and what is said where nothing beats the
+// The answer of made stores: the winner, ties, dropped cells, and what is said where nothing beats the
 // baseline.
 #include "edgewise/reports/answer/answer.hpp"
 
@@ -23,40 +23,40 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-const MadeCandidate candidate_paper{"vclip", "aos", "f64", {0.98, 1.0, 1.02}},
-    candidate_lean{"vclip", "lean", "f32", {0.70, 0.72, 0.74}, 1e-7, 8.8},
-    candidate_lean_double{"vclip", "lean", "f64", {0.73, 0.75, 0.77}, 1e-16, 12.8},
-    candidate_slow{"vclip", "soa", "f64", {1.2, 1.3, 1.4}, 1e-15, 233.5},
-    candidate_gjk{"gjk", "lean", "f64", {1.4, 1.5, 1.6}, 1e-15, 12.8},
-    candidate_rough{"vclip", "quantised", "f64", {0.5, 0.5, 0.51}, 2e-5, 6.8},
-    candidate_small{"vclip", "lean", "f64", {2.4, 2.5, 2.6}, 1e-16, 12.8};
+const TimedCell made_paper{"vclip", "aos", "f64", {0.98, 1.0, 1.02}},
+    made_lean{"vclip", "lean", "f32", {0.70, 0.72, 0.74}, 1e-7, 8.8},
+    made_lean_double{"vclip", "lean", "f64", {0.73, 0.75, 0.77}, 1e-16, 12.8},
+    made_slow{"vclip", "soa", "f64", {1.2, 1.3, 1.4}, 1e-15, 233.5},
+    made_gjk{"gjk", "lean", "f64", {1.4, 1.5, 1.6}, 1e-15, 12.8},
+    made_rough{"vclip", "quantised", "f64", {0.5, 0.5, 0.51}, 2e-5, 6.8},
+    made_small{"vclip", "lean", "f64", {2.4, 2.5, 2.6}, 1e-16, 12.8};
 
-ReportData answer_data(const std::vector<MadeCandidate>& cells,
-                       const std::string& parameters = shared_tables) {
+ReportData answer_data(const std::vector<TimedCell>& cells, const std::string& parameters = shared_tables) {
     ReportData data;
-    for (const MadeCandidate& cell : cells) data.cells.push_back(answer_cell(cell, parameters));
+    for (const TimedCell& cell : cells) data.cells.push_back(answer_cell(cell, parameters));
     return data;
 }
 
-std::vector<std::string> candidate_names(const SceneAnswer& scene, const std::vector<std::size_t>& places) {
-    std::vector<std::string> found;
-    for (const std::size_t place : places) found.push_back(scene.candidates[place].name());
-    return found;
+std::vector<std::string> tie_set(const SceneRanking& scene) {
+    std::vector<std::string> names;
+    for (const std::size_t i : scene.ties) names.push_back(scene.cells[i].name());
+    return names;
 }
 
 TEST(Answer, TheFastestWithinTheErrorWinsAndTiesReachItsInterval) {
-    const ReportData data = answer_data({candidate_paper, candidate_slow, candidate_lean_double,
-                                         candidate_lean, candidate_rough, candidate_gjk});
+    const ReportData data =
+        answer_data({made_paper, made_slow, made_lean_double, made_lean, made_rough, made_gjk});
     const Answer answer = answer_of(data);
     ASSERT_EQ(answer.shared.size(), 1u);
     EXPECT_TRUE(answer.own.empty());
-    const SceneAnswer& scene = answer.shared.front();
+    const SceneRanking& scene = answer.shared.front();
     ASSERT_TRUE(scene.winner());
     EXPECT_EQ(scene.winner()->name(), "V-Clip on lean_f32");
     EXPECT_EQ(scene.winner()->low(), 0.70);
     EXPECT_EQ(scene.winner()->high(), 0.74);
-    EXPECT_THAT(candidate_names(scene, scene.ties), ElementsAre("V-Clip on lean_f32", "V-Clip on lean_f64"));
-    EXPECT_THAT(candidate_names(scene, scene.out), ElementsAre("V-Clip on quantised_f64"));
+    EXPECT_THAT(tie_set(scene), ElementsAre("V-Clip on lean_f32", "V-Clip on lean_f64"));
+    EXPECT_EQ(scene.cells.front().name(), "V-Clip on quantised_f64");
+    EXPECT_EQ(scene.cells.front().dropped, "error 2.0e-05 is over 1e-6");
     EXPECT_TRUE(scene.beats_baseline);
     EXPECT_EQ(scene.best("gjk")->name(), "GJK on lean_f64");
     EXPECT_EQ(scene.choice(), scene.winner());
@@ -64,17 +64,16 @@ TEST(Answer, TheFastestWithinTheErrorWinsAndTiesReachItsInterval) {
 }
 
 TEST(Answer, ALargerLimitLetsTheLossyOneWin) {
-    const ReportData data = answer_data({candidate_paper, candidate_lean, candidate_rough});
+    const ReportData data = answer_data({made_paper, made_lean, made_rough});
     const Answer answer = answer_of(data, {.error_limit = 1e-4});
     EXPECT_EQ(answer.shared.front().winner()->name(), "V-Clip on quantised_f64");
 }
 
 TEST(Answer, WhereTheBaselineTiesNothingBeatsItAndTheSmallestIsNamed) {
-    const MadeCandidate single{"vclip", "aos", "f32", {0.95, 0.96, 1.03}, 1e-7, 138.8};
-    const ReportData data =
-        answer_data({candidate_paper, single, candidate_slow, candidate_small, candidate_gjk});
+    const TimedCell single{"vclip", "aos", "f32", {0.95, 0.96, 1.03}, 1e-7, 138.8};
+    const ReportData data = answer_data({made_paper, single, made_slow, made_small, made_gjk});
     const Answer answer = answer_of(data);
-    const SceneAnswer& scene = answer.shared.front();
+    const SceneRanking& scene = answer.shared.front();
     EXPECT_EQ(scene.winner()->name(), "V-Clip on aos_f32");
     EXPECT_FALSE(scene.beats_baseline);
     EXPECT_EQ(scene.choice()->name(), "V-Clip on aos_f32");
@@ -87,15 +86,15 @@ TEST(Answer, WhereTheBaselineTiesNothingBeatsItAndTheSmallestIsNamed) {
 /// The winner's interval lies below 1. Where the baseline against itself differs by as much, in either
 /// direction, it is no difference; a noisy scene says nothing of a quiet one.
 TEST(Answer, ARatioWithinTheNoiseOfItsSceneIsNone) {
-    const MadeCandidate ahead{"vclip", "lean", "f32", {0.93, 0.94, 0.95}, 1e-7, 8.8};
+    const TimedCell ahead{"vclip", "lean", "f32", {0.93, 0.94, 0.95}, 1e-7, 8.8};
     const auto at = [](double ratio) { return std::vector<double>{ratio - 0.01, ratio, ratio + 0.01}; };
     const std::vector<std::pair<double, bool>> cases = {
         {1.2, false}, {1 / 1.2, false}, {1.01, true}, {0.99, true}};
     ReportData data;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const std::string scene = R"({"bodies":)" + std::to_string(10 + i) + "}";
-        for (const MadeCandidate& made :
-             {MadeCandidate{"vclip", "aos", "f64", at(cases[i].first)}, ahead, candidate_gjk}) {
+        for (const TimedCell& made :
+             {TimedCell{"vclip", "aos", "f64", at(cases[i].first)}, ahead, made_gjk}) {
             data.cells.push_back(answer_cell(made, scene));
             data.cells.back().scene_label = "scene " + std::to_string(i);
         }
@@ -103,9 +102,10 @@ TEST(Answer, ARatioWithinTheNoiseOfItsSceneIsNone) {
     const Answer answer = answer_of(data);
     ASSERT_EQ(answer.shared.size(), cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const SceneAnswer& scene = answer.shared[i];
-        EXPECT_NEAR(scene.noise.high() * scene.noise.low(), 1, 1e-15) << "the same factor in both directions";
-        EXPECT_NEAR(scene.noise.high(), std::max(cases[i].first, 1 / cases[i].first), 1e-15);
+        const SceneRanking& scene = answer.shared[i];
+        EXPECT_NEAR(scene.own_variation.high() * scene.own_variation.low(), 1, 1e-15)
+            << "the same factor in both directions";
+        EXPECT_NEAR(scene.own_variation.high(), std::max(cases[i].first, 1 / cases[i].first), 1e-15);
         EXPECT_EQ(scene.beats_baseline, cases[i].second) << "scene " << i;
     }
     EXPECT_THAT(answer_paragraph(answer, data), HasSubstr("differs by 1.0 % (scene 2) to 20 % (scene 0)"));
@@ -113,11 +113,11 @@ TEST(Answer, ARatioWithinTheNoiseOfItsSceneIsNone) {
 
 /// The winner's interval is so wide that everything ties: nothing small and slow is recommended for that.
 TEST(Answer, WhatIsTooNoisyIsNotChosenBy) {
-    const MadeCandidate noisy{"vclip", "aos", "f32", {0.5, 0.9, 1.9}, 1e-7, 138.8},
+    const TimedCell noisy{"vclip", "aos", "f32", {0.5, 0.9, 1.9}, 1e-7, 138.8},
         tiny{"gjk", "points_soa", "f32", {1.7, 1.8, 1.9}, 1e-7, 4.1};
-    const ReportData data = answer_data({candidate_paper, noisy, tiny, candidate_small});
+    const ReportData data = answer_data({made_paper, noisy, tiny, made_small});
     const Answer answer = answer_of(data);
-    const SceneAnswer& scene = answer.shared.front();
+    const SceneRanking& scene = answer.shared.front();
     EXPECT_TRUE(scene.too_noisy);
     EXPECT_EQ(scene.ties.size(), 3u);
     EXPECT_EQ(scene.choice(), scene.baseline());
@@ -125,17 +125,17 @@ TEST(Answer, WhatIsTooNoisyIsNotChosenBy) {
     EXPECT_THAT(answer_paragraph(answer, data),
                 HasSubstr("If your bodies share a table, these times are too noisy to choose by. Too noisy"));
     ReportData more = data;
-    for (const MadeCandidate& made : {candidate_paper, candidate_lean, candidate_gjk, tiny})
+    for (const TimedCell& made : {made_paper, made_lean, made_gjk, tiny})
         more.cells.push_back(answer_cell(made, R"({"bodies":12})"));
     const Answer quiet = answer_of(more);
-    const auto take = take_of(quiet.shared);
+    const auto take = recommendation_of(quiet.shared);
     ASSERT_TRUE(take);
     EXPECT_EQ(take->table, "lean_f32") << "the quiet scene alone decides";
 }
 
 TEST(Answer, SharedAndOwnTablesAreAnsweredApart) {
-    ReportData data = answer_data({candidate_paper, candidate_slow, candidate_small, candidate_gjk});
-    for (const MadeCandidate& made : {candidate_paper, candidate_lean, candidate_gjk})
+    ReportData data = answer_data({made_paper, made_slow, made_small, made_gjk});
+    for (const TimedCell& made : {made_paper, made_lean, made_gjk})
         data.cells.push_back(answer_cell(made, own_tables_scene));
     const Answer both = answer_of(data);
     EXPECT_EQ(both.shared.size(), 1u);
@@ -153,29 +153,29 @@ TEST(Answer, SharedAndOwnTablesAreAnsweredApart) {
 }
 
 TEST(Answer, OneShapeAtATime) {
-    ReportData data = answer_data({candidate_paper, candidate_lean});
-    data.cells.push_back(answer_cell(candidate_slow, shared_tables, "cube8"));
+    ReportData data = answer_data({made_paper, made_lean});
+    data.cells.push_back(answer_cell(made_slow, shared_tables, "cube8"));
     EXPECT_EQ(answer_of(data).shared.front().shape, "sphere386");
     const Answer cubes = answer_of(data, {.shape = "cube8"});
     ASSERT_EQ(cubes.shared.size(), 1u);
     EXPECT_EQ(cubes.vertices, 8);
-    EXPECT_EQ(cubes.shared.front().candidates.size(), 1u);
+    EXPECT_EQ(cubes.shared.front().cells.size(), 1u);
     EXPECT_TRUE(answer_of(data, {.shape = "none"}).scenes().empty());
     EXPECT_THAT(answer_paragraph(answer_of(data, {.shape = "none"}), data),
                 HasSubstr("No cell of this store answers the question."));
 }
 
 TEST(Answer, OthersNeverWin) {
-    MadeCandidate peer{"bullet", "bullet", "f64", {0.1, 0.1, 0.1}},
+    TimedCell peer{"bullet", "bullet", "f64", {0.1, 0.1, 0.1}},
         raw{"vclip", "aos", "f64", {0.1, 0.1, 0.1}, 1e-15, 234, "hardening=off", store::CellStatus::judged},
         axis{"vclip", "lean", "f64", {0.1, 0.1, 0.1}, 1e-15, 12.8, "order=bfs"},
         failed{"vclip", "lean", "f64", {0.1, 0.1, 0.1}, 1e-15, 12.8, "", store::CellStatus::failed};
     peer.status = store::CellStatus::judged;
-    ReportData data = answer_data({candidate_paper, candidate_lean, raw, axis, failed});
+    ReportData data = answer_data({made_paper, made_lean, raw, axis, failed});
     data.peers = {answer_cell(peer)};
     const Answer answer = answer_of(data);
-    const SceneAnswer& scene = answer.shared.front();
-    EXPECT_EQ(scene.candidates.size(), 2u);
+    const SceneRanking& scene = answer.shared.front();
+    EXPECT_EQ(scene.cells.size(), 2u);
     EXPECT_EQ(scene.winner()->name(), "V-Clip on lean_f32");
     ASSERT_TRUE(scene.best_peer());
     EXPECT_EQ(scene.best_peer()->name(), "bullet");
@@ -184,7 +184,7 @@ TEST(Answer, OthersNeverWin) {
 /// A scene of a file counts like a built-in one, and its needs are an axis of all its cells.
 TEST(Answer, ScenesOfFilesCount) {
     ReportData data;
-    for (MadeCandidate made : {candidate_paper, candidate_lean}) {
+    for (TimedCell made : {made_paper, made_lean}) {
         made.axes = "needs=distance";
         data.from_files.push_back(answer_cell(made, own_tables_scene));
         data.from_files.back().scene = "mine", data.from_files.back().scene_kind = "tumble";
@@ -198,7 +198,7 @@ TEST(Answer, ScenesOfFilesCount) {
 }
 
 TEST(Answer, CountsWhatWasNotMeasuredByReason) {
-    const ReportData data = answer_data({candidate_paper, candidate_lean});
+    const ReportData data = answer_data({made_paper, made_lean});
     const Answer answer = answer_of(data);
     EXPECT_EQ(answer.gaps.missing, 2u);
     EXPECT_EQ(answer.gaps.figures(), 16u);
@@ -210,7 +210,7 @@ TEST(Answer, CountsWhatWasNotMeasuredByReason) {
 }
 
 TEST(Answer, AStoppedSweepSaysWhatIsMissing) {
-    ReportData data = answer_data({candidate_paper, candidate_lean});
+    ReportData data = answer_data({made_paper, made_lean});
     data.build.id = "b";
     const std::string key = std::string(store::run_key) + "sweep --plan quick";
     data.meta = {
@@ -225,10 +225,9 @@ TEST(Answer, AStoppedSweepSaysWhatIsMissing) {
 }
 
 TEST(Answer, AsJson) {
-    ReportData data =
-        answer_data({candidate_paper, candidate_lean, candidate_lean_double, candidate_rough, candidate_gjk});
+    ReportData data = answer_data({made_paper, made_lean, made_lean_double, made_rough, made_gjk});
     const nlohmann::json json = answer_json(answer_of(data));
-    for (const char* key : {"asked", "take", "next", "out", "changes_it", "held", "command"})
+    for (const char* key : {"asked", "take", "next", "dropped", "changes_it", "held", "command"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["take"]["table"], "lean_f32");
     EXPECT_EQ(json["take"]["algorithm"], "vclip");
@@ -237,7 +236,7 @@ TEST(Answer, AsJson) {
     EXPECT_TRUE(json["take"]["lines_per_query"].is_null());
     EXPECT_EQ(json["next"][0]["table"], "lean_f64");
     EXPECT_EQ(json["next"][0]["ties"], true);
-    EXPECT_EQ(json["out"][0]["table"], "quantised_f64");
+    EXPECT_EQ(json["dropped"][0]["table"], "quantised_f64");
     EXPECT_TRUE(json["held"].is_null());
     EXPECT_THAT(json["command"].get<std::string>(), HasSubstr("edgewise advise"));
     EXPECT_THAT(json["changes_it"].get<std::vector<std::string>>(),

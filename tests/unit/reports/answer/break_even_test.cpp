@@ -40,7 +40,7 @@ struct MapShape {
 };
 constexpr MapShape map_shapes[] = {{"cube8", 8}, {"sphere38", 38}, {"sphere386", 386}};
 
-ReportCell map_cell(const MapScene& scene, const MapShape& shape, const MadeCandidate& made) {
+ReportCell map_cell(const MapScene& scene, const MapShape& shape, const TimedCell& made) {
     ReportCell cell = answer_cell(made, scene.parameters, shape.name);
     cell.scene = scene.scene;
     cell.scene_label = std::string(scene.scene) + scene.parameters;
@@ -58,25 +58,25 @@ const MapRow* row_at(const BreakEvenMap& map, const std::string& tables, const s
 /// What a place should have, from its cells alone; `width`: by how much one can differ from itself.
 struct MapOracle {
     std::string best;
-    std::set<std::string> ties, contenders;
+    std::set<std::string> ties, layouts;  ///< of others
 };
 MapOracle oracle(const std::vector<const ReportCell*>& cells, double limit, double width) {
-    std::vector<Candidate> within;
+    std::vector<RankedCell> within;
     for (const ReportCell* cell : cells) {
-        const auto one = candidate_of(*cell, limit);
+        const auto one = ranked_cell(*cell, limit);
         if (one && one->worst_error && *one->worst_error <= limit) within.push_back(*one);
     }
     MapOracle found;
-    const Candidate* best = nullptr;
-    for (const Candidate& one : within)
+    const RankedCell* best = nullptr;
+    for (const RankedCell& one : within)
         if (!best || one.ratio < best->ratio) best = &one;
     if (!best) return found;
     found.best = best->name();
-    for (const Candidate& one : within) {
+    for (const RankedCell& one : within) {
         const bool meets = one.interval->low <= best->interval->high;
         if (&one == best || !(meets || one.ratio <= best->ratio * width)) continue;
         found.ties.insert(one.name());
-        if (contender_name(one) != contender_name(*best)) found.contenders.insert(contender_name(one));
+        if (layout_name(one) != layout_name(*best)) found.layouts.insert(layout_name(one));
     }
     return found;
 }
@@ -146,13 +146,14 @@ void check_place(const ReportData& data, const MapScene& scene, const BreakEvenM
     ASSERT_TRUE(row) << scene.coherence;
     const MapCell& cell = row->cells[column];
     const MapOracle wanted = oracle(at.cells, 1e-6, at.width);
-    ASSERT_TRUE(cell.best);
-    EXPECT_EQ(cell.best->name(), wanted.best);
+    ASSERT_TRUE(cell.winner());
+    EXPECT_EQ(cell.winner()->name(), wanted.best);
     std::set<std::string> ties;
-    for (const Candidate* one : cell.ties) ties.insert(one->name());
+    for (const std::size_t i : cell.scene->ties)
+        if (i != cell.scene->ties.front()) ties.insert(cell.scene->cells[i].name());
     EXPECT_EQ(ties, wanted.ties) << scene.coherence << " " << map.columns[column].shape;
-    EXPECT_EQ(cell.is_won(), wanted.contenders.empty());
-    ++(wanted.contenders.empty() ? seen.won : seen.tied);
+    EXPECT_EQ(cell.is_won(), wanted.layouts.empty());
+    ++(wanted.layouts.empty() ? seen.won : seen.tied);
 }
 
 TEST(BreakEvenMap, EveryPlaceIsWhatItsCellsSay) {
@@ -169,37 +170,36 @@ TEST(BreakEvenMap, EveryPlaceIsWhatItsCellsSay) {
     std::cout << seen.won << " won, " << seen.tied << " tied, " << seen.empty << " not measured\n";
 }
 
-const MadeCandidate map_paper{"vclip", "aos", "f64", {0.99, 1, 1.01}},
+const TimedCell map_paper{"vclip", "aos", "f64", {0.99, 1, 1.01}},
     map_lean{"vclip", "lean", "f64", {0.49, 0.5, 0.51}, 1e-15, 12.8},
     map_lean_single{"vclip", "lean", "f32", {0.5, 0.51, 0.52}, 1e-8, 8.8},
     map_gjk{"gjk", "points_soa", "f64", {0.3, 0.31, 0.32}, 1e-15, 8.1};
 
 TEST(BreakEvenMap, AnotherPrecisionIsNoTie) {
     ReportData data;
-    for (const MadeCandidate& made : {map_paper, map_lean, map_lean_single})
+    for (const TimedCell& made : {map_paper, map_lean, map_lean_single})
         data.cells.push_back(map_cell(map_scenes[0], map_shapes[2], made));
     const BreakEvenMap map = break_even_map(data, 1e-6);
     ASSERT_EQ(map.panels.size(), 1U);
     const MapCell& cell = map.panels[0].rows.at(0).cells.at(0);
     EXPECT_TRUE(cell.is_won());
-    EXPECT_EQ(cell.best_of_others, nullptr);
+    EXPECT_EQ(cell.best_of_others(), nullptr);
     EXPECT_EQ(map.panels[0].only_algorithm(), "V-Clip");
 }
 
 /// Where two that are one can differ by a half, a third is no difference; in another scene it is one.
 TEST(BreakEvenMap, ADifferenceWithinWhatTheBaselineDiffersFromItselfIsATie) {
     ReportData data;
-    const MadeCandidate slow_paper{"vclip", "aos", "f64", {1.49, 1.5, 1.51}},
+    const TimedCell slow_paper{"vclip", "aos", "f64", {1.49, 1.5, 1.51}},
         ahead{"vclip", "lean", "f64", {0.59, 0.6, 0.61}}, behind{"vclip", "soa", "f64", {0.79, 0.8, 0.81}};
-    for (const MadeCandidate& made : {map_paper, ahead, behind})
+    for (const TimedCell& made : {map_paper, ahead, behind})
         data.cells.push_back(map_cell(map_scenes[0], map_shapes[2], made));
-    for (const MadeCandidate& made : {slow_paper, ahead, behind})
+    for (const TimedCell& made : {slow_paper, ahead, behind})
         data.cells.push_back(map_cell(map_scenes[1], map_shapes[2], made));
     const BreakEvenMap map = break_even_map(data, 1e-6);
     EXPECT_TRUE(row_at(map, "one shared table", "cold, every pair new")->cells[0].is_won());
     const MapCell& cell = row_at(map, "one shared table", "tumble, 0.001 rad")->cells[0];
-    ASSERT_EQ(cell.ties.size(), 1U);
-    EXPECT_EQ(contender_name(*cell.ties[0]), "V-Clip on soa");
+    EXPECT_THAT(cell.tied_layouts(), ElementsAre("V-Clip on soa"));
 }
 
 TEST(BreakEvenMap, SaysFromHowManyVerticesOnWhoWins) {
@@ -217,18 +217,18 @@ TEST(BreakEvenMap, SaysFromHowManyVerticesOnWhoWins) {
               "Of 3 places that were measured, one algorithm and layout wins in 3 (GJK on points_soa 2, "
               "V-Clip on lean 1); several tie in 0, and 0 are too noisy to tell.");
     const MapCell& small = map.panels[0].rows[0].cells[0];
-    ASSERT_TRUE(small.best_of_others);
+    ASSERT_TRUE(small.best_of_others());
     EXPECT_THAT(cell_text(small), HasSubstr("V-Clip on lean_f64 takes 1.61 times as long"));
 }
 
 TEST(BreakEvenMap, APlaceWithoutAnswerSaysWhy) {
     ReportData data;
-    MadeCandidate failed = map_lean;
+    TimedCell failed = map_lean;
     failed.status = store::CellStatus::failed;
     data.cells.push_back(map_cell(map_scenes[0], map_shapes[0], map_paper));
     data.cells.push_back(map_cell(map_scenes[0], map_shapes[1], failed));
     data.cells.back().reason = "3 wrong verdicts";
-    MadeCandidate rough = map_lean;
+    TimedCell rough = map_lean;
     rough.error = 1e-3;
     data.cells.push_back(map_cell(map_scenes[0], map_shapes[2], rough));
     data.cells.push_back(map_cell(map_scenes[1], map_shapes[1], map_paper));
@@ -240,7 +240,7 @@ TEST(BreakEvenMap, APlaceWithoutAnswerSaysWhy) {
     const MapRow *cold = row_at(map, "one shared table", "cold, every pair new"),
                  *slow = row_at(map, "one shared table", "tumble, 0.001 rad");
     ASSERT_TRUE(cold && slow);
-    EXPECT_TRUE(cold->cells[0].best);
+    EXPECT_TRUE(cold->cells[0].winner());
     EXPECT_EQ(cold->cells[1].why, "failed: 3 wrong verdicts");
     EXPECT_EQ(cold->cells[2].why, "no table type is known to be within an error of 1e-6");
     EXPECT_EQ(slow->cells[0].why, "no scene of this store is of such bodies there");
@@ -262,7 +262,7 @@ TEST(BreakEvenMap, OneSceneAPlace) {
     const BreakEvenMap map = break_even_map(data, 1e-6);
     const MapRow* row = row_at(map, "one shared table", "tumble, 0.1 rad");
     ASSERT_TRUE(row);
-    EXPECT_EQ(row->cells[0].best->table, "aos_f64");
+    EXPECT_EQ(row->cells[0].winner()->table, "aos_f64");
     EXPECT_EQ(row->cells[0].further_scenes, 1U);
 }
 

@@ -28,9 +28,9 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const MadeCandidate scene_candidates[] = {{"vclip", "aos", "f64", {0.98, 1.0, 1.02}},
-                                          {"vclip", "lean", "f32", {0.70, 0.72, 0.74}, 1e-7, 8.8},
-                                          {"gjk", "lean", "f64", {1.4, 1.5, 1.6}, 1e-15, 12.8}};
+const TimedCell scene_cells[] = {{"vclip", "aos", "f64", {0.98, 1.0, 1.02}},
+                                 {"vclip", "lean", "f32", {0.70, 0.72, 0.74}, 1e-7, 8.8},
+                                 {"gjk", "lean", "f64", {1.4, 1.5, 1.6}, 1e-15, 12.8}};
 
 /// The rows of one of each study, and a scene file of each name.
 std::string store_with(const std::vector<std::string>& names, const std::string& path) {
@@ -39,7 +39,7 @@ std::string store_with(const std::vector<std::string>& names, const std::string&
     store.set_meta("build", "b");
     for (const std::string_view run : store::run_names) {
         if (run == "sweep") continue;
-        ReportCell row = answer_cell(scene_candidates[0]);
+        ReportCell row = answer_cell(scene_cells[0]);
         row.run =
             static_cast<store::Run>(std::ranges::find(store::run_names, run) - std::begin(store::run_names));
         row.hash = row.scene = run;
@@ -47,7 +47,7 @@ std::string store_with(const std::vector<std::string>& names, const std::string&
     }
     for (const std::string& name : names) {
         store.set_meta(store::scene_file_key + name, R"({"scene":"tumble","vary":{"bodies":[100]}})");
-        for (const MadeCandidate& made : scene_candidates) {
+        for (const TimedCell& made : scene_cells) {
             ReportCell cell = answer_cell(made);
             cell.scene = name;
             cell.hash = name + made.algorithm + made.layout;
@@ -107,7 +107,7 @@ TEST_F(Report, ShowsScenesOfAnyName) {
     EXPECT_EQ(results.size(), names.size() + 4 + 2) << "a file each; studies of the report's tables; about/";
     for (const std::string& name : names) {
         const std::string label = name + " (bodies 100)";
-        EXPECT_EQ(std::ranges::count(answer.shared, label, &SceneAnswer::label), 1) << name;
+        EXPECT_EQ(std::ranges::count(answer.shared, label, &SceneRanking::label), 1) << name;
         EXPECT_EQ(rows_with(errors, label), 3U) << name;
         EXPECT_EQ(time_grid(data, label, PairKind::Separated, "").rows.size(), 3U) << name;
         EXPECT_THAT(export_text(data, {.scenes = {name}}), HasSubstr("sweep," + name + ",")) << name;
@@ -150,7 +150,7 @@ TEST_F(Report, BoundsTheDepthOfItsTexts) {
     {
         store::Store store(path);
         store.put_build({"b", "abc", "g++", "", "Release", deep});
-        ReportCell cell = answer_cell(scene_candidates[1]);
+        ReportCell cell = answer_cell(scene_cells[1]);
         cell.scene = "mine", cell.scene_parameters = deep, cell.hash = "deep";
         store.put_cell("b", cell, cell.figures);
         for (const std::string key :

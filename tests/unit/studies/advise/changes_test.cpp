@@ -15,25 +15,18 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 ScreenedCell looked_at(const std::string& table, double ns, double bytes = 10,
-                       OutFor out_for = OutFor::nothing, double error = 0) {
+                       DroppedFor dropped_for = DroppedFor::nothing, double error = 0) {
     ScreenedCell cell;
     cell.type = bench::select_table_types(std::vector{table}).front();
     cell.algorithm = "vclip";
     cell.ns = ns;
     cell.bytes_per_edge = bytes;
     cell.error = error;
-    cell.out_for = out_for;
+    cell.dropped_for = dropped_for;
     return cell;
 }
 
-Finalist taken_lean(double error = 0) {
-    Finalist taken;
-    taken.algorithm = "vclip";
-    taken.table = "lean_f64";
-    taken.bytes_per_edge = 12.8;
-    taken.error = error;
-    return taken;
-}
+Taken taken_lean(double error = 0) { return {"V-Clip on lean_f64", 12.8, error}; }
 
 const std::string one_table = "one table for all bodies: ",
                   shared_best = "V-Clip on aos_f64, 290 ns at a first look";
@@ -42,7 +35,7 @@ TEST(AdviceChanges, AreNoneWhereNothingWould) {
     EXPECT_THAT(what_would_change({}, {}, {}, taken_lean()), IsEmpty());
 }
 
-TEST(AdviceChanges, NameWhoIsFastestWithTablesSharedTheOtherWay) {
+TEST(AdviceChanges, NameTheFastestWithTablesSharedTheOtherWay) {
     CaseAsked asked;
     asked.own_tables = true;
     const ScreenedCell aos = looked_at("aos_f64", 290), lean = looked_at("lean_f64", 600),
@@ -50,30 +43,32 @@ TEST(AdviceChanges, NameWhoIsFastestWithTablesSharedTheOtherWay) {
     EXPECT_THAT(what_would_change(asked, {}, {aos, lean}, taken_lean()),
                 ElementsAre(one_table + shared_best + "; V-Clip on lean_f64 then takes 600 ns"));
     EXPECT_THAT(what_would_change(asked, {}, {aos, other}, taken_lean()),
-                ElementsAre(one_table + shared_best + "; V-Clip on lean_f64 is then out"));
+                ElementsAre(one_table + shared_best + "; V-Clip on lean_f64 is then dropped"));
     EXPECT_THAT(what_would_change(asked, {}, {lean, aos}, taken_lean()),
                 ElementsAre(one_table + "V-Clip on lean_f64, 600 ns at a first look"));
     asked.own_tables = false;
-    EXPECT_THAT(what_would_change(asked, {}, {aos, other}, taken_lean()),
-                ElementsAre("a table for each body: " + shared_best + "; V-Clip on lean_f64 is then out"));
+    EXPECT_THAT(
+        what_would_change(asked, {}, {aos, other}, taken_lean()),
+        ElementsAre("a table for each body: " + shared_best + "; V-Clip on lean_f64 is then dropped"));
 }
 
-TEST(AdviceChanges, NameWhoALargerErrorAllows) {
+TEST(AdviceChanges, NameTheCellThatALargerErrorAllows) {
     Screen screen;
-    screen.cells = {looked_at("lean_f64", 700, 12.8), looked_at("linked_f64", 500, 138, OutFor::error, 1e-7),
-                    looked_at("points_soa_f64", 600, 5, OutFor::failure, 1),
-                    looked_at("lean_f32", 650, 5, OutFor::time, 1e-17),
-                    looked_at("quantised_f64", 819, 6.8, OutFor::error, 1.1e-5)};
+    screen.cells = {looked_at("lean_f64", 700, 12.8),
+                    looked_at("linked_f64", 500, 138, DroppedFor::error, 1e-7),
+                    looked_at("points_soa_f64", 600, 5, DroppedFor::failure, 1),
+                    looked_at("lean_f32", 650, 5, DroppedFor::time, 1e-17),
+                    looked_at("quantised_f64", 819, 6.8, DroppedFor::error, 1.1e-5)};
     EXPECT_THAT(
         what_would_change({}, screen, {}, taken_lean()),
         ElementsAre("an error of 1.1e-05 allowed: V-Clip on quantised_f64 becomes possible (6.8 bytes per "
                     "edge, 819 ns)"))
-        << "not who is larger, wrong or slow";
+        << "not a larger, wrong or slow cell";
 }
 
 TEST(AdviceChanges, NameTheErrorBelowWhichTheTakenGoes) {
     EXPECT_THAT(what_would_change({}, {}, {}, taken_lean(8.2e-8)),
-                ElementsAre("an error below 8.2e-08 asked for: V-Clip on lean_f64 goes out"));
+                ElementsAre("an error below 8.2e-08 asked for: V-Clip on lean_f64 is dropped"));
 }
 
 }  // namespace

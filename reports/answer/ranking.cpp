@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/reports/answer/ranking.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "edgewise/measure/statistics.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/answer/scene_words.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
+
+namespace edgewise::reports {
+
+namespace {
+
+/// The axes of the scene's own question: a scene file's needs are axes of all its cells.
+std::string plain_axes(std::span<const ReportCell* const> cells) {
+    const ReportCell* plainest = nullptr;
+    for (const ReportCell* cell : cells) {
+        if (cell->judged()) continue;
+        if (!plainest || std::make_tuple(cell->axes.size(), cell->axes) <
+                             std::make_tuple(plainest->axes.size(), plainest->axes))
+            plainest = cell;
+    }
+    return plainest ? plainest->axes : std::string();
+}
+
+constexpr double slowest_tie = 1.25, widest_interval = 2;
+
+/// The cells of the scene's own question, each with all that measured it.
+std::vector<std::vector<const ReportCell*>> runs_of(std::span<const ReportCell* const> cells,
+                                                    Variation variation) {
+    const std::string plain = plain_axes(cells);
+    std::vector<std::vector<const ReportCell*>> runs;
+    std::map<std::pair<std::string, std::string>, std::size_t> known;  // index in `runs`
+    for (const ReportCell* cell : cells) {
+        if (cell->is_raw() || (!cell->judged() && cell->axes != plain)) continue;
+        const auto [found, fresh] = known.emplace(std::pair(cell->algorithm, cell->table), runs.size());
+        if (fresh || variation == Variation::rounds) {
+            runs.push_back({cell});
+        } else {
+            runs[found->second].push_back(cell);
+        }
+    }
+    return runs;
+}
+
+void sort_by_ratio(std::vector<RankedCell>& cells) {
+    std::ranges::stable_sort(cells, {}, &RankedCell::ratio);
+}
+
+void find_own_variation(SceneRanking& scene) {
+    const RankedCell* own = scene.baseline();
+    if (!own) return;
+    const bool several = own->processes > 1;
+    const double low = several ? own->low() : own->ratio, high = several ? own->high() : own->ratio;
+    scene.own_variation.factor = std::max(high, 1 / low);
+}
+
+void find_ties(SceneRanking& scene) {
+    const auto first = std::ranges::find_if(scene.cells, &RankedCell::meets_error);
+    for (std::size_t i = 0; i < scene.cells.size(); ++i) {
+        const RankedCell& one = scene.cells[i];
+        if (one.meets_error() &&
+            (one.low() <= first->high() || one.ratio <= first->ratio * scene.own_variation.high()))
+            scene.ties.push_back(i);
+    }
+}
+
+/// The first process that has the figure.
+std::optional<double> first_of(std::span<const ReportCell* const> runs, const store::FigureName& figure) {
+    for (const ReportCell* run : runs)
+        if (const auto value = run->figure(figure).value) return value;
+    return std::nullopt;
+}
+
+std::string why_dropped(const std::optional<double>& error, double limit) {
+    if (!error) return "its error was not measured";
+    if (*error <= limit) return {};
+    return fmt::format("error {} is over {}", number_text(*error, "scale"), limit_text(limit));
+}
+
+/// The winner beats it by more than its own interval and the baseline's own variation.
+bool beats_baseline(const SceneRanking& answer) {
+    const RankedCell *winner = answer.winner(), *baseline = answer.baseline();
+    return winner && winner != baseline && winner->high() < 1 && !answer.own_variation.holds(winner->ratio) &&
+           !(baseline && answer.ties_with_winner(*baseline));
+}
+
+}  // namespace
+
+std::string algorithm_title(const std::string& algorithm) {
+    if (algorithm == "vclip") return "V-Clip";
+    return algorithm == "gjk" ? "GJK" : algorithm;
+}
+
+std::string RankedCell::name() const {
+    return cell->judged() ? cell->layout : fmt::format("{} on {}", algorithm_title(cell->algorithm), table);
+}
+
+std::optional<RankedCell> ranked_cell(std::span<const ReportCell* const> runs, double error_limit) {
+    RankedCell ranked;
+    std::vector<double> times, ratios, rounds;
+    for (const ReportCell* run : runs) {
+        const auto ns = run->figure(store::all_time.ns).value,
+                   ratio = run->figure(store::all_time.ratio).value;
+        if (!run->is_timed() || !ns || !ratio || !(*ratio > 0)) continue;
+        if (times.empty()) ranked.cell = run;
+        times.push_back(*ns);
+        ratios.push_back(*ratio);
+        for (const measure::Round& round : run->rounds)
+            if (const auto one = round.ratio(&measure::Timing::all)) rounds.push_back(*one);
+    }
+    if (times.empty()) return std::nullopt;
+    ranked.processes = times.size();
+    ranked.table = ranked.cell->table.substr(0, ranked.cell->table.find(' '));
+    ranked.ns = *measure::median(times);
+    ranked.ratio = *measure::median(ratios);
+    ranked.interval = median_interval(std::move(ratios.size() > 1 ? ratios : rounds));
+    ranked.worst_error = first_of(runs, "error.worst_error_given");
+    ranked.bytes_per_edge = first_of(runs, "bytes.total_bytes_per_edge");
+    ranked.table_bytes = first_of(runs, "bytes.table_bytes");
+    ranked.scene_bytes = first_of(runs, "memory.requested_bytes");
+    ranked.tables = first_of(runs, "memory.tables");
+    ranked.lines_per_query = first_of(runs, "lines.lines_per_query");
+    ranked.steps = first_of(runs, "error.mean_steps");
+    ranked.dropped = why_dropped(ranked.worst_error, error_limit);
+    return ranked;
+}
+
+std::optional<RankedCell> ranked_cell(const ReportCell& cell, double error_limit) {
+    const ReportCell* const one = &cell;
+    return ranked_cell(std::span(&one, 1), error_limit);
+}
+
+const RankedCell* SceneRanking::winner() const { return ties.empty() ? nullptr : &cells[ties.front()]; }
+
+const RankedCell* SceneRanking::find(const std::string& algorithm, const std::string& table) const {
+    const auto found = std::find_if(cells.begin(), cells.end(), [&](const RankedCell& one) {
+        return one.cell->algorithm == algorithm && one.table == table;
+    });
+    return found == cells.end() ? nullptr : &*found;
+}
+
+const RankedCell* SceneRanking::baseline() const { return find(ratios_to.algorithm, ratios_to.table); }
+
+const RankedCell* SceneRanking::best(const std::string& algorithm) const {
+    const auto found = std::find_if(cells.begin(), cells.end(), [&](const RankedCell& one) {
+        return one.meets_error() && one.cell->algorithm == algorithm;
+    });
+    return found == cells.end() ? nullptr : &*found;
+}
+
+const RankedCell* SceneRanking::best_peer() const {
+    const auto within =
+        std::find_if(peers.begin(), peers.end(), [](const RankedCell& one) { return one.meets_error(); });
+    if (within != peers.end()) return &*within;
+    return peers.empty() ? nullptr : &peers.front();
+}
+
+const RankedCell* SceneRanking::smallest_of_ties() const {
+    const RankedCell* smallest = nullptr;
+    const auto bytes = [](const RankedCell& one) {
+        return one.bytes_per_edge.value_or(std::numeric_limits<double>::infinity());
+    };
+    for (const std::size_t i : ties) {
+        if (cells[i].ratio > slowest_tie * winner()->ratio) continue;
+        if (!smallest || bytes(cells[i]) < bytes(*smallest)) smallest = &cells[i];
+    }
+    return smallest;
+}
+
+bool SceneRanking::ties_with_winner(const RankedCell& cell) const {
+    return std::ranges::any_of(ties, [&](std::size_t i) { return &cells[i] == &cell; });
+}
+
+const RankedCell* SceneRanking::choice() const {
+    if (beats_baseline) return winner();
+    if (!too_noisy) return smallest_of_ties();
+    return baseline() && ties_with_winner(*baseline()) ? baseline() : winner();
+}
+
+SceneRanking rank_scene(std::span<const ReportCell* const> cells, double error_limit,
+                        const Baseline& baseline, Variation variation) {
+    SceneRanking scene;
+    scene.ratios_to = baseline;
+    for (const auto& runs : runs_of(cells, variation))
+        if (auto ranked = ranked_cell(runs, error_limit))
+            (runs.front()->judged() ? scene.peers : scene.cells).push_back(std::move(*ranked));
+    sort_by_ratio(scene.cells);
+    sort_by_ratio(scene.peers);
+    find_own_variation(scene);
+    find_ties(scene);
+    scene.beats_baseline = beats_baseline(scene);
+    if (const RankedCell* winner = scene.winner())
+        scene.too_noisy = winner->high() > widest_interval * winner->low();
+    const ReportCell& any = *cells.front();
+    scene.label = any.scene_label, scene.shape = any.shape;
+    scene.vertices = any.vertices;
+    scene.own_tables = has_own_tables(any);
+    scene.sentence = scene_sentence(any);
+    return scene;
+}
+
+}  // namespace edgewise::reports

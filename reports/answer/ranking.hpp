@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+//
+// The ranker decides which layout wins a scene, which layouts tie with it, and by how much. Page, map,
+// report.md, terminal and `edgewise advise` all show its result and decide nothing themselves.
+//
+// - **Ranked** are the cells of one scene and shape that answer the scene's own question (those with the
+// fewest
+//   axes) and were timed in the same rounds as the baseline, by their time over the baseline's. Raw V-Clip is
+//   not ranked; other libraries are ranked apart and never win.
+// - **Dropped** are cells with a worst error over the limit or not measured. Outputs show them with the
+// reason,
+//   and they neither win nor tie.
+// - The **interval** of a ratio is over the rounds of its process, or over the processes if several measured
+// the
+//   cell; by order statistics in both cases (ratio_interval.hpp).
+// - The **baseline's own variation**: its own cell is timed in the same rounds as the baseline, so these are
+// two
+//   measurements of one thing, and the ratio of the two is its own variation.
+// - The fastest cell that is not dropped **wins**. Another **ties** with it if its interval reaches the
+//   winner's, or if its ratio is larger by no more than the baseline's own variation. The tie set is the
+//   winner and all cells that tie with it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/answer/question.hpp"
+#include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/tables/ratio_interval.hpp"
+
+namespace edgewise::reports {
+
+/// An algorithm on a table type in a scene, with the figures by which it is ranked.
+struct RankedCell {
+    const ReportCell* cell = nullptr;  ///< as the first process measured it
+    std::size_t processes = 1;         ///< that measured it
+    std::string table;                 ///< the table type, without axes
+    double ns = 0;     ///< per query of both kinds of pairs as they come, median over rounds or processes
+    double ratio = 0;  ///< to the baseline timed in the same rounds, likewise
+    std::optional<RatioInterval> interval;
+    std::optional<double> worst_error;  ///< against the bodies as given, over the scale of the pair
+    std::optional<double> bytes_per_edge, table_bytes, scene_bytes;  ///< of one table; of all of the scene
+    std::optional<double> tables, lines_per_query, steps;
+    std::string dropped;  ///< why; empty: it is not
+
+    [[nodiscard]] bool meets_error() const { return dropped.empty(); }
+    [[nodiscard]] double low() const { return interval ? interval->low : ratio; }
+    [[nodiscard]] double high() const { return interval ? interval->high : ratio; }
+    /// "V-Clip on aos_f64"; of another library its name.
+    [[nodiscard]] std::string name() const;
+};
+
+/// `runs` is one cell, as each process measured it. Null where no process timed it beside the baseline.
+[[nodiscard]] std::optional<RankedCell> ranked_cell(std::span<const ReportCell* const> runs,
+                                                    double error_limit);
+[[nodiscard]] std::optional<RankedCell> ranked_cell(const ReportCell& cell, double error_limit);
+
+/// "V-Clip" | "GJK"; other names as they are.
+[[nodiscard]] std::string algorithm_title(const std::string& algorithm);
+
+/// The baseline's own variation, the same factor in both directions.
+struct OwnVariation {
+    std::optional<double> factor = {};  ///< at least 1; null: not measured
+
+    [[nodiscard]] double high() const { return factor.value_or(1); }
+    [[nodiscard]] double low() const { return 1 / high(); }
+    [[nodiscard]] bool holds(double ratio) const { return factor && low() <= ratio && ratio <= high(); }
+};
+
+/// Ratios are to the time of this cell, as the store names it.
+struct Baseline {
+    std::string algorithm = "vclip", table = "aos_f64";
+};
+
+/// The cells of one scene and shape, ranked.
+struct SceneRanking {
+    std::string label;     ///< name, with what tells it from its namesakes
+    std::string sentence;  ///< "100 bodies drift and turn by 0.1 rad per step, one shared table"
+    std::string shape;
+    std::int64_t vertices = 0;
+    bool own_tables = false;  ///< a table for each body
+    Baseline ratios_to;
+    OwnVariation own_variation;
+    std::vector<RankedCell> cells;  ///< fastest first, by ratio; dropped ones too
+    std::vector<RankedCell> peers;  ///< other libraries, likewise
+    std::vector<std::size_t> ties;  ///< the tie set, as indices of `cells`: the winner first
+    bool beats_baseline = false;    ///< the winner, by more than its interval and the own variation
+    bool too_noisy = false;         ///< the winner's interval spans more than a factor of 2
+    /// Cells to be measured before anything is recommended, "GJK on a small layout" (contest.hpp).
+    std::vector<std::string> not_measured = {};
+
+    [[nodiscard]] bool recommends() const { return not_measured.empty(); }
+    /// Each null where there is none.
+    [[nodiscard]] const RankedCell* winner() const;
+    [[nodiscard]] const RankedCell* baseline() const;                          ///< its own cell
+    [[nodiscard]] const RankedCell* best(const std::string& algorithm) const;  ///< within the limit
+    [[nodiscard]] const RankedCell* best_peer() const;         ///< within the limit, else the fastest
+    [[nodiscard]] const RankedCell* smallest_of_ties() const;  ///< at most a quarter slower than the winner
+    [[nodiscard]] bool ties_with_winner(const RankedCell& cell) const;
+    /// The recommended cell: the winner where it beats the baseline, else the smallest of the ties that
+    /// is at most a quarter slower than the winner; of a scene that is too noisy the baseline if it ties.
+    [[nodiscard]] const RankedCell* choice() const;
+    [[nodiscard]] const RankedCell* find(const std::string& algorithm, const std::string& table) const;
+};
+
+/// The repetitions that the intervals of a ranking are over.
+enum class Variation {
+    rounds,     ///< of one process: every stored cell is ranked
+    processes,  ///< stored cells of one algorithm and table type are one cell, measured in several processes
+};
+
+/// Ranks cells and peers of one scene and shape, one at least.
+[[nodiscard]] SceneRanking rank_scene(std::span<const ReportCell* const> cells, double error_limit,
+                                      const Baseline& baseline, Variation variation = Variation::rounds);
+
+}  // namespace edgewise::reports
