@@ -2,8 +2,9 @@
 //
 // What groups of sweeps took, in the order in which they ran, on two cores of an AMD EPYC. A line a group:
 // its scene; shape, queries, cells, cells on tables of points, whether caches were modelled; the seconds of
-// its four steps. A later run: rows, expected seconds; seconds. Plan quick by the clock; the others in
-// processor time: the same with --queries 200 --rounds 3, and plan peers with --queries 300 --rounds 2.
+// its four steps. A later run: rows, expected seconds; seconds. Plan quick by the clock, the others in
+// processor time: quick with --queries 200 --rounds 3, peers with --queries 300 --rounds 2, and every third
+// group of the first 122 of paper with --queries 200 --rounds 3, except bodies of 24578 vertices.
 #pragma once
 
 namespace edgewise::sweep {
@@ -111,5 +112,51 @@ pressure bodies=6000 rotation_step=0.1; cube8 11998 19 2; 0.145 0 0.391 0.148
 pressure bodies=6000 rotation_step=0.1; sphere38 11998 19 2; 0.267 0 0.639 0.262
 pressure bodies=6000 rotation_step=0.1; sphere386 11998 19 2; 1.31 0 2.58 0.962
 effort rows 19 76; 93)";
+
+inline constexpr const char* recorded_paper_with_options = R"(
+paper_static; tetra4 30000 13 1; 0.211 0 0.813 0.296
+paper_static; sphere386 30000 13 1; 1.68 0 3.19 1.54
+paper_linear_8 bodies=200 least_steps=50 own_tables=1 rotation_step=0; cube8 30000 6 0; 0.0912 0 0.33 0.225
+paper_linear_8 bodies=200 least_steps=50 own_tables=1 rotation_step=0; cube8 30000 6 0; 0.1 0 0.355 0.246
+paper_linear_8 bodies=200 least_steps=50 own_tables=1 rotation_step=0; cube8 30000 6 0; 0.114 0 0.433 0.311
+paper_linear_8 bodies=200 least_steps=50 own_tables=1 rotation_step=0; cube8 30000 6 0; 0.136 0 0.581 0.41
+paper_bodies bodies=10 least_steps=50 rotation_step=0.20944; cube8 30000 4 0; 0.0711 0 0.265 0.212
+paper_bodies bodies=100 least_steps=50 rotation_step=0.20944; cube8 30000 4 0; 0.0742 0 0.255 0.194
+paper_bodies bodies=600 least_steps=50 rotation_step=0.20944; cube8 30000 4 0; 0.0847 0 0.28 0.344
+paper_bodies bodies=5000 least_steps=50 rotation_step=0.20944; cube8 30000 4 0; 1.04 0 2.81 4.45
+paper_bodies_shrinking bodies=10 least_steps=50 rotation_step=0.20944; cube8 30000 2 0; 0.0532 0 0.161 0.103
+paper_bodies_shrinking bodies=100 least_steps=50 rotation_step=0.20944; cube8 30000 2 0; 0.0556 0 0.164 0.0964
+paper_bodies_shrinking bodies=600 least_steps=50 rotation_step=0.20944; cube8 30000 2 0; 0.0691 0 0.182 0.181
+paper_bodies_shrinking bodies=5000 least_steps=50 rotation_step=0.20944; cube8 30000 2 0; 0.761 0 1.85 2.29
+paper_angular_8 bodies=200 least_steps=50 own_tables=1 rotation_step=0; cube8 30000 14 2; 0.132 0 0.643 0.4
+paper_angular_8 bodies=200 least_steps=50 own_tables=1 rotation_step=0.05; cube8 30000 14 2; 0.154 0 0.754 0.514
+paper_angular_8 bodies=200 least_steps=50 own_tables=1 rotation_step=0.20944; cube8 30000 14 2; 0.198 0 0.916 0.644
+paper_angular_8 bodies=200 least_steps=50 own_tables=1 rotation_step=1.61803; cube8 30000 14 2; 0.319 0 1.33 1.02
+paper_angular_8 bodies=200 least_steps=50 own_tables=1 rotation_step=3.9; cube8 30000 14 2; 0.343 0 1.42 1.07
+paper_angular_8 bodies=200 least_steps=50 own_tables=1 rotation_step=6.2; cube8 30000 14 2; 0.153 0 0.737 0.513
+paper_angular_38 bodies=200 least_steps=50 own_tables=1 rotation_step=0; sphere38 30000 14 2; 0.176 0 0.715 0.63
+paper_angular_38 bodies=200 least_steps=50 own_tables=1 rotation_step=0.05; sphere38 30000 14 2; 0.222 0 0.857 0.783
+paper_angular_38 bodies=200 least_steps=50 own_tables=1 rotation_step=0.20944; sphere38 30000 14 2; 0.317 0 1.16 1.06
+paper_angular_38 bodies=200 least_steps=50 own_tables=1 rotation_step=1.61803; sphere38 30000 14 2; 0.522 0 1.84 1.74
+paper_angular_38 bodies=200 least_steps=50 own_tables=1 rotation_step=3.9; sphere38 30000 14 2; 0.56 0 1.95 1.82
+paper_angular_38 bodies=200 least_steps=50 own_tables=1 rotation_step=6.2; sphere38 30000 14 2; 0.234 0 0.874 0.824
+paper_angular_386 bodies=200 least_steps=50 own_tables=1 rotation_step=0; sphere386 30000 14 2; 1.13 0 0.9 2.95
+paper_angular_386 bodies=200 least_steps=50 own_tables=1 rotation_step=0.05; sphere386 30000 14 2; 1.27 0 1.38 3.43
+paper_angular_386 bodies=200 least_steps=50 own_tables=1 rotation_step=0.20944; sphere386 30000 14 2; 1.6 0 2.64 4.75
+paper_angular_386 bodies=200 least_steps=50 own_tables=1 rotation_step=1.61803; sphere386 30000 14 2; 2.29 0 5.21 7.11
+paper_angular_386 bodies=200 least_steps=50 own_tables=1 rotation_step=3.9; sphere386 30000 14 2; 2.3 0 5.51 7.34
+paper_angular_386 bodies=200 least_steps=50 own_tables=1 rotation_step=6.2; sphere386 30000 14 2; 1.32 0 1.57 3.51
+paper_proximity rotation_step=0.00416667; cube8 30000 7 1; 0.0658 0 0.341 0.0889
+paper_complexity bodies=12 least_steps=50 rotation_step=0.0166667; cube8 6000 4 0; 0.026 0 0.0212 0.0248
+paper_complexity bodies=12 least_steps=50 rotation_step=0.0166667; sphere386 6000 4 0; 0.661 0 0.0397 0.062
+paper_cold; cube8 6000 6 0; 0.0511 0 0.0646 0.0732
+paper_cold; sphere386 6000 6 0; 1.13 0 0.143 0.215
+paper_needs bodies=50 least_steps=50 rotation_step=0.0166667; cube8 6000 36 0; 0.707 0 2.13 1.5
+paper_caches_here bodies=75 least_steps=50 own_tables=1 rotation_step=0.116667; sphere386 12000 4 0; 1.31 0 0.266 0.187
+paper_caches_here bodies=600 least_steps=50 own_tables=1 rotation_step=0.116667; sphere386 12000 4 0; 1.72 0 1.16 0.584
+paper_caches_here bodies=4800 least_steps=50 own_tables=1 rotation_step=0.116667; sphere386 12000 4 0; 8.13 0 19.8 10.3
+paper_thrash_8 bodies=300 least_steps=50 own_tables=1 rotation_step=0.0166667; cube8 6000 12 0 caches; 0.0778 11.4 0.295 0.534
+paper_thrash_8 bodies=300 least_steps=50 own_tables=1 rotation_step=3.1; cube8 6000 12 0 caches; 0.181 19.8 0.665 1.21
+paper_thrash_38 bodies=300 least_steps=50 own_tables=1 rotation_step=0.0166667; sphere38 6000 12 0 caches; 0.1 11.4 0.221 0.708)";
 
 }  // namespace edgewise::sweep

@@ -94,12 +94,12 @@ double replay(const char* name, const std::vector<Done>& run) {
     return said / all;
 }
 
-Plan plan_of(int rounds, std::size_t checked) {
+Plan plan_of(int rounds, std::size_t checked, std::size_t traced = 1000, std::size_t machines = 4) {
     Plan plan;
     plan.rounds = rounds;
     plan.checked = checked;
-    plan.traced = 1000;
-    plan.machines = {"pentium3_coppermine", "skylake_sp", "zen5", "host"};
+    plan.traced = traced;
+    plan.machines.resize(machines);
     return plan;
 }
 
@@ -107,6 +107,8 @@ TEST(TimeLeft, IsNearTheTruthOrNotSaid) {
     EXPECT_GT(replay("quick", recorded(recorded_quick, plan_of(17, 200))), 0.3);
     EXPECT_GT(replay("quick, options", recorded(recorded_quick_with_options, plan_of(3, 200))), 0.05);
     EXPECT_GT(replay("peers, options", recorded(recorded_peers_with_options, plan_of(2, 1000))), 0.1);
+    EXPECT_GT(replay("paper, options", recorded(recorded_paper_with_options, plan_of(3, 2000, 3000, 5))),
+              0.4);
 }
 
 /// The same sweep once more into the same store: every group's seconds are known.
