@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The few facts of a body that every table keeps beside its arrays: with them, where the arrays lie can be
-// computed again.
+// The few facts of a body that every table keeps next to its arrays: from them, the places of the arrays can
+// be computed again.
 #pragma once
 
 #include <algorithm>
@@ -16,18 +16,18 @@
 namespace edgewise {
 
 struct BodyFacts {
-    double reach = 0;  ///< largest coordinate: what the rounding of planes is relative to
-    Index vertex_count = 0, neighbour_count = 0;  ///< of the rings of all vertices
+    double reach = 0;  ///< largest coordinate: the rounding of planes is relative to it
+    Index vertex_count = 0, neighbour_count = 0;  ///< `neighbour_count`: entries in the rings of all vertices
     Index face_count = 0;                         ///< 0 in a table without features
-    std::uint32_t identity = 0;                   ///< of the table; refitting keeps it
+    std::uint32_t identity = 0;                   ///< identity of the table; refitting keeps it
     Parts parts = Parts::support;
-    bool strictly_convex = true;  ///< false: Voronoi regions go on inside
-    bool climbable = true;        ///< false: climbs may stick
-    /// Noted where planes are derived (layout_parts/derived/thin_corners.hpp): they take wider arithmetic.
+    bool strictly_convex = true;  ///< false: Voronoi regions continue inside the body
+    bool climbable = true;        ///< false: a climb may stop below the highest vertex
+    /// Set where planes are derived (layout_parts/derived/thin_corners.hpp): they use wider arithmetic.
     bool thin_corners = false;
 
     BodyFacts() = default;
-    /// `strict_turn`: that of the stored scalar (tolerance.hpp).
+    /// `strict_turn`: least turn of the stored scalar (tolerance.hpp).
     BodyFacts(const Polyhedron& body, Parts held, double strict_turn)
         : vertex_count(static_cast<Index>(body.vertex_count())),
           neighbour_count(static_cast<Index>(body.vertex_ring.size())),
@@ -41,12 +41,12 @@ struct BodyFacts {
         assert(edge_count() == body.edge_count() && face_ring_count() == body.face_ring.size());
     }
 
-    /// 0 in a table without features; each edge is in the rings of its two ends.
+    /// Number of edges, 0 in a table without features; each edge is in the rings of its two ends.
     [[nodiscard]] Index edge_count() const { return parts == Parts::features ? neighbour_count / 2 : 0; }
-    /// Of the rings of all faces; each edge is in those of its two faces, if there are any.
+    /// Entries in the rings of all faces; each edge is in those of its two faces, if there are any.
     [[nodiscard]] Index face_ring_count() const { return face_count > 0 ? neighbour_count : 0; }
 
-    /// Of another body of the same topology, in the same table.
+    /// Facts of another body of the same topology, in the same table.
     [[nodiscard]] BodyFacts refitted(const Polyhedron& body, double strict_turn) const {
         BodyFacts facts(body, parts, strict_turn);
         assert(facts.vertex_count == vertex_count && facts.neighbour_count == neighbour_count);

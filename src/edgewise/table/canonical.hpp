@@ -18,12 +18,12 @@ class Canonical {
     using Vertex = Index;
     static constexpr bool counts_vertices = true;
 
-    /// Borrows the body, which must outlive it; a temporary one does not compile.
+    /// Borrows the body, which must outlive this object; a temporary one does not compile.
     explicit Canonical(const Polyhedron& body) : body_(&body) {}
     explicit Canonical(const Polyhedron&&) = delete;
 
     [[nodiscard]] std::size_t vertex_count() const { return body_->vertex_count(); }
-    /// Not asked: a scan is right for any body.
+    /// Always false, without a check: a scan is right for any body.
     [[nodiscard]] bool strictly_convex() const { return false; }
     [[nodiscard]] Vertex first_vertex() const { return 0; }
     [[nodiscard]] Index index_of(Vertex v) const { return v; }

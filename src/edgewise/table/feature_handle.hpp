@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A feature of a table: a kind and the layout's own handle for it. Two of these, each marked with the table
-// that it is of, are what V-Clip keeps of a pair from one query to the next where features have no numbers
+// A feature of a table: a kind and the layout's own handle for it. V-Clip keeps two features of a pair
+// from one query to the next, each marked with its table, where features have no numbers
 // (feature_name.hpp).
 #pragma once
 
@@ -43,16 +43,16 @@ class Feature {
         return handle_.face;
     }
 
-    /// Marked as one of this table.
+    /// Returns this feature, marked as one of this table.
     [[nodiscard]] Feature of(const Table& table) const {
         Feature marked = *this;
         marked.mark_ = mark_of(table);
         return marked;
     }
-    /// Whether it was last marked as one of this table: false after a rebuild (table/identity.hpp).
+    /// Returns true if it was last marked as one of this table: false after a rebuild (table/identity.hpp).
     [[nodiscard]] bool is_of(const Table& table) const { return mark_ == mark_of(table); }
 
-    /// The same feature; marks do not count.
+    /// Compares the features only; marks do not count.
     [[nodiscard]] bool operator==(const Feature& other) const {
         if (kind_ != other.kind_) return false;
         switch (kind_) {
@@ -81,7 +81,7 @@ class Feature {
 
     Handle handle_;
     FeatureKind kind_;
-    std::uint16_t mark_ = 0;  ///< beside the kind, where there would be padding
+    std::uint16_t mark_ = 0;  ///< next to the kind, where padding would be
 };
 
 }  // namespace edgewise

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Features of a table as small numbers, so that a pair of them fits into 8 bytes. Handles may be larger: an
-// edge of a table that stores no edges is two vertices and a place.
+// edge of a table that stores no edges is two vertices and a position in a ring.
 #pragma once
 
 #include <concepts>
@@ -13,12 +13,12 @@
 
 namespace edgewise {
 
-/// Names are below 2^23: of all edges, all faces and all vertices of a body that polyhedron_builder.hpp
-/// takes.
+/// Names are below 2^23. That covers all edges, faces and vertices of every body that polyhedron_builder.hpp
+/// accepts.
 inline constexpr int feature_name_bits = 23;
 
-/// A table that has such numbers: `edge_named` and `face_named` turn one back into a handle, and give nothing
-/// for a number that is of no edge or face.
+/// A table that numbers its features: `edge_named` and `face_named` turn a number back into a handle, and
+/// return nothing for a number without an edge or face.
 template <class T>
 concept NamesFeatures = FeatureTable<T> && std::unsigned_integral<typename T::Vertex> &&
     requires(const T& table, typename T::Edge e, typename T::Face f, std::uint32_t name) {
@@ -42,7 +42,7 @@ template <NamesFeatures Table>
     return table.face_name(feature.face());
 }
 
-/// The first vertex for a number that is of no feature.
+/// Returns the feature with this number, or the first vertex if no feature has it.
 template <NamesFeatures Table>
 [[nodiscard]] [[gnu::always_inline]] inline Feature<Table> feature_named(const Table& table, FeatureKind kind,
                                                                          std::uint32_t name) {

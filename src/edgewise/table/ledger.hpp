@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the bytes of a table go.
+// Number of bytes of a table by purpose.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ enum class Component : std::uint8_t {
     vertex_coordinates,
     face_planes,
     topology,
-    input_order,  ///< which vertex of the user's list each vertex is
+    input_order,  ///< index of each vertex in the user's list
     padding,      ///< inside records and between arrays
 };
 
@@ -31,7 +31,7 @@ struct Ledger {
     [[nodiscard]] std::size_t& operator[](Component c) { return bytes[static_cast<std::size_t>(c)]; }
     [[nodiscard]] std::size_t operator[](Component c) const { return bytes[static_cast<std::size_t>(c)]; }
 
-    /// Every byte of the table.
+    /// Sum of all bytes of the table.
     [[nodiscard]] std::size_t total() const {
         return std::accumulate(bytes.begin(), bytes.end(), std::size_t{0});
     }

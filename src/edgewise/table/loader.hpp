@@ -21,8 +21,8 @@ enum class Field : std::uint8_t {
     vertex_ring,  ///< edges around a vertex, and where they start
     face_ring,    ///< edges around a face, and where they start
     neighbour,    ///< vertices around a vertex
-    edge_made,    ///< whether a lazy table has made an edge
-    seed,         ///< where a cold climb begins
+    edge_made,    ///< bits that say which edges a lazy table has made
+    seed,         ///< the start of a cold climb
 };
 
 struct Direct {
@@ -30,8 +30,8 @@ struct Direct {
     static const Value& load(const Value& location, Field) {
         return location;
     }
-    /// A whole number of 1, 2 or 4 bytes, which at least 3 readable bytes precede: without a branch on its
-    /// width, it is the upper end of the four bytes that end with it.
+    /// Loads a whole number of 1, 2 or 4 bytes, with at least 3 readable bytes in front of it. It takes the
+    /// upper end of the four bytes that end with it, so there is no branch on the width.
     static std::uint32_t load_narrow(const std::byte* location, std::uint32_t width, Field) {
         static_assert(std::endian::native == std::endian::little);
         std::uint32_t last_four = 0;
@@ -40,7 +40,7 @@ struct Direct {
     }
 };
 
-/// Sink: void read(const void* address, std::size_t bytes, Field field).
+/// Reports each read to a sink: void read(const void* address, std::size_t bytes, Field field).
 template <class Sink>
 struct Traced {
     Sink* sink = nullptr;
@@ -48,7 +48,7 @@ struct Traced {
     template <class Value>
     const Value& load(const Value& location, Field field) const {
         assert(sink);
-        // Where nodes hold pointers, a pointer is what is read. NOLINTNEXTLINE(bugprone-sizeof-expression)
+        // Nodes hold pointers, and then a pointer is read. NOLINTNEXTLINE(bugprone-sizeof-expression)
         sink->read(&location, sizeof(Value), field);
         return location;
     }
@@ -59,7 +59,7 @@ struct Traced {
     }
 };
 
-/// Whether every read of the table is reported: such a table is never timed.
+/// True if every read of the table is reported: such a table is never timed.
 template <class Table>
 inline constexpr bool is_traced = false;
 template <template <class, class> class Layout, class Precision, class Sink>

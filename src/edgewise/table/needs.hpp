@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a scene asks of an answer; tables and queries materialise only that.
+// The parts of an answer that a scene needs; tables and queries compute only these.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace edgewise {
 
-/// What an answer must hold, least first: from `verdict` on each asks for everything before it.
+/// The parts of an answer, least first: from `verdict` on, each value includes everything before it.
 enum class Needs : std::uint8_t {
-    nearer,       ///< nearer to each other than a margin or not: no more, not even whether they touch
+    nearer,       ///< nearer to each other than a margin or not: nothing else, not even contact
     verdict,      ///< separated or not
-    distance,     ///< and how far
+    distance,     ///< and the distance
     witnesses,    ///< and the two closest points
     features,     ///< and which vertices, edges or faces they lie on
     depth,        ///< and, of bodies in contact, how deep they overlap and where
-    certificate,  ///< and an interval that provably holds the distance
+    certificate,  ///< and an interval that is proven to hold the distance
 };
 
 inline constexpr std::array<std::string_view, 7> needs_names = {
@@ -31,7 +31,7 @@ inline constexpr std::array<std::string_view, 7> needs_names = {
     return needs_names[static_cast<std::size_t>(needs)];
 }
 
-/// Nothing for an unknown name.
+/// Returns the value with this name; nothing for an unknown name.
 [[nodiscard]] constexpr std::optional<Needs> needs_from(std::string_view name) {
     for (std::size_t i = 0; i < needs_names.size(); ++i) {
         if (needs_names[i] == name) return static_cast<Needs>(i);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a table declares of its memory: which bytes are there, and what each is for. The ledger adds them up,
-// a drawing paints them, and a contract test holds every traced read against them.
+// A table declares its memory in pieces: which bytes there are, and the purpose of each. The ledger adds them
+// up, a drawing paints them, and a contract test compares every traced read with them.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace edgewise {
 
-/// So many bytes of an element serve this component. Shares of an element stand in memory order; what is left
-/// of it is padding at its end, padding within is a share like others.
+/// Bytes of an element that serve one component. Shares of an element lie in memory order; the rest of it is
+/// padding at its end, and padding within is a share of its own.
 struct Share {
     Component component;
     std::size_t bytes;
@@ -68,7 +68,7 @@ struct Piece {
         const auto* const from = static_cast<const std::byte*>(address);
         return from >= at && from + size <= at + bytes();
     }
-    /// Books the piece's bytes.
+    /// Adds the piece's bytes to the ledger.
     void add_to(Ledger& ledger) const {
         assert(shares.bytes() <= stride);
         for (const Share& share : shares) ledger[share.component] += share.bytes * count;
@@ -82,14 +82,14 @@ struct Piece {
     return ledger;
 }
 
-/// A piece without its memory.
+/// A piece by offset, without its memory.
 struct MappedPiece {
     std::size_t offset = 0, stride = 0, count = 0;
     Shares shares;
 };
 
-/// A table's memory from the lowest address up, by offset, so that it outlives the table: from `base` or else
-/// from the lowest address; gaps between pieces belong to nobody.
+/// A table's memory in order of address, by offset, so that the map outlives the table. Offsets count from
+/// `base`, or without it from the lowest address; no piece covers the gaps.
 [[nodiscard]] inline std::vector<MappedPiece> memory_map(std::vector<Piece> pieces,
                                                          const std::byte* base = nullptr) {
     std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.at < b.at; });

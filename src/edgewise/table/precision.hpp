@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A precision is a pair: what is stored, and what computes. It flows from the layout into the algorithms as a
-// template parameter, so that one program sweeps all of them.
+// A precision is a pair of scalars: one stores, one computes. The layout passes it to the algorithms as a
+// template parameter, so that one program measures all of them.
 #pragma once
 
 #include <concepts>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Rings as ranges: what is around a vertex or a face, in order, read one entry at a time through a reader.
+// Rings as ranges: the neighbours of a vertex or a face, in order, read one entry at a time by a reader.
 #pragma once
 
 #include <cassert>
@@ -9,8 +9,8 @@
 
 namespace edgewise {
 
-/// An edge as met in a ring. Around a vertex, `flipped` says that the vertex is the edge's head; around a
-/// face, that the face is on the edge's right.
+/// An edge as an entry of a ring. Around a vertex, `flipped` says that the vertex is the edge's head; around
+/// a face, that the face is on the edge's right.
 template <class Edge>
 struct RingEdge {
     Edge edge;
@@ -53,8 +53,8 @@ class IndexedRing {
 template <class Reader>
 IndexedRing(std::uint32_t, std::uint32_t, Reader) -> IndexedRing<Reader>;
 
-/// From one place to the next until the end is reached, both range and iterator: `item` is what stands at a
-/// place, `next` where it goes on.
+/// A range and its own iterator: goes from one place to the next until the end. `item` returns the value at a
+/// place, `next` the place after it.
 template <class Place, class Item, class Next>
 class Chain {
   public:
@@ -78,7 +78,7 @@ class Chain {
     Next next_;
 };
 
-/// 0 .. count-1, for layouts whose handles are plain positions.
+/// Range 0 .. count-1, for layouts with plain positions as handles.
 [[nodiscard]] inline auto index_range(std::uint32_t count) {
     return IndexedRing(0, count, [](std::uint32_t at) { return at; });
 }

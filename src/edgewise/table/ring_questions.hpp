@@ -13,7 +13,7 @@
 
 namespace edgewise {
 
-/// The edge of the ring with the most negative distance, the first of equals; nothing if none is negative.
+/// Returns the edge of the ring with the most negative distance, the first of equals; nothing if none is.
 template <class Table, class Ring, class DistanceOf>
 [[nodiscard]] std::optional<typename Table::Edge> most_violated(const Ring& ring, DistanceOf distance_of) {
     std::optional<typename Table::Edge> worst;
@@ -28,8 +28,8 @@ template <class Table, class Ring, class DistanceOf>
     return worst;
 }
 
-/// The edge whose vertex-edge plane the point violates most (the steepest way out of the vertex's region), or
-/// nothing when the point is inside the region.
+/// Returns the edge with the vertex-edge plane that the point violates most (the steepest way out of the
+/// vertex's region), or nothing when the point is inside the region.
 template <FeatureTable Table>
 [[nodiscard]] std::optional<typename Table::Edge> most_violated_vertex_plane(
     const Table& table, typename Table::Vertex v, const Vec3<ComputeOf<Table>>& point) {
@@ -42,8 +42,8 @@ template <FeatureTable Table>
     }
 }
 
-/// The edge whose edge-face plane the point violates most, or nothing when the point is in the face's prism.
-/// The maximum matters here: at an obtuse corner the first violated plane may belong to the wrong edge.
+/// Returns the edge with the edge-face plane that the point violates most; nothing inside the face's prism.
+/// The maximum matters here: at an obtuse corner the first violated plane may be of the wrong edge.
 template <FeatureTable Table>
 [[nodiscard]] std::optional<typename Table::Edge> most_violated_face_side(
     const Table& table, typename Table::Face f, const Vec3<ComputeOf<Table>>& point) {
@@ -56,7 +56,7 @@ template <FeatureTable Table>
     }
 }
 
-/// What names an edge in the ring of a vertex: its handle, or a place that `edge_in_ring` turns into it.
+/// Edge with this name in the ring of a vertex; the name is its handle, or a place in the ring.
 template <FeatureTable Table>
 [[nodiscard]] typename Table::Edge edge_in_ring(const Table& table, typename Table::Vertex v,
                                                 const auto& name) {
@@ -90,7 +90,7 @@ void visit_face_sides(const Table& table, typename Table::Face f, Visit visit) {
     }
 }
 
-/// What names edges in rings of vertices.
+/// Type of the names of edges in rings of vertices.
 template <FeatureTable Table>
 struct RingNameOf {
     using Type = typename Table::Edge;
@@ -101,7 +101,7 @@ struct RingNameOf<Table> {
     using Type = typename Table::RingName;
 };
 
-/// The face's plane for signs and ratios of heights: its normal has any length.
+/// The face's plane for signs and ratios of heights: the length of its normal is arbitrary.
 template <FeatureTable Table>
 [[nodiscard]] auto unscaled_face_plane(const Table& table, typename Table::Face f) {
     if constexpr (requires { table.unscaled_face_plane(f); })
@@ -110,7 +110,7 @@ template <FeatureTable Table>
         return table.face_plane(f);
 }
 
-/// The square of a slope, with the slope's sign: what edges derived from their ends have without a root.
+/// Square of a slope, with the slope's sign: edges derived from their ends have it without a square root.
 template <class Scalar>
 [[nodiscard]] Scalar squared_slope(Scalar slope) {
     return slope * std::abs(slope);
@@ -127,12 +127,12 @@ template <FeatureTable Table>
     }
 }
 
-/// The incident edge that falls steepest along `normal` and how steep every edge is at most; squared slopes.
+/// The incident edge with the steepest descent along `normal`, and the largest slope; both squared.
 template <class Edge, class Scalar>
 struct Descent {
     std::optional<Edge> edge;
-    Scalar slope = 0;     ///< of that edge, leaving the vertex; negative
-    Scalar steepest = 0;  ///< largest |slope| in the ring, if an edge descends; else nothing is said
+    Scalar slope = 0;     ///< slope of that edge, leaving the vertex; negative
+    Scalar steepest = 0;  ///< largest |slope| in the ring, if an edge descends; else not set
 };
 
 template <FeatureTable Table>

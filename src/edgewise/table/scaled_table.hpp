@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// One table, many scales: a view of a table whose body is stretched along its axes. Nothing is stored but the
-// three factors; instances of a shape at any number of scales share one table and one build.
+// A view of a table with the body stretched along its axes. The view stores only the three factors; instances
+// of a shape at any number of scales share one table and one build.
 //
-// What the body is: the hull of the points S p, each coordinate a product of a factor and a stored
-// coordinate, rounded to what the table computes in. Not of the exact products: so it is a body like any
-// other, whose exact distances an oracle can give.
+// The body of a view is the hull of the points S p, where each coordinate is a product of a factor and a
+// stored coordinate, rounded to what the table computes in. It is not the hull of the exact products: so it
+// is a body like any other, and an oracle can compute its exact distances.
 //
-// Why support points may be climbed to as on the table: <S p, d> = <p, S d>. A vertex is the highest along d
-// of the stretched body if and only if it is along S d of the body, on which no vertex but the highest lacks
-// a higher neighbour. What rounding adds to a height, half a rounding step of each of three products, is
+// Queries may climb on the view as on the table, because <S p, d> = <p, S d>. A vertex is the highest of the
+// stretched body along d if and only if it is the highest of the body along S d. There every other vertex has
+// a higher neighbour. Rounding adds to a height half a rounding step of each of three products, which is
 // within what climbs allow (tolerance.hpp, level: 49 of 64), of the view's reach.
 //
-// For GJK alone. V-Clip's planes through an edge are perpendicular to it, and to its faces: a stretch keeps
-// neither right angle, so they are not the images of the table's. (A face's plane is: its normal times the
-// inverse of S.) Build a table of the stretched body, or refit one (write_geometry.hpp), where V-Clip is
-// asked.
+// For GJK only. V-Clip's planes through an edge are perpendicular to it, and to its faces: a stretch keeps
+// neither right angle, so they are not the images of the table's planes. (The image of a face's plane is one:
+// its normal times the inverse of S.) Build a table of the stretched body, or refit one (write_geometry.hpp),
+// for V-Clip.
 #pragma once
 
 #include <algorithm>
@@ -39,8 +39,8 @@ class ScaledTable {
     using Vertex = typename Table::Vertex;
     static constexpr bool counts_vertices = requires { requires Table::counts_vertices; };
 
-    /// scale: a factor for each of the body's axes, finite and not 0; below 0 it mirrors. Every query of a
-    /// view whose scale is none, or takes coordinates out of the range of bodies, fails (Status::failed).
+    /// `scale`: a factor for each of the body's axes, finite and not 0; a negative one mirrors. If the scale
+    /// is invalid, or coordinates leave the range of bodies, every query of the view fails (Status::failed).
     ScaledTable(const Table& table, const Vec3d& scale)
         : table_(&table), scale_(cast<Compute>(scale)), is_in_range_(holds(table, scale)) {}
     ScaledTable(const Table&&, const Vec3d&) = delete;
@@ -60,7 +60,7 @@ class ScaledTable {
     [[nodiscard]] auto neighbours(Vertex v) const requires ClimbingTable<Table> {
         return table_->neighbours(v);
     }
-    /// Angles change: nobody may build on them.
+    /// Always false: a stretch changes angles, so algorithms may not rely on them.
     [[nodiscard]] bool strictly_convex() const requires ClimbingTable<Table> { return false; }
     [[nodiscard]] bool climbable() const requires ClimbingTable<Table> {
         if constexpr (requires { table_->climbable(); })
@@ -70,7 +70,7 @@ class ScaledTable {
     }
     [[nodiscard]] double reach() const requires requires(const Table& table) { table.reach(); }
     { return static_cast<double>(max_abs(scale_)) * table_->reach(); }
-    /// The table's: a vertex of it is one of the view, at every scale.
+    /// Identity of the table: its vertices are vertices of the view, at every scale.
     [[nodiscard]] std::uint32_t identity() const requires requires(const Table& table) { table.identity(); }
     { return table_->identity(); }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A few values whose places any whole number counts. What loops over the points of a simplex also shifts
-// bits by, counts down and indexes Eigen's vectors with, is an int; std::array has it converted, which may
-// change its sign, at each of its uses. Nothing else is different, and g++ makes the same code of it.
+// A small array that any integer type can index. Loops over the points of a simplex use int, because they
+// also shift bits by it, count down and index Eigen's vectors. std::array converts an int at each use, which
+// may change its sign. Nothing else is different, and g++ generates the same code.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The body that a table really holds: as given, rounded to single, or whatever a lossy layout makes of it,
-// and perhaps in another order of vertices. A rounded body is the hull of its stored points.
+// The body that a table really holds: as given, rounded to single, or changed by a lossy layout, and perhaps
+// in another order of vertices. A rounded body is the hull of its stored points.
 #pragma once
 
 #include <cstddef>
@@ -38,17 +38,17 @@ template <class Table>
 }
 }  // namespace detail
 
-/// Whether there are bodies in the storage's range that are too large for the layout.
+/// True if some bodies in the storage's range are too large for the layout.
 template <class Table>
 inline constexpr bool is_limited = requires {
     Table::most_neighbours;
 }
 || requires { Table::most_vertices; };
 
-/// Fails when the storage cannot hold the body: out of its range, nothing is left of it, or larger than the
-/// layout's indices can count: such a layout says `static constexpr std::size_t most_neighbours`, of the
-/// rings of all vertices together, or most_vertices. One that wants vertices in an order of its own says
-/// `static constexpr VertexOrder vertex_order`.
+/// Returns the body as the table stores it. Fails when the storage cannot hold it: out of range, nothing left
+/// of it, or too large for the layout's indices. A layout declares `static constexpr std::size_t
+/// most_neighbours`, in the rings of all vertices together, or most_vertices. A layout with a vertex order of
+/// its own declares `static constexpr VertexOrder vertex_order`.
 template <class Table>
 [[nodiscard]] Result<Polyhedron> stored_body(const Polyhedron& body) {
     auto stored = detail::rounded_body<Table>(body);
@@ -65,7 +65,7 @@ template <class Table>
     return stored;
 }
 
-/// Table types of the same storage hold the same bodies: "double", "single", or the lossy table type itself.
+/// Name of the storage: "double", "single", or the lossy table type. Equal names mean equal stored bodies.
 template <class Table>
 [[nodiscard]] std::string storage_name() {
     using P = typename Table::PrecisionType;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Where tables take their memory from: one seam for all layouts, any std::pmr::memory_resource. What is
-// chosen holds for tables that this thread builds while the choice lives; each table gives its memory back to
-// where it came from, which must outlive it.
+// The source of the tables' memory: any std::pmr::memory_resource, one place for all layouts. A choice
+// applies to tables that this thread builds while the choice lives; each table gives its memory back to its
+// own source, which must outlive it.
 #pragma once
 
 #include <memory_resource>
@@ -16,10 +16,10 @@ inline std::pmr::memory_resource*& table_memory_of_thread() {
 }
 }  // namespace detail
 
-/// What a table built now takes its memory from; operator new unless somebody chose.
+/// Memory resource of a table built now; operator new if there is no choice.
 [[nodiscard]] inline std::pmr::memory_resource& table_memory() { return *detail::table_memory_of_thread(); }
 
-/// A choice, for as long as it lives; choices nest.
+/// Chooses a memory resource for as long as this object lives; choices nest.
 class TablesIn {
   public:
     explicit TablesIn(std::pmr::memory_resource& resource) : before_(detail::table_memory_of_thread()) {
