@@ -32,7 +32,6 @@ void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& op
     cell.table_bytes = static_cast<double>(ready.runner().ledger().total());
     cell.bytes_per_edge = cell.table_bytes / static_cast<double>(asked.shape.body.edge_count());
     ready.check(shared);
-    cell.steps = ready.mean_steps();
     for (const truth::CheckedAnswer& answer : ready.checked())
         cell.error = std::max(cell.error, answer.band.over_scale(answer.error_given));
     if (!ready.wrong().empty())
