@@ -30,6 +30,8 @@ struct Program {
     std::function<Rows()> compute;
     /// Whether this row's figures, as found and as in the file, are taken for the same.
     std::function<bool(const std::string& what, const std::string& found, const std::string& expected)> alike;
+    /// Optional: a remark on two figures that are not alike.
+    std::function<std::string(const std::string& found, const std::string& expected)> remark = {};
 };
 
 /// The place of the blank before the last `words` words; npos: the row has not so many.
@@ -70,8 +72,10 @@ inline void write_rows(std::FILE* to, const Rows& rows) {
         const auto place = expected.find(what);
         if (place != expected.end() && program.alike(what, figures, place->second)) continue;
         ++count;
-        fmt::print(stderr, "{}: {} here, {} in the file\n", what, figures,
-                   place == expected.end() ? "missing" : place->second);
+        const bool known = place != expected.end();
+        fmt::print(stderr, "{}: {} here, {} in the file{}\n", what, figures,
+                   known ? place->second : "missing",
+                   known && program.remark ? ", " + program.remark(figures, place->second) : "");
     }
     for (const auto& [what, figures] : expected) {
         if (some || found.count(what)) continue;

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "corpus.hpp"
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "frozen.hpp"
+#include "judged_case.hpp"
+
+namespace edgewise::golden {
+
+namespace {
+
+/// Every precision, and every way to store a body.
+constexpr const char* tables[] = {"aos_f64",  "aos_f32",        "aos_mixed",
+                                  "lean_f64", "points_soa_f32", "quantised_f32"};
+
+struct Subject {
+    const bench::TableType& type;
+    std::string algorithm;
+    std::unique_ptr<bench::Runner> runner;
+};
+
+std::vector<Subject> subjects() {
+    std::vector<Subject> all;
+    for (const std::string name : tables) {
+        const auto types = bench::table_types();
+        const auto type =
+            std::find_if(types.begin(), types.end(), [&](const auto& t) { return t.name == name; });
+        if (type == types.end()) throw std::runtime_error("no table type " + name + " in this program");
+        for (const std::string& algorithm : type->algorithms)
+            all.push_back({*type, algorithm, type->make_runner(algorithm)});
+    }
+    return all;
+}
+
+/// "separated 1.5", "overlapping 0 WRONG", "refused".
+std::string verdict(const Subject& subject, const scene::Case& given) {
+    const double eps = subject.type.eps;
+    const JudgedCase judged = judge_case(*subject.runner, {eps, eps > Tolerance<double>::eps}, given);
+    if (!judged.answered) return "refused";
+    const Distance answer =
+        subject.runner->answer(scene::Query{0, 1, 0, given.pose_a, given.pose_b}).distance;
+    return fmt::format("{} {:.17g}{}", to_string(answer.status), answer.distance,
+                       judged.complaints.empty() ? "" : " WRONG");
+}
+
+}  // namespace
+
+void add_verdicts(Texts& texts) {
+    const std::vector<Subject> all = subjects();
+    std::string& text = texts["verdicts.txt"];
+    text = "case";
+    for (const Subject& subject : all) text += fmt::format(" | {} {}", subject.type.name, subject.algorithm);
+    text += '\n';
+    for (const scene::Case& given : corpus()) {
+        text += given.id;
+        for (const Subject& subject : all) text += " | " + verdict(subject, given);
+        text += '\n';
+    }
+}
+
+}  // namespace edgewise::golden
