@@ -41,7 +41,7 @@ std::vector<Subject> subjects() {
 /// "separated 1.5", "overlapping 0 WRONG", "refused".
 std::string verdict(const Subject& subject, const scene::Case& given) {
     const double eps = subject.type.eps;
-    const JudgedCase judged = judge_case(*subject.runner, {eps, eps > Tolerance<double>::eps}, given);
+    const JudgedCase judged = judge_case(*subject.runner, {eps}, given);
     if (!judged.answered) return "refused";
     const Distance answer =
         subject.runner->answer(scene::Query{0, 1, 0, given.pose_a, given.pose_b}).distance;
