@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/terminal/text_table.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/store/merge_source.hpp"
 #include "edgewise/sweep/progress_pieces.hpp"
 
@@ -25,14 +25,14 @@ void print_pieces(const std::vector<sweep::ProgressPiece>& pieces) {
         expected += piece.expected;
         took += piece.took;
     }
-    TextTable table({"#shown", "#true", "#expected s", "#took s", "piece"});
+    reports::TextGrid table{"", reports::columns_of("#shown|#true|#expected s|#took s|piece")};
     for (const sweep::ProgressPiece& piece : pieces) {
         shown += piece.expected / expected;
         truth += piece.took / took;
-        table.add({fmt::format("{:.1f} %", shown * 100), fmt::format("{:.1f} %", truth * 100),
-                   fmt::format("{:.2f}", piece.expected), fmt::format("{:.2f}", piece.took), piece.what});
+        table.add(fmt::format("{:.1f} %", shown * 100), fmt::format("{:.1f} %", truth * 100),
+                  fmt::format("{:.2f}", piece.expected), fmt::format("{:.2f}", piece.took), piece.what);
     }
-    fmt::print("{}", table.text());
+    fmt::print("{}", grid_text(table));
 }
 
 int run_progress(const ProgressArguments& options, bool json) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "edgewise/cli/advise/advice.hpp"
-#include "edgewise/cli/terminal/text_table.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/studies/advise/changes.hpp"
 
@@ -13,6 +13,7 @@ namespace edgewise::cli {
 
 namespace {
 
+using reports::wrapped, reports::widest_line;
 using studies::advise::Finalist;
 using studies::advise::OutFor;
 
@@ -35,7 +36,7 @@ std::string table_bytes_text(const studies::advise::CaseAsked& asked, double tab
 /// Label in a column of its own, the rest folded beside it.
 std::string labelled(const std::string& label, const std::string& text) {
     constexpr std::size_t indent = 14;
-    return fmt::format("  {:<11} {}\n", label, folded(text, widest_line - indent, indent));
+    return fmt::format("  {:<11} {}\n", label, wrapped(text, widest_line - indent, indent));
 }
 
 /// The paper's layout; null where it is taken itself, or was not raced.
