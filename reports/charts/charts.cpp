@@ -11,7 +11,6 @@
 
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/charts/spec_file.hpp"
-#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/palette.hpp"
@@ -178,19 +177,14 @@ void Omissions::write(const std::string& noun, std::vector<std::string>& notes) 
 
 TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fields) {
     constexpr std::size_t rows = 30;
-    TextGrid grid;
+    nlohmann::json shown = values;
+    if (shown.size() > rows) shown.erase(shown.begin() + rows, shown.end());
+    std::string columns;
     for (const std::string& field : fields)
-        grid.columns.push_back({field, !values.empty() && values[0].value(field, ChartJson()).is_number()});
-    for (std::size_t i = 0; i < std::min(rows, values.size()); ++i) {
-        std::vector<GridCell> row;
-        for (const std::string& field : fields) {
-            const ChartJson value = values[i].value(field, ChartJson());
-            row.push_back({value.is_number()   ? number_text(value.get<double>())
-                           : value.is_string() ? value.get<std::string>()
-                                               : "–"});
-        }
-        grid.rows.push_back(std::move(row));
-    }
+        append(columns,
+               !shown.empty() && shown[0].value(field, nlohmann::json()).is_number() ? "#" + field : field,
+               "|");
+    TextGrid grid = member_grid(shown, columns);
     if (values.size() > rows)
         grid.caption = fmt::format("The first {} of {} rows; the store has them all.", rows, values.size());
     return grid;

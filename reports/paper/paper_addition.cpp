@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What this folder adds to the report and to the program.
-#include <fmt/format.h>
-
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/claims/claims.hpp"
 #include "edgewise/reports/paper/claims/claims_diff.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
@@ -19,12 +18,9 @@ nlohmann::json decompositions() { return nlohmann::json::parse(report_text("deco
 
 /// A short table with what is known about it, and which reading this program takes.
 std::string decompositions_text() {
-    std::string text = fmt::format("{:<76}{:>8}{:>8}\n", "ways to 168 bytes per edge", "double", "single");
-    for (const auto& way : decompositions())
-        text +=
-            fmt::format("{:<76}{:>8.4g}{:>8.4g}  {}\n", way["terms"].get<std::string>(),
-                        way["f64"].get<double>(), way["f32"].get<double>(), way["remark"].get<std::string>());
-    return text.append(report_text("decompositions.md"));
+    return rows_text(decompositions(),
+                     "ways to 168 bytes per edge = terms|#double = f64|#single = f32| = remark")
+        .append(report_text("decompositions.md"));
 }
 
 }  // namespace

@@ -107,13 +107,7 @@ TextGrid error_summary_grid(const ReportData& data) {
 }
 
 TextGrid error_grid(const ReportData& data) {
-    TextGrid grid = figure_grid("Every cell", "scene|shape|algorithm|table type|status", error_columns);
-    for (const ReportCell* cell : data.swept())
-        add_row(
-            grid,
-            grid_row(cell->scene_label, cell->shape, cell->algorithm, cell->table, to_string(cell->status)),
-            *cell, error_columns);
-    return grid;
+    return cell_grid("Every cell", "scene|shape|algorithm|table type|status", error_columns, data.swept());
 }
 
 TextGrid stability_summary_grid(const ReportData& data) {
@@ -130,11 +124,8 @@ TextGrid stability_summary_grid(const ReportData& data) {
 }
 
 TextGrid stability_grid(const ReportData& data) {
-    TextGrid grid = figure_grid("Family by family", "family|algorithm|table type|status", stability_columns);
-    for (const ReportCell& row : data.stability)
-        add_row(grid, grid_row(row.shape, row.algorithm, row.table, to_string(row.status)), row,
-                stability_columns);
-    return grid;
+    return cell_grid("Family by family", "family|algorithm|table type|status", stability_columns,
+                     data.stability);
 }
 
 }  // namespace edgewise::reports

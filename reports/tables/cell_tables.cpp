@@ -40,10 +40,9 @@ void add_status(TextGrid& grid, const ReportData& data, store::CellStatus status
     }
     for (const auto& key : order) {
         const Problem& problem = problems[key];
-        grid.rows.push_back(grid_row(to_string(status), problem.cells, one_or_many(problem.scenes, "scene"),
-                                     key.first, one_or_many(problem.algorithms, "algorithm"),
-                                     one_or_many(problem.tables, "table type"),
-                                     key.second.empty() ? std::string("no reason stored") : key.second));
+        grid.add(to_string(status), problem.cells, one_or_many(problem.scenes, "scene"), key.first,
+                 one_or_many(problem.algorithms, "algorithm"), one_or_many(problem.tables, "table type"),
+                 key.second.empty() ? std::string("no reason stored") : key.second);
     }
 }
 
@@ -80,7 +79,7 @@ std::vector<std::pair<std::int64_t, std::string>> shapes_by_vertices(const Repor
 }
 
 TextGrid scenes_grid(const ReportData& data) {
-    TextGrid grid{"", columns_of("scene|parameters|#cells|#queries per cell"), {}};
+    TextGrid grid{"", columns_of("scene|parameters|#cells|#queries per cell")};
     for (const std::string& label : scene_labels(data)) {
         std::size_t cells = 0;
         std::int64_t least = 0, most = 0;
@@ -94,26 +93,22 @@ TextGrid scenes_grid(const ReportData& data) {
         }
         const std::string queries =
             least == most ? std::to_string(most) : std::to_string(least) + " to " + std::to_string(most);
-        grid.rows.push_back(grid_row(label, parameters, cells, queries));
+        grid.add(label, parameters, cells, queries);
     }
     return grid;
 }
 
 TextGrid problems_grid(const ReportData& data) {
-    TextGrid grid{"", columns_of("status|#cells|scene|shape|algorithm|table type|reason"), {}};
+    TextGrid grid{"", columns_of("status|#cells|scene|shape|algorithm|table type|reason")};
     add_status(grid, data, store::CellStatus::failed);
     add_status(grid, data, store::CellStatus::unavailable);
     return grid;
 }
 
 TextGrid cells_grid(const ReportData& data) {
-    TextGrid grid{
-        "", columns_of("scene|shape|source|#V|#E|#F|algorithm|table type|#seed|#queries|status|cell"), {}};
-    for (const ReportCell* cell : data.swept())
-        grid.rows.push_back(grid_row(cell->scene_label, cell->shape, cell->shape_source, cell->vertices,
-                                     cell->edges, cell->faces, cell->algorithm, cell->table, cell->seed,
-                                     cell->queries, to_string(cell->status), cell->hash.substr(0, 12)));
-    return grid;
+    constexpr const char* names =
+        "scene|shape|source|#vertices|#edges|#faces|algorithm|table type|#seed|#queries|status|cell";
+    return cell_grid("", names, std::vector<FigureColumn>(), data.swept());
 }
 
 }  // namespace edgewise::reports

@@ -33,11 +33,6 @@ std::vector<const ReportCell*> in_order(const ReportData& data) {
     return rows;
 }
 
-std::vector<GridCell> names_of(const ReportCell& row) {
-    return grid_row(row.scene_label, row.shape, row.judged() ? row.layout : row.algorithm,
-                    row.judged() ? row.precision : row.table);
-}
-
 /// Of the machines whose caches were simulated, by name.
 std::vector<std::string> machines_of(const ReportData& data) {
     constexpr store::FigureName misses("effort.{machine}.d1_misses");
@@ -79,24 +74,19 @@ std::vector<FigureColumn> spent_columns(const std::vector<std::string>& machines
 
 TextGrid effort_grid(const ReportData& data) {
     const std::vector<std::string> machines = machines_of(data);
-    const std::vector<FigureColumn> columns = spent_columns(machines);
-    TextGrid grid = figure_grid("Per query of all queries, fewest instructions first", names, columns);
-    for (const ReportCell* row : in_order(data)) add_row(grid, names_of(*row), *row, columns);
-    return grid;
+    return cell_grid("Per query of all queries, fewest instructions first", names, spent_columns(machines),
+                     in_order(data));
 }
 
 TextGrid effort_floor_grid(const ReportData& data) {
-    const std::vector<FigureColumn> columns = {
-        {"flops of the floor", "effort.floor_flops"},
-        {"its vertices", "effort.floor_vertices"},
-        {"its lines", "effort.floor_lines"},
-        {"instructions per flop of it", "effort.instructions_over_floor"},
-        {"vertices read over its own", "effort.vertices_over_floor"},
-        {"lines read over its own", "effort.lines_over_floor"}};
-    TextGrid grid =
-        figure_grid("The floor: a proof of the known answer by heights of vertices", names, columns);
-    for (const ReportCell* row : in_order(data)) add_row(grid, names_of(*row), *row, columns);
-    return grid;
+    const FigureColumn columns[] = {{"flops of the floor", "effort.floor_flops"},
+                                    {"its vertices", "effort.floor_vertices"},
+                                    {"its lines", "effort.floor_lines"},
+                                    {"instructions per flop of it", "effort.instructions_over_floor"},
+                                    {"vertices read over its own", "effort.vertices_over_floor"},
+                                    {"lines read over its own", "effort.lines_over_floor"}};
+    return cell_grid("The floor: a proof of the known answer by heights of vertices", names, columns,
+                     in_order(data));
 }
 
 }  // namespace edgewise::reports

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What ran, on what machine, built how. The machine's JSON belongs to the program that wrote it: the keys
-// that the store promises (cpu, caches, counters) are shown in words, whatever else is there is left in the
-// store.
+// What ran, on what machine, built how. The machine's JSON belongs to the program that wrote it: whatever it
+// has beside what the store promises (cpu, caches, counters) is shown as it is.
 #include <fmt/core.h>
 
 #include <map>
@@ -17,102 +16,24 @@ namespace edgewise::reports {
 
 namespace {
 
-// Ordered: facts are shown in the order in which the machine report gives them.
-using FactsJson = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
-std::string plain(const FactsJson& value) {
-    if (value.is_null()) return "not known";
-    return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-/// "model x, cores 2": an object's members in order; a list's items separated by semicolons.
-std::string facts_in_words(const FactsJson& value) {
-    std::string out;
-    if (value.is_object())
-        for (const auto& item : value.items()) append(out, item.key() + " " + facts_in_words(item.value()));
-    else if (value.is_array())
-        for (const FactsJson& item : value) append(out, facts_in_words(item), "; ");
-    else
-        out = plain(value);
-    return out;
-}
-
-/// "L1 data 32 KiB, line 64" for a cache in the usual words, else its members as they are.
-std::string cache_in_words(FactsJson cache) {
-    if (!cache.is_object() || !cache.contains("level")) return facts_in_words(cache);
-    std::string out = "L" + plain(cache["level"]);
-    cache.erase("level");
-    if (cache.contains("type")) out += " " + plain(cache["type"]);
-    cache.erase("type");
-    if (cache.contains("bytes")) {
-        const FactsJson& size = cache["bytes"];
-        const bool kibibytes = size.is_number_unsigned() && size.get<std::uint64_t>() % 1024 == 0;
-        out += kibibytes ? fmt::format(" {} KiB", size.get<std::uint64_t>() / 1024) : " " + plain(size);
-    }
-    cache.erase("bytes");
-    const std::string rest = facts_in_words(cache);
-    return rest.empty() ? out : out + " (" + rest + ")";
-}
-
-std::string caches_in_words(const FactsJson& caches) {
-    if (!caches.is_array()) return facts_in_words(caches);
-    std::string out;
-    for (const FactsJson& cache : caches) append(out, cache_in_words(cache), "; ");
-    return out;
-}
-
-std::string member(const FactsJson& object, const char* key) {
-    return object.is_object() && object.contains(key) && !object[key].is_null() ? plain(object[key]) : "";
-}
-
-/// "3 counted (cycles, instructions, ...); 2 unavailable: misses (reason; remedy)"
-std::string counters_in_words(const FactsJson& counters) {
-    std::string counted;
-    std::map<std::string, std::string> unavailable;
-    for (const FactsJson& counter : counters) {
-        const std::string event = member(counter, "event");
-        if (member(counter, "status") == "counted") {
-            append(counted, event);
-            continue;
-        }
-        std::string why = member(counter, "reason");
-        if (const std::string remedy = member(counter, "remedy"); !remedy.empty()) why += " – " + remedy;
-        append(unavailable[why], event);
-    }
-    std::string out = "counted: " + (counted.empty() ? "none" : counted);
-    for (const auto& [why, events] : unavailable)
-        out += fmt::format("; unavailable: {} ({})", events, why.empty() ? "no reason stored" : why);
-    return out;
+/// A row for each member; the machine says why one is not known.
+TextGrid members_grid(std::string caption, const Json& facts, const Json& unreadable) {
+    Json rows = Json::array();
+    if (facts.is_object())
+        for (const auto& [key, value] : facts.items())
+            rows.push_back({{"fact", key},
+                            {"value", value},
+                            {"reason", unreadable.is_object() ? unreadable.value(key, Json()) : Json()}});
+    if (!facts.is_object() && !facts.is_null()) rows.push_back({{"fact", caption}, {"value", facts}});
+    TextGrid grid = member_grid(rows, "fact|value");
+    grid.caption = std::move(caption), grid.shown_rows = rows.size();
+    return grid;
 }
 
 void add(TextGrid& grid, const std::string& key, const std::string& value) {
     grid.rows.push_back({{key}, value.empty() ? missing_cell("not stored") : GridCell{value}});
-}
-
-/// The machine's remaining plain facts; where one could not be read, the reason that the machine gave.
-std::string further_facts(const FactsJson& machine) {
-    std::string out;
-    for (const auto& item : machine.items()) {
-        if (item.value().is_structured()) continue;
-        const std::string why = item.value().is_null() && machine.contains("unreadable")
-                                    ? member(machine["unreadable"], item.key().c_str())
-                                    : "";
-        append(out, item.key() + " " + plain(item.value()), "; ");
-        if (!why.empty()) out += " (" + why + ")";
-    }
-    return out;
-}
-
-void add_machine(TextGrid& grid, const std::string& machine_json) {
-    const FactsJson machine = input::json_or_null(machine_json);
-    const auto words = [&](const char* key, std::string (*say)(const FactsJson&)) {
-        return machine.is_object() && machine.contains(key) ? say(machine[key]) : "";
-    };
-    add(grid, "CPU", words("cpu", facts_in_words));
-    add(grid, "caches", words("caches", caches_in_words));
-    add(grid, "hardware counters", words("counters", counters_in_words));
-    const std::string further = machine.is_object() ? further_facts(machine) : "";
-    if (!further.empty()) add(grid, "machine", further);
 }
 
 std::string seeds(const ReportData& data) {
@@ -131,9 +52,24 @@ std::string seeds(const ReportData& data) {
 
 }  // namespace
 
+std::vector<TextGrid> machine_grids(const Json& machine) {
+    const auto part = [&](const char* key) {
+        return machine.is_object() && machine.contains(key) ? machine[key] : Json();
+    };
+    Json further = machine;
+    for (const char* apart : {"cpu", "caches", "counters", "unreadable"})
+        if (further.is_object()) further.erase(apart);
+    TextGrid caches = member_grid(
+        part("caches"),
+        "#cache level = level|type|#bytes|#ways|#line = line_bytes|#sets|shared by = shared_cpus");
+    TextGrid counters = member_grid(part("counters"), "event|level|by|#counted = value|unit|meaning");
+    caches.caption = "Caches", counters.caption = "Hardware counters";
+    return {members_grid("Processor", part("cpu"), part("unreadable")), std::move(caches),
+            members_grid("Machine", further, part("unreadable")), std::move(counters)};
+}
+
 TextGrid facts_grid(const ReportData& data) {
-    TextGrid grid{"", columns_of("fact|value"), {}};
-    add_machine(grid, data.build.machine_json);
+    TextGrid grid{"", columns_of("fact|value")};
     add(grid, "compiler", data.build.compiler);
     add(grid, "flags", data.build.flags);
     add(grid, "build type", data.build.build_type);

@@ -47,10 +47,8 @@ std::vector<std::pair<std::string, std::string>> levels_of(const ReportData& dat
 }
 
 GridCell time_cell(const ReportCell& row, const char* whose) {
-    const measure::Figure middle = row.figure(ratio.of(whose)), low = row.figure(ratio_low.of(whose)),
-                          high = row.figure(ratio_high.of(whose));
-    if (!middle.value || !low.value || !high.value) return figure_cell(middle);
-    return {fmt::format("{:.3f} [{:.3f}, {:.3f}]", *middle.value, *low.value, *high.value)};
+    return interval_cell(row.figure(ratio.of(whose)), row.figure(ratio_low.of(whose)),
+                         row.figure(ratio_high.of(whose)), 3);
 }
 
 GridCell verdict_cell(const measure::Figure& figure) {
@@ -77,8 +75,7 @@ TextGrid field_advice_grid(const ReportData& data) {
         unseen("fields.unseen_lines.{whose}");
     TextGrid grid{"Advice, and what became of it: per query of all queries",
                   columns_of("scene|shape|algorithm|table|#lines|#predicted|#counted|lines|#unseen queries: "
-                             "lines|#as advised|#time, advised|#noise|time|#made by hand: lines|#its time"),
-                  {}};
+                             "lines|#as advised|#time, advised|#noise|time|#made by hand: lines|#its time")};
     for (const auto& [machine, level] : levels) {
         grid.columns.push_back({fmt::format("misses, {} {}", machine, level), true});
         grid.columns.push_back({"as advised", true});
@@ -113,11 +110,10 @@ TextGrid field_groups_grid(const ReportCell& row) {
         }
     }
     TextGrid grid{fmt::format("{} and {}: records", row.table, row.algorithm),
-                  columns_of("records|fields|#bytes of fields"),
-                  {}};
+                  columns_of("records|fields|#bytes of fields")};
     for (const auto& [whose, groups] : {std::pair("now", &now), std::pair("advised", &then)})
         for (const auto& [group, fields] : *groups)
-            grid.rows.push_back(grid_row(whose, fields.first, static_cast<int>(fields.second)));
+            grid.add(whose, fields.first, static_cast<int>(fields.second));
     return grid;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "edgewise/input/shown_text.hpp"
 
@@ -76,6 +77,25 @@ std::string in_words(std::string name) {
 void append(std::string& list, const std::string& part, const char* separator) {
     if (!list.empty()) list += separator;
     list += part;
+}
+
+std::size_t shown_width(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(  // continuation bytes take no column
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
+    std::istringstream words(text);
+    std::string result;
+    std::size_t used = 0;
+    for (std::string word; words >> word;) {
+        const std::size_t needed = shown_width(word);
+        const bool fits = used > 0 && used + 1 + needed <= width;
+        if (used > 0) result += fits ? " " : '\n' + std::string(indent, ' ');
+        used = fits ? used + 1 + needed : needed;
+        result += word;
+    }
+    return result;
 }
 
 std::string plural(std::size_t count, const std::string& noun, const std::string& many) {

@@ -3,13 +3,13 @@
 // Numbers and text for people: how a figure is written, and how text is made safe for HTML and Markdown.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 
-#include "edgewise/reports/reader.hpp"
-
 namespace edgewise::reports {
 
+inline constexpr std::size_t widest_line = 100;  ///< characters, of what is printed on a terminal
 inline constexpr double kibibyte = 1024, mebibyte = 1024 * kibibyte;
 
 /// At most three or four significant digits, by unit: "168", "12.4", "3.1e-16", "0" only for exactly 0.
@@ -21,6 +21,12 @@ inline constexpr double kibibyte = 1024, mebibyte = 1024 * kibibyte;
 [[nodiscard]] std::string in_words(std::string name);              ///< "face_planes" -> "face planes"
 /// Adds `part` to a list in one text.
 void append(std::string& list, const std::string& part, const char* separator = ", ");
+/// Columns that UTF-8 takes on a terminal.
+[[nodiscard]] std::size_t shown_width(const std::string& text);
+/// Text in lines of at most `width` characters, broken at blanks; before every line but the first stand
+/// `indent` blanks more. A word that is longer stays whole.
+[[nodiscard]] std::string wrapped(const std::string& text, std::size_t width = widest_line,
+                                  std::size_t indent = 0);
 /// "1 cell", "2 cells"; `many`: a plural that is not made with s.
 [[nodiscard]] std::string plural(std::size_t count, const std::string& noun, const std::string& many = {});
 

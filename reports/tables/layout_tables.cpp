@@ -75,11 +75,8 @@ TextGrid layout_cost_grid(const ReportData& data) {
     std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
         return std::make_tuple(b->algorithm, lines_of(*a)) < std::make_tuple(a->algorithm, lines_of(*b));
     });
-    TextGrid grid = figure_grid(fmt::format("{}, {}, fewest lines first", scene, shape),
-                                "algorithm|table type", layout_cost_columns);
-    for (const ReportCell* cell : cells)
-        add_row(grid, grid_row(cell->algorithm, cell->table), *cell, layout_cost_columns);
-    return grid;
+    return cell_grid(fmt::format("{}, {}, fewest lines first", scene, shape), "algorithm|table type",
+                     layout_cost_columns, cells);
 }
 
 TextGrid counters_grid(const ReportData& data) {
@@ -95,19 +92,34 @@ TextGrid counters_grid(const ReportData& data) {
         };
         if (std::any_of(cells.begin(), cells.end(), has)) shown.push_back(column);
     }
-    TextGrid grid =
-        figure_grid(cells.empty() ? "" : scene + ", " + shape + ", per query", "algorithm|table type", shown);
-    for (const ReportCell* cell : cells) add_row(grid, grid_row(cell->algorithm, cell->table), *cell, shown);
-    return grid;
+    return cell_grid(cells.empty() ? "" : scene + ", " + shape + ", per query", "algorithm|table type", shown,
+                     cells);
 }
 
 TextGrid scene_memory_grid(const ReportData& data) {
-    TextGrid grid = figure_grid("Cells with more than four tables", "scene|shape|algorithm|table type",
-                                scene_memory_columns);
-    for (const ReportCell* cell : verified_cells(data))
-        if (cell->figure("memory.tables").value.value_or(0) > 4)
-            add_row(grid, grid_row(cell->scene_label, cell->shape, cell->algorithm, cell->table), *cell,
-                    scene_memory_columns);
+    std::vector<const ReportCell*> cells = verified_cells(data);
+    std::erase_if(
+        cells, [](const ReportCell* cell) { return cell->figure("memory.tables").value.value_or(0) <= 4; });
+    return cell_grid("Cells with more than four tables", cell_names, scene_memory_columns, cells);
+}
+
+TextGrid scale_grid(const ReportData& data) {
+    TextGrid grid{
+        "GJK over 64 instances of a body, each at a scale of its own: views of one table beside a table each",
+        columns_of(
+            "scene|shape|table type|#query, shared, ns|#tables of their own, ns|#shared / own|"
+            "#bytes, shared|#bytes, own|#own / shared|#to build one, ns|#to refit it, ns|#worst error")};
+    for (const ReportCell& cell : data.cells) {
+        const measure::Figure shared = cell.figure("scale.shared_query_ns");
+        if (!cell.verified() || !shared.value) continue;
+        const measure::Figure shared_bytes = cell.figure("scale.shared_bytes"),
+                              own_bytes = cell.figure("scale.own_bytes");
+        grid.add(cell.scene_label, cell.shape, cell.table, shared, cell.figure("scale.own_query_ns"),
+                 interval_cell(cell.figure("scale.shared_over_own"), cell.figure("scale.shared_over_own_low"),
+                               cell.figure("scale.shared_over_own_high"), 2),
+                 shared_bytes, own_bytes, ratio_cell(own_bytes, shared_bytes), cell.figure("scale.build_ns"),
+                 cell.figure("scale.refit_ns"), cell.figure("scale.worst_error"));
+    }
     return grid;
 }
 

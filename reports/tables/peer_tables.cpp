@@ -89,10 +89,10 @@ std::vector<GridCell> row_of(const ReportCell& cell, const ReportCell* peer) {
 bool has_peers(const ReportData& data) { return !data.peers.empty(); }
 
 TextGrid peers_grid(const ReportData& data) {
-    TextGrid grid{"Other libraries", columns_of("adapter|library, query, cache and flags"), {}};
+    TextGrid grid{"Other libraries", columns_of("adapter|library, query, cache and flags")};
     for (const auto& [key, value] : data.meta) {
         constexpr std::string_view prefix = store::peer_key;
-        if (key.starts_with(prefix)) grid.rows.push_back(grid_row(key.substr(prefix.size()), value));
+        if (key.starts_with(prefix)) grid.add(key.substr(prefix.size()), value);
     }
     return grid;
 }
@@ -101,8 +101,7 @@ TextGrid peer_grid(const ReportData& data, const std::string& scene_label) {
     TextGrid grid{fmt::format("{}, separated pairs: by shape, fastest first", scene_label),
                   columns_of("shape|#vertices|algorithm or library|table type or precision|#ns per query|"
                              "#ratio to the fastest peer|#worst error|#p99 error|#wrong verdicts|"
-                             "#checked|#bytes of a table|#of its object|#of a pair"),
-                  {}};
+                             "#checked|#bytes of a table|#of its object|#of a pair")};
     std::vector<std::pair<std::int64_t, std::string>> shapes;
     for (const ReportCell& cell : data.peers) shapes.emplace_back(cell.vertices, cell.shape);
     std::sort(shapes.begin(), shapes.end());

@@ -57,11 +57,10 @@ std::vector<Compared> compared(const ReportData& data) {
 TextGrid support_grid(const ReportData& data) {
     TextGrid grid{
         "Support queries, ns",
-        columns_of("scene|shape|precision|start|#separate arrays|#line per vertex|#separate / line"),
-        {}};
+        columns_of("scene|shape|precision|start|#separate arrays|#line per vertex|#separate / line")};
     for (const Compared& row : compared(data))
-        grid.rows.push_back(grid_row(row.line->scene_label, row.line->shape, row.line->precision, row.start,
-                                     row.separate_ns, row.line_ns, ratio_cell(row.separate_ns, row.line_ns)));
+        grid.add(row.line->scene_label, row.line->shape, row.line->precision, row.start, row.separate_ns,
+                 row.line_ns, ratio_cell(row.separate_ns, row.line_ns));
     return grid;
 }
 

@@ -18,7 +18,10 @@ enum class PairKind { Separated, Overlapping };
 [[nodiscard]] std::string pair_name(PairKind kind);  ///< "separated" | "overlapping"
 [[nodiscard]] const store::QueryTime& times_of(PairKind kind);
 
-/// What ran, on what, built how: key and value.
+/// What a machine is, as measure::machine_json and a store have it: its processor, its caches, further facts,
+/// and its counters.
+[[nodiscard]] std::vector<TextGrid> machine_grids(const nlohmann::json& machine);
+/// What ran, built how: key and value.
 [[nodiscard]] TextGrid facts_grid(const ReportData& data);
 /// Name and full parameters of every scene.
 [[nodiscard]] TextGrid scenes_grid(const ReportData& data);
@@ -49,6 +52,38 @@ enum class PairKind { Separated, Overlapping };
 [[nodiscard]] TextGrid counters_grid(const ReportData& data);
 /// What the tables of scenes with more than a few of them take, beside the time of their queries.
 [[nodiscard]] TextGrid scene_memory_grid(const ReportData& data);
+
+/// One table at many scales beside a table for each: what sharing saves in bytes and costs in time; cells
+/// that measured it (probe scale), by scene and shape.
+[[nodiscard]] TextGrid scale_grid(const ReportData& data);
+
+/// Cells whose caches were modelled, fewest misses of the first machine first; by scene.
+[[nodiscard]] std::vector<const ReportCell*> modelled_cells(const ReportData& data);
+/// Machines with figures, in order of name; not those under another policy.
+[[nodiscard]] std::vector<std::string> modelled_machines(const ReportData& data);
+
+/// Misses per query in each level of a machine, and the modelled memory time; an empty name: of all machines.
+[[nodiscard]] TextGrid misses_grid(const ReportData& data, const std::string& machine = {});
+/// Of one machine: each level's misses by cause, cold and warm.
+[[nodiscard]] TextGrid causes_grid(const ReportData& data, const std::string& machine);
+/// The levels of a machine whose misses are told by field and step.
+[[nodiscard]] std::vector<std::string> broken_down_levels(const ReportData& data, const std::string& machine);
+inline constexpr store::FigureName misses_by_field("caches.{machine}.{level}.field.{field}"),
+    misses_by_step("caches.{machine}.{level}.step.{step}");
+/// Of one level: misses by what was read or by what read it.
+[[nodiscard]] TextGrid breakdown_grid(const ReportData& data, const std::string& machine,
+                                      const std::string& level, const store::FigureName& by);
+/// Lines and pages: of a query, a frame, a body and the scene; knees; parts touched.
+[[nodiscard]] TextGrid working_sets_grid(const ReportData& data);
+
+/// One line per scene, algorithm and level: whether tree-PLRU or random replacement ranks the tables
+/// otherwise.
+[[nodiscard]] TextGrid policy_grid(const ReportData& data);
+/// Its sums.
+struct PolicyCounts {
+    std::size_t pairs = 0, changed = 0;
+};
+[[nodiscard]] PolicyCounts policy_counts(const ReportData& data);
 
 /// Support queries on a line per vertex beside those on separate arrays, and what that says of the published
 /// claim ("up to five times", arXiv 2509.03753), in one sentence.

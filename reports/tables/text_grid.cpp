@@ -7,9 +7,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
-#include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/input/shown_text.hpp"
 
 namespace edgewise::reports {
 
@@ -52,6 +53,62 @@ std::string markdown_cell(const GridCell& cell, Reasons& reasons) {
 /// "0", or "0 (28 of 29)": over those that have the figure.
 bool is_zero(const std::string& text) { return text == "0" || text.starts_with("0 ("); }
 
+constexpr std::size_t between = 2;      ///< blanks
+constexpr std::size_t least_last = 24;  ///< characters, of a folded column
+
+/// A row for a terminal; each reason is named once, at the first cell that lacks a value for it.
+std::vector<std::string> text_row(const std::vector<GridCell>& row, Reasons& reasons) {
+    std::vector<std::string> texts;
+    std::string named;
+    for (const GridCell& cell : row) {
+        const bool again = cell.why.empty() || cell.why == named;
+        if (!again) named = cell.why;
+        texts.push_back(!again              ? fmt::format("- [{}]", reasons.number(cell.why))
+                        : !cell.why.empty() ? "-"
+                                            : input::shown_line(cell.text));
+    }
+    return texts;
+}
+
+std::size_t longest_word(const std::string& text) {
+    std::istringstream words(text);
+    std::size_t longest = 0;
+    for (std::string word; words >> word;) longest = std::max(longest, shown_width(word));
+    return longest;
+}
+
+/// The titles, in as many lines as their columns are too narrow for them.
+std::vector<std::vector<std::string>> title_lines(const std::vector<GridColumn>& columns,
+                                                  const std::vector<std::size_t>& widths) {
+    std::vector<std::vector<std::string>> lines;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        std::istringstream pieces(wrapped(columns[i].title, widths[i]));
+        std::size_t line = 0;
+        for (std::string piece; std::getline(pieces, piece); ++line) {
+            if (lines.size() == line) lines.emplace_back(columns.size());
+            lines[line][i] = piece;
+        }
+    }
+    return lines;
+}
+
+/// Every column but the last as wide as its widest text; the last one folded in `room` characters.
+std::string text_line(const std::vector<std::string>& row, const std::vector<GridColumn>& columns,
+                      const std::vector<std::size_t>& widths, std::size_t room, std::size_t start) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const bool last = i + 1 == row.size();
+        const std::string fill(widths[i] - shown_width(row[i]), ' ');
+        if (last && !columns[i].number)
+            line += wrapped(row[i], room, start);
+        else
+            line += columns[i].number ? fill + row[i] : row[i] + fill;
+        if (!last) line += std::string(between, ' ');
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line + '\n';
+}
+
 }  // namespace
 
 GridCell missing_cell(const std::string& why) {
@@ -71,6 +128,44 @@ GridCell ratio_cell(const measure::Figure& above, const measure::Figure& below) 
     if (!above.value) return figure_cell(above);
     if (!below.value || *below.value <= 0) return figure_cell(below);
     return figure_cell(above, *below.value, 3);
+}
+
+GridCell figure_cell(const ReportCell* cell, const store::FigureName& name) {
+    return cell ? figure_cell(cell->figure(name)) : GridCell{"–"};
+}
+
+GridCell ratio_cell(const ReportCell* above, const store::FigureName& name, const ReportCell* below,
+                    const store::FigureName& name_below) {
+    return above && below ? ratio_cell(above->figure(name), below->figure(name_below)) : GridCell{"–"};
+}
+
+GridCell interval_cell(const measure::Figure& middle, const measure::Figure& low, const measure::Figure& high,
+                       int digits) {
+    if (!middle.value || !low.value || !high.value) return figure_cell(middle);
+    return {fmt::format("{1:.{0}f} [{2:.{0}f}, {3:.{0}f}]", digits, *middle.value, *low.value, *high.value)};
+}
+
+GridCell name_cell(const ReportCell& cell, std::string_view name) {
+    using Name = GridCell (*)(const ReportCell&);
+    static const std::map<std::string_view, Name> names = {
+        {"scene", [](const ReportCell& of) { return grid_cell(of.scene_label); }},
+        {"shape", [](const ReportCell& of) { return grid_cell(of.shape); }},
+        {"family", [](const ReportCell& of) { return grid_cell(of.shape); }},
+        {"source", [](const ReportCell& of) { return grid_cell(of.shape_source); }},
+        {"vertices", [](const ReportCell& of) { return grid_cell(of.vertices); }},
+        {"edges", [](const ReportCell& of) { return grid_cell(of.edges); }},
+        {"faces", [](const ReportCell& of) { return grid_cell(of.faces); }},
+        {"algorithm", [](const ReportCell& of) { return grid_cell(of.algorithm); }},
+        {"table type", [](const ReportCell& of) { return grid_cell(of.table); }},
+        {"algorithm or library",
+         [](const ReportCell& of) { return grid_cell(of.judged() ? of.layout : of.algorithm); }},
+        {"table type or precision",
+         [](const ReportCell& of) { return grid_cell(of.judged() ? of.precision : of.table); }},
+        {"seed", [](const ReportCell& of) { return grid_cell(of.seed); }},
+        {"queries", [](const ReportCell& of) { return grid_cell(of.queries); }},
+        {"status", [](const ReportCell& of) { return grid_cell(to_string(of.status)); }},
+        {"cell", [](const ReportCell& of) { return grid_cell(of.hash.substr(0, 12)); }}};
+    return names.at(name)(cell);
 }
 
 std::vector<GridColumn> columns_of(std::string_view titles) {
@@ -138,6 +233,25 @@ std::string grid_markdown(const TextGrid& grid) {
     for (std::size_t i = 0; i < reasons.texts().size(); ++i)
         out += fmt::format("{}. {}\n", i + 1, markdown_text(reasons.texts()[i]));
     return out + "\n";
+}
+
+std::string grid_text(const TextGrid& grid, std::size_t width) {
+    Reasons reasons;
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& row : grid.rows) rows.push_back(text_row(row, reasons));
+    std::vector<std::size_t> widths;
+    for (const GridColumn& column : grid.columns) widths.push_back(longest_word(column.title));
+    for (const auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], shown_width(row[i]));
+    std::size_t start = 0;  // of the last column
+    for (std::size_t i = 0; i + 1 < widths.size(); ++i) start += widths[i] + between;
+    const std::size_t room = std::max(start + least_last, width) - start;
+    std::string out;
+    for (const auto& lines : {title_lines(grid.columns, widths), rows})
+        for (const auto& line : lines) out += text_line(line, grid.columns, widths, room, start);
+    for (std::size_t i = 0; i < reasons.texts().size(); ++i)
+        out += fmt::format("[{}] {}\n", i + 1, wrapped(input::shown_line(reasons.texts()[i]), width - 4, 4));
+    return out;
 }
 
 }  // namespace edgewise::reports

@@ -15,7 +15,7 @@ namespace edgewise::reports {
 
 namespace {
 
-GridCell interval_cell(const measure::Figure& low, const measure::Figure& high) {
+GridCell range_cell(const measure::Figure& low, const measure::Figure& high) {
     if (!low.value) return figure_cell(low);
     if (!high.value) return figure_cell(high);
     return {fmt::format("{} to {}", number_text(*low.value, low.unit), number_text(*high.value, high.unit))};
@@ -37,7 +37,7 @@ std::vector<GridCell> time_row(const ReportCell& cell, PairKind kind) {
     const store::QueryTime& times = times_of(kind);
     const measure::Figure ratio = cell.figure(times.ratio);
     return grid_row(cell.shape, cell.vertices, cell.algorithm, cell.table, cell.figure(times.ns),
-                    interval_cell(cell.figure(times.low), cell.figure(times.high)), figure_cell(ratio, 1, 3),
+                    range_cell(cell.figure(times.low), cell.figure(times.high)), figure_cell(ratio, 1, 3),
                     ratio.value ? ratio_interval_cell(cell, kind) : figure_cell(ratio),
                     cell.figure("time.rounds"));
 }
@@ -55,8 +55,7 @@ TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairK
         fmt::format("{}, {} pairs{}, fastest first", scene_label, pair_name(kind),
                     shape.empty() ? ": by shape" : ", " + shape),
         columns_of("shape|#vertices|algorithm|table type|#ns per query|#95 % interval|#ratio to baseline|"
-                   "#95 % interval|#rounds"),
-        {}};
+                   "#95 % interval|#rounds")};
     std::vector<std::pair<double, const ReportCell*>> cells;
     for (const ReportCell* cell : verified_cells(data, shape, scene_label))
         cells.emplace_back(rank(*cell, kind), cell);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/page/chapters/body_chapter.hpp"
@@ -19,9 +20,7 @@
 #include "edgewise/reports/page/chapters/sentences.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/page/safe_svg.hpp"
-#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
-#include "edgewise/reports/tables/scale_tables.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 
@@ -74,25 +73,19 @@ ChapterBlock drawings_block(const ReportData& data) {
 }
 
 Chapter layouts_chapter(const Answer&, const ReportData& data) {
-    Chapter chapter{.id = "layouts",
-                    .title = "What does a layout cost?",
-                    .paragraph = prose("layouts.md"),
-                    .blocks = {{.grids = {layout_cost_grid(data)}}},
-                    .link = "Layouts",
-                    .sentence = layouts_sentence(data)};
-    if (TextGrid memory = scene_memory_grid(data); !memory.rows.empty())
-        chapter.blocks.push_back({.grids = {std::move(memory)}});
-    ChapterBlock claim{.title = "A line per vertex",
-                       .paragraph = prose("support.md") + support_verdict(data)};
-    if (TextGrid supports = support_grid(data); !supports.rows.empty()) claim.grids = {std::move(supports)};
-    chapter.blocks.push_back(std::move(claim));
-    if (TextGrid seeds = seeds_grid(data); !seeds.rows.empty())
-        chapter.blocks.push_back({.title = "Where to begin",
-                                  .paragraph = prose("seeds.md"),
-                                  .section = "seeds",
-                                  .grids = {std::move(seeds)}});
-    if (TextGrid scales = scale_grid(data); !scales.rows.empty())
-        chapter.blocks.push_back({.title = "One table, many scales", .grids = {std::move(scales)}});
+    Chapter chapter{
+        .id = "layouts",
+        .title = "What does a layout cost?",
+        .paragraph = prose("layouts.md"),
+        .blocks = {{.grids = {layout_cost_grid(data)}},
+                   {.grids = {scene_memory_grid(data)}},
+                   {.title = "A line per vertex", .paragraph = prose("support.md") + support_verdict(data)},
+                   {.grids = {support_grid(data)}},
+                   {.title = "Where to begin", .paragraph = prose("seeds.md"), .grids = {seeds_grid(data)}},
+                   {.section = "seeds"},
+                   {.title = "One table, many scales", .grids = {scale_grid(data)}}},
+        .link = "Layouts",
+        .sentence = layouts_sentence(data)};
     if (ChapterBlock pictures = drawings_block(data); !pictures.fold.empty())
         chapter.blocks.push_back(std::move(pictures));
     return chapter;
@@ -169,10 +162,8 @@ std::optional<Chapter> peers_chapter(const Answer& answer, const ReportData& dat
                     .blocks = {{.grids = {peers_grid(data)}}},
                     .link = "Libraries",
                     .sentence = peers_sentence(answer)};
-    for (const std::string& scene : scene_labels(data)) {
-        TextGrid grid = peer_grid(data, scene);
-        if (!grid.rows.empty()) chapter.blocks.push_back({.title = scene, .grids = {std::move(grid)}});
-    }
+    for (const std::string& scene : scene_labels(data))
+        chapter.blocks.push_back({.title = scene, .grids = {peer_grid(data, scene)}});
     if (!data.effort.empty())
         chapter.blocks.push_back({.title = "What a query takes",
                                   .paragraph = prose("effort.md"),
@@ -182,16 +173,14 @@ std::optional<Chapter> peers_chapter(const Answer& answer, const ReportData& dat
 
 /// The reference shape in full view, all shapes folded.
 Chapter fronts_chapter(const Answer&, const ReportData& data) {
-    Chapter chapter{.id = "fronts",
-                    .title = "How fast, and how exact?",
-                    .paragraph = prose("fronts.md"),
-                    .blocks = {{.section = "fronts", .grids = {front_grid(data, reference_shape(data))}},
-                               folded(front_grid(data, ""), "All scenes and shapes")},
-                    .link = "Speed and error",
-                    .sentence = fronts_sentence(data)};
-    if (TextGrid left_out = left_out_grid(data); !left_out.rows.empty())
-        chapter.blocks.push_back(folded(std::move(left_out), "Timed, and among no points"));
-    return chapter;
+    return {.id = "fronts",
+            .title = "How fast, and how exact?",
+            .paragraph = prose("fronts.md"),
+            .blocks = {{.section = "fronts", .grids = {front_grid(data, reference_shape(data))}},
+                       folded(front_grid(data, ""), "All scenes and shapes"),
+                       folded(left_out_grid(data), "Timed, and among no points")},
+            .link = "Speed and error",
+            .sentence = fronts_sentence(data)};
 }
 
 Chapter errors_chapter(const Answer&, const ReportData& data) {
@@ -217,7 +206,7 @@ Chapter stability_chapter(const Answer&, const ReportData& data) {
 }
 
 TextGrid gaps_grid(const Answer& answer) {
-    TextGrid grid{"Figures that were not measured", columns_of("reason|remedy|probes|#figures"), {}};
+    TextGrid grid{"Figures that were not measured", columns_of("reason|remedy|probes|#figures")};
     for (const Gap& gap : answer.gaps.gaps) {
         std::string probes;
         for (const std::string& probe : gap.probes) append(probes, probe);
@@ -239,12 +228,14 @@ Chapter missing_chapter(const Answer& answer, const ReportData&) {
 Chapter method_chapter(const Answer&, const ReportData& data) {
     TextGrid facts = facts_grid(data), scenes = scenes_grid(data);
     facts.shown_rows = scenes.shown_rows = 40;
-    return {
-        .id = "machine",
-        .title = "Method, machine and build",
-        .paragraph = prose("purpose.md"),
-        .blocks = {{.grids = {std::move(facts)}}, folded(std::move(scenes), "Scenes and their parameters")},
-        .link = "Method"};
+    return {.id = "machine",
+            .title = "Method, machine and build",
+            .paragraph = prose("purpose.md"),
+            .blocks = {{.grids = {std::move(facts)}},
+                       {.title = "The machine",
+                        .grids = machine_grids(input::json_or_null(data.build.machine_json))},
+                       folded(std::move(scenes), "Scenes and their parameters")},
+            .link = "Method"};
 }
 
 Chapter words_chapter(const Answer&, const ReportData& data) {
@@ -252,6 +243,15 @@ Chapter words_chapter(const Answer&, const ReportData& data) {
             .title = "What do the words mean, and what is each layout?",
             .blocks = {{.elements = Glossary(data).list_html()}},
             .link = "Words"};
+}
+
+/// Grids without rows are left out, and blocks of nothing else but words about them.
+void drop_empty_grids(Chapter& chapter) {
+    std::erase_if(chapter.blocks, [](ChapterBlock& block) {
+        const auto without_rows = [](const TextGrid& grid) { return grid.rows.empty(); };
+        return std::erase_if(block.grids, without_rows) > 0 && block.grids.empty() &&
+               block.elements.empty() && block.section.empty();
+    });
 }
 
 }  // namespace
@@ -269,6 +269,7 @@ std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& dat
     if (auto chapter = peers_chapter(answer, data)) chapters.push_back(std::move(*chapter));
     if (auto chapter = fields_chapter(data)) chapters.push_back(std::move(*chapter));
     add({layouts_chapter, errors_chapter, counters_chapter, missing_chapter, method_chapter, words_chapter});
+    std::ranges::for_each(chapters, drop_empty_grids);
     return chapters;
 }
 

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/tables/cache_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/fronts.hpp"
 #include "edgewise/reports/tables/tables.hpp"

@@ -114,8 +114,7 @@ TextGrid cost_grid(const ReportData& data, bool of_bodies) {
 
 TextGrid needs_grid(const ReportData& data) {
     TextGrid grid{"What each need costs: time over that of witness points, the plain cell",
-                  columns_of("shape|algorithm|table type|pairs|#witnesses, ns"),
-                  {}};
+                  columns_of("shape|algorithm|table type|pairs|#witnesses, ns")};
     for (const char* need : needs) grid.columns.push_back({need, true});
     for (const auto& [key, cells] : groups_of(scene_file(data, "paper_needs"))) {
         const auto& [vertices, shape, algorithm, table] = key;
@@ -137,19 +136,17 @@ TextGrid all_needs_grid(const ReportData& data) {
         "What each need costs over all pairs, and what a query reads of the tables; bounds are asked first, "
         "by warm queries for nearness",
         columns_of("shape|algorithm|table type|need|#ns per query|#over witnesses|#lines per warm query|"
-                   "#told by bounds"),
-        {}};
+                   "#told by bounds")};
     for (const auto& [key, cells] : groups_of(scene_file(data, "paper_needs"))) {
         const auto& [vertices, shape, algorithm, table] = key;
         const auto plain = cells.find("");
         for (const ReportCell* cell : by_need(cells)) {
             const measure::Figure ns = cell->figure("time.all_ns");
-            grid.rows.push_back(grid_row(shape, algorithm, table, need_name(*cell), ns,
-                                         plain == cells.end()
-                                             ? missing_cell("the store has no plain cell to compare with")
-                                             : ratio_cell(ns, plain->second->figure("time.all_ns")),
-                                         cell->figure(store::lines_read.warm()),
-                                         figure_cell(cell->figure("work.told_by_bounds"), 1, 3)));
+            grid.add(shape, algorithm, table, need_name(*cell), ns,
+                     plain == cells.end() ? missing_cell("the store has no plain cell to compare with")
+                                          : ratio_cell(ns, plain->second->figure("time.all_ns")),
+                     cell->figure(store::lines_read.warm()),
+                     figure_cell(cell->figure("work.told_by_bounds"), 1, 3));
         }
     }
     return grid;
@@ -160,14 +157,11 @@ TextGrid build_grid(const ReportData& data) {
                                     {"refit, ns", "build.refit_ns"},
                                     {"bytes per edge (slope)", "bytes.paper_bytes_per_edge"},
                                     {"table, bytes", "bytes.table_bytes"}};
-    TextGrid grid = figure_grid(
+    std::vector<const ReportCell*> cells = scene_file(data, "paper_complexity").cells;
+    std::erase_if(cells, [](const ReportCell* cell) { return !cell->axes.empty(); });
+    return cell_grid(
         "Preprocessing: building a table, and refitting it to a deformed body of the same topology",
-        "shape|#vertices|algorithm|table type", columns);
-    for (const ReportCell* cell : scene_file(data, "paper_complexity").cells)
-        if (cell->axes.empty())
-            add_row(grid, grid_row(cell->shape, cell->vertices, cell->algorithm, cell->table), *cell,
-                    columns);
-    return grid;
+        "shape|#vertices|algorithm|table type", columns, cells);
 }
 
 }  // namespace edgewise::reports

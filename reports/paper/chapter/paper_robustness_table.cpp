@@ -108,8 +108,7 @@ TextGrid robustness_grid(const ReportData& data) {
     TextGrid grid{"Robustness: verdicts that disagree, in % (number), over all table types of a precision",
                   columns_of("scene|algorithm|precision|#N, exact|#wrong outside the band, %|"
                              "#pairs inside the band, %|#N, Moore-Wilhelms|#disagree in all, %|"
-                             "#disagree outside the band, %"),
-                  {}};
+                             "#disagree outside the band, %")};
     std::map<std::tuple<std::string, std::string, std::string>, Cells> groups;
     std::map<std::pair<std::string, std::string>, Cells> all;
     for (const ReportCell& cell : data.from_files) {
@@ -134,8 +133,7 @@ TextGrid raw_vclip_grid(const ReportData& data) {
         "answers are of all queries",
         columns_of("scene|body or family|table type|#independent queries|#raw: wrong answers|"
                    "#of these, verdicts|#share, at most|#raw: cycles|#hardened: wrong answers|"
-                   "#hardened: GJK's answers"),
-        {}};
+                   "#hardened: GJK's answers")};
     for (const auto* rows : {&data.from_files, &data.stability}) {
         for (const ReportCell& raw : *rows) {
             if (!raw.is_raw()) continue;

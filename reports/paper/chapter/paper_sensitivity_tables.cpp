@@ -21,19 +21,7 @@ struct CellPair {
 
 /// A figure of the first over the same of the second.
 GridCell quotient_of(const CellPair& pair, const store::FigureName& name) {
-    if (!pair.first || !pair.second) return {"–"};
-    return ratio_cell(pair.first->figure(name), pair.second->figure(name));
-}
-
-GridCell figure_of_cell(const ReportCell* cell, const store::FigureName& name) {
-    if (!cell) return {"–"};
-    return figure_cell(cell->figure(name));
-}
-
-GridCell share_of_cell(const ReportCell* cell, const store::FigureName& part,
-                       const store::FigureName& whole) {
-    if (!cell) return {"–"};
-    return ratio_cell(cell->figure(part), cell->figure(whole));
+    return ratio_cell(pair.first, name, pair.second, name);
 }
 
 void add_margins(const StoredScene& scene, TextGrid& grid) {
@@ -47,11 +35,10 @@ void add_margins(const StoredScene& scene, TextGrid& grid) {
     for (const auto& [key, pair] : pairs) {
         const auto& [vertices, shape, margin] = key;
         const ReportCell* const any = pair.first ? pair.first : pair.second;
-        grid.rows.push_back(grid_row(
-            scene.name, shape, number_text(margin), any->queries,
-            share_of_cell(any, "error.overlapping", "error.checked"), figure_of_cell(any, "work.first_share"),
-            figure_of_cell(pair.first, store::all_time.ns), figure_of_cell(pair.second, store::all_time.ns),
-            quotient_of(pair, store::all_time.ratio)));
+        grid.add(scene.name, shape, number_text(margin), any->queries,
+                 ratio_cell(any, "error.overlapping", any, "error.checked"),
+                 figure_cell(any, "work.first_share"), figure_cell(pair.first, store::all_time.ns),
+                 figure_cell(pair.second, store::all_time.ns), quotient_of(pair, store::all_time.ratio));
     }
 }
 
@@ -62,8 +49,7 @@ TextGrid margin_grid(const ReportData& data) {
         "What the margin of the boxes decides (aos_f64, all pairs as they come; of followed pairs "
         "the queries that start warm)",
         columns_of("scene|shape|#margin, box diagonals|#queries|#overlapping, of checked|"
-                   "#first queries, of all|#V-Clip, ns|#Enhanced GJK, ns|#V-Clip / GJK"),
-        {}};
+                   "#first queries, of all|#V-Clip, ns|#Enhanced GJK, ns|#V-Clip / GJK")};
     for (const char* name : {"paper_margin", "paper_static_margin"})
         add_margins(scene_file(data, name), grid);
     return grid;
@@ -72,8 +58,7 @@ TextGrid margin_grid(const ReportData& data) {
 TextGrid tolerance_grid(const ReportData& data) {
     TextGrid grid{"The paper's tolerance of 1e-5 beside none (aos_f64; queries that start warm)",
                   columns_of("shape|#rad per step|algorithm|#ns, none|#ns, 1e-5|#1e-5 / none|#steps, none|"
-                             "#steps, 1e-5|#separated, none|#separated, 1e-5|#wrong verdicts, 1e-5"),
-                  {}};
+                             "#steps, 1e-5|#separated, none|#separated, 1e-5|#wrong verdicts, 1e-5")};
     std::map<std::tuple<std::int64_t, std::string, double, std::string>, CellPair> pairs;
     for (const ReportCell* cell : scene_file(data, "paper_tolerance").cells) {
         const auto step = scene_number(*cell, "rotation_step");
@@ -84,14 +69,14 @@ TextGrid tolerance_grid(const ReportData& data) {
     for (const auto& [key, pair] : pairs) {
         const auto& [vertices, shape, step, algorithm] = key;
         const auto both = [&, of = pair](const store::FigureName& name) {
-            return std::pair(figure_of_cell(of.second, name), figure_of_cell(of.first, name));
+            return std::pair(figure_cell(of.second, name), figure_cell(of.first, name));
         };
         const auto [ns, ns_with] = both(store::all_time.ns);
         const auto [steps, steps_with] = both(store::mean_steps.warm());
         const auto [separated, separated_with] = both("error.separated");
-        grid.rows.push_back(grid_row(shape, number_text(step), algorithm, ns, ns_with,
-                                     quotient_of(pair, store::all_time.ratio), steps, steps_with, separated,
-                                     separated_with, figure_of_cell(pair.first, "error.wrong_verdicts")));
+        grid.add(shape, number_text(step), algorithm, ns, ns_with, quotient_of(pair, store::all_time.ratio),
+                 steps, steps_with, separated, separated_with,
+                 figure_cell(pair.first, "error.wrong_verdicts"));
     }
     return grid;
 }

@@ -41,15 +41,9 @@ SidesOfTables sides_with_peers(const StoredScene& scene) {
     return tables;
 }
 
-GridCell cell_of(const ReportCell* cell, const store::FigureName& name) {
-    if (!cell) return {"–"};
-    return figure_cell(cell->figure(name));
-}
-
 /// Both relative to the baseline timed in the same rounds: what moved the clock is in neither.
 GridCell static_ratio_of(const Sides& sides) {
-    if (!sides.vclip || !sides.gjk) return {"–"};
-    return ratio_cell(sides.gjk->figure("time.all_ratio"), sides.vclip->figure("time.all_ratio"));
+    return ratio_cell(sides.gjk, "time.all_ratio", sides.vclip, "time.all_ratio");
 }
 
 /// A static pair's query is its first: in a library that keeps pairs in a hash map it makes the entry as
@@ -67,8 +61,7 @@ GridCell ratio_with_pairs(const Sides& sides) {
 }
 
 GridCell time_per_step(const ReportCell* cell) {
-    if (!cell) return {"–"};
-    return ratio_cell(cell->figure("time.all_ns"), cell->figure(store::mean_steps.cold()));
+    return ratio_cell(cell, "time.all_ns", cell, store::mean_steps.cold());
 }
 
 GridCell static_place_of(const StoredScene& scene, const ReportCell& cell) {
@@ -83,15 +76,14 @@ TextGrid static_grid(const ReportData& data) {
     TextGrid grid{"Static test: ns per query, all pairs as they come; building a table separately",
                   columns_of("shape|#vertices|table type|#V-Clip, ns|#Enhanced GJK, ns|#GJK / V-Clip|"
                              "#V-Clip's pair in a hash map, ns|#GJK's pair, ns|#GJK / V-Clip with it|"
-                             "#V-Clip table, build ns|#GJK table, build ns"),
-                  {}};
+                             "#V-Clip table, build ns|#GJK table, build ns")};
     for (const auto& [key, sides] : sides_with_peers(scene_file(data, "paper_static"))) {
         const auto& [vertices, shape, table] = key;
-        grid.rows.push_back(grid_row(
-            shape, vertices, table, cell_of(sides.vclip, "time.all_ns"), cell_of(sides.gjk, "time.all_ns"),
-            static_ratio_of(sides), cell_of(sides.vclip, "pairs.creation_ns"),
-            cell_of(sides.gjk, "pairs.creation_ns"), ratio_with_pairs(sides),
-            cell_of(sides.vclip, "build.build_ns"), cell_of(sides.gjk, "build.build_ns")));
+        grid.add(shape, vertices, table, figure_cell(sides.vclip, "time.all_ns"),
+                 figure_cell(sides.gjk, "time.all_ns"), static_ratio_of(sides),
+                 figure_cell(sides.vclip, "pairs.creation_ns"), figure_cell(sides.gjk, "pairs.creation_ns"),
+                 ratio_with_pairs(sides), figure_cell(sides.vclip, "build.build_ns"),
+                 figure_cell(sides.gjk, "build.build_ns"));
     }
     return grid;
 }
@@ -101,8 +93,7 @@ TextGrid static_gap_grid(const ReportData& data) {
         "Static test by body and distance (aos_f64; pairs without a past, all at one gap): the ratio of "
         "times, and the steps and the time of a step that make it",
         columns_of("shape|#gap, body sizes|#V-Clip, ns|#Enhanced GJK, ns|#GJK / V-Clip|#V-Clip's steps|"
-                   "#GJK's iterations|#V-Clip, ns per step|#GJK, ns per iteration"),
-        {}};
+                   "#GJK's iterations|#V-Clip, ns per step|#GJK, ns per iteration")};
     std::map<std::tuple<std::int64_t, std::string, double>, Sides> by_gap;
     for (const ReportCell* cell : scene_file(data, "paper_static_gap").cells) {
         const auto gap = scene_number(*cell, "gap");
@@ -113,10 +104,10 @@ TextGrid static_gap_grid(const ReportData& data) {
     const store::FigureName steps = store::mean_steps.cold();
     for (const auto& [key, sides] : by_gap) {
         const auto& [vertices, shape, gap] = key;
-        grid.rows.push_back(grid_row(shape, number_text(gap), cell_of(sides.vclip, "time.all_ns"),
-                                     cell_of(sides.gjk, "time.all_ns"), static_ratio_of(sides),
-                                     cell_of(sides.vclip, steps), cell_of(sides.gjk, steps),
-                                     time_per_step(sides.vclip), time_per_step(sides.gjk)));
+        grid.add(shape, number_text(gap), figure_cell(sides.vclip, "time.all_ns"),
+                 figure_cell(sides.gjk, "time.all_ns"), static_ratio_of(sides),
+                 figure_cell(sides.vclip, steps), figure_cell(sides.gjk, steps), time_per_step(sides.vclip),
+                 time_per_step(sides.gjk));
     }
     return grid;
 }

@@ -48,16 +48,15 @@ TextGrid thrash_grid(const ReportData& data) {
 TextGrid paging_grid(const ReportData& data) {
     TextGrid grid{"Page faults per query under memory limits",
                   columns_of("shape|algorithm|table type|#bodies|#tables, MiB|#touched, MiB|#limit, MiB|"
-                             "#left to tables, MiB|#predicted|#measured|#us per query"),
-                  {}};
+                             "#left to tables, MiB|#predicted|#measured|#us per query")};
     for (const ReportCell& row : data.paging) {
         const auto bodies = scene_number(row, "bodies");
         for (const PagingLimit& limit : paging_limits(row))
-            grid.rows.push_back(grid_row(
-                row.shape, row.algorithm, row.table, bodies ? number_text(*bodies) : "–",
-                figure_cell(row.figure("paging.table_bytes"), mebibyte),
-                figure_cell(row.figure("paging.touched_bytes"), mebibyte), figure_cell(limit.limit, mebibyte),
-                figure_cell(limit.held, mebibyte), limit.predicted_at_held, limit.faults, limit.us));
+            grid.add(row.shape, row.algorithm, row.table, bodies ? number_text(*bodies) : "–",
+                     figure_cell(row.figure("paging.table_bytes"), mebibyte),
+                     figure_cell(row.figure("paging.touched_bytes"), mebibyte),
+                     figure_cell(limit.limit, mebibyte), figure_cell(limit.held, mebibyte),
+                     limit.predicted_at_held, limit.faults, limit.us);
     }
     return grid;
 }

@@ -250,18 +250,16 @@ TextGrid mechanism_grid(const ReportData& data) {
         "What could have made figure 8: settings (bodies x memory x cost of a fault) where its facts "
         "hold, modelled",
         columns_of("mechanism|table type, time step|processor|#settings|#rises|#takes as long|"
-                   "#spares GJK|#erratic|#all|#most at once|#rise there|#us there|#GJK there"),
-        {}};
+                   "#spares GJK|#erratic|#all|#most at once|#rise there|#us there|#GJK there")};
     for (const ThrashRow& row : thrash_rows(data)) {
         const auto cell = [&](const store::FigureName& name) { return figure_cell(row.cell->figure(name)); };
         const auto with = [&](const char* fact) {
             return cell(store::FigureName("thrash.settings_with.{fact}").of(fact));
         };
-        grid.rows.push_back(grid_row(row.name(), row.tables(), row.machine, cell("thrash.settings"),
-                                     with("rises"), with("takes_as_long"), with("spares_gjk"),
-                                     with("erratic"), cell("thrash.settings_with_all"),
-                                     cell("thrash.best_facts"), cell("thrash.best.rise"),
-                                     cell("thrash.best.top_us"), cell("thrash.best.gjk_rise")));
+        grid.add(row.name(), row.tables(), row.machine, cell("thrash.settings"), with("rises"),
+                 with("takes_as_long"), with("spares_gjk"), with("erratic"), cell("thrash.settings_with_all"),
+                 cell("thrash.best_facts"), cell("thrash.best.rise"), cell("thrash.best.top_us"),
+                 cell("thrash.best.gjk_rise"));
     }
     return grid;
 }
@@ -271,18 +269,17 @@ TextGrid realised_grid(const ReportData& data) {
         "Figure 8 made real: us per query by speed, measured and predicted here, and modelled on a processor of "
         "the time",
         columns_of(
-            "cell|shape|algorithm|#rad/s|#measured|#predicted|#over it|#faults|#predicted faults|#modelled"),
-        {}};
+            "cell|shape|algorithm|#rad/s|#measured|#predicted|#over it|#faults|#predicted faults|#modelled")};
     const auto optional_text = [](const std::optional<double>& value) {
         return value ? number_text(*value) : std::string("–");
     };
     for (const RealisedRow& row : realised_rows(data))
         for (const RealisedRow::Point& point : row.points)
-            grid.rows.push_back(grid_row(
-                row.what, row.cell->shape, row.cell->algorithm, number_text(point.speed),
-                number_text(point.measured_us), number_text(point.predicted_us),
-                number_text(point.measured_us / point.predicted_us), optional_text(point.measured_faults),
-                optional_text(point.predicted_faults), optional_text(point.model_us)));
+            grid.add(row.what, row.cell->shape, row.cell->algorithm, number_text(point.speed),
+                     number_text(point.measured_us), number_text(point.predicted_us),
+                     number_text(point.measured_us / point.predicted_us),
+                     optional_text(point.measured_faults), optional_text(point.predicted_faults),
+                     optional_text(point.model_us));
     return grid;
 }
 

@@ -88,6 +88,14 @@ template <class Value>
     return text.empty() ? nlohmann::json() : nlohmann::json(text);
 }
 
+/// An array of what `json_of` makes of each item.
+template <class Items, class JsonOf>
+[[nodiscard]] nlohmann::json json_rows(const Items& items, JsonOf json_of) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const auto& item : items) rows.push_back(json_of(item));
+    return rows;
+}
+
 /// Options that name one cell, for commands that look at one. The choice must live until the command's action
 /// is done.
 void add_cell_options(CLI::App& command, studies::CellChoice& choice);

@@ -5,6 +5,7 @@
 
 #include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/parts/bench_gate.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/model_speed.hpp"
 
 namespace edgewise::cli {
@@ -21,18 +22,17 @@ int run_bench(const BenchArguments& options, bool json) {
     if (!options.gate.file.empty()) return run_gate_command(options.gate, options.cell.queries, json);
     const studies::SingleCell cell(options.cell);
     const std::vector<studies::ModelSpeed> speeds = studies::model_speeds(cell, options.repetitions);
-    nlohmann::json rows = nlohmann::json::array();
-    if (!json) fmt::print("{:<40} {:<18} {:>10} {:>12}\n", "what", "trace", "accesses", "million per s");
-    for (const studies::ModelSpeed& speed : speeds) {
-        rows.push_back({{"what", speed.what},
-                        {"trace", speed.trace},
-                        {"accesses", speed.accesses},
-                        {"accesses_per_second", speed.per_second}});
-        if (!json)
-            fmt::print("{:<40} {:<18} {:>10} {:>12.1f}\n", speed.what, speed.trace, speed.accesses,
-                       speed.per_second * 1e-6);
-    }
-    if (json) print_json(nlohmann::json({{"bench", rows}}));
+    const nlohmann::json rows = json_rows(speeds, [](const studies::ModelSpeed& speed) {
+        return nlohmann::json{{"what", speed.what},
+                              {"trace", speed.trace},
+                              {"accesses", speed.accesses},
+                              {"accesses_per_second", speed.per_second}};
+    });
+    if (json)
+        print_json(nlohmann::json({{"bench", rows}}));
+    else
+        fmt::print("{}", reports::rows_text(
+                             rows, "what|trace|#accesses|#million per s = accesses_per_second 1000000 1"));
     return exit_done;
 }
 

@@ -12,9 +12,9 @@
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/parts/chosen_body.hpp"
-#include "edgewise/cli/terminal/text_table.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/reports/additions.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/table_memory_cost.hpp"
 
 namespace edgewise::cli {
@@ -36,15 +36,15 @@ const bench::Probe& bytes_probe() {
 
 /// Beside the table's own bytes: allocators, pages, and lines that queries touch.
 void add_costs(const bench::TableType& type, const Polyhedron& body, Parts parts, nlohmann::json& row) {
-    row["allocators"] = nlohmann::json::array();
-    for (const studies::AllocatorCost& cost : studies::allocator_costs(type, body, parts)) {
-        nlohmann::json entry = {{"name", cost.allocator},
-                                {"taken_bytes", or_null(cost.taken)},
-                                {"by_its_statistics", or_null(cost.by_statistics)},
-                                {"resident_bytes", or_null(cost.resident)}};
-        if (!cost.reason.empty()) entry["reason"] = cost.reason;
-        row["allocators"].push_back(std::move(entry));
-    }
+    row["allocators"] =
+        json_rows(studies::allocator_costs(type, body, parts), [](const studies::AllocatorCost& cost) {
+            nlohmann::json entry = {{"name", cost.allocator},
+                                    {"taken_bytes", or_null(cost.taken)},
+                                    {"by_its_statistics", or_null(cost.by_statistics)},
+                                    {"resident_bytes", or_null(cost.resident)}};
+            if (!cost.reason.empty()) entry["reason"] = cost.reason;
+            return entry;
+        });
     row["queries"] = nlohmann::json::array();
     for (const std::string& algorithm : type.algorithms) {
         const Result<measure::LinesTouched> touched = studies::lines_in_tumble(type, algorithm, body);
@@ -109,14 +109,6 @@ nlohmann::json row_of(const bench::TableType& type, const scene::MeshBody& shape
     return row;
 }
 
-void print_number(const nlohmann::json& value, int width, int digits) {
-    if (value.is_null()) {
-        fmt::print("{:>{}}", "-", width);
-    } else {
-        fmt::print("{:>{}.{}f}", value.get<double>(), width, digits);
-    }
-}
-
 void print_input_orders(const nlohmann::json& rows) {
     for (const auto& row : rows) {
         if (row["input_order_bytes_per_edge"].is_null()) continue;
@@ -126,77 +118,49 @@ void print_input_orders(const nlohmann::json& rows) {
     }
 }
 
-/// Of a component's name, what fits a column of eight; those of paper's three by their first word.
-std::string short_name(const std::string& component) {
-    const std::string word = component.substr(0, component.find('_'));
-    return word.size() > 7 ? word.substr(0, 6) + "." : word;
-}
-
-/// Components that some table has, under short names: a line of all is wider than a page.
+/// Under the names that the report gives them; components that some table has.
 void print_table(const nlohmann::json& rows) {
-    fmt::print("bytes per edge\n{:<24}{:>8}{:>8}{:>8}", "table", "paper", "total", "slope");
-    std::vector<std::string> shown;
+    std::string columns =
+        "table type = table|#total = total_bytes_per_edge 1 2|"
+        "#paper's subtotal (slope) = paper_bytes_per_edge 1 2|#total (slope) = slope_bytes_per_edge 1 2";
     for (const std::string_view component : component_names) {
         const std::string name(component);
         const auto has = [&](const auto& row) { return row["components"].value(name, 0.0) > 0; };
-        if (std::none_of(rows.begin(), rows.end(), has)) continue;
-        shown.push_back(name);
-        fmt::print("{:>8}", short_name(name));
+        if (std::any_of(rows.begin(), rows.end(), has))
+            columns += fmt::format("|#{} = components/{} 1 2", reports::in_words(name), name);
     }
-    fmt::print("\n");
-    for (const auto& row : rows) {
-        fmt::print("{:<24}", row["table"].get<std::string>());
-        for (const char* key : {"paper_bytes_per_edge", "total_bytes_per_edge", "slope_bytes_per_edge"}) {
-            print_number(row[key], 8, 2);
-        }
-        for (const std::string& name : shown) print_number(row["components"][name], 8, 2);
-        fmt::print("\n");
-    }
+    fmt::print("bytes per edge; components that no table here has are left out\n{}",
+               reports::rows_text(rows, columns));
     print_input_orders(rows);
-    fmt::print("{}\n", folded(fmt::format("columns after slope: {}; what no table here has is left out",
-                                          fmt::join(shown, ", ")),
-                              widest_line));
 }
 
-void print_costs(const nlohmann::json& rows) {
-    fmt::print("\n{:<24}{:>8}{:>8}{:>9}{:>8}{:>9}{:>8}{:>9}{:>8}{:>8}\n", "table", "bytes", "object",
-               "constant", "arena", "jemalloc", "libc", "resident", "vclip", "gjk");
-    for (const auto& row : rows) {
-        fmt::print("{:<24}", row["table"].get<std::string>());
-        print_number(row["table_bytes"], 8, 0);
-        print_number(row["object_bytes"], 8, 0);
-        print_number(row["constant_bytes"], 9, 0);
-        constexpr int widths[] = {8, 9, 8};
-        for (std::size_t i = 0; i < std::size(widths); ++i)
-            print_number(row["allocators"][i]["taken_bytes"], widths[i], 0);
-        print_number(row["allocators"][0]["resident_bytes"], 9, 0);
-        for (const char* algorithm : {"vclip", "gjk"}) {
-            nlohmann::json lines;
-            for (const auto& entry : row["queries"])
-                if (entry["algorithm"] == algorithm) lines = entry["lines_per_query"];
-            print_number(lines, 8, 1);
-        }
-        fmt::print("\n");
-    }
-    fmt::print("{}\n",
-               folded("bytes: the table's own; its object beside it; what a body of these index widths "
-                      "costs before its first edge, object included; what the table takes in each "
-                      "allocator; pages in memory in the arena; distinct cache lines that a query of "
-                      "V-Clip and of GJK touches in both tables, tumble at 0.1 rad per step",
-                      widest_line));
+void print_costs(nlohmann::json rows) {
+    for (auto& row : rows)
+        for (const auto& entry : row["queries"])
+            row["lines"][entry["algorithm"].get<std::string>()] = entry["lines_per_query"];
+    fmt::print(
+        "\n{}{}\n",
+        reports::rows_text(rows,
+                           "table|#bytes = table_bytes 1 0|#object = object_bytes 1 0|"
+                           "#constant = constant_bytes 1 0|#arena = allocators/0/taken_bytes|"
+                           "#jemalloc = allocators/1/taken_bytes|#libc = allocators/2/taken_bytes|"
+                           "#resident = allocators/0/resident_bytes|#vclip = lines/vclip 1 1|"
+                           "#gjk = lines/gjk 1 1"),
+        reports::wrapped("bytes: the table's own; its object beside it; what a body of these index widths "
+                         "costs before its first edge, object included; what the table takes in each "
+                         "allocator; pages in memory in the arena; distinct cache lines that a query of "
+                         "V-Clip and of GJK touches in both tables, tumble at 0.1 rad per step"));
 }
 
 void print_slopes(const nlohmann::json& rows) {
-    fmt::print("\nbytes per additional edge, by bits of ring offsets and of neighbours at that size\n{:<24}",
-               "table");
-    for (const auto& slope : rows[0]["slopes_by_index_width"])
-        fmt::print("{:>9}/{}", slope["offset_bits"].get<int>(), slope["neighbour_bits"].get<int>());
-    fmt::print("\n");
-    for (const auto& row : rows) {
-        fmt::print("{:<24}", row["table"].get<std::string>());
-        for (const auto& slope : row["slopes_by_index_width"]) print_number(slope["bytes_per_edge"], 11, 2);
-        fmt::print("\n");
+    std::string columns = "table";
+    for (std::size_t i = 0; i < rows[0]["slopes_by_index_width"].size(); ++i) {
+        const auto& slope = rows[0]["slopes_by_index_width"][i];
+        columns += fmt::format("|#{}/{} = slopes_by_index_width/{}/bytes_per_edge 1 2",
+                               slope["offset_bits"].get<int>(), slope["neighbour_bits"].get<int>(), i);
     }
+    fmt::print("\nbytes per additional edge, by bits of ring offsets and of neighbours at that size\n{}",
+               reports::rows_text(rows, columns));
 }
 
 /// A row of each; of a layout that cannot hold the body a line on stderr, unless none can.

@@ -14,6 +14,7 @@
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/traces/trace_file.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 
 namespace edgewise::cli {
 
@@ -90,6 +91,11 @@ Traced trace_cell(const CachesArguments& options, measure::TraceCaches& caches) 
             accesses.counts(), false};
 }
 
+nlohmann::json part_of(std::uint64_t part, std::uint64_t whole) {
+    return whole == 0 ? nlohmann::json()
+                      : nlohmann::json(static_cast<double>(part) / static_cast<double>(whole));
+}
+
 nlohmann::json json_of(const Traced& traced, const measure::TraceCaches& caches,
                        const std::vector<measure::MachineChoice>& choices) {
     nlohmann::json machines = nlohmann::json::array(), sizes = nlohmann::json::array();
@@ -102,6 +108,7 @@ nlohmann::json json_of(const Traced& traced, const measure::TraceCaches& caches,
                 machine["levels"].push_back({{"level", level},
                                              {"accesses", counts.accesses},
                                              {"misses", counts.misses},
+                                             {"miss_part", part_of(counts.misses, counts.accesses)},
                                              {"write_backs", counts.write_backs}});
         }
         machines.push_back(std::move(machine));
@@ -119,30 +126,29 @@ nlohmann::json json_of(const Traced& traced, const measure::TraceCaches& caches,
             {"fully_associative", std::move(sizes)}};
 }
 
-void print(const Traced& traced, const measure::TraceCaches& caches,
-           const std::vector<measure::MachineChoice>& choices) {
+/// A row for each level of each machine, and for each machine that was not modelled.
+nlohmann::json level_rows(const nlohmann::json& machines) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const nlohmann::json& machine : machines) {
+        if (machine["levels"].empty()) rows.push_back(machine);
+        for (nlohmann::json level : machine["levels"]) {
+            level["machine"] = machine["machine"];
+            rows.push_back(std::move(level));
+        }
+    }
+    return rows;
+}
+
+void print(const Traced& traced, const measure::TraceCaches& caches, const nlohmann::json& machines) {
     fmt::print("{}: {} reads, {} writes", traced.what, traced.counts.reads, traced.counts.writes);
     if (traced.counts.fetches > 0)
         fmt::print(", {} instruction fetches {}", traced.counts.fetches,
                    traced.fetches ? "as reads" : "left out");
     fmt::print("\n{} distinct lines of 64 bytes; knee {} bytes\n", caches.distinct_lines(),
                caches.knee_bytes());
-    fmt::print("{:<21} {:<10}{:>14}{:>14}{:>10}{:>14}\n", "machine", "level", "accesses", "misses", "of them",
-               "write-backs");
-    std::size_t next = 0;
-    for (const measure::MachineChoice& choice : choices) {
-        if (!choice.machine.value) {
-            fmt::print("{:<22}not modelled: {}\n", choice.name, choice.machine.reason);
-            continue;
-        }
-        for (const auto& [level, counts] : caches.levels(next++))
-            fmt::print(
-                "{:<21} {:<10}{:>14}{:>14}{:>10}{:>14}\n", choice.name, level, counts.accesses, counts.misses,
-                counts.accesses == 0 ? "-"
-                                     : fmt::format("{:.2f} %", 100.0 * static_cast<double>(counts.misses) /
-                                                                   static_cast<double>(counts.accesses)),
-                counts.write_backs);
-    }
+    fmt::print("{}", reports::rows_text(level_rows(machines),
+                                        "machine|level|#accesses|#misses|#of them, % = miss_part 0.01 2|"
+                                        "#write-backs = write_backs"));
     fmt::print(
         "caches are empty at first; the knee is the smallest fully associative cache that brings in again\n"
         "at most a tenth as many lines as there are distinct ones\n");
@@ -155,10 +161,11 @@ int run_caches(const CachesArguments& options, bool json) {
         if (choice.machine.value) machines.push_back(*choice.machine.value);
     measure::TraceCaches caches(machines);
     const Traced traced = options.trace.empty() ? trace_cell(options, caches) : trace_file(options, caches);
+    const nlohmann::json result = json_of(traced, caches, choices);
     if (json)
-        print_json(json_of(traced, caches, choices));
+        print_json(result);
     else
-        print(traced, caches, choices);
+        print(traced, caches, result["machines"]);
     return exit_done;
 }
 

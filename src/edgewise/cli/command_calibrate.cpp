@@ -3,7 +3,6 @@
 // `edgewise calibrate`: the cache model of this machine against its counters, over random chases.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
@@ -11,6 +10,7 @@
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/counters/calibration.hpp"
 #include "edgewise/measure/machine/machine.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 
 namespace edgewise::cli {
 
@@ -22,7 +22,7 @@ std::optional<double> ratio(const measure::CalibrationRow& row) {
     return *row.counted / row.modelled;
 }
 
-nlohmann::json json_of(const measure::CalibrationRow& row) {
+nlohmann::json calibration_json(const measure::CalibrationRow& row) {
     return {{"level", row.level},           {"times", row.times},
             {"bytes", row.bytes},           {"modelled_per_load", row.modelled},
             {"event", row.event},           {"counted_per_load", or_null(row.counted)},
@@ -30,33 +30,18 @@ nlohmann::json json_of(const measure::CalibrationRow& row) {
             {"reason", or_null(row.reason)}};
 }
 
-void print(const std::vector<measure::CalibrationRow>& rows) {
-    fmt::print("{:<6} {:>7} {:>11} {:>10} {:>10} {:>7} {:>8}\n", "level", "times", "KiB", "modelled",
-               "counted", "ratio", "ns");
-    for (const measure::CalibrationRow& row : rows) {
-        const auto number = [](const std::optional<double>& value) {
-            return value ? fmt::format("{:.4f}", *value) : std::string("-");
-        };
-        fmt::print("{:<6} {:>7.1f} {:>11.0f} {:>10.4f} {:>10} {:>7} {:>8.2f}\n", row.level, row.times,
-                   static_cast<double>(row.bytes) / 1024, row.modelled, number(row.counted),
-                   number(ratio(row)), row.ns);
-    }
-    const bool none = std::none_of(
-        rows.begin(), rows.end(), [](const measure::CalibrationRow& row) { return row.counted.has_value(); });
-    if (none && !rows.empty()) fmt::print("no counters: {}\n", rows.front().reason);
-}
-
 int run_calibrate(const measure::CalibrationOptions& options, bool json) {
     const measure::Expected<measure::CacheMachine> host = measure::host_machine();
     if (!host.value) throw std::runtime_error("this machine's caches are not known: " + host.reason);
-    const auto rows = measure::calibrate_model(*host.value, measure::read_machine().cpu, options);
-    if (!json) {
-        print(rows);
-        return exit_done;
-    }
-    nlohmann::json all = nlohmann::json::array();
-    for (const measure::CalibrationRow& row : rows) all.push_back(json_of(row));
-    print_json(nlohmann::json({{"calibration", all}}));
+    const nlohmann::json rows = json_rows(
+        measure::calibrate_model(*host.value, measure::read_machine().cpu, options), calibration_json);
+    if (json)
+        print_json(nlohmann::json({{"calibration", rows}}));
+    else
+        fmt::print("{}", reports::rows_text(
+                             rows,
+                             "level|#times|#KiB = bytes 1024 0|#modelled per load = modelled_per_load|"
+                             "#counted = counted_per_load|#ratio|#ns per load = ns_per_load"));
     return exit_done;
 }
 

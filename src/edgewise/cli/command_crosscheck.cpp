@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/machine/machine.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/crosscheck.hpp"
 
 namespace edgewise::cli {
@@ -42,20 +44,6 @@ measure::Expected<Compared> compare(const measure::MachineChoice& choice, const 
                      studies::model_pass(cell, *geometry.value, true), *counts.value, most}};
 }
 
-void print(const std::string& machine, const measure::Expected<Compared>& compared, double queries) {
-    if (!compared.value) {
-        fmt::print("{:<20} not compared: {}\n", machine, compared.reason);
-        return;
-    }
-    const auto& [model, with_poses, tool, most] = *compared.value;
-    const double residual = tool.d1_misses - with_poses.d1_misses;
-    fmt::print("{:<20} {:>8.1f} {:>9.1f} {:>9.2f} {:>10.2f} {:>9} {:>9.2f} {:>8.3f} {:>9.3f} {:>9.3f}\n",
-               machine, model.accesses / queries, tool.accesses / queries, model.d1_misses / queries,
-               with_poses.d1_misses / queries, most ? fmt::format("{:.2f}", *most / queries) : "-",
-               tool.d1_misses / queries, residual / queries, with_poses.ll_misses / queries,
-               tool.ll_misses / queries);
-}
-
 nlohmann::json json_of(const std::string& machine, const measure::Expected<Compared>& compared,
                        double queries) {
     if (!compared.value) return {{"machine", machine}, {"reason", compared.reason}};
@@ -70,7 +58,9 @@ nlohmann::json json_of(const std::string& machine, const measure::Expected<Compa
             {"model_with_poses", counts(compared.value->with_poses)},
             {"d1_misses_per_query_at_most",
              compared.value->most ? nlohmann::json(*compared.value->most / queries) : nlohmann::json()},
-            {"callgrind", counts(compared.value->tool)}};
+            {"callgrind", counts(compared.value->tool)},
+            {"residual_d1_misses_per_query",
+             (compared.value->tool.d1_misses - compared.value->with_poses.d1_misses) / queries}};
 }
 
 nlohmann::json json_of(const studies::PerfCount& perf, double queries) {
@@ -82,14 +72,18 @@ nlohmann::json json_of(const studies::PerfCount& perf, double queries) {
             {"reason", count ? nlohmann::json() : nlohmann::json(perf.count.reason)}};
 }
 
-void print(const studies::PerfCount& perf, double queries) {
-    const std::string what =
-        fmt::format("perf stat {} ({})", perf.event, perf.level.value_or("no known level"));
-    if (perf.count.value) {
-        fmt::print("{:<40} {:.3f} per query\n", what, *perf.count.value / queries);
-    } else {
-        fmt::print("{:<40} not measured: {}\n", what, perf.count.reason);
-    }
+void print(const nlohmann::json& compared, const nlohmann::json& counted) {
+    fmt::print("per query\n{}\n{}",
+               reports::rows_text(
+                   compared,
+                   "machine|#accesses = model/accesses_per_query|"
+                   "#Callgrind = callgrind/accesses_per_query|#D1 model = model/d1_misses_per_query|"
+                   "#with poses = model_with_poses/d1_misses_per_query|"
+                   "#at most = d1_misses_per_query_at_most|#Callgrind = callgrind/d1_misses_per_query|"
+                   "#residual = residual_d1_misses_per_query|"
+                   "#LL model = model_with_poses/ll_misses_per_query|"
+                   "#Callgrind = callgrind/ll_misses_per_query"),
+               reports::rows_text(counted, "perf stat = event|level|#per query = value"));
 }
 
 constexpr const char* residual_cause =
@@ -102,31 +96,23 @@ int run_crosscheck(const CrosscheckArguments& options, bool json) {
     const studies::SingleCell cell(options.cell);
     const auto queries = static_cast<double>(cell.workload().queries.size());
     const measure::Expected<std::string> program = studies::program_for_valgrind();
-    nlohmann::json rows = nlohmann::json::array();
+    Progress progress("crosscheck", machines.size());
     std::size_t compared_rows = 0;
-    if (!json)
-        fmt::print("{:<20} {:>8} {:>9} {:>9} {:>10} {:>9} {:>9} {:>8} {:>9} {:>9}\n", "per query", "accesses",
-                   "callgrind", "D1 model", "with poses", "at most", "callgrind", "residual", "LL model",
-                   "callgrind");
-    for (const measure::MachineChoice& machine : machines) {
+    const nlohmann::json rows = json_rows(machines, [&](const measure::MachineChoice& machine) {
         const measure::Expected<Compared> compared = compare(machine, options, cell, program);
         compared_rows += compared.value.has_value();
-        if (json) {
-            rows.push_back(json_of(machine.name, compared, queries));
-        } else {
-            print(machine.name, compared, queries);
-        }
-    }
-    nlohmann::json counted = nlohmann::json::array();
+        progress.advance(1, machine.name);
+        return json_of(machine.name, compared, queries);
+    });
+    progress.clear();
     const std::string self = std::filesystem::read_symlink("/proc/self/exe");
-    for (const studies::PerfCount& perf :
-         studies::perf_pass(options.cell, self, measure::read_machine().cpu)) {
-        counted.push_back(json_of(perf, queries));
-        if (!json) print(perf, queries);
-    }
+    const nlohmann::json counted =
+        json_rows(studies::perf_pass(options.cell, self, measure::read_machine().cpu),
+                  [&](const studies::PerfCount& perf) { return json_of(perf, queries); });
     if (json) {
         print_json(nlohmann::json({{"crosscheck", rows}, {"perf", counted}}));
     } else {
+        print(rows, counted);
         fmt::print("{}\n", residual_cause);
     }
     if (compared_rows == 0) warn("nothing was compared; each row says why");

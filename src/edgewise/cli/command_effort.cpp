@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
@@ -13,7 +12,7 @@
 #include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/terminal/phase_tables.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
-#include "edgewise/store/vocabulary.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/studies/effort_rows.hpp"
 
 namespace edgewise::cli {
@@ -45,13 +44,7 @@ studies::EffortPlan plan_of(const EffortArguments& options) {
             bench::select_algorithms(options.algorithms), measure::choose_machines(machines).front()};
 }
 
-const store::FigureRow* find(const studies::EffortRow& row, const store::FigureName& name) {
-    for (const store::FigureRow& figure : row.figures)
-        if (figure.probe == name.probe() && figure.name == name.name()) return &figure;
-    return nullptr;
-}
-
-nlohmann::json json_of(const studies::EffortRow& row) {
+nlohmann::json effort_json(const studies::EffortRow& row) {
     nlohmann::json figures = nlohmann::json::object();
     for (const store::FigureRow& figure : row.figures) {
         figures[figure.probe + "." + figure.name] = {{"value", or_null(figure.value)},
@@ -68,56 +61,19 @@ nlohmann::json json_of(const studies::EffortRow& row) {
             {"figures", figures}};
 }
 
-struct Column {
-    const char* title;
-    store::FigureName figure;
-};
-
-std::array<Column, 12> columns_for(const std::string& machine) {
-    constexpr store::FigureName d1("effort.{machine}.d1_misses"), ll("effort.{machine}.ll_misses");
-    return {{{"instr.", "effort.instructions"},
-             {"mispred.", "effort.mispredictions"},
-             {"D1 miss", d1.of(machine)},
-             {"LL miss", ll.of(machine)},
-             {"steps", "effort.steps"},
-             {"supports", "effort.supports"},
-             {"vertices", "effort.vertices_read"},
-             {"lines", "effort.lines_read"},
-             {"in./step", "effort.instructions_per_step"},
-             {"in./floor", "effort.instructions_over_floor"},
-             {"li./floor", "effort.lines_over_floor"},
-             {"bytes", "bytes.table_bytes"}}};
-}
-
-void print_row(const studies::EffortRow& row, const std::string& machine) {
-    fmt::print("{:<26} {:<22}", row.cell.table, row.cell.algorithm);
-    for (const Column& column : columns_for(machine)) {
-        const store::FigureRow* figure = find(row, column.figure);
-        fmt::print(" {:>9}", figure && figure->value ? fmt::format("{:.2f}", *figure->value) : "-");
-    }
-    fmt::print("\n");
-    const store::FigureRow* counted = find(row, "effort.instructions");
-    const bool lacks = counted && !counted->value;
-    if (lacks) fmt::print("  not counted: {}; {}\n", counted->reason, counted->remedy);
-    if (!row.cell.reason.empty()) fmt::print("  {}: {}\n", to_string(row.cell.status), row.cell.reason);
-}
-
+/// The report's tables of an effort run.
 void print(const std::vector<studies::EffortRow>& rows, const EffortArguments& options) {
+    reports::ReportData data;
+    for (const studies::EffortRow& row : rows)
+        data.effort.push_back({{row.cell, row.figures}, row.cell.scene});
     fmt::print("per query of {} on {}, caches of {}\n", options.cell.scene, options.cell.shape,
                options.machine);
-    fmt::print("{:<26} {:<22}", "table type or library", "algorithm");
-    for (const Column& column : columns_for(options.machine)) fmt::print(" {:>9}", column.title);
-    fmt::print("\n");
-    for (const studies::EffortRow& row : rows) print_row(row, options.machine);
-    const auto floor = [&](const store::FigureName& name) {
-        const store::FigureRow* figure = rows.empty() ? nullptr : find(rows.front(), name);
-        return figure && figure->value ? fmt::format("{:.2f}", *figure->value) : "-";
-    };
+    for (const reports::TextGrid& grid :
+         {reports::effort_grid(data), reports::effort_floor_grid(data), reports::problems_grid(data)})
+        if (!grid.rows.empty()) fmt::print("\n{}", grid_text(grid));
     fmt::print(
-        "Mispredictions and misses are Callgrind's models. The floor proves a known answer by heights of vertices: "
-        "{} vertices, {} flops, {} lines for the first row; instructions are divided by its flops, lines by "
-        "its lines. '-': --json says why.\n",
-        floor("effort.floor_vertices"), floor("effort.floor_flops"), floor("effort.floor_lines"));
+        "\nMispredictions and misses are Callgrind's models. The floor proves a known answer by heights of "
+        "vertices.\n");
 }
 
 /// In the plan's order; those that the store already has are not in it.
@@ -155,9 +111,7 @@ int run_effort(const EffortArguments& options, bool json) {
     std::vector<studies::EffortRow> rows;
     if (!measure_rows(options, plan, rows)) return exit_check_failed;
     if (json) {
-        nlohmann::json all = nlohmann::json::array();
-        for (const studies::EffortRow& row : rows) all.push_back(json_of(row));
-        print_json(nlohmann::json({{"effort", all}, {"machine", options.machine}}));
+        print_json(nlohmann::json({{"effort", json_rows(rows, effort_json)}, {"machine", options.machine}}));
     } else {
         print(rows, options);
     }

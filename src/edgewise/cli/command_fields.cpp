@@ -11,8 +11,8 @@
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/output_file.hpp"
-#include "edgewise/reports/charts/co_access_picture.hpp"
-#include "edgewise/studies/fields/fields.hpp"
+#include "edgewise/reports/tables/field_tables.hpp"
+#include "edgewise/studies/fields/fields_rows.hpp"
 #include "edgewise/studies/fields/group_text.hpp"
 
 namespace edgewise::cli {
@@ -31,37 +31,18 @@ struct FieldsArguments {
     std::string svg, write;
 };
 
-std::string title_of(const FieldsAdvice& advice, const studies::CellChoice& cell) {
-    return fmt::format("{} {}, {} {}, {} queries", advice.table, cell.algorithm, cell.scene, cell.shape,
-                       advice.together.queries);
-}
-
-/// Parts of what reads either; of a field alone, of all queries or steps.
-reports::CoAccessParts parts_of(const studies::FieldCounts& counts, std::uint64_t all) {
-    reports::CoAccessParts parts(counts.size(), std::vector<double>(counts.size()));
-    for (std::size_t a = 0; a < counts.size(); ++a) {
-        for (std::size_t b = 0; b < counts.size(); ++b)
-            parts[a][b] = studies::CoAccess::overlap(counts, a, b);
-        parts[a][a] = all == 0 ? 0 : static_cast<double>(counts[a][a]) / static_cast<double>(all);
-    }
-    return parts;
-}
-
-void write_picture(const FieldsAdvice& advice, const FieldsArguments& options) {
-    std::vector<reports::CoAccessField> fields;
-    for (const RecordField& field : advice.fields)
-        fields.push_back({std::string(field.name), std::string(field.record)});
-    input::write_output(options.svg,
-                        reports::draw_co_access(title_of(advice, options.plan.cell), fields,
-                                                parts_of(advice.together.by_query, advice.together.queries),
-                                                parts_of(advice.together.by_step, advice.together.steps)));
+/// The advice as a store has it: what the report's tables and its picture are made of.
+reports::ReportCell stored_advice(const FieldsAdvice& advice, const studies::CellChoice& choice) {
+    store::CellRow row = studies::fields_row(choice);
+    row.status = advice.all_right() ? store::CellStatus::verified : store::CellStatus::failed;
+    return {{row, studies::fields_figures(advice)}, choice.scene};
 }
 
 nlohmann::json json_of(const studies::TraceCost& cost) {
-    nlohmann::json misses = nlohmann::json::array();
-    for (const studies::LevelMissesPerQuery& level : cost.misses)
-        misses.push_back(
-            {{"machine", level.machine}, {"level", level.level}, {"misses_per_query", level.misses}});
+    const nlohmann::json misses = json_rows(cost.misses, [](const studies::LevelMissesPerQuery& level) {
+        return nlohmann::json{
+            {"machine", level.machine}, {"level", level.level}, {"misses_per_query", level.misses}};
+    });
     return {{"lines", cost.lines},
             {"lines_per_query", cost.lines_per_query()},
             {"reads_per_query", cost.reads_per_query()},
@@ -86,13 +67,11 @@ nlohmann::json json_of(const FieldsContender& contender, const FieldsAdvice& adv
 }
 
 nlohmann::json json_of(const FieldsAdvice& advice, const studies::CellChoice& cell) {
-    nlohmann::json fields = nlohmann::json::array(), contenders = nlohmann::json::array();
-    for (std::size_t i = 0; i < advice.fields.size(); ++i)
-        fields.push_back({{"name", advice.fields[i].name},
-                          {"record", advice.fields[i].record},
-                          {"bytes", advice.fields[i].bytes}});
-    for (const FieldsContender& contender : advice.contenders)
-        contenders.push_back(json_of(contender, advice));
+    const nlohmann::json fields = json_rows(advice.fields, [](const RecordField& field) {
+        return nlohmann::json{{"name", field.name}, {"record", field.record}, {"bytes", field.bytes}};
+    });
+    const nlohmann::json contenders = json_rows(
+        advice.contenders, [&](const FieldsContender& contender) { return json_of(contender, advice); });
     return {
         {"table", advice.table},
         {"algorithm", cell.algorithm},
@@ -132,61 +111,20 @@ void print_pairs(const FieldsAdvice& advice) {
     }
 }
 
-void print_groups(const char* whose, const FieldGroups& groups, const FieldsAdvice& advice) {
-    fmt::print("{}\n", whose);
-    groups.for_each([&](std::span<const std::uint8_t> group) {
-        const GroupRecord record(group, advice.fields);
-        std::string names;
-        for (std::size_t i = 0; i < record.count; ++i)
-            names += (i > 0 ? ", " : "") + std::string(advice.fields[record.fields[i]].name);
-        fmt::print("  {:>3} bytes per {:<12} {}\n", record.size.bytes, advice.fields[group.front()].record,
-                   names);
-    });
-}
-
-std::string ratio_text(const std::optional<studies::TimeRatio>& ratio) {
-    if (!ratio) return "-";
-    return fmt::format("{:.3f} [{:.3f}, {:.3f}]", ratio->middle, ratio->low, ratio->high);
-}
-
-void print_costs(const FieldsAdvice& advice) {
-    fmt::print("{:<12}{:<18}{:>10}{:>10}", "", "table", "lines", "reads");
-    for (const studies::LevelMissesPerQuery& level : advice.predicted.misses)
-        fmt::print("{:>26}", level.machine + " " + level.level);
-    fmt::print("{:>12}  {}\n", "bytes", "time over the baseline's");
-    const auto row = [&](std::string_view role, const std::string& table, const studies::TraceCost& cost,
-                         const std::string& bytes, const std::string& time) {
-        fmt::print("{:<12}{:<18}{:>10.3f}{:>10.1f}", role, table, cost.lines_per_query(),
-                   cost.reads_per_query());
-        for (const studies::LevelMissesPerQuery& level : cost.misses) fmt::print("{:>26.3f}", level.misses);
-        fmt::print("{:>12}  {}\n", bytes, time);
-    };
-    row("predicted", advice.builder, advice.predicted, "", "");
-    for (const FieldsContender& contender : advice.contenders)
-        row(to_string(contender.role), contender.table, contender.cost,
-            fmt::format("{:.0f}", contender.table_bytes),
-            ratio_text(advice.ratio(contender.role, advice.baseline())));
-}
-
 void print(const FieldsAdvice& advice, const FieldsArguments& options) {
-    fmt::print("{}\n", title_of(advice, options.plan.cell));
+    const studies::CellChoice& cell = options.plan.cell;
+    fmt::print("{} {}, {} {}, {} queries\n", advice.table, cell.algorithm, cell.scene, cell.shape,
+               advice.together.queries);
     print_pairs(advice);
-    if (advice.own)
-        print_groups("records now:", *advice.own, advice);
-    else
-        fmt::print("records now: not such as groups of fields make\n");
-    print_groups(options.plan.groups_file.empty() ? "advised:" : "to be tried:", advice.advised, advice);
-    print_costs(advice);
-    fmt::print("queries that the advice never saw: {:.3f} lines per query, {:.3f} as advised\n",
-               advice.unseen_lines, advice.unseen_lines_advised);
-    fmt::print("lines: {} ({} predicted, {} counted, {} before)\n", to_string(advice.lines_held()),
-               advice.predicted.lines, advice.find(Role::advised)->cost.lines,
-               advice.find(Role::original)->cost.lines);
-    fmt::print("time: {} (advised {} of the time of its {}; that table once more, beside itself {})\n",
-               to_string(advice.time_held()), ratio_text(advice.ratio(Role::advised, advice.baseline())),
-               to_string(advice.baseline()), ratio_text(advice.ratio(Role::control, advice.baseline())));
-    fmt::print("{} interleaved rounds of one process; another process may place its tables otherwise\n",
-               options.plan.rounds);
+    reports::ReportData data;
+    data.fields.push_back(stored_advice(advice, cell));
+    fmt::print("\n{}\n{}\nlines: {}; time: {}\n", grid_text(reports::field_groups_grid(data.fields.front())),
+               grid_text(reports::field_advice_grid(data)), to_string(advice.lines_held()),
+               to_string(advice.time_held()));
+    fmt::print(
+        "times are those of the {} table; {} interleaved rounds of one process; another process may "
+        "place its tables otherwise\n",
+        to_string(advice.baseline()), options.plan.rounds);
     for (const FieldsContender& contender : advice.contenders)
         if (!contender.wrong.empty()) fmt::print("{}: {}\n", contender.table, contender.wrong);
 }
@@ -195,7 +133,8 @@ int run_fields(const FieldsArguments& options, bool json) {
     Progress progress("fields", static_cast<std::size_t>(options.plan.rounds));
     const FieldsAdvice advice = studies::advise_fields(options.plan, [&] { progress.advance(); });
     progress.clear();
-    if (!options.svg.empty()) write_picture(advice, options);
+    if (!options.svg.empty())
+        input::write_output(options.svg, reports::field_picture(stored_advice(advice, options.plan.cell)));
     if (!options.write.empty())
         input::write_output(
             options.write,

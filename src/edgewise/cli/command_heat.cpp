@@ -9,6 +9,7 @@
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 
 namespace edgewise::cli {
 
@@ -50,30 +51,28 @@ void print(const measure::HeatMap& heat, const measure::TouchedTables& tables) {
                tables.of_bytes == 0
                    ? 0
                    : 100.0 * static_cast<double>(tables.bytes) / static_cast<double>(tables.of_bytes));
-    fmt::print("\n{:<22} {:>12}   of the component's bytes, those that any query read\n", "component",
-               "touched, %");
+    reports::TextGrid parts{"", reports::columns_of("component or feature|#touched, %")};
     for (const auto& [component, part] : tables.by_component)
-        fmt::print("  {:<20} {:>12.2f}\n", component, 100 * part);
-    fmt::print("\n{:<22} {:>12}   of the features, those of which any byte was read\n", "feature",
-               "touched, %");
-    const auto feature = [](const char* name, const std::optional<double>& part) {
-        fmt::print("  {:<20} {:>12}\n", name, part ? fmt::format("{:.2f}", 100 * *part) : "not apart");
+        parts.add(component, fmt::format("{:.2f}", 100 * part));
+    const std::pair<const char*, std::optional<double>> features[] = {
+        {"vertices", tables.vertices}, {"edges", tables.edges}, {"faces", tables.faces}};
+    for (const auto& [name, part] : features)
+        parts.add(name, part ? fmt::format("{:.2f}", 100 * *part) : "not apart");
+    fmt::print(
+        "\n{}of a component's bytes, those that any query read; of the features, those of which any byte "
+        "was read\n",
+        grid_text(parts));
+    reports::TextGrid reads{"", reports::columns_of("per query that starts|#any way|#cold|#warm")};
+    const auto add = [&](std::string_view what, const measure::ByStart<std::uint64_t>& sums) {
+        reads.add(what, mean_text(sums.all, heat.queries().all), mean_text(sums.cold, heat.queries().cold),
+                  mean_text(sums.warm, heat.queries().warm));
     };
-    feature("vertices", tables.vertices);
-    feature("edges", tables.edges);
-    feature("faces", tables.faces);
-    fmt::print("\n{:<22} {:>10} {:>10} {:>10}   mean reads of a field, and lines of 64 bytes\n",
-               "per query that starts", "any way", "cold", "warm");
-    const auto row = [&](std::string_view what, const measure::ByStart<std::uint64_t>& sums) {
-        fmt::print("  {:<20} {:>10} {:>10} {:>10}\n", what, mean_text(sums.all, heat.queries().all),
-                   mean_text(sums.cold, heat.queries().cold), mean_text(sums.warm, heat.queries().warm));
-    };
-    row("lines of tables", heat.lines_of_queries());
-    for (std::size_t i = 0; i < bench::field_names().size(); ++i) {
-        const auto& by_field = heat.accesses_by_field();
+    add("lines of tables", heat.lines_of_queries());
+    const auto& by_field = heat.accesses_by_field();
+    for (std::size_t i = 0; i < bench::field_names().size(); ++i)
         if (by_field.all[i] > 0)
-            row(bench::field_names()[i], {by_field.all[i], by_field.cold[i], by_field.warm[i]});
-    }
+            add(bench::field_names()[i], {by_field.all[i], by_field.cold[i], by_field.warm[i]});
+    fmt::print("\n{}mean reads of a field, and lines of 64 bytes\n", grid_text(reads));
 }
 
 nlohmann::json by_start(const measure::ByStart<std::uint64_t>& counts) {

@@ -41,21 +41,14 @@ Json list_layouts() {
     return result;
 }
 
-template <class Items, class Row>
-Json rows_of(const Items& items, Row row) {
-    Json result = Json::array();
-    for (const auto& item : items) result.push_back(row(item));
-    return result;
-}
-
 Json list_probes() {
-    return rows_of(bench::registered_probes(), [](const bench::Probe& probe) {
+    return json_rows(bench::registered_probes(), [](const bench::Probe& probe) {
         return Json{{"name", probe.name}, {"summary", probe.summary}};
     });
 }
 
 Json list_algorithms() {
-    return rows_of(bench::algorithms(), [](const bench::AlgorithmInfo& info) {
+    return json_rows(bench::algorithms(), [](const bench::AlgorithmInfo& info) {
         return Json{{"name", info.name},
                     {"summary", info.summary},
                     {"needs", info.parts == Parts::support ? "vertices and neighbours" : "all features"}};
@@ -63,8 +56,8 @@ Json list_algorithms() {
 }
 
 Json list_of_scenes() {
-    return rows_of(scene::list_scenes(), [](const scene::SceneInfo& scene) {
-        const Json parameters = rows_of(scene.parameters, [](const scene::ParameterInfo& p) {
+    return json_rows(scene::list_scenes(), [](const scene::SceneInfo& scene) {
+        const Json parameters = json_rows(scene.parameters, [](const scene::ParameterInfo& p) {
             return Json{{"name", p.name}, {"unit", p.unit}, {"meaning", p.meaning}, {"default", p.standard}};
         });
         return Json{{"name", scene.name}, {"meaning", scene.meaning}, {"parameters", parameters}};
@@ -73,14 +66,14 @@ Json list_of_scenes() {
 
 /// Those that come along, each with its text: to start one's own from.
 Json list_scene_files() {
-    return rows_of(scene::scene_texts(), [](const scene::SceneText& text) {
+    return json_rows(scene::scene_texts(), [](const scene::SceneText& text) {
         const Json file = Json::parse(text.json);
         return Json{{"name", text.name}, {"note", file.value("note", "")}, {"file", file}};
     });
 }
 
 Json list_of_shapes() {
-    return rows_of(scene::list_shapes(), [](const scene::ShapeInfo& shape) {
+    return json_rows(scene::list_shapes(), [](const scene::ShapeInfo& shape) {
         return Json{{"name", shape.name},
                     {"vertices", shape.vertices},
                     {"edges", shape.edges},
@@ -89,28 +82,28 @@ Json list_of_shapes() {
 }
 
 Json list_families() {
-    return rows_of(scene::hard_families(), [](const scene::HardFamily& family) {
+    return json_rows(scene::hard_families(), [](const scene::HardFamily& family) {
         return Json{{"name", family.name}, {"varies", family.varies}, {"breaks", family.breaks}};
     });
 }
 
 /// Each as the file that it could be.
 Json list_machines() {
-    return rows_of(measure::cache_machines(), [](const measure::CacheMachine& machine) {
+    return json_rows(measure::cache_machines(), [](const measure::CacheMachine& machine) {
         return Json::parse(measure::cache_machine_json(machine));
     });
 }
 
 Json list_axes() {
-    return rows_of(sweep::axes_known(), [](const sweep::AxisInfo& axis) {
+    return json_rows(sweep::axes_known(), [](const sweep::AxisInfo& axis) {
         return Json{{"name", axis.name}, {"values", axis.values}, {"meaning", axis.summary}};
     });
 }
 
 Json list_plans() {
-    return rows_of(sweep::plan_names(), [](const std::string& name) {
+    return json_rows(sweep::plan_names(), [](const std::string& name) {
         const sweep::Plan plan = sweep::make_plan(name);
-        const Json scenes = rows_of(plan.scenes, [](const sweep::SceneChoice& scene) {
+        const Json scenes = json_rows(plan.scenes, [](const sweep::SceneChoice& scene) {
             return scene.name + " " + Json(scene.parameters).dump();
         });
         return Json{{"name", name},

@@ -7,6 +7,7 @@
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/paging.hpp"
@@ -37,22 +38,22 @@ scene::Workload pressure(const PagingArguments& options) {
 }
 
 nlohmann::json json_of(const studies::PagingResult& result) {
-    nlohmann::json rows = nlohmann::json::array();
-    for (const studies::PagingRow& row : result.rows) {
+    const nlohmann::json rows = json_rows(result.rows, [](const studies::PagingRow& row) {
         const bool measured = row.reason.empty();
         const auto value = [&](double number) {
             return measured ? nlohmann::json(number) : nlohmann::json();
         };
-        rows.push_back({{"limit_bytes", row.limit_bytes},
-                        {"predicted_at_limit", or_null(row.predicted_at_limit.all)},
-                        {"predicted_at_limit_cold", or_null(row.predicted_at_limit.cold)},
-                        {"predicted_at_limit_warm", or_null(row.predicted_at_limit.warm)},
-                        {"table_pages_held", value(static_cast<double>(row.table_pages_held.value_or(0)))},
-                        {"predicted_at_held", value(row.predicted_at_held)},
-                        {"faults_per_query", value(row.faults_per_query)},
-                        {"ns_per_query", value(row.ns_per_query)},
-                        {"reason", or_null(row.reason)}});
-    }
+        return nlohmann::json{
+            {"limit_bytes", row.limit_bytes},
+            {"predicted_at_limit", or_null(row.predicted_at_limit.all)},
+            {"predicted_at_limit_cold", or_null(row.predicted_at_limit.cold)},
+            {"predicted_at_limit_warm", or_null(row.predicted_at_limit.warm)},
+            {"table_pages_held", value(static_cast<double>(row.table_pages_held.value_or(0)))},
+            {"predicted_at_held", value(row.predicted_at_held)},
+            {"faults_per_query", value(row.faults_per_query)},
+            {"ns_per_query", value(row.ns_per_query)},
+            {"reason", or_null(row.reason)}};
+    });
     return {{"table", result.table},
             {"algorithm", result.algorithm},
             {"table_bytes", result.table_bytes},
@@ -72,19 +73,13 @@ void print(const studies::PagingResult& result) {
     if (!result.keeps_recency)
         fmt::print("  read-ahead could not be turned off as root would: this kernel may evict any page\n");
     if (!result.rows.empty())
-        fmt::print("  {:>10} {:>10} {:>10} {:>10} {:>14} {:>10}\n", "limit, MiB", "predicted", "held, MiB",
-                   "predicted", "faults per query", "us per query");
-    for (const studies::PagingRow& row : result.rows) {
-        fmt::print("  {:>10.1f} {:>10.4f} ", static_cast<double>(row.limit_bytes) / (1 << 20),
-                   row.predicted_at_limit.all.value_or(0));
-        if (!row.reason.empty()) {
-            fmt::print("not measured: {}\n", row.reason);
-            continue;
-        }
-        fmt::print("{:>10.1f} {:>10.4f} {:>14.4f} {:>10.2f}\n",
-                   static_cast<double>(*row.table_pages_held) * page / (1 << 20), row.predicted_at_held,
-                   row.faults_per_query, row.ns_per_query / 1000);
-    }
+        fmt::print("{}",
+                   reports::rows_text(
+                       json_of(result)["rows"],
+                       fmt::format("#limit, MiB = limit_bytes {0} 1|#predicted = predicted_at_limit|"
+                                   "#held, MiB = table_pages_held {1} 1|#predicted = predicted_at_held|"
+                                   "#faults per query = faults_per_query|#us per query = ns_per_query 1000",
+                                   reports::mebibyte, reports::mebibyte / page)));
 }
 
 int run_paging(const PagingArguments& options, bool json) {

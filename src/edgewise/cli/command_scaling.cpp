@@ -7,6 +7,7 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/threads/scaling.hpp"
 
 namespace edgewise::cli {
@@ -25,12 +26,12 @@ nlohmann::json json_of(const studies::WayOfSharing& way) {
 }
 
 nlohmann::json json_of(const studies::Scaling& scaling, const ScalingArguments& options) {
-    nlohmann::json rows = nlohmann::json::array();
-    for (const studies::ScalingRow& row : scaling.rows)
-        rows.push_back({{"threads", row.threads},
-                        {"shared", json_of(row.shared)},
-                        {"apart", json_of(row.apart)},
-                        {"contention", row.contention}});
+    const nlohmann::json rows = json_rows(scaling.rows, [](const studies::ScalingRow& row) {
+        return nlohmann::json{{"threads", row.threads},
+                              {"shared", json_of(row.shared)},
+                              {"apart", json_of(row.apart)},
+                              {"contention", row.contention}};
+    });
     return {{"table", scaling.table},
             {"algorithm", scaling.algorithm},
             {"scene", options.cell.scene},
@@ -50,13 +51,12 @@ void print(const studies::Scaling& scaling, const ScalingArguments& options) {
     fmt::print("{} on {}, {} on {}: {} queries in {} frames, tables of {:.2f} MiB, {} cores\n",
                scaling.algorithm, scaling.table, options.cell.scene, options.cell.shape, scaling.queries,
                scaling.frames, scaling.table_bytes / (1 << 20), studies::usable_cores());
-    fmt::print("{:>7}   {:^35}   {:^47}\n", "", "shared tables", "tables of their own");
-    fmt::print("{:>7}   {:>13} {:>9} {:>11}   {:>13} {:>9} {:>11} {:>11}\n", "threads", "queries per s",
-               "speed-up", "efficiency", "queries per s", "speed-up", "efficiency", "contention");
-    for (const studies::ScalingRow& row : scaling.rows)
-        fmt::print("{:>7}   {:>13.0f} {:>9.2f} {:>11.2f}   {:>13.0f} {:>9.2f} {:>11.2f} {:>11.2f}\n",
-                   row.threads, row.shared.per_second, row.shared.speed_up, row.shared.efficiency,
-                   row.apart.per_second, row.apart.speed_up, row.apart.efficiency, row.contention);
+    fmt::print("{}",
+               reports::rows_text(json_of(scaling, options)["rows"],
+                                  "#threads|#shared tables: queries per s = shared/queries_per_second 1 0|"
+                                  "#speed-up = shared/speed_up|#efficiency = shared/efficiency|"
+                                  "#own tables: queries per s = apart/queries_per_second 1 0|"
+                                  "#speed-up = apart/speed_up|#efficiency = apart/efficiency|#contention"));
     fmt::print(
         "Medians of {} rounds. Contention: a thread's time beside the others, over its time alone. {} answers were "
         "checked exactly; {} passes gave the single queries' sum to the bit.\n",

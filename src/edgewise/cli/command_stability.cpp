@@ -15,9 +15,8 @@
 #include "edgewise/cli/parts/shard_options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/cli/usage/folders.hpp"
-#include "edgewise/reports/page/report.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
-#include "edgewise/store/vocabulary.hpp"
 #include "edgewise/studies/parts/sharded_work.hpp"
 #include "edgewise/sweep/work.hpp"
 
@@ -66,48 +65,23 @@ studies::StabilityPlan chosen_plan(const StabilityArguments& options) {
     return plan;
 }
 
-double value_of(const studies::StabilityRow& row, const store::FigureName& name) {
-    for (const store::FigureRow& figure : row.figures) {
-        if (figure.name == name.name()) return figure.value.value_or(0);
-    }
-    return 0;
-}
-
-void print_heading() {
-    fmt::print(
-        "{:<24} {:<9} {:<6} {:>8} {:>7} {:>6} {:>6} {:>6} {:>8} {:>8} {:>8} {:>4} {:>7} {:>7} {:>7} {:>6} "
-        "{:>5}\n",
-        "family", "table", "by", "cases", "refused", "band", "wrong", "beyond", "error", "witness", "cert.",
-        "caps", "escapes", "cycles", "fallb.", "refin.", "steps");
-}
-
-void print_row(const studies::StabilityRow& row) {
-    const auto count = [&](const store::FigureName& name) {
-        return static_cast<std::size_t>(value_of(row, name));
-    };
-    fmt::print(
-        "{:<24} {:<9} {:<6} {:>8} {:>7} {:>6} {:>6} {:>6} {:>8.1e} {:>8.1e} {:>8.1e} {:>4} {:>7} {:>7} {:>7} "
-        "{:>6} "
-        "{:>5.2f}{}\n",
-        row.cell.shape, row.cell.table, row.cell.algorithm, count("stability.cases"),
-        count("stability.refused"), count("stability.in_band"), count("stability.wrong_outside_band"),
-        count("stability.errors_beyond"), value_of(row, "stability.worst_error"),
-        value_of(row, "stability.worst_witness_error"), value_of(row, "stability.worst_certificate_width"),
-        count("stability.cap_hits"), count("stability.escapes"), count("stability.cycles"),
-        count("stability.fallbacks"), count("stability.refinements"), value_of(row, "stability.mean_steps"),
-        row.cell.reason.empty() ? "" : fmt::format("  {}: {}", to_string(row.cell.status), row.cell.reason));
-}
-
+/// The rows are kept for the table at the end.
 studies::StabilitySummary run_with_progress(const studies::StabilityPlan& plan, store::Store& store,
-                                            bool json) {
+                                            reports::ReportData& data) {
     Progress progress("stability", studies::stability_rows(plan), 0, "rows");
     return store_stability(plan, store, [&](const studies::StabilityRow& row) {
-        if (!json) {
-            progress.clear();
-            print_row(row);
-        }
+        data.stability.push_back({{row.cell, row.figures}, row.cell.scene});
         progress.advance(1, row.cell.shape + " " + row.cell.table);
     });
+}
+
+/// The report's table of a stability run, and what failed.
+void print(const reports::ReportData& data) {
+    reports::TextGrid grid = reports::stability_grid(data);
+    drop_zero_columns(grid);
+    fmt::print("{}{}\n", grid_text(grid), grid.caption);
+    if (const reports::TextGrid problems = reports::problems_grid(data); !problems.rows.empty())
+        fmt::print("\n{}", grid_text(problems));
 }
 
 int run_stability(const StabilityArguments& options, bool json) {
@@ -121,9 +95,9 @@ int run_stability(const StabilityArguments& options, bool json) {
     make_folder_of(options.store, "--store");
     store::Store store(options.store);
     if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
-    if (!json) print_heading();
     studies::StabilitySummary summary;
-    if (any) summary = run_with_progress(plan, store, json);
+    reports::ReportData data;
+    if (any) summary = run_with_progress(plan, store, data);
     if (!shard.is_whole() && !summary.stopped) store.set_meta(store::complete_key, shard.text());
     if (json) {
         const nlohmann::json line = {{"rows", summary.rows},
@@ -133,6 +107,7 @@ int run_stability(const StabilityArguments& options, bool json) {
                                      {"store", options.store}};
         print_json(line);
     } else {
+        print(data);
         fmt::print(
             "{} rows: {} verified, {} failed, {} unavailable\nstore: {}; for the report: edgewise report {}\n",
             summary.rows, summary.rows - summary.failed - summary.unavailable, summary.failed,

@@ -4,11 +4,13 @@
 // and three of them made real.
 #include <fmt/format.h>
 
-#include <optional>
+#include <algorithm>
+#include <iterator>
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
 
 namespace edgewise::cli {
@@ -22,12 +24,6 @@ struct ThrashArguments {
     std::size_t realised = thrash::realised_cells;
     double wait_s = thrash::budget_of_a_point_ns / 1e9;
 };
-
-std::string name_of(const thrash::Setting& setting) {
-    std::string name(thrash::mechanism_names[static_cast<std::size_t>(setting.mechanism)]);
-    if (setting.intensity > 0) name += fmt::format(" {:g}", setting.intensity);
-    return name;
-}
 
 nlohmann::json json_of(const thrash::Setting& setting, const thrash::Factorial& factorial) {
     return {{"mechanism", thrash::mechanism_names[static_cast<std::size_t>(setting.mechanism)]},
@@ -49,6 +45,7 @@ nlohmann::json json_of(const thrash::Outcome& outcome, const thrash::Factorial& 
     const thrash::Figure8& figure = outcome.figure;
     return {{"setting", json_of(outcome.setting, factorial)},
             {"facts", facts},
+            {"facts_held", score.count()},
             {"rise", score.rise},
             {"top_ns", score.top_ns},
             {"gjk_rise", score.gjk_rise},
@@ -62,11 +59,8 @@ nlohmann::json json_of(const thrash::Outcome& outcome, const thrash::Factorial& 
 }
 
 nlohmann::json json_of(const thrash::RealisedCell& cell, const thrash::Factorial& factorial) {
-    nlohmann::json curves = nlohmann::json::array();
-    for (const thrash::RealisedCurve& curve : cell.curves) {
-        nlohmann::json points = nlohmann::json::array();
-        for (const thrash::RealisedPoint& point : curve.points)
-            points.push_back({{"speed", point.speed},
+    const auto point_json = [](const thrash::RealisedPoint& point) {
+        return nlohmann::json{{"speed", point.speed},
                               {"queries", point.queries},
                               {"in_memory_ns", point.in_memory_ns},
                               {"predicted_faults", point.predicted_hard},
@@ -75,9 +69,13 @@ nlohmann::json json_of(const thrash::RealisedCell& cell, const thrash::Factorial
                               {"predicted_ns", point.predicted_ns},
                               {"measured_ns", point.measured_ns},
                               {"model_ns", point.model_ns},
-                              {"same_answers", point.same_answers}});
-        curves.push_back({{"shape", curve.shape}, {"algorithm", curve.algorithm}, {"points", points}});
-    }
+                              {"same_answers", point.same_answers}};
+    };
+    const nlohmann::json curves = json_rows(cell.curves, [&](const thrash::RealisedCurve& curve) {
+        return nlohmann::json{{"shape", curve.shape},
+                              {"algorithm", curve.algorithm},
+                              {"points", json_rows(curve.points, point_json)}};
+    });
     const bool there = cell.reason.empty();
     return {{"setting", json_of(cell.setting, factorial)},
             {"curves", there ? curves : nlohmann::json()},
@@ -86,69 +84,59 @@ nlohmann::json json_of(const thrash::RealisedCell& cell, const thrash::Factorial
             {"remedy", or_null(cell.remedy)}};
 }
 
+nlohmann::json json_of(const thrash::Calibration& calibration, const thrash::Factorial& factorial) {
+    nlohmann::json points;
+    for (const thrash::CalibrationPoint& point : calibration.points)
+        points[fmt::format("figure_{}", point.figure)] =
+            point.model_ns(calibration.ns_per_read) / point.top_ns;
+    return {{"machine", factorial.machines[calibration.machine].name()},
+            {"time_step", calibration.time_step},
+            {"ns_per_read", calibration.ns_per_read},
+            {"model_over_paper", points}};
+}
+
+nlohmann::json json_of(const thrash::OutcomeGroup& group, const thrash::Factorial& factorial) {
+    nlohmann::json with;
+    for (std::size_t i = 0; i < thrash::fact_names.size(); ++i)
+        with[std::string(thrash::fact_names[i])] = group.with(static_cast<thrash::Fact>(i));
+    return {{"of", json_of(group.setting, factorial)},
+            {"settings", group.outcomes.size()},
+            {"with", with},
+            {"with_all", group.with_all()},
+            {"best", json_of(group.best(), factorial)}};
+}
+
 nlohmann::json json_of(const thrash::Factorial& factorial, const std::vector<thrash::RealisedCell>& cells) {
-    nlohmann::json calibrations = nlohmann::json::array(), groups = nlohmann::json::array(),
-                   region = nlohmann::json::array(), realised = nlohmann::json::array();
-    for (const thrash::Calibration& calibration : factorial.calibrations) {
-        nlohmann::json points;
-        for (const thrash::CalibrationPoint& point : calibration.points)
-            points[fmt::format("figure_{}", point.figure)] =
-                point.model_ns(calibration.ns_per_read) / point.top_ns;
-        calibrations.push_back({{"machine", factorial.machines[calibration.machine].name()},
-                                {"time_step", calibration.time_step},
-                                {"ns_per_read", calibration.ns_per_read},
-                                {"model_over_paper", points}});
-    }
-    for (const thrash::OutcomeGroup& group : groups_of(factorial)) {
-        nlohmann::json with;
-        for (std::size_t i = 0; i < thrash::fact_names.size(); ++i)
-            with[std::string(thrash::fact_names[i])] = group.with(static_cast<thrash::Fact>(i));
-        groups.push_back({{"of", json_of(group.setting, factorial)},
-                          {"settings", group.outcomes.size()},
-                          {"with", with},
-                          {"with_all", group.with_all()},
-                          {"best", json_of(group.best(), factorial)}});
-    }
-    for (const thrash::Outcome& outcome : factorial.outcomes)
-        if (outcome.score.count() == 4) region.push_back(json_of(outcome, factorial));
-    for (const thrash::RealisedCell& cell : cells) realised.push_back(json_of(cell, factorial));
-    return {{"calibrations", calibrations},
-            {"groups", groups},
-            {"region", region},
-            {"realised", realised},
+    const auto json = [&](const auto& of) { return json_of(of, factorial); };
+    std::vector<thrash::Outcome> region;
+    std::ranges::copy_if(factorial.outcomes, std::back_inserter(region),
+                         [](const thrash::Outcome& outcome) { return outcome.score.count() == 4; });
+    return {{"calibrations", json_rows(factorial.calibrations, json)},
+            {"groups", json_rows(groups_of(factorial), json)},
+            {"region", json_rows(region, json)},
+            {"realised", json_rows(cells, json)},
             {"cycles", factorial.cycles},
             {"vclip_queries", factorial.vclip_queries}};
 }
 
-void print_calibrations(const thrash::Factorial& factorial) {
-    for (const thrash::Calibration& calibration : factorial.calibrations) {
-        fmt::print("{}, steps of {:.4g} s: {:.4g} ns per read; model over paper:",
-                   factorial.machines[calibration.machine].name(), calibration.time_step,
-                   calibration.ns_per_read);
-        for (const thrash::CalibrationPoint& point : calibration.points)
-            fmt::print(" figure {} {:.2f}", point.figure,
-                       point.model_ns(calibration.ns_per_read) / point.top_ns);
-        fmt::print("\n");
-    }
-}
-
-void print_groups(const thrash::Factorial& factorial) {
-    fmt::print("\n{:<24} {:<11} {:<7} {:>6} {:>9} {:>7} {:>8} {:>7} {:>8} {:>5}  {}\n", "mechanism", "table",
-               "tables", "step", "settings", "rises", "as long", "spares", "erratic", "all",
-               "best: facts, bodies, MiB, us a fault; rise, top us, GJK, fall");
-    for (const thrash::OutcomeGroup& group : groups_of(factorial)) {
-        if (group.setting.machine != 0) continue;
-        const thrash::Outcome& best = group.best();
-        fmt::print(
-            "{:<24} {:<11} {:<7} {:>6.4g} {:>9} {:>7} {:>8} {:>7} {:>8} {:>5}  {}, {}, {}, {:g}; {:.2f}, "
-            "{:.0f}, {:.2f}, {:.2f}\n",
-            name_of(group.setting), group.setting.table, group.setting.shared ? "shared" : "own",
-            group.setting.time_step, group.outcomes.size(), group.with(thrash::Fact::rises),
-            group.with(thrash::Fact::takes_as_long), group.with(thrash::Fact::spares_gjk),
-            group.with(thrash::Fact::erratic), group.with_all(), best.score.count(), best.setting.bodies,
-            best.setting.memory_bytes >> 20, best.setting.fault_ns / 1000, best.score.rise,
-            best.score.top_ns / 1000, best.score.gjk_rise, best.score.fall);
-    }
+void print(const nlohmann::json& result, const thrash::Factorial& factorial) {
+    std::string calibrated = "machine|#step, s = time_step|#ns per read = ns_per_read";
+    for (const auto& [figure, ratio] : result["calibrations"].front()["model_over_paper"].items())
+        calibrated += fmt::format("|#model / paper, {0} = model_over_paper/{0}", figure);
+    nlohmann::json groups = result["groups"];
+    std::erase_if(groups.get_ref<nlohmann::json::array_t&>(), [&](const nlohmann::json& group) {
+        return group["of"]["machine"] != factorial.machines.front().name();
+    });
+    fmt::print("{}\n{}best: facts that hold, bodies, MiB, us a fault; rise, top in us, GJK's rise, fall\n",
+               reports::rows_text(result["calibrations"], calibrated),
+               reports::rows_text(
+                   groups,
+                   "mechanism = of/mechanism|#intensity = of/intensity|table = of/table|"
+                   "own = of/own_tables|#step, s = of/time_step|#settings|#rises = with/rises|"
+                   "#as long = with/takes_as_long|#spares GJK = with/spares_gjk|#erratic = with/erratic|"
+                   "#all = with_all|#best = best/facts_held|#bodies = best/setting/bodies|"
+                   "#MiB = best/setting/memory_bytes 1048576 0|#us = best/setting/fault_ns 1000|"
+                   "#rise = best/rise|#top = best/top_ns 1000|#GJK = best/gjk_rise|#fall = best/fall"));
 }
 
 void print(const thrash::RealisedCell& cell) {
@@ -192,11 +180,11 @@ int run_thrash(const ThrashArguments& options, bool json) {
         progress.advance(1, "realised");
     }
     progress.clear();
+    const nlohmann::json result = json_of(factorial, cells);
     if (json) {
-        print_json(json_of(factorial, cells));
+        print_json(result);
     } else {
-        print_calibrations(factorial);
-        print_groups(factorial);
+        print(result, factorial);
         for (const thrash::RealisedCell& cell : cells) print(cell);
     }
     return all_same(cells) ? exit_done : exit_check_failed;

@@ -5,7 +5,7 @@
 
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/page/report.hpp"
-#include "edgewise/reports/tables/cache_tables.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 #include "report_store.hpp"
 
 namespace edgewise::reports {

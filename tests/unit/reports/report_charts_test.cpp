@@ -91,6 +91,37 @@ TEST(TextGrid, ColumnsOfZerosBecomeASentence) {
     EXPECT_EQ(grid.caption, "Rows. 0 in every row: wrong");
 }
 
+/// Terminal and pages show the same cells; a reason is written once, below.
+TEST(TextGrid, ShowsMembersOfJson) {
+    const auto rows = nlohmann::json::parse(R"([
+        {"name": "a", "bytes": 2048, "time": {"ns": 1.5}, "right": true, "tags": ["x", "y"]},
+        {"name": "b", "bytes": 10, "time": {"ns": null, "reason": "no clock"}, "right": false, "reason": "z"},
+        {"name": "c", "bytes": null, "right": null, "reason": "no clock", "remedy": "buy one"}])");
+    const TextGrid grid = member_grid(rows, "name|#KiB = bytes 1024 1|#ns = time/ns|right|tags");
+    EXPECT_EQ(grid_text(grid),
+              "name    KiB     ns  right  tags\n"
+              "a       2.0   1.50  yes    x, y\n"
+              "b       0.0  - [1]  no     - [2]\n"
+              "c     - [3]      -  -      -\n"
+              "[1] no clock\n[2] z\n[3] no clock; buy one\n");
+    EXPECT_NE(grid_markdown(grid).find("| b | 0.0 | not measured (1) | no | not measured (2) |\n"),
+              std::string::npos)
+        << grid_markdown(grid);
+    EXPECT_NE(grid_html(grid).find("<td class=\"missing number\">not measured<sup>1</sup></td>"),
+              std::string::npos)
+        << grid_html(grid);
+}
+
+TEST(TextGrid, FoldsItsLastColumn) {
+    TextGrid grid{"", columns_of("name|meaning")};
+    grid.add("é", "one two three four five six seven");
+    EXPECT_EQ(grid_text(grid, 20),
+              "name  meaning\n"
+              "é     one two three four five\n"
+              "      six seven\n")
+        << "24 columns at least";
+}
+
 TEST(Text, NumbersKeepTheirMeaning) {
     EXPECT_EQ(number_text(0, "ns"), "0");
     EXPECT_EQ(number_text(168, "B/edge"), "168");

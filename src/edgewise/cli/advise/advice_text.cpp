@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 
 #include "edgewise/cli/advise/advice.hpp"
-#include "edgewise/cli/terminal/text_table.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/studies/advise/changes.hpp"
 
@@ -14,7 +14,7 @@ namespace edgewise::cli {
 
 namespace {
 
-using reports::RankedCell;
+using reports::RankedCell, reports::wrapped, reports::widest_line;
 using studies::advise::CacheCost;
 using studies::advise::DroppedFor;
 
@@ -33,7 +33,7 @@ std::string table_bytes_text(const studies::advise::CaseAsked& asked, const Rank
 /// Label in a column of its own, the rest folded beside it.
 std::string labelled(const std::string& label, const std::string& text) {
     constexpr std::size_t indent = 14;
-    return fmt::format("  {:<11} {}\n", label, folded(text, widest_line - indent, indent));
+    return fmt::format("  {:<11} {}\n", label, wrapped(text, widest_line - indent, indent));
 }
 
 /// The paper's layout; null where it is taken itself, or was not raced.

@@ -11,9 +11,9 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
 #include "edgewise/cli/parts/chosen_body.hpp"
-#include "edgewise/cli/terminal/text_table.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/input/output_file.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/advise/body_cost.hpp"
 #include "edgewise/studies/advise/vertex_budget.hpp"
 
@@ -101,23 +101,21 @@ std::string exactness_of(const scene::MeshBody& body) {
 
 void print_rows(const std::vector<Row>& rows, const scene::MeshBody& body) {
     const double size = extent(body.body.vertices);
-    TextTable table({"#vertices", "#worst error", "#of size", "#ns", "#bytes", "#lines", ""});
+    reports::TextGrid table{"", reports::columns_of("#vertices|#worst error|#of size|#ns|#bytes|#lines| ")};
     for (const Row& row : rows)
-        table.add({std::to_string(row.body.vertices.size()), fmt::format("{:.6g}", row.body.worst_error),
-                   fmt::format("{:.2g}", row.body.worst_error / size), fmt::format("{:.0f}", row.cost.ns),
-                   fmt::format("{:.0f}", row.cost.table_bytes), fmt::format("{:.1f}", row.cost.lines),
-                   row.is_answer ? "<- asked" : ""});
-    fmt::print("{}", table.text());
-    fmt::print(
-        "{}\n",
-        folded(fmt::format(
+        table.add(row.body.vertices.size(), fmt::format("{:.6g}", row.body.worst_error),
+                  fmt::format("{:.2g}", row.body.worst_error / size), fmt::format("{:.0f}", row.cost.ns),
+                  fmt::format("{:.0f}", row.cost.table_bytes), fmt::format("{:.1f}", row.cost.lines),
+                  row.is_answer ? "<- asked" : "");
+    fmt::print("{}", grid_text(table));
+    fmt::print("{}\n",
+               reports::wrapped(fmt::format(
                    "worst error: {}, of any distance to the smaller body, in the body's unit. It is a "
                    "hull of some of the vertices and does not contain the full body: distances are never "
                    "too short, and too long by no more than that. ns: per query of cold pairs of two such "
                    "bodies, the shortest of some rounds in one process; lines: of 64 bytes, per warm query "
                    "at 0.1 rad per step.",
-                   exactness_of(body)),
-               widest_line));
+                   exactness_of(body))));
 }
 
 void print_answer(const BudgetArguments& options, const SmallerBody& answer, std::size_t all) {

@@ -12,8 +12,8 @@
 #include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/judge/judge_input.hpp"
-#include "edgewise/cli/terminal/text_table.hpp"
 #include "edgewise/input/count.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/studies/judge/smaller_pair.hpp"
 
@@ -184,7 +184,7 @@ std::string number_text(const std::optional<double>& value) {
 }
 
 void print_answers(const std::vector<studies::JudgedResponse>& answers) {
-    TextTable table({"who", "says", "#distance", "#depth", "#error", "verdict"});
+    reports::TextGrid table{"", reports::columns_of("who|says|#distance|#depth|#error|verdict")};
     for (const auto& answer : answers) {
         const std::string who =
             answer.same.empty() ? answer.who : fmt::format("{} + {}", answer.who, answer.same.size());
@@ -193,11 +193,11 @@ void print_answers(const std::vector<studies::JudgedResponse>& answers) {
         if (answer.wrong() && answer.beyond > 0)
             verdict += fmt::format(" ({:.3g} beyond what is allowed)", answer.beyond);
         if (!answer.wrong() && !answer.why.empty()) verdict += ": " + answer.why;
-        table.add({who, answer.status, number_text(answer.distance), number_text(answer.depth),
-                   answer.distance ? fmt::format("{:.2g}", answer.error) : "-", verdict});
+        table.add(who, answer.status, number_text(answer.distance), number_text(answer.depth),
+                  answer.distance ? fmt::format("{:.2g}", answer.error) : "-", verdict);
     }
     fmt::print("\n{}'+ n': so many further table types give the same answer to the bit; --json names them\n",
-               table.text());
+               grid_text(table));
 }
 
 void print_smaller(const Judged& judged) {

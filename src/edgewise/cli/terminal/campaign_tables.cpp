@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "edgewise/reports/tables/text_grid.hpp"
+
 namespace edgewise::cli {
 
 namespace {
@@ -38,38 +40,40 @@ std::string vertices_of(const FamilyTally& family) {
     return fmt::format("{} to {}", family.least_vertices, family.most_vertices);
 }
 
-void print_family(const std::string& name, const FamilyTally& family) {
+void add_family(reports::TextGrid& grid, const std::string& name, const FamilyTally& family) {
     const double pairs = count(family.pairs), seconds = seconds_of(family);
-    const auto share = [&](std::uint64_t n) { return 100 * per(count(n), count(proofs_of(family))); };
-    const auto part = [&](std::uint64_t n) { return 100 * per(count(n), pairs); };
-    fmt::print(
-        "{:<24} {:>9} {:>13} {:>10} {:>10} {:>8.3f} {:>8.3f} {:>8.3f} {:>6.1f} {:>6.2f} {:>6.2f} {:>6.1f} "
-        "{:>10} {:>6}\n",
-        name, vertices_of(family), family.pairs, rate(per(pairs, seconds)),
-        rate(per(count(family.answers), seconds)), share(family.double_proofs), share(family.wide_proofs),
-        share(family.exact_proofs), part(family.separated), part(family.grazing), part(family.touching),
-        part(family.overlapping), family.exact_answers, family.wrong);
+    const auto share = [&](std::uint64_t n) {
+        return fmt::format("{:.3f}", 100 * per(count(n), count(proofs_of(family))));
+    };
+    const auto part = [&](std::uint64_t n) { return fmt::format("{:.2f}", 100 * per(count(n), pairs)); };
+    grid.add(name, vertices_of(family), family.pairs, rate(per(pairs, seconds)),
+             rate(per(count(family.answers), seconds)), share(family.double_proofs),
+             share(family.wide_proofs), share(family.exact_proofs), part(family.separated),
+             part(family.grazing), part(family.touching), part(family.overlapping), family.exact_answers,
+             family.wrong);
 }
 
 void print_families(const CampaignProgress& progress) {
-    fmt::print("{:<24} {:>9} {:>13} {:>10} {:>10} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6} {:>6} {:>10} {:>6}\n",
-               "family", "vertices", "pairs", "pairs/s", "answers/s", "double %", "wide %", "exact %",
-               "sep. %", "gra. %", "tou. %", "ove. %", "exact ans.", "wrong");
-    for (const auto& [name, family] : progress.tally.families) print_family(name, family);
-    print_family("all", progress.tally.all_families());
+    reports::TextGrid grid{
+        "", reports::columns_of("family|#vertices|#pairs|#pairs/s|#answers/s|#double %|#wide %|#exact %|"
+                                "#sep. %|#gra. %|#tou. %|#ove. %|#exact ans.|#wrong")};
+    for (const auto& [name, family] : progress.tally.families) add_family(grid, name, family);
+    add_family(grid, "all", progress.tally.all_families());
+    fmt::print("{}\n", grid_text(grid));
 }
 
 void print_cells(const CampaignProgress& progress, std::span<const Cell> cells) {
-    fmt::print("\n{:<26} {:>13} {:>12} {:>12} {:>6} {:>12} {:>14}  {}\n", "cell", "answers", "refused",
-               "in band", "wrong", "worst error", "of pair",
-               cells.empty() ? "" : "and as many as answer alike");
+    reports::TextGrid grid{
+        "", reports::columns_of("cell|#answers|#refused|#in band|#wrong|#worst error|#of pair|" +
+                                std::string(cells.empty() ? " " : "and as many as answer alike"))};
     for (const auto& [name, cell] : progress.tally.cells) {
         const auto found = std::ranges::find(cells, name, &Cell::name);
         const std::size_t alike = found == cells.end() ? 0 : found->as_well.size();
-        fmt::print("{:<26} {:>13} {:>12} {:>12} {:>6} {:>12.3g} {:>14}  {}\n", name, cell.answers,
-                   cell.refused, cell.in_band, cell.wrong, cell.worst_error, cell.worst_pair,
-                   alike == 0 ? "" : fmt::format("+{}", alike));
+        grid.add(name, cell.answers, cell.refused, cell.in_band, cell.wrong,
+                 fmt::format("{:.3g}", cell.worst_error), cell.worst_pair,
+                 alike == 0 ? "" : fmt::format("+{}", alike));
     }
+    fmt::print("{}", grid_text(grid));
 }
 
 }  // namespace

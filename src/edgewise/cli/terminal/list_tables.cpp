@@ -5,8 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <map>
+#include <vector>
 
-#include "edgewise/cli/terminal/text_table.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 
 namespace edgewise::cli {
 
@@ -14,44 +15,17 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// As a person writes it: names of a list with commas between them.
-std::string plain(const Json& value) {
-    if (value.is_string()) return value.get<std::string>();
-    if (value.is_null()) return "-";
-    if (!value.is_array()) return value.dump();
-    std::string text;
-    for (const Json& item : value) text += (text.empty() ? "" : ", ") + plain(item);
-    return text;
-}
-
-/// A column: its title, '#' before that of numbers, and the member that it shows.
-struct Column {
-    const char *title, *member;
-};
-
-std::string table_of(const Json& entries, const std::vector<Column>& columns) {
-    std::vector<std::string> titles;
-    for (const Column& column : columns) titles.emplace_back(column.title);
-    TextTable table(titles);
-    for (const Json& entry : entries) {
-        std::vector<std::string> row;
-        for (const Column& column : columns) row.push_back(plain(entry.at(column.member)));
-        table.add(row);
-    }
-    return table.text();
-}
+using reports::wrapped, reports::rows_text, reports::widest_line;
 
 /// Each scene with a table of its parameters.
 std::string scenes_text(const Json& entries) {
     std::string text;
     for (const Json& scene : entries) {
         const auto name = scene["name"].get<std::string>();
-        text += folded(name + ": " + scene["meaning"].get<std::string>(), widest_line) + "\n";
-        TextTable table({"  parameter", "#default", "unit", "meaning"});
-        for (const Json& parameter : scene["parameters"])
-            table.add({"  " + plain(parameter["name"]), plain(parameter["default"]), plain(parameter["unit"]),
-                       plain(parameter["meaning"])});
-        text += table.text() + "\n";
+        Json parameters = scene["parameters"];
+        for (Json& parameter : parameters) parameter["default"] = parameter["default"].dump();  // all digits
+        text += wrapped(name + ": " + scene["meaning"].get<std::string>()) + "\n" +
+                rows_text(parameters, "parameter = name|#default|unit|meaning") + "\n";
     }
     return text + "A scene file of your own: docs/your_bodies.md; edgewise list scene_files\n";
 }
@@ -64,35 +38,27 @@ std::string size_text(const Json& bytes) {
 }
 
 std::string machines_text(const Json& entries) {
-    TextTable table({"name", "#line", "#L1D", "#L2", "#L3", "#MHz", "#memory", "what"});
-    for (const Json& machine : entries) {
-        std::vector<std::string> row = {machine["name"], plain(machine["line_bytes"])};
-        const Json& levels = machine["levels"];
-        for (std::size_t i = 0; i < 3; ++i)
-            row.push_back(i < levels.size() ? size_text(levels[i]["bytes"]) : "-");
-        row.push_back(plain(machine.value("clock_mhz", Json())));
-        row.push_back(plain(machine["memory"].value("latency_cycles", Json())));
-        row.push_back(machine["what"]);
-        table.add(row);
-    }
-    return table.text() +
+    Json rows = entries;
+    for (Json& machine : rows)
+        for (Json& level : machine["levels"]) level["bytes"] = size_text(level["bytes"]);
+    return rows_text(rows,
+                     "name|#line = line_bytes|#L1D = levels/0/bytes|#L2 = levels/1/bytes|"
+                     "#L3 = levels/2/bytes|#MHz = clock_mhz|#memory = memory/latency_cycles|what") +
            "line in bytes, memory in cycles; ways, latencies and sources: --json, one of which is a machine "
            "file.\nOther machines: --machines mine.json, or from sizes: --machines l2=256K,l3=8M\n";
 }
 
 std::string plans_text(const Json& entries) {
-    TextTable table({"plan", "#queries", "#checked", "#rounds", "#stability", "scenes"});
-    for (const Json& plan : entries) {
+    Json rows = entries;
+    for (Json& plan : rows) {
         std::map<std::string, int> times;  // a scene may stand there with several parameters
         for (const Json& scene : plan["scenes"])
             ++times[scene.get<std::string>().substr(0, scene.get<std::string>().find(' '))];
-        std::vector<std::string> scenes;
+        plan["scenes"] = Json::array();
         for (const auto& [name, count] : times)
-            scenes.push_back(count == 1 ? name : fmt::format("{} x {}", name, count));
-        table.add({plan["name"], plain(plan["queries"]), plain(plan["checked"]), plain(plan["rounds"]),
-                   plain(plan["stability"]), fmt::format("{}", fmt::join(scenes, ", "))});
+            plan["scenes"].push_back(count == 1 ? name : fmt::format("{} x {}", name, count));
     }
-    return table.text() +
+    return rows_text(rows, "plan = name|#queries|#checked|#rounds|#stability|scenes") +
            "queries per cell and round; of them checked exactly; timed rounds; hard cases per family.\n"
            "Layouts, shapes and parameters: --json\n";
 }
@@ -100,10 +66,14 @@ std::string plans_text(const Json& entries) {
 std::string layouts_text(const Json& entries) {
     std::string text;
     for (const Json& layout : entries) {
-        text += fmt::format("{} ({}; {})\n", plain(layout["name"]), plain(layout["precisions"]),
-                            plain(layout["algorithms"]));
+        const auto names = [&](const char* key) {
+            return fmt::format("{}", fmt::join(layout[key].get<std::vector<std::string>>(), ", "));
+        };
+        text += fmt::format("{} ({}; {})\n", layout["name"].get<std::string>(), names("precisions"),
+                            names("algorithms"));
         for (const char* key : {"stores", "derives"})
-            text += fmt::format("    {}: {}\n", key, folded(plain(layout[key]), widest_line - 13, 13));
+            text += fmt::format("    {}: {}\n", key,
+                                wrapped(layout[key].get<std::string>(), widest_line - 13, 13));
     }
     return text;
 }
@@ -111,19 +81,19 @@ std::string layouts_text(const Json& entries) {
 }  // namespace
 
 std::string list_text(const std::string& what, const Json& entries) {
-    static const std::map<std::string, std::vector<Column>> tables = {
-        {"probes", {{"probe", "name"}, {"what it measures", "summary"}}},
-        {"algorithms", {{"algorithm", "name"}, {"needs", "needs"}, {"what it is", "summary"}}},
-        {"shapes", {{"shape", "name"}, {"#vertices", "vertices"}, {"#edges", "edges"}, {"#faces", "faces"}}},
-        {"families", {{"family", "name"}, {"varies", "varies"}, {"breaks", "breaks"}}},
-        {"axes", {{"axis", "name"}, {"values", "values"}, {"meaning", "meaning"}}},
-        {"scene_files", {{"scene file", "name"}, {"what it is for", "note"}}},
-        {"figures", {{"figure", "name"}, {"unit", "unit"}, {"meaning", "meaning"}}}};
+    static const std::map<std::string, const char*> tables = {
+        {"probes", "probe = name|what it measures = summary"},
+        {"algorithms", "algorithm = name|needs|what it is = summary"},
+        {"shapes", "shape = name|#vertices|#edges|#faces"},
+        {"families", "family = name|varies|breaks"},
+        {"axes", "axis = name|values|meaning"},
+        {"scene_files", "scene file = name|what it is for = note"},
+        {"figures", "figure = name|unit|meaning"}};
     if (what == "scenes") return scenes_text(entries);
     if (what == "machines") return machines_text(entries);
     if (what == "plans") return plans_text(entries);
     if (what == "layouts") return layouts_text(entries);
-    return table_of(entries, tables.at(what));
+    return rows_text(entries, tables.at(what));
 }
 
 }  // namespace edgewise::cli

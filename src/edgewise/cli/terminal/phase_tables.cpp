@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/phases/phases.hpp"
 
 namespace edgewise::cli {
@@ -18,10 +19,11 @@ using studies::PhaseEffort;
 /// A part of `other` above which the table of phases wants a look, in per cent of the instructions.
 constexpr double much_other = 3;
 
-nlohmann::json json_of(const PhaseEffort& phase, double steps) {
+nlohmann::json json_of(const PhaseEffort& phase, const PhaseEffort& total, double steps) {
     const auto each = [&](double of_query) { return steps > 0 ? nlohmann::json(of_query / steps) : nullptr; };
     return {{"phase", phase.phase},
             {"instructions", phase.instructions},
+            {"part_of_instructions", phase.instructions / total.instructions},
             {"mispredictions", phase.mispredictions},
             {"d1_misses", phase.d1_misses},
             {"instructions_once", phase.instructions - phase.instructions_in_steps},
@@ -31,26 +33,19 @@ nlohmann::json json_of(const PhaseEffort& phase, double steps) {
             {"d1_misses_per_step", each(phase.d1_misses)}};
 }
 
-nlohmann::json json_of(const EffortByPhase& row) {
-    nlohmann::json phases = nlohmann::json::array();
-    for (const PhaseEffort& phase : row.phases) phases.push_back(json_of(phase, row.steps));
+nlohmann::json phases_json(const EffortByPhase& row) {
     const bool counted = !row.phases.empty();
-    return {{"table", row.table},
-            {"algorithm", row.algorithm},
-            {"steps", row.steps},
-            {"wrong", or_null(row.wrong)},
-            {"reason", or_null(row.reason)},
-            {"remedy", or_null(counted ? std::string() : row.remedy)},
-            {"phases", phases},
-            {"others", row.others},
-            {"total", counted ? json_of(row.total, row.steps) : nlohmann::json()}};
-}
-
-void print_line(const PhaseEffort& phase, const PhaseEffort& total, double steps) {
-    const double once = phase.instructions - phase.instructions_in_steps;
-    fmt::print("  {:<30} {:>9.2f} {:>6.1f} {:>9.2f} {:>9.2f} {:>9.3f} {:>9.3f}\n", phase.phase,
-               phase.instructions, 100 * phase.instructions / total.instructions, once,
-               phase.instructions_in_steps / steps, phase.mispredictions, phase.d1_misses);
+    return {
+        {"table", row.table},
+        {"algorithm", row.algorithm},
+        {"steps", row.steps},
+        {"wrong", or_null(row.wrong)},
+        {"reason", or_null(row.reason)},
+        {"remedy", or_null(counted ? std::string() : row.remedy)},
+        {"phases", json_rows(row.phases,
+                             [&](const PhaseEffort& phase) { return json_of(phase, row.total, row.steps); })},
+        {"others", row.others},
+        {"total", counted ? json_of(row.total, row.total, row.steps) : nlohmann::json()}};
 }
 
 void print_row(const EffortByPhase& row) {
@@ -60,15 +55,18 @@ void print_row(const EffortByPhase& row) {
         fmt::print("  not counted: {}{}{}\n", row.reason, row.remedy.empty() ? "" : "; ", row.remedy);
         return;
     }
-    fmt::print("  {:<30} {:>9} {:>6} {:>9} {:>9} {:>9} {:>9}\n", "phase", "instr.", "%", "once", "each step",
-               "mispred.", "D1 miss");
-    for (const PhaseEffort& phase : row.phases) {
-        print_line(phase, row.total, row.steps);
+    const nlohmann::json json = phases_json(row);
+    nlohmann::json rows = json["phases"];
+    rows.push_back(json["total"]);
+    fmt::print("{}", reports::rows_text(
+                         rows, fmt::format("phase|#instr. = instructions|#% = part_of_instructions 0.01 1|"
+                                           "#once = instructions_once|#each step = instructions_in_steps {}|"
+                                           "#mispred. = mispredictions|#D1 miss = d1_misses",
+                                           row.steps)));
+    for (const PhaseEffort& phase : row.phases)
         if (phase.phase == studies::other_phase &&
             phase.instructions > much_other / 100 * row.total.instructions)
-            fmt::print("  of other, most: {}\n", fmt::join(row.others, "; "));
-    }
-    print_line(row.total, row.total, row.steps);
+            fmt::print("of other, most: {}\n", fmt::join(row.others, "; "));
 }
 
 }  // namespace
@@ -76,9 +74,8 @@ void print_row(const EffortByPhase& row) {
 int print_phases(const studies::EffortPlan& plan, bool json) {
     const std::vector<EffortByPhase> rows = studies::effort_by_phase(plan);
     if (json) {
-        nlohmann::json all = nlohmann::json::array();
-        for (const EffortByPhase& row : rows) all.push_back(json_of(row));
-        print_json(nlohmann::json({{"effort_by_phase", all}, {"machine", plan.machine.name}}));
+        print_json(nlohmann::json(
+            {{"effort_by_phase", json_rows(rows, phases_json)}, {"machine", plan.machine.name}}));
     } else {
         fmt::print("per query of {} on {}, caches of {}\n", plan.cell.scene, plan.cell.shape,
                    plan.machine.name);
