@@ -89,21 +89,22 @@ GateGroup::GateGroup(const GatePlan& plan, const GateScene& scene, const std::st
               {shape, "built-in", scene::make_shape(shape).or_throw(), {}}) {
     for (const GateCellChoice& choice : cells_of(plan, scene)) {
         Cell cell;
-        cell.entry = {choice.algorithm, choice.type->name, scene.name, shape, choice.axes, {}, {}};
-        const std::string problem = prepare(cell, *choice.type);
-        if (!problem.empty()) wrong.push_back(cell.entry.name() + ": " + problem);
+        cell.name = choice.algorithm + " " + choice.type->name + " " + gate_group_name(scene.name, shape) +
+                    (choice.axes.empty() ? "" : " " + choice.axes);
+        cell.runner = choice.type->make_runner(choice.algorithm);
+        const std::string problem = prepare(cell, *choice.type, choice.axes);
+        if (!problem.empty()) wrong.push_back(cell.name + ": " + problem);
         const bool is_reference = cells_.empty();
-        if (is_reference) cell.entry.over = GateOver::kernel;
+        if (is_reference) cell.figure = over_kernel;
         if (problem.empty() || is_reference) cells_.push_back(std::move(cell));
     }
 }
 
-std::string GateGroup::prepare(Cell& cell, const bench::TableType& type) {
-    const sweep::Axes axes = sweep::parse_axes(cell.entry.axes);
-    cell.runner = type.make_runner(cell.entry.algorithm);
+std::string GateGroup::prepare(Cell& cell, const bench::TableType& type, const std::string& axes_text) {
+    const sweep::Axes axes = sweep::parse_axes(axes_text);
     cell.runner->configure(axes);
     if (std::string error = cell.runner->load(shared_.workload()); !error.empty())
-        throw std::invalid_argument(cell.entry.name() + ": " + error);
+        throw std::invalid_argument(cell.name + ": " + error);
     const std::vector<Distance> answers = cell.runner->answer();
     return sweep::what_is_wrong(
         shared_, sweep::check_answers(shared_, cell.runner->stored_bodies(), answers, type.eps, axes.query),
@@ -124,18 +125,18 @@ void GateGroup::time_round(int number, const GateKernel& kernel, double clock_co
     }
 }
 
-std::vector<GateEntry> GateGroup::entries() const {
-    std::vector<GateEntry> entries;
+std::vector<measure::RecordRow> GateGroup::rows() const {
+    std::vector<measure::RecordRow> rows;
     for (const Cell& cell : cells_) {
-        entries.push_back(cell.entry);
-        const bool is_reference = cell.entry.over == GateOver::kernel;
-        const auto ratio = gate_ratio(cell.ns, is_reference ? kernel_ns_ : cells_.front().ns);
-        if (!ratio)
-            throw std::invalid_argument(fmt::format(
-                "{}: no ratio with an interval; give more --queries or --rounds", cell.entry.name()));
-        entries.back().ratio = *ratio;
+        const bool is_reference = &cell == &cells_.front();
+        const auto row =
+            gate_row(cell.name, cell.figure, cell.ns, is_reference ? kernel_ns_ : cells_.front().ns);
+        if (!row)
+            throw std::invalid_argument(
+                fmt::format("{}: no ratio with an interval; give more --queries or --rounds", cell.name));
+        rows.push_back(*row);
     }
-    return entries;
+    return rows;
 }
 
 }  // namespace edgewise::studies

@@ -34,17 +34,18 @@ class GateGroup {
     void time_round(int number, const GateKernel& kernel, double clock_cost_ns);
 
     /// From all rounds. Throws std::invalid_argument where they are too few.
-    [[nodiscard]] std::vector<GateEntry> entries() const;
+    [[nodiscard]] std::vector<measure::RecordRow> rows() const;
 
   private:
     struct Cell {
-        GateEntry entry;
+        std::string name;  ///< "gjk lean_f64 cold cube8 batch=yes"
+        const char* figure = over_reference;
         std::unique_ptr<bench::Runner> runner;
         std::vector<double> ns;  ///< per query, round by round
     };
 
     /// Loads it and checks it: what is wrong with its answers, or nothing.
-    [[nodiscard]] std::string prepare(Cell& cell, const bench::TableType& type);
+    [[nodiscard]] std::string prepare(Cell& cell, const bench::TableType& type, const std::string& axes);
 
     sweep::SharedQueries shared_;
     std::vector<Cell> cells_;
