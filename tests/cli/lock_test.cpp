@@ -93,6 +93,11 @@ TEST(Lock, OfTheFirstVersionIsChecked) {
     old["figures"]["bytes"] = 1;
     folder.write("old.lock.json", old.dump());
     EXPECT_EQ(run({"lock", "--check", "old.lock.json"}, folder).exit_code, 1);
+    folder.write("mine.lock.json", lock.dump());
+    EXPECT_EQ(run({"compare", "mine.lock.json", "mine.lock.json"}, folder).exit_code, 0);
+    const Outcome compared = run({"compare", "old.lock.json", "mine.lock.json"}, folder);
+    EXPECT_EQ(compared.exit_code, 1);
+    EXPECT_THAT(compared.out, testing::StartsWith("changed: bytes: was 1, is "));
 }
 
 TEST(Lock, IsOfAMeshFileToo) {
