@@ -11,7 +11,7 @@ endforeach()
 install(DIRECTORY layouts DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp" PATTERN campaign EXCLUDE)
 
 if(TARGET edgewise_measure)
-    foreach(part cache lock touch traces)
+    foreach(part cache lock record touch traces)
         install(DIRECTORY src/edgewise/measure/${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise/measure
                 FILES_MATCHING PATTERN "*.hpp" PATTERN machines EXCLUDE)
     endforeach()

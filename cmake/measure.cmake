@@ -19,8 +19,8 @@ endfunction()
 
 add_subdirectory(src/edgewise/measure/cache/machines)
 
-edgewise_sources(sources src/edgewise/input src/edgewise/measure/cache src/edgewise/measure/lock src/edgewise/measure/touch
-    src/edgewise/measure/traces)
+edgewise_sources(sources src/edgewise/input src/edgewise/measure/cache src/edgewise/measure/lock src/edgewise/measure/record
+    src/edgewise/measure/touch src/edgewise/measure/traces)
 foreach(file cpu machine read_text)  # what `host` is modelled from
     list(APPEND sources ${PROJECT_SOURCE_DIR}/src/edgewise/measure/machine/${file}.cpp)
 endforeach()
@@ -34,6 +34,6 @@ target_link_libraries(edgewise_measure
     PRIVATE fmt::fmt $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:edgewise_flags>)
 # What mutants (tests/mutation) replace is linked by itself.
 edgewise_unite(edgewise_measure src/edgewise/measure/cache/cache_model.cpp src/edgewise/measure/cache/scene_caches.cpp
-    src/edgewise/measure/lock/layout_lock.cpp src/edgewise/measure/touch/touch_trace.cpp src/edgewise/measure/traces/trace_file.cpp)
+    src/edgewise/measure/record/comparison.cpp src/edgewise/measure/touch/touch_trace.cpp src/edgewise/measure/traces/trace_file.cpp)
 edgewise_precompile(edgewise_measure <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map> <optional> <span>
     <string> <vector>)

@@ -79,7 +79,7 @@ edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.c
     src/edgewise/truth/checked_answer.cpp src/edgewise/truth/filter/enclosure.cpp src/edgewise/truth/filter/posed_pair.cpp
     src/edgewise/studies/fields/best_groups.cpp src/edgewise/studies/fields/co_access.cpp
     src/edgewise/studies/fields/field_places.cpp src/edgewise/studies/fields/verdicts.cpp
-    src/edgewise/studies/gate/verdict.cpp src/edgewise/studies/thrash/figure_8_facts.cpp src/edgewise/studies/thrash/memory_demand.cpp
+    src/edgewise/studies/gate/speed_record.cpp src/edgewise/studies/thrash/figure_8_facts.cpp src/edgewise/studies/thrash/memory_demand.cpp
     src/edgewise/studies/thrash/query_time.cpp src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/accuracy_band.cpp
     src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp src/edgewise/truth/moore_wilhelms.cpp
     src/edgewise/truth/optimality.cpp src/edgewise/truth/support_filter.cpp)

@@ -8,16 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/measure/record/record.hpp"
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"
 
 namespace edgewise::reports {
-
-/// What two stores say differently.
-struct StoreDifference {
-    std::string text;
-    bool differs = false;
-};
 
 struct Addition {
     /// All that have something to draw; those with a section stand in the chapter.
@@ -28,8 +23,8 @@ struct Addition {
     const char *command, *command_does;  ///< a command that reads a store, and what --help says of it
     /// What the command prints.
     std::string (*command_text)(const ReportData& data, bool json);
-    /// What it prints of two stores, with --diff.
-    StoreDifference (*command_diff)(const ReportData& first, const ReportData& second, bool json);
+    /// What it compares of two stores, with --diff.
+    measure::FigureRecord (*command_record)(const ReportData& data);
 
     const char* bytes_key;  ///< what stands under this key in what `edgewise bytes --json` prints
     nlohmann::json (*bytes_json)();

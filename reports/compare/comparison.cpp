@@ -13,7 +13,11 @@ namespace edgewise::reports {
 
 namespace {
 
-using CellsByKey = std::map<std::string, const ReportCell*>;
+using measure::ComparedRow;
+using measure::Outcome;
+
+constexpr const char* time_figure = "time.all_ratio";
+constexpr store::FigureName steps_figure("error.mean_steps"), lines_figure("lines.lines_per_query");
 
 std::string key_of(const ReportCell& cell) {
     return fmt::format("{} {} {} {} {}", cell.scene, cell.scene_parameters, cell.shape, cell.algorithm,
@@ -24,17 +28,11 @@ std::string title_of(const ReportCell& cell) {
     return fmt::format("{} {} {} {}", cell.scene_label, cell.shape, cell.algorithm, cell.table);
 }
 
-CellsByKey cells_of(const ReportData& data) {
-    CellsByKey cells;
-    for (const ReportCell* cell : data.swept()) cells.emplace(key_of(*cell), cell);
-    return cells;
-}
-
 /// What is compared exactly: costs that a layout or an algorithm decides, each less when it is better.
 const std::vector<store::FigureName>& exact_costs() {
-    static const std::vector<store::FigureName> names = {"error.mean_steps",
+    static const std::vector<store::FigureName> names = {steps_figure,
                                                          "error.fallbacks",
-                                                         "lines.lines_per_query",
+                                                         lines_figure,
                                                          "lines.reads_per_query",
                                                          "bytes.total_bytes_per_edge",
                                                          "bytes.table_bytes",
@@ -49,42 +47,38 @@ const std::vector<store::FigureName>& exact_costs() {
     return names;
 }
 
-void compare_exact(const ReportCell& before, const ReportCell& after, Comparison& into) {
-    const auto add = [&](const measure::Figure& was, const measure::Figure& is, const std::string& name) {
-        if (!was.value || !is.value) return;
-        ++into.figures;
-        if (*was.value != *is.value)
-            into.exact.push_back({title_of(after), name, is.unit, *was.value, *is.value});
+void add_rows(const ReportCell& cell, std::vector<measure::RecordRow>& rows) {
+    const std::string key = key_of(cell);
+    const auto add = [&](std::string figure, const measure::Figure& value) {
+        if (value.value) rows.push_back({key, std::move(figure), *value.value});
     };
     for (const store::FigureName& name : exact_costs())
-        add(before.figure(name), after.figure(name), name.probe() + "." + name.name());
-    // Misses by machine and level: whichever both stores have.
-    for (const store::FigureRow& figure : after.figures) {
+        add(name.probe() + "." + name.name(), cell.figure(name));
+    for (const store::FigureRow& figure : cell.figures)  // by machine and level
         if (figure.probe == "caches" && figure.name.ends_with(".misses_per_query"))
-            add(before.figure("caches", figure.name), figure, "caches." + figure.name);
-    }
+            add("caches." + figure.name, figure);
+    if (const auto timed = ranked_cell(cell, 1))
+        rows.push_back({key, time_figure, timed->ratio, timed->low(), timed->high(), true});
 }
 
-double ratio_or_0(std::optional<double> after, std::optional<double> before) {
-    return after && before && *before > 0 ? *after / *before : 0;
-}
-
-std::optional<TimeChange> time_change(const ReportCell& before, const ReportCell& after) {
-    const auto was = ranked_cell(before, 1), is = ranked_cell(after, 1);
-    if (!was || !is) return std::nullopt;
-    TimeChange change{title_of(after), is->low() / was->high(), is->ratio / was->ratio,
-                      is->high() / was->low()};
-    change.by_steps = ratio_or_0(is->steps, was->steps);
-    const double lines = ratio_or_0(is->lines_per_query, was->lines_per_query);
-    if (change.by_steps > 0 && lines > 0) {
-        change.by_lines = lines / change.by_steps;
-        change.by_cost = change.mid / lines;
-    }
-    return change;
+measure::FigureRecord record_of(const ReportData& data, double slack) {
+    measure::FigureRecord record{"store",
+                                 {},
+                                 {{"seed", data.meta_value("seed").value_or("?")},
+                                  {"bodies", "as they are"},
+                                  {"processor", processor_text(data)},
+                                  {"compiler", data.build.compiler},
+                                  {"flags", data.build.flags},
+                                  {"build type", data.build.build_type},
+                                  {"source", data.build.git_revision}},
+                                 slack,
+                                 {}};
+    for (const ReportCell* cell : data.swept()) add_rows(*cell, record.rows);
+    return record;
 }
 
 /// The baseline's own cells are timed beside the baseline: what they differ by is noise.
-void widen_noise(const ReportData& data, Comparison& comparison) {
+void widen_noise(const ReportData& data, StoreComparison& comparison) {
     const Baseline baseline = baseline_of(data);
     for (const ReportCell* cell : data.swept()) {
         if (cell->algorithm != baseline.algorithm || cell->table != baseline.table) continue;
@@ -95,60 +89,72 @@ void widen_noise(const ReportData& data, Comparison& comparison) {
     }
 }
 
-std::vector<Condition> conditions_of(const ReportData& before, const ReportData& after, bool same_bodies) {
-    return {{"seed", before.meta_value("seed").value_or("?"), after.meta_value("seed").value_or("?")},
-            {"bodies", "as they are", same_bodies ? "as they are" : "others"},
-            {"processor", processor_text(before), processor_text(after)},
-            {"compiler", before.build.compiler, after.build.compiler},
-            {"flags", before.build.flags, after.build.flags},
-            {"build type", before.build.build_type, after.build.build_type},
-            {"source", before.build.git_revision, after.build.git_revision}};
+/// Returns true if the cells that both stores have are of the same bodies. Another seed makes other bodies,
+/// and is a condition of its own.
+bool has_same_bodies(const ReportData& before, const ReportData& after) {
+    std::map<std::string, const ReportCell*> cells;
+    for (const ReportCell* cell : before.swept()) cells.emplace(key_of(*cell), cell);
+    return std::ranges::all_of(after.swept(), [&](const ReportCell* cell) {
+        const auto was = cells.find(key_of(*cell));
+        return was == cells.end() || was->second->hash == cell->hash || was->second->seed != cell->seed;
+    });
+}
+
+/// Rows of one cell, by figure.
+using CellRows = std::map<std::string, const ComparedRow*>;
+
+/// The factors of a change of time: steps, lines per step, time per line.
+std::string factors_text(const ComparedRow& time, const CellRows& cell) {
+    const auto change = [&](const store::FigureName& figure) {
+        const auto row = cell.find(figure.probe() + "." + figure.name());
+        return row == cell.end() ? 0 : row->second->change();
+    };
+    const double steps = change(steps_figure), lines = change(lines_figure);
+    if (!(steps > 0 && lines > 0))
+        return "what it is made of is not known: no steps or lines in one of the stores";
+    const bool exact_same = std::ranges::all_of(cell, [](const auto& row) {
+        return row.second->outcome == Outcome::equal || row.second->is.has_interval;
+    });
+    return fmt::format("= {:.3f} (steps) x {:.3f} (lines per step) x {:.3f} (time per line){}", steps,
+                       lines / steps, time.change() / lines,
+                       exact_same ? "; no exact figure of the cell changed: code or machine" : "");
+}
+
+void explain_times(measure::RecordComparison& found) {
+    std::map<std::string, CellRows> cells;
+    for (const ComparedRow& row : found.rows) cells[row.is.cell][row.is.figure] = &row;
+    for (ComparedRow& row : found.rows)
+        if (row.is.figure == time_figure && row.outcome != Outcome::missing && row.outcome != Outcome::added)
+            row.note = factors_text(row, cells[row.is.cell]);
+}
+
+void name_cells(measure::RecordComparison& found, const ReportData& before, const ReportData& after) {
+    std::map<std::string, std::string> titles;
+    for (const ReportData* data : {&after, &before})
+        for (const ReportCell* cell : data->swept()) titles.emplace(key_of(*cell), title_of(*cell));
+    for (ComparedRow& row : found.rows) row.was.cell = row.is.cell = titles.at(row.is.cell);
 }
 
 }  // namespace
 
-bool Comparison::is_slower(const TimeChange& change, double slack) const {
-    return change.low > std::max(1 + slack, noise_high / noise_low);
-}
-bool Comparison::is_faster(const TimeChange& change, double slack) const {
-    return change.high < std::min(1 / (1 + slack), noise_low / noise_high);
-}
-
-std::size_t Comparison::regressions(double slack) const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(exact, &ExactChange::is_worse) +
-        std::ranges::count_if(times, [&](const TimeChange& change) { return is_slower(change, slack); }));
-}
-
-Comparison compare(const ReportData& before, const ReportData& after) {
-    const CellsByKey old_cells = cells_of(before), new_cells = cells_of(after);
-    Comparison comparison;
-    bool same_bodies = true;
-    for (const auto& [key, cell] : new_cells) {
-        const auto was = old_cells.find(key);
-        if (was == old_cells.end()) {
-            ++comparison.only_after;
-            continue;
-        }
-        ++comparison.paired;
-        same_bodies = same_bodies && (was->second->hash == cell->hash || was->second->seed != cell->seed);
-        const std::size_t changes = comparison.exact.size();
-        compare_exact(*was->second, *cell, comparison);
-        if (auto change = time_change(*was->second, *cell)) {
-            change->exact_same = comparison.exact.size() == changes;
-            comparison.times.push_back(*change);
-        }
-    }
-    comparison.only_before = old_cells.size() - comparison.paired;
-    comparison.conditions = conditions_of(before, after, same_bodies);
+StoreComparison compare(const ReportData& before, const ReportData& after, double slack) {
+    StoreComparison comparison;
     widen_noise(before, comparison);
     widen_noise(after, comparison);
-    std::ranges::stable_sort(comparison.exact, [](const ExactChange& a, const ExactChange& b) {
-        return std::pair(!a.is_worse(), -a.ratio()) < std::pair(!b.is_worse(), -b.ratio());
-    });
-    std::ranges::stable_sort(comparison.times,
-                             [](const TimeChange& a, const TimeChange& b) { return a.mid > b.mid; });
+    const double noise = comparison.noise_high / comparison.noise_low - 1;
+    const measure::FigureRecord was = record_of(before, std::max(slack, noise));
+    measure::FigureRecord is = record_of(after, slack);
+    if (!has_same_bodies(before, after)) is.with[1].second = "others";
+    comparison.found = compare(was, is);
+    explain_times(comparison.found);
+    name_cells(comparison.found, before, after);
     return comparison;
+}
+
+std::string comparison_text(const StoreComparison& comparison, const std::string& old_name) {
+    return fmt::format(
+        "times are ratios to the baseline of the same run; its own cells differ from it by {:.2f} to {:.2f}\n{}",
+        comparison.noise_low, comparison.noise_high, to_text(comparison.found, old_name));
 }
 
 }  // namespace edgewise::reports

@@ -10,7 +10,7 @@
 
 namespace edgewise::reports {
 
-struct Comparison;
+struct StoreComparison;
 struct ReportData;
 
 struct ReportSummary {
@@ -25,8 +25,8 @@ struct ReportSummary {
 
 /// Another store that the report is held against.
 struct ReportBeside {
-    const Comparison* comparison;  ///< what changed since it
-    double slack;                  ///< a time may become longer by this part of itself
+    const StoreComparison* comparison;  ///< what changed since it
+    double slack;                       ///< a time may become longer by this part of itself
     std::string name;
 };
 

@@ -5,7 +5,6 @@
 #include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/claims/claims.hpp"
-#include "edgewise/reports/paper/claims/claims_diff.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 
@@ -43,7 +42,7 @@ Addition paper_addition() {
             .command = "claims",
             .command_does = "The paper's claims, each with a verdict from a store",
             .command_text = claims_text,
-            .command_diff = claims_diff,
+            .command_record = claims_record,
             .bytes_key = "decompositions",
             .bytes_json = decompositions,
             .bytes_text = decompositions_text};

@@ -28,9 +28,9 @@ struct ComparedQuestion {
 };
 
 /// In the order of the first record, then of the others.
-[[nodiscard]] std::vector<ComparedQuestion> compare_records(std::span<const MachineRecord> records);
+[[nodiscard]] std::vector<ComparedQuestion> compare_records(std::span<const measure::FigureRecord> records);
 
-[[nodiscard]] std::string comparison_text(std::span<const MachineRecord> records);
-[[nodiscard]] nlohmann::ordered_json comparison_json(std::span<const MachineRecord> records);
+[[nodiscard]] std::string comparison_text(std::span<const measure::FigureRecord> records);
+[[nodiscard]] nlohmann::ordered_json comparison_json(std::span<const measure::FigureRecord> records);
 
 }  // namespace edgewise::reports

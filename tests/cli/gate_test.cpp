@@ -29,34 +29,45 @@ TEST(BenchGate, ComparesWithWhatItWrote) {
     ASSERT_EQ(written.exit_code, 0) << written.err;
     json baseline = json::parse(text_of(folder / "b.json"));
     EXPECT_EQ(baseline["slack"], 50);
-    EXPECT_EQ(baseline["rounds"], 6);
+    EXPECT_EQ(baseline["with"]["rounds"], "6");
     // 15 groups of a reference, V-Clip and GJK; GJK's batches in the three that are cold.
-    EXPECT_EQ(baseline["entries"].size(), 15u * 3 + 3);
+    EXPECT_EQ(baseline["cells"].size(), 15u * 3 + 3);
 
     const Outcome same = run(gate_with({"--json"}), folder);
     ASSERT_EQ(same.exit_code, 0) << same.out << same.err;
-    EXPECT_EQ(json::parse(same.out)["compared"].size(), baseline["entries"].size());
+    EXPECT_EQ(json::parse(same.out)["compared"], baseline["cells"].size() + 1) << "and the queries";
 
-    json& tiny = baseline["entries"][4];
-    tiny["ratio"] = tiny["ratio"].get<double>() * 1e-9;
-    baseline["entries"][7]["table"] = "gone";
-    baseline["machine"] = "another machine of mine";
+    const std::string slowed = "gjk lean_f64 cold cube8";
+    baseline["cells"][slowed]["time over reference"] = {1e-10, 1e-10, 1e-10};
+    baseline["cells"]["gjk gone cold cube8"] = baseline["cells"]["vclip lean_f64 cold cube8"];
+    baseline["cells"].erase("vclip lean_f64 cold cube8");
+    baseline["with"]["machine"] = "another machine of mine";
     folder.write("b.json", baseline.dump());
     const Outcome slower = run(gate_with({}), folder);
     EXPECT_EQ(slower.exit_code, 1) << slower.err;
-    const std::vector<std::string> lines = lines_of(slower.out);
-    ASSERT_GT(lines.size(), 2u);
-    for (const char* part : {"algorithm", "table", "scene", "shape"})
-        EXPECT_THAT(lines[1], HasSubstr(tiny[part].get<std::string>())) << "worst first";
-    EXPECT_THAT(lines[1], HasSubstr("slower"));
-    EXPECT_THAT(slower.out, HasSubstr("not in the baseline: "));
-    EXPECT_THAT(slower.out, HasSubstr("another machine of mine"));
-    EXPECT_THAT(slower.out, HasSubstr(": 1 slower"));
+    EXPECT_THAT(lines_of(slower.out).front(),
+                testing::StartsWith("worse: " + slowed + ": time over reference: was "));
+    EXPECT_THAT(slower.out, HasSubstr("missing: gjk gone cold cube8\n"));
+    EXPECT_THAT(slower.out, HasSubstr("new: vclip lean_f64 cold cube8\n"));
+    EXPECT_THAT(slower.out, HasSubstr("possible cause: machine: was another machine of mine"));
+    EXPECT_THAT(slower.out, HasSubstr(": 1 worse"));
+}
+
+/// A baseline as version 0.1 wrote it.
+TEST(BenchGate, ComparesWithABaselineOfTheFirstVersion) {
+    const Folder folder;
+    folder.write("b.json", R"({"gate": 1, "machine": "m", "build": {"git_revision": "r", "compiler": "c",
+        "flags": "f", "build_type": "b"}, "rounds": 17, "queries": 200, "slack": 50, "entries": [
+        {"algorithm": "gjk", "table": "lean_f64", "scene": "cold", "shape": "cube8", "axes": "",
+         "over": "reference", "ratio": 1, "low": 0.9, "high": 1.1}]})");
+    const Outcome outcome = run(gate_with({"--json"}), folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(json::parse(outcome.out)["compared"], 2) << "queries, and a ratio";
 }
 
 TEST(BenchGate, BadInputIsOneLine) {
     const Folder folder;
-    folder.write("b.json", "{\"gate\": 1,");
+    folder.write("b.json", "{\"edgewise_record\": \"speed\",");
     Outcome outcome = run(gate_with({}), folder);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;

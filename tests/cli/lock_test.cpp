@@ -41,7 +41,8 @@ TEST(Lock, IsTheSameFromEveryProcess) {
     folder.write("mine.lock.json", first.out);
     const Outcome check = run({"lock", "--check", "mine.lock.json"}, folder);
     EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
-    EXPECT_EQ(check.out, "mine.lock.json holds\n");
+    EXPECT_THAT(check.out,
+                testing::MatchesRegex("mine.lock.json: passed; ([0-9]+) rows compared: [0-9]+ equal\n"));
 }
 
 TEST(Lock, HasTheFiguresOfOtherCommands) {
@@ -70,14 +71,33 @@ TEST(Lock, HasTheFiguresOfOtherCommands) {
 TEST(Lock, NamesWhatDiffers) {
     const Outcome bytes = check_of("lean_f32", "figures", "bytes.topology", 17);
     EXPECT_EQ(bytes.exit_code, 1);
-    EXPECT_THAT(bytes.out, testing::MatchesRegex("bytes.topology: was 17, is [0-9]+\n"));
-    EXPECT_EQ(check_of("lean_f32", "figures", "bytes.colour", 8).out, "bytes.colour: was 8, is nothing\n");
+    EXPECT_THAT(bytes.out, testing::StartsWith("changed: bytes.topology: was 17, is "));
+    EXPECT_THAT(bytes.out, HasSubstr("mine.lock.json: failed; "));
+    EXPECT_THAT(check_of("lean_f32", "figures", "bytes.colour", 8).out,
+                testing::StartsWith("missing: bytes.colour: was 8, is nothing\n"));
     // As if lean_f32 had been locked and were lean_f64 now.
     const Outcome layout = check_of("lean_f32", "of", "table", "lean_f64");
     EXPECT_EQ(layout.exit_code, 1);
     EXPECT_THAT(layout.out, testing::AllOf(HasSubstr("bytes.vertex_coordinates: was 456, is 912\n"),
                                            HasSubstr("lines_per_query.cold: was ")));
     EXPECT_EQ(check_of("linked_f64", "", "", {}).exit_code, 0);
+}
+
+/// Locks of version 0.1 are under version control in other repositories.
+TEST(Lock, OfTheFirstVersionIsChecked) {
+    const Folder folder;
+    json lock = json_of_run(small_lock, folder);
+    json old = {{"edgewise_lock", 1}, {"of", lock["of"]}, {"figures", lock["figures"]}};
+    folder.write("old.lock.json", old.dump());
+    EXPECT_EQ(run({"lock", "--check", "old.lock.json"}, folder).exit_code, 0);
+    old["figures"]["bytes"] = 1;
+    folder.write("old.lock.json", old.dump());
+    EXPECT_EQ(run({"lock", "--check", "old.lock.json"}, folder).exit_code, 1);
+    folder.write("mine.lock.json", lock.dump());
+    EXPECT_EQ(run({"compare", "mine.lock.json", "mine.lock.json"}, folder).exit_code, 0);
+    const Outcome compared = run({"compare", "old.lock.json", "mine.lock.json"}, folder);
+    EXPECT_EQ(compared.exit_code, 1);
+    EXPECT_THAT(compared.out, testing::StartsWith("changed: bytes: was 1, is "));
 }
 
 TEST(Lock, IsOfAMeshFileToo) {
@@ -94,8 +114,11 @@ TEST(Lock, IsOfAMeshFileToo) {
                  "f 2 4 3\nf 2 3 5\nf 2 5 4\nf 3 4 1\nf 4 5 1\nf 5 3 1\n");
     const Outcome check = run({"lock", "--check", "mine.lock.json", "--json"}, folder);
     EXPECT_EQ(check.exit_code, 1);
-    EXPECT_EQ(json::parse(check.out)["differences"][0],
-              (json{{"member", "of.vertices"}, {"was", "4"}, {"is", "5"}}));
+    const json found = json::parse(check.out);
+    EXPECT_EQ(found["passed"], false);
+    EXPECT_EQ(
+        found["rows"][0],
+        (json{{"outcome", "changed"}, {"cell", ""}, {"figure", "of.vertices"}, {"was", "4"}, {"is", "5"}}));
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST(Claims, AreComparedBetweenStores) {
 
     const Outcome same = run({"claims", "s.db", "--diff", "s.db"}, folder);
     EXPECT_EQ(same.exit_code, 0) << same.err;
-    EXPECT_EQ(lines_of(same.out).size(), 1u);
+    EXPECT_THAT(same.out, HasSubstr("s.db: passed; "));
     const Outcome differs = run({"claims", "s.db", "--diff", "t.db", "--json"}, folder);
     EXPECT_EQ(differs.exit_code, 1) << differs.err;
     const json found = json::parse(differs.out);
@@ -124,11 +124,12 @@ TEST(Claims, AreComparedBetweenStores) {
     const auto first = verdicts("s.db"), second = verdicts("t.db");
     std::size_t expected = 0;
     for (const auto& [id, verdict] : first) expected += verdict != second.at(id);
-    EXPECT_EQ(found["differing"].size(), expected);
-    EXPECT_EQ(found["claims"], first.size());
-    for (const json& claim : found["differing"]) {
-        EXPECT_EQ(claim["first"]["verdict"], first.at(claim["id"]));
-        EXPECT_EQ(claim["second"]["verdict"], second.at(claim["id"]));
+    EXPECT_EQ(found["changed"], expected);
+    EXPECT_EQ(found["rows"].size(), expected);
+    EXPECT_EQ(found["compared"], first.size());
+    for (const json& row : found["rows"]) {
+        EXPECT_EQ(row["was"], first.at(row["cell"]));
+        EXPECT_EQ(row["is"], second.at(row["cell"]));
     }
     const Outcome bad = run({"claims", "s.db", "--diff", "missing.db"}, folder);
     EXPECT_EQ(bad.exit_code, 2);
@@ -144,14 +145,18 @@ TEST(ReportCompare, PrintsAndWritesWhatChanged) {
     EXPECT_THAT(text_of(folder / "index.html"), Not(HasSubstr("id=\"changes\"")));
     const Outcome same = run({"report", "s.db", "--compare", "s.db", "--gate"}, folder);
     ASSERT_EQ(same.exit_code, 0) << same.out << same.err;
-    EXPECT_THAT(same.out, HasSubstr("no regression"));
+    EXPECT_THAT(same.out, HasSubstr("s.db: passed; "));
     EXPECT_EQ(lines_of(same.out).back(), "report: ./index.html");
     EXPECT_THAT(text_of(folder / "index.html"), HasSubstr("What changed since s.db?"));
     const Outcome elsewhere = run({"report", "s.db", "--compare", "s.db", "--out", "o", "--json"}, folder);
     ASSERT_EQ(elsewhere.exit_code, 0) << elsewhere.err;
-    EXPECT_EQ(json::parse(elsewhere.out)["regressions"], 0);
+    EXPECT_EQ(json::parse(elsewhere.out)["worse"], 0);
     EXPECT_THAT(text_of(folder / "o/report.md"), HasSubstr("## What changed since s.db?"));
     EXPECT_EQ(run({"report", "s.db", "--compare", "missing.db"}, folder).exit_code, 2);
+    const Outcome stores = run({"compare", "s.db", "s.db"}, folder);
+    EXPECT_EQ(stores.exit_code, 0) << stores.err;
+    EXPECT_THAT(stores.out, HasSubstr("s.db: passed; "));
+    EXPECT_EQ(run({"compare", "s.db", "missing.db"}, folder).exit_code, 2);
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ const std::vector<Slip> bad_files = {
     {"device_for_groups", {"fields", "--groups", "/dev/zero"}, {"/dev/zero", "no regular file"}},
     {"device_for_a_campaign", {"campaign", "--add", "/dev/zero"}, {"/dev/zero", "no regular file"}},
     {"nested_groups", {"fields", "--groups", "deep.json"}, {"deep.json", "nested deeper"}},
-    {"nested_record", {"compare", "deep.json"}, {"deep.json", "edgewise_machine_record"}},
+    {"nested_record", {"compare", "deep.json"}, {"deep.json", "nested deeper", "edgewise_record"}},
     {"nested_machine", {"caches", "--machines", "deep.json"}, {"deep.json", "nested deeper"}},
     {"nested_plan", {"sweep", "--plan", "deep.json"}, {"deep.json", "nested deeper"}},
     {"device_for_plan", {"sweep", "--plan", "/dev/zero"}, {"/dev/zero", "no regular file"}},

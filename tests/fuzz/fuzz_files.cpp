@@ -21,7 +21,7 @@
 #include "edgewise/input/count.hpp"
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
-#include "edgewise/measure/lock/layout_lock.hpp"
+#include "edgewise/measure/record/record.hpp"
 #include "edgewise/measure/traces/trace_file.hpp"
 #include "edgewise/reports/page/safe_svg.hpp"
 #include "edgewise/scene/case_file.hpp"
@@ -58,7 +58,7 @@ void refused_in_one_line(const Read& read) {
 void read_scene(const std::string& text) { check_line(scene::parse_scene_file("mine", text).error); }
 void read_plan(const std::string& text) { static_cast<void>(sweep::parse_plan("mine.json", text)); }
 void read_machine(const std::string& text) { static_cast<void>(measure::parse_cache_machine(text, "mine")); }
-void read_lock(const std::string& text) { static_cast<void>(measure::parse_lock(text, "mine")); }
+void read_record(const std::string& text) { static_cast<void>(measure::parse_record(text, "mine")); }
 
 void read_cases(const std::string& text) {
     std::istringstream stream(text);
@@ -170,9 +170,9 @@ Reader reader = nullptr;
 int LLVMFuzzerInitialize(int* /*count*/, char*** arguments) {
     using namespace edgewise;
     static const std::map<std::string, Reader> readers = {
-        {"scene", read_scene}, {"plan", read_plan}, {"machine", read_machine}, {"cases", read_cases},
-        {"lock", read_lock},   {"mesh", read_mesh}, {"store", read_store},     {"dump", read_dump},
-        {"trace", read_trace}, {"svg", read_svg},   {"option", read_option}};
+        {"scene", read_scene},   {"plan", read_plan}, {"machine", read_machine}, {"cases", read_cases},
+        {"record", read_record}, {"mesh", read_mesh}, {"store", read_store},     {"dump", read_dump},
+        {"trace", read_trace},   {"svg", read_svg},   {"option", read_option}};
     const std::string name = (*arguments)[0];
     const auto found = readers.find(name.substr(name.rfind('_') + 1));
     if (found == readers.end()) std::abort();

@@ -61,10 +61,11 @@ std::map<std::string, std::string> header_of_name() {
 }
 
 bool is_exported(const SourceFile& file) {
-    for (const char* room : {"src/edgewise/geometry/", "src/edgewise/table/", "src/edgewise/layout_parts/",
-                             "src/edgewise/algorithms/", "layouts/", "src/edgewise/measure/cache/",
-                             "src/edgewise/measure/lock/", "src/edgewise/measure/touch/",
-                             "src/edgewise/measure/traces/", "src/edgewise/measure/expected.hpp"}) {
+    for (const char* room :
+         {"src/edgewise/geometry/", "src/edgewise/table/", "src/edgewise/layout_parts/",
+          "src/edgewise/algorithms/", "layouts/", "src/edgewise/measure/cache/", "src/edgewise/measure/lock/",
+          "src/edgewise/measure/record/", "src/edgewise/measure/touch/", "src/edgewise/measure/traces/",
+          "src/edgewise/measure/expected.hpp"}) {
         if (file.path.starts_with(room)) return file.path.ends_with(".hpp");
     }
     return false;

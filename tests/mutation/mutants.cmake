@@ -188,10 +188,10 @@ edgewise_mutant(arrays_begin_anywhere measure/touch/touch_trace.cpp [[(next_ + a
     Structure.* ${unit}/measure/touch_trace_test.cpp)
 edgewise_mutant(places_are_addresses measure/touch/touch_trace.cpp [[return in.place + (from - in.from);]] [[return from;]]
     Structure.* ${unit}/measure/touch_trace_test.cpp)
-edgewise_mutant(what_is_gone_is_no_difference measure/lock/layout_lock.cpp [[if (!now || *now != value)]] [[if (now && *now != value)]]
-    LayoutLock.* ${unit}/measure/layout_lock_test.cpp)
-edgewise_mutant(what_is_new_is_no_difference measure/lock/layout_lock.cpp [[if (!find(was, name))]] [[if (false)]]
-    LayoutLock.* ${unit}/measure/layout_lock_test.cpp)
+edgewise_mutant(what_is_gone_is_no_difference measure/record/comparison.cpp [[add_lone_rows(before, after,]] [[if (false) add_lone_rows(before, after,]]
+    Record.* ${unit}/measure/record_test.cpp)
+edgewise_mutant(what_is_new_is_no_difference measure/record/comparison.cpp [[add_lone_rows(after, before,]] [[if (false) add_lone_rows(after, before,]]
+    Record.* ${unit}/measure/record_test.cpp)
 
 # Effort
 edgewise_mutant(startup_is_counted studies/effort.cpp [[return (of_many - of_few) / passes / queries;]] [[return of_many / passes / queries;]]
@@ -206,23 +206,20 @@ edgewise_mutant(floor_without_itself studies/proof_floor.cpp [[1 + body.ring_of_
     ProofFloor.* ${unit}/studies/proof_floor_test.cpp)
 
 # The guard on speed
-edgewise_mutant(the_median_alone_fails studies/gate/verdict.cpp [[if (now.low > baseline.value * (1 + slack))]] [[if (now.value > baseline.value * (1 + slack))]]
-    Gate.* ${unit}/studies/gate_verdict_test.cpp)
-edgewise_mutant(a_slowdown_needs_all_of_two_intervals studies/gate/verdict.cpp [[if (now.low > baseline.value * (1 + slack))]] [[if (now.low > baseline.high * (1 + slack))]]
-    Gate.* ${unit}/studies/gate_verdict_test.cpp)
-edgewise_mutant(a_second_look_accuses studies/gate/verdict.cpp [[if (found->second->ratio.low < entry.ratio.low)]] [[if (found->second->ratio.low > entry.ratio.low)]]
-    Gate.* ${unit}/studies/gate_verdict_test.cpp)
-edgewise_mutant(nothing_compared_passes studies/gate/verdict.hpp [[return !rows.empty() && count]] [[return count]]
-    Gate.* ${unit}/studies/gate_verdict_test.cpp)
+edgewise_mutant(the_median_alone_fails measure/record/comparison.cpp [[if (is.low > was.high * limit)]] [[if (is.value > was.high * limit)]]
+    Record.* ${unit}/measure/record_test.cpp)
+edgewise_mutant(a_slowdown_needs_all_of_two_intervals studies/gate/speed_record.cpp [[row.low = row.high = row.value;]] [[row.low = row.value;]]
+    SpeedRecord.* ${unit}/studies/speed_record_test.cpp)
+edgewise_mutant(a_second_look_accuses studies/gate/speed_record.cpp [[if (second->low < row.low)]] [[if (second->low > row.low)]]
+    SpeedRecord.* ${unit}/studies/speed_record_test.cpp)
+edgewise_mutant(nothing_compared_passes measure/record/comparison.cpp [[return faults.empty() && compared() > 0 &&]] [[return faults.empty() &&]]
+    Record.* ${unit}/measure/record_test.cpp)
 
 # The rules of claims
 edgewise_mutant(too_much_is_no_miss reports/paper/claims/claim_rules.cpp [[ours.high < part.wanted.low || ours.low > part.wanted.high]] [[ours.high < part.wanted.low]]
     *EveryClaim*:Claims.* ${claims})
 edgewise_mutant(straddling_is_met reports/paper/claims/claim_rules.cpp [[ours.low < part.wanted.low || ours.high > part.wanted.high]] [[ours.low < part.wanted.low && ours.high > part.wanted.high]]
     Claims.* ${claims})
-
-edgewise_mutant(every_claim_differs reports/paper/claims/claims_diff.cpp [[if (ours[i].verdict != theirs.at(i).verdict)]] [[if (ours[i].ours != theirs.at(i).ours)]]
-    ClaimsDiff.* ${claims} ${unit}/reports/claims_diff_test.cpp)
 
 # The Pareto front of time and error
 edgewise_mutant(equal_points_beat_each_other reports/tables/pareto_front.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && point.ns >= last->ns) continue;]]

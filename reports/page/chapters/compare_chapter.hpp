@@ -11,6 +11,7 @@
 namespace edgewise::reports {
 
 /// `other`: what the other store is called.
-[[nodiscard]] Chapter compare_chapter(const Comparison& comparison, double slack, const std::string& other);
+[[nodiscard]] Chapter compare_chapter(const StoreComparison& comparison, double slack,
+                                      const std::string& other);
 
 }  // namespace edgewise::reports

@@ -166,6 +166,16 @@ std::string claims_text(const ReportData& data, bool json) {
     return out;
 }
 
+measure::FigureRecord claims_record(const ReportData& data) {
+    measure::FigureRecord record{"claims", {}, {{"build", data.build.id}}, {}, {}};
+    for (const Claim& claim : judge_claims(data))
+        record.rows.push_back({.cell = claim.id,
+                               .figure = "verdict",
+                               .text = claim.verdict,
+                               .note = claim.ours + (claim.reason.empty() ? "" : " (" + claim.reason + ")")});
+    return record;
+}
+
 TextGrid claims_grid(const ReportData& data) {
     const std::vector<Claim> claims = judge_claims(data);
     TextGrid grid{claims_summary(claims),

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/measure/record/record.hpp"
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
@@ -42,6 +43,10 @@ struct Claim {
 
 /// What the command `claims` prints. A claim that is not reproduced is a finding, not an error.
 [[nodiscard]] std::string claims_text(const ReportData& data, bool json);
+
+/// One verdict per claim, with its figures as a note: to be compared with another store's. Every difference
+/// counts.
+[[nodiscard]] measure::FigureRecord claims_record(const ReportData& data);
 
 /// One row per claim.
 [[nodiscard]] TextGrid claims_grid(const ReportData& data);

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "edgewise/cli/command.hpp"
+#include "edgewise/measure/record/comparison.hpp"
 #include "edgewise/reports/additions.hpp"
 
 namespace edgewise::cli {
@@ -22,9 +23,10 @@ int run_addition(const reports::Addition& addition, const StoreArguments& option
         fmt::print("{}", addition.command_text(data, json));
         return exit_done;
     }
-    const auto difference = addition.command_diff(data, reports::read_report(options.other), json);
-    fmt::print("{}", difference.text);
-    return difference.differs ? exit_check_failed : exit_done;
+    const measure::RecordComparison found = measure::compare(
+        addition.command_record(data), addition.command_record(reports::read_report(options.other)));
+    fmt::print("{}", json ? to_json(found) : input::shown_text(to_text(found, options.store)));
+    return found.exit_code();
 }
 
 }  // namespace

@@ -1,33 +1,44 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise compare`: machine records of many machines beside each other: which layout wins where.
+// `edgewise compare`: old figures with new ones, of two stores or two records of one kind; and machine
+// records of many machines: which layout wins where.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <stdexcept>
 
 #include "edgewise/cli/command.hpp"
-#include "edgewise/input/file_text.hpp"
+#include "edgewise/cli/number_option.hpp"
+#include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/reports/records/compare_records.hpp"
+#include "edgewise/studies/gate/speed_record.hpp"
 
 namespace edgewise::cli {
 
 namespace {
 
 struct CompareArguments {
-    std::vector<std::string> records;
+    std::vector<std::string> files;
+    std::optional<double> slack;
 };
 
-reports::MachineRecord record_in(const std::string& path) {
-    return reports::parse_record(input::read_file_text(path).or_throw(), path);
+constexpr double slack_of_stores = 0.05;
+
+/// SQLite's files begin with these words.
+bool is_store(const std::string& path) {
+    if (!std::filesystem::is_regular_file(path)) return false;
+    constexpr std::string_view magic = "SQLite format 3";
+    std::string start(magic.size(), ' ');
+    std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+    return start == magic;
 }
 
-int run_compare(const CompareArguments& options, bool json) {
-    std::vector<reports::MachineRecord> records;
-    for (const std::string& path : options.records) records.push_back(record_in(path));
+int compare_machines(const std::vector<measure::FigureRecord>& records, bool json) {
     if (json)
         print_json(reports::comparison_json(records));
     else
-        fmt::print("{}", reports::comparison_text(records));
+        fmt::print("{}", input::shown_text(reports::comparison_text(records)));
     const auto in_several = [](const reports::ComparedQuestion& question) {
         return std::ranges::count_if(question.machines, [](const auto& place) { return place.has_value(); }) >
                1;
@@ -38,12 +49,46 @@ int run_compare(const CompareArguments& options, bool json) {
     return exit_check_failed;
 }
 
+int compare_stores(const CompareArguments& options, bool json) {
+    const reports::StoreComparison comparison =
+        reports::compare(reports::read_report(options.files[0]), reports::read_report(options.files[1]),
+                         options.slack.value_or(slack_of_stores));
+    fmt::print("{}", json ? to_json(comparison.found)
+                          : input::shown_text(reports::comparison_text(comparison, options.files[0])));
+    return comparison.found.exit_code();
+}
+
+int run_compare(const CompareArguments& options, bool json) {
+    const std::vector<std::string>& files = options.files;
+    if (files.size() == 2 && is_store(files[0]) && is_store(files[1])) return compare_stores(options, json);
+    std::vector<measure::FigureRecord> records = {measure::read_record(files[0])};
+    for (std::size_t i = 1; i < files.size(); ++i)
+        records.push_back(measure::read_record(files[i], records[0].kind));
+    if (records[0].kind == reports::machine_kind) return compare_machines(records, json);
+    if (records.size() != 2)
+        throw std::invalid_argument("give an old file and a new one: two stores, or two records of one kind");
+    if (options.slack && records[0].slack) records[0].slack = options.slack;
+    const measure::RecordComparison found = records[0].kind == studies::speed_kind
+                                                ? studies::compare_speed(records[0], records[1])
+                                                : measure::compare(records[0], records[1]);
+    fmt::print("{}", json ? to_json(found) : input::shown_text(to_text(found, files[0])));
+    return found.exit_code();
+}
+
 }  // namespace
 
 void add_compare(CLI::App& app, Context& context) {
-    auto [command, options] = add_command(
-        app, context, "compare", "Machine records beside each other: which layout wins where", run_compare);
-    command->add_option("records", options.records, "files of edgewise export --machine-record")->required();
+    auto [command, options] =
+        add_command(app, context, "compare",
+                    "Old figures with new ones; machine records: which layout wins where", run_compare);
+    command
+        ->add_option("files", options.files,
+                     "an old and a new store, lock or baseline; or machine records of any number")
+        ->required();
+    add_number(
+        *command, "--slack", options.slack, {0, 10},
+        fmt::format("a time may become longer by this part of itself (else the old record's; {} of stores)",
+                    slack_of_stores));
 }
 
 }  // namespace edgewise::cli

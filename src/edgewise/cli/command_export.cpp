@@ -24,26 +24,10 @@ struct ExportArguments {
     std::string modelled;
 };
 
-/// A model's caches as a record has them.
-nlohmann::json caches_of(const measure::CacheMachine& machine) {
-    nlohmann::json caches = nlohmann::json::array();
-    for (std::size_t i = 0; i < machine.caches.levels.size(); ++i) {
-        const measure::LevelGeometry& level = machine.caches.levels[i];
-        caches.push_back(
-            {{"level", level.name}, {"bytes", machine.caches.bytes_of(i)}, {"ways", level.ways}});
-    }
-    return caches;
-}
-
 std::string record_text(const ExportArguments& options) {
     const reports::ReportData data = reports::read_report(options.store);
-    if (options.modelled.empty())
-        return input::json_text(reports::to_json(reports::measured_record(data)), 1) + "\n";
-    reports::MachineRecord record = reports::modelled_record(data, options.modelled);
-    const measure::CacheMachine machine = measure::described_machines({options.modelled}).front();
-    record.cpu = {{"name", machine.what}};
-    record.caches = caches_of(machine);
-    return input::json_text(reports::to_json(record), 1) + "\n";
+    if (options.modelled.empty()) return to_json(reports::measured_record(data));
+    return to_json(reports::modelled_record(data, measure::described_machines({options.modelled}).front()));
 }
 
 int run_export(const ExportArguments& options, bool json) {

@@ -14,6 +14,7 @@
 #include "edgewise/cli/parts/chosen_body.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/lock/lock_program.hpp"
+#include "edgewise/measure/record/comparison.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/shapes.hpp"
 
@@ -61,27 +62,25 @@ std::vector<measure::ComponentBytes> bytes_of(const bench::Runner& runner) {
 }
 
 /// What must be the same for figures to be comparable; what the bodies have is found out again by a check.
-std::vector<std::pair<std::string, std::string>> conditions(const LockArguments& options,
-                                                            const Polyhedron& stored) {
+measure::Conditions conditions(const LockArguments& options, const Polyhedron& stored) {
     std::vector<std::string> parameters;
     for (const auto& [name, value] : options.cell.parameters)
         parameters.push_back(fmt::format("{}={}", name, value));
-    std::vector<std::pair<std::string, std::string>> of = {
-        {"table", options.cell.table},
-        {"algorithm", options.cell.algorithm},
-        {"shape", options.cell.shape},
-        {"vertices", std::to_string(stored.vertex_count())},
-        {"edges", std::to_string(stored.edge_count())},
-        {"scene", options.cell.scene},
-        {"parameters", fmt::format("{}", fmt::join(parameters, ","))},
-        {"queries", std::to_string(options.cell.queries)},
-        {"seed", std::to_string(options.cell.seed)},
-        {"machines", fmt::format("{}", fmt::join(options.machines, ","))}};
+    measure::Conditions of = {{"table", options.cell.table},
+                              {"algorithm", options.cell.algorithm},
+                              {"shape", options.cell.shape},
+                              {"vertices", std::to_string(stored.vertex_count())},
+                              {"edges", std::to_string(stored.edge_count())},
+                              {"scene", options.cell.scene},
+                              {"parameters", fmt::format("{}", fmt::join(parameters, ","))},
+                              {"queries", std::to_string(options.cell.queries)},
+                              {"seed", std::to_string(options.cell.seed)},
+                              {"machines", fmt::format("{}", fmt::join(options.machines, ","))}};
     if (options.as_stored) of.emplace_back(stored_condition, "yes");
     return of;
 }
 
-measure::LayoutLock lock_of(const LockArguments& options) {
+measure::FigureRecord lock_of(const LockArguments& options) {
     const bench::TableType& type = type_named(options);
     const std::vector<measure::CacheMachine> machines = measure::described_machines(options.machines);
     sweep::Plan plan;
@@ -103,7 +102,7 @@ measure::LayoutLock lock_of(const LockArguments& options) {
     return measure::lock_of(facts, conditions(options, runner->stored_bodies()[0]));
 }
 
-std::uint64_t number_in(const measure::LayoutLock& lock, const char* name, const std::string& file) {
+std::uint64_t number_in(const measure::FigureRecord& lock, const char* name, const std::string& file) {
     const std::string& text = lock.condition(name, file);
     const auto value = input::parse_count(text, {});
     if (!value) throw std::runtime_error(fmt::format("{}: of.{}: {}", file, name, value.error));
@@ -111,7 +110,7 @@ std::uint64_t number_in(const measure::LayoutLock& lock, const char* name, const
 }
 
 /// The lock's own conditions as options.
-LockArguments options_of(const measure::LayoutLock& lock, const std::string& file) {
+LockArguments options_of(const measure::FigureRecord& lock, const std::string& file) {
     LockArguments options;
     options.cell.table = lock.condition("table", file);
     options.cell.algorithm = lock.condition("algorithm", file);
@@ -128,15 +127,10 @@ LockArguments options_of(const measure::LayoutLock& lock, const std::string& fil
 }
 
 int check_lock(const std::string& file, bool json) {
-    const measure::LayoutLock was = measure::read_lock(file);
-    const std::vector<measure::LockDifference> found =
-        measure::differences(was, lock_of(options_of(was, file)));
-    if (!json) return measure::report_differences(found, file);
-    nlohmann::json list = nlohmann::json::array();
-    for (const measure::LockDifference& difference : found)
-        list.push_back({{"member", difference.member}, {"was", difference.was}, {"is", difference.is}});
-    print_json(nlohmann::json{{"differences", list}});
-    return found.empty() ? exit_done : exit_check_failed;
+    const measure::FigureRecord was = measure::read_record(file, "lock");
+    const measure::RecordComparison found = measure::compare(was, lock_of(options_of(was, file)));
+    fmt::print("{}", json ? to_json(found) : input::shown_text(to_text(found, file)));
+    return found.exit_code();
 }
 
 int run_lock(const LockArguments& options, bool json) {

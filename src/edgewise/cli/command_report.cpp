@@ -59,8 +59,10 @@ std::string out_of(const ReportArguments& options) {
 int run_compare(const ReportArguments& options, bool json) {
     auto progress = std::make_unique<ReportProgress>(2);
     const reports::ReportData data = progress->read(options.store);
-    const reports::Comparison comparison = reports::compare(progress->read(options.compare), data);
-    if (comparison.paired == 0)
+    reports::StoreComparison comparison =
+        reports::compare(progress->read(options.compare), data, options.slack);
+    measure::RecordComparison& found = comparison.found;
+    if (found.compared() == 0)
         throw std::invalid_argument(fmt::format("{} and {} have no cell in common: nothing to compare",
                                                 options.store, options.compare));
     const reports::ReportSummary summary = reports::write_report(
@@ -70,16 +72,19 @@ int run_compare(const ReportArguments& options, bool json) {
         progress->on_part());
     progress.reset();
     if (!summary.note.empty()) warn(summary.note);
+    if (!options.explain) {
+        found.conditions.clear();
+        for (measure::ComparedRow& row : found.rows) row.note.clear();
+    }
     if (json) {
-        nlohmann::json line = reports::comparison_json(comparison, options.slack);
+        nlohmann::json line = nlohmann::json::parse(to_json(found));
         line["report"] = summary.page;
         print_json(line);
     } else {
-        fmt::print("{}report: {}\n",
-                   input::shown_text(reports::comparison_text(comparison, options.slack, options.explain)),
+        fmt::print("{}report: {}\n", input::shown_text(reports::comparison_text(comparison, options.compare)),
                    summary.page);
     }
-    return options.gate && comparison.regressions(options.slack) > 0 ? exit_check_failed : exit_done;
+    return options.gate ? found.exit_code() : exit_done;
 }
 
 int run_report(const ReportArguments& options, bool json) {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/studies/gate/entry.hpp"
+#include "edgewise/studies/gate/speed_record.hpp"
 
 namespace edgewise::studies {
 
-/// Of entry i: its time is so many times its reference's, before noise.
+/// Of row i: its time is so many times its reference's, before noise.
 [[nodiscard]] inline double true_ratio(std::size_t i) { return 0.5 + 0.25 * static_cast<double>(i % 12); }
 
 /// Up to 4 % more than the truth, and one time in twenty, hit by an interrupt, twice of it.
@@ -21,30 +21,24 @@ namespace edgewise::studies {
     return truth * (1 + 0.04 * rng.uniform()) * (rng.below(20) == 0 ? 2 : 1);
 }
 
-/// Entry `slowed` takes `factor` times as long.
-[[nodiscard]] inline GateRecord drawn_record(std::uint64_t seed, std::size_t slowed, double factor) {
-    constexpr std::size_t entries = 40;
+/// Row `slowed` takes `factor` times as long.
+[[nodiscard]] inline measure::FigureRecord drawn_record(std::uint64_t seed, std::size_t slowed,
+                                                        double factor) {
+    constexpr std::size_t rows = 40;
     constexpr int rounds = 17;
     scene::Rng rng(seed);
-    GateRecord record;
-    record.machine = "one";
-    record.compiler = "c";
-    record.flags = "-O";
-    record.build_type = "Release";
-    record.rounds = rounds;
-    record.queries = 1000;
-    for (std::size_t i = 0; i < entries; ++i) {
+    measure::FigureRecord record{speed_kind, {}, {{"machine", "one"}, {"compiler", "c"}}, 0.1, {}};
+    for (std::size_t i = 0; i < rows; ++i) {
         std::vector<double> times, beside;
         for (int round = 0; round < rounds; ++round) {
             const double mood = rng.uniform(1, 3);
             times.push_back(noisy(mood * true_ratio(i) * (i == slowed ? factor : 1), rng));
             beside.push_back(noisy(mood, rng));
         }
-        GateEntry entry{
-            "gjk", "table" + std::to_string(i), "cold", "cube8", i % 3 == 0 ? "batch=yes" : "", {}, {}};
-        entry.over = i == 0 ? GateOver::kernel : GateOver::reference;
-        entry.ratio = gate_ratio(times, beside).value();
-        record.entries.push_back(entry);
+        record.rows.push_back(
+            gate_row("gjk table" + std::to_string(i) + " cold cube8" + (i % 3 == 0 ? " batch=yes" : ""),
+                     i == 0 ? over_kernel : over_reference, times, beside)
+                .value());
     }
     return record;
 }

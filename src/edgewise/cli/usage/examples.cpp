@@ -37,7 +37,7 @@ const std::map<std::string, Examples> examples = {
     {"claims", {"claims", "claims mine.db --diff theirs.db"}},
     {"campaign",
      {"campaign --pairs 1e7", "campaign --pairs 1e6 --families random --shapes cube8 --layouts aos_f64"}},
-    {"compare", {"compare mine.json theirs.json", "compare docs/records/zen3.json mine.json"}},
+    {"compare", {"compare old.db new.db", "compare docs/records/zen3.json mine.json"}},
     {"crosscheck", {"crosscheck --table lean_f32", "crosscheck --table aos_f64 --machines l1=16K,l2=256K"}},
     {"draw", {"draw layout lean_f32 > lean.svg", "draw layout aos_f64 --shape tetra4 > aos.svg"}},
     {"effort", {"effort --layouts aos_f64,lean_f64", "effort --by-phase --scene cold --shape cube8"}},

@@ -7,16 +7,56 @@
 #include <exception>
 #include <string_view>
 
+#include "edgewise/measure/record/comparison.hpp"
+
 namespace edgewise::measure {
 
-int report_differences(const std::vector<LockDifference>& found, const std::string& file) {
-    for (const LockDifference& difference : found) fmt::print("{}\n", to_text(difference));
-    if (found.empty()) fmt::print("{} holds\n", file);
-    return found.empty() ? 0 : 1;
+namespace {
+
+void add(FigureRecord& lock, std::string figure, double value) {
+    lock.rows.push_back({.figure = std::move(figure), .value = value});
 }
 
-int lock_program(int argc, const char* const* argv, const Expected<LayoutFacts>& facts,
-                 std::vector<std::pair<std::string, std::string>> of) {
+void add_machine(const LayoutFacts& facts, const LayoutFacts::Machine& machine, FigureRecord& lock) {
+    each_population(facts.lines, [&](std::string_view suffix, const auto& of) {
+        const auto queries = static_cast<double>(of(facts.lines).queries);
+        const MachineMisses& misses = of(machine.steady);
+        for (const auto* levels : {&misses.caches, &misses.tlbs}) {
+            for (const LevelMisses& level : *levels)
+                add(lock, fmt::format("misses_per_query.{}.{}{}", machine.name, level.level, suffix),
+                    static_cast<double>(level.misses.all()) / queries);
+        }
+        add(lock,
+            fmt::format("emptied_misses_per_query.{}.{}{}", machine.name, misses.caches.front().level,
+                        suffix),
+            static_cast<double>(of(machine.emptied)) / queries);
+    });
+}
+
+}  // namespace
+
+FigureRecord lock_of(const LayoutFacts& facts, Conditions of) {
+    FigureRecord lock{"lock", std::move(of), {}, {}, {}};
+    std::uint64_t total = 0;
+    for (const ComponentBytes& part : facts.bytes) {
+        add(lock, "bytes." + part.component, static_cast<double>(part.bytes));
+        total += part.bytes;
+    }
+    add(lock, "bytes", static_cast<double>(total));
+    add(lock, "distinct_lines", static_cast<double>(facts.distinct_lines));
+    each_population(facts.lines, [&](std::string_view suffix, const auto& population) {
+        const LinesTouched& sums = population(facts.lines);
+        const auto queries = static_cast<double>(sums.queries);
+        add(lock, fmt::format("queries{}", suffix), queries);
+        add(lock, fmt::format("lines_per_query{}", suffix), static_cast<double>(sums.lines) / queries);
+        add(lock, fmt::format("knee_bytes{}", suffix),
+            static_cast<double>(population(facts.knee_bytes).value_or(0)));
+    });
+    for (const LayoutFacts::Machine& machine : facts.machines) add_machine(facts, machine, lock);
+    return lock;
+}
+
+int lock_program(int argc, const char* const* argv, const Expected<LayoutFacts>& facts, Conditions of) {
     const bool checks = argc == 3 && std::string_view(argv[1]) == "--check";
     if (argc != 1 && !checks) {
         fmt::print(stderr, "usage: {0} > FILE, or {0} --check FILE\n", argv[0]);
@@ -26,13 +66,15 @@ int lock_program(int argc, const char* const* argv, const Expected<LayoutFacts>&
         fmt::print(stderr, "{}: {}; {}\n", argv[0], facts.reason, facts.remedy);
         return 2;
     }
-    const LayoutLock lock = lock_of(*facts.value, std::move(of));
+    const FigureRecord lock = lock_of(*facts.value, std::move(of));
     if (!checks) {
         fmt::print("{}", to_json(lock));
         return 0;
     }
     try {
-        return report_differences(differences(read_lock(argv[2]), lock), argv[2]);
+        const RecordComparison found = compare(read_record(argv[2], "lock"), lock);
+        fmt::print("{}", to_text(found, argv[2]));
+        return found.exit_code();
     } catch (const std::exception& problem) {
         fmt::print(stderr, "{}: {}\n", argv[0], problem.what());
         return 2;

@@ -79,16 +79,18 @@ GateGroup::GateGroup(const GatePlan& plan, const GateScene& scene, const std::st
     : shared_(plan_for(plan), {scene.kind, scene.parameters},
               {shape, "built-in", scene::make_shape(shape).or_throw(), {}}) {
     for (const GateCellChoice& choice : cells_of(plan, scene)) {
-        Cell cell{{choice.algorithm, choice.type->name, scene.name, shape, choice.axes, {}, {}},
+        Cell cell{choice.algorithm + " " + choice.type->name + " " + gate_group_name(scene.name, shape) +
+                      (choice.axes.empty() ? "" : " " + choice.axes),
+                  over_reference,
                   {*choice.type, choice.algorithm, sweep::parse_axes(choice.axes)},
                   {}};
         if (const std::string error = cell.cell.load(shared_.workload()); !error.empty())
-            throw std::invalid_argument(cell.entry.name() + ": " + error);
+            throw std::invalid_argument(cell.name + ": " + error);
         cell.cell.check(shared_);
         const std::string problem = cell.cell.wrong();
-        if (!problem.empty()) wrong.push_back(cell.entry.name() + ": " + problem);
+        if (!problem.empty()) wrong.push_back(cell.name + ": " + problem);
         const bool is_reference = cells_.empty();
-        if (is_reference) cell.entry.over = GateOver::kernel;
+        if (is_reference) cell.figure = over_kernel;
         if (problem.empty() || is_reference) cells_.push_back(std::move(cell));
     }
 }
@@ -103,18 +105,18 @@ void GateGroup::time_round(int number, const GateKernel& kernel, double clock_co
     });
 }
 
-std::vector<GateEntry> GateGroup::entries() const {
-    std::vector<GateEntry> entries;
+std::vector<measure::RecordRow> GateGroup::rows() const {
+    std::vector<measure::RecordRow> rows;
     for (const Cell& cell : cells_) {
-        entries.push_back(cell.entry);
-        const bool is_reference = cell.entry.over == GateOver::kernel;
-        const auto ratio = gate_ratio(cell.ns, is_reference ? kernel_ns_ : cells_.front().ns);
-        if (!ratio)
-            throw std::invalid_argument(fmt::format(
-                "{}: no ratio with an interval; give more --queries or --rounds", cell.entry.name()));
-        entries.back().ratio = *ratio;
+        const bool is_reference = &cell == &cells_.front();
+        const auto row =
+            gate_row(cell.name, cell.figure, cell.ns, is_reference ? kernel_ns_ : cells_.front().ns);
+        if (!row)
+            throw std::invalid_argument(
+                fmt::format("{}: no ratio with an interval; give more --queries or --rounds", cell.name));
+        rows.push_back(*row);
     }
-    return entries;
+    return rows;
 }
 
 }  // namespace edgewise::studies

@@ -33,11 +33,12 @@ class GateGroup {
     void time_round(int number, const GateKernel& kernel, double clock_cost_ns);
 
     /// From all rounds. Throws std::invalid_argument where they are too few.
-    [[nodiscard]] std::vector<GateEntry> entries() const;
+    [[nodiscard]] std::vector<measure::RecordRow> rows() const;
 
   private:
     struct Cell {
-        GateEntry entry;
+        std::string name;  ///< "gjk lean_f64 cold cube8 batch=yes"
+        const char* figure = over_reference;
         sweep::PreparedCell cell;
         std::vector<double> ns;  ///< per query, round by round
     };

@@ -13,17 +13,18 @@ namespace edgewise::studies {
 
 namespace {
 
-GateRecord record_without_entries(const GatePlan& plan) {
+measure::FigureRecord record_without_rows(const GatePlan& plan) {
     const store::BuildRow build = bench::this_build();
-    GateRecord record;
-    record.machine = measure::read_machine().cpu.name.value.value_or("unknown");
-    record.git_revision = build.git_revision;
-    record.compiler = build.compiler;
-    record.flags = build.flags;
-    record.build_type = build.build_type;
-    record.rounds = plan.rounds;
-    record.queries = plan.queries;
-    return record;
+    return {speed_kind,
+            {{"queries", std::to_string(plan.queries)}},
+            {{"machine", measure::read_machine().cpu.name.value.value_or("unknown")},
+             {"git_revision", build.git_revision},
+             {"compiler", build.compiler},
+             {"flags", build.flags},
+             {"build_type", build.build_type},
+             {"rounds", std::to_string(plan.rounds)}},
+            {},
+            {}};
 }
 
 bool is_asked_for(const GatePlan& plan, const std::string& group) {
@@ -41,7 +42,7 @@ bool add_group(const GatePlan& plan, const GateScene& scene, const std::string& 
         if (stop) return false;
         group.time_round(round, kernel, clock_cost_ns);
     }
-    for (GateEntry& entry : group.entries()) run.record.entries.push_back(std::move(entry));
+    for (measure::RecordRow& row : group.rows()) run.record.rows.push_back(std::move(row));
     return true;
 }
 
@@ -57,7 +58,7 @@ std::vector<std::string> gate_groups() {
 std::optional<GateRun> run_gate(const GatePlan& plan,
                                 const std::function<void(const std::string& group)>& on_group,
                                 const std::atomic<bool>& stop) {
-    GateRun run{record_without_entries(plan), {}};
+    GateRun run{record_without_rows(plan), {}};
     for (const GateScene& scene : gate_scenes()) {
         for (const std::string& shape : gate_shapes()) {
             const std::string name = gate_group_name(scene.name, shape);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/studies/gate/entry.hpp"
+#include "edgewise/studies/gate/speed_record.hpp"
 
 namespace edgewise::studies {
 
@@ -24,9 +24,9 @@ struct GatePlan {
 };
 
 struct GateRun {
-    GateRecord record;
-    std::vector<std::string>
-        wrong;  ///< cells that gave wrong answers, and what is wrong; only a reference has its entry then
+    measure::FigureRecord record;
+    /// Cells that gave wrong answers, and what is wrong; only a reference has its row then.
+    std::vector<std::string> wrong;
 };
 
 /// Every scene on every body: "cold cube8".

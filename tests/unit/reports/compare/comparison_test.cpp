@@ -5,13 +5,14 @@
 
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
-#include "edgewise/reports/compare/comparison_grids.hpp"
+#include "edgewise/reports/page/chapters/compare_chapter.hpp"
 
 namespace edgewise::reports {
 namespace {
 
+using measure::Outcome;
 using testing::HasSubstr;
 
 void set(ReportCell& cell, const store::FigureName& name, double value) {
@@ -72,102 +73,106 @@ void replace(ReportCell& cell, const store::FigureName& name, double value) {
     set(cell, name, value);
 }
 
+constexpr double slack = 0.05;
+
+std::size_t worse(const StoreComparison& comparison) { return comparison.found.count(Outcome::worse); }
+
+const measure::ComparedRow& row_of(const StoreComparison& comparison, const std::string& cell,
+                                   const std::string& figure) {
+    return *std::ranges::find_if(comparison.found.rows, [&](const measure::ComparedRow& row) {
+        return row.is.cell == cell && row.is.figure == figure;
+    });
+}
+
 TEST(Comparison, OfAStoreWithItselfFindsNothing) {
-    const Comparison same = compare(data(), data());
-    EXPECT_EQ(same.paired, 2U);
-    EXPECT_GT(same.figures, 4U);
-    EXPECT_TRUE(same.exact.empty());
-    EXPECT_EQ(same.regressions(0.05), 0U);
-    for (const TimeChange& change : same.times) EXPECT_DOUBLE_EQ(change.mid, 1);
-    EXPECT_THAT(comparison_text(same, 0.05, true), HasSubstr("no regression"));
-    for (const Condition& condition : same.conditions) EXPECT_TRUE(condition.same()) << condition.what;
+    const StoreComparison same = compare(data(), data(), slack);
+    EXPECT_EQ(same.found.compared(), 8U) << "three exact figures and a time of two cells";
+    EXPECT_EQ(same.found.count(Outcome::equal), 6U);
+    EXPECT_EQ(same.found.count(Outcome::within), 2U);
+    EXPECT_TRUE(same.found.passed());
+    EXPECT_DOUBLE_EQ(row_of(same, "tumble cube8 vclip lean_f64", "time.all_ratio").change(), 1);
+    for (const auto& condition : same.found.conditions) EXPECT_TRUE(condition.same()) << condition.what;
 }
 
 TEST(Comparison, FindsWhatBecameWorseAndWhatBetter) {
     ReportData after = data();
     replace(after.cells[1], "bytes.total_bytes_per_edge", 150);
     replace(after.cells[1], "lines.lines_per_query", 10);
-    const Comparison found = compare(data(), after);
-    ASSERT_EQ(found.exact.size(), 2U);
-    EXPECT_EQ(found.exact[0].figure, "bytes.total_bytes_per_edge") << "regressions first";
-    EXPECT_TRUE(found.exact[0].is_worse());
-    EXPECT_FALSE(found.exact[1].is_worse());
-    EXPECT_EQ(found.regressions(0.05), 1U);
+    const StoreComparison comparison = compare(data(), after, slack);
+    EXPECT_EQ(comparison.found.rows[0].is.figure, "bytes.total_bytes_per_edge") << "regressions first";
+    EXPECT_EQ(comparison.found.rows[0].is.cell, "tumble cube8 vclip lean_f64");
+    EXPECT_EQ(worse(comparison), 1U);
+    EXPECT_EQ(comparison.found.count(Outcome::better), 1U);
+    EXPECT_EQ(comparison.found.exit_code(), 1);
 }
 
 /// A time is slower when its whole interval is, beyond the slack and the noise of the baseline.
 TEST(Comparison, JudgesTimesByTheirIntervals) {
     ReportData after = data();
     set_time(after.cells[1], 0.96);  // 1.2 times 0.8
-    const Comparison slower = compare(data(), after);
-    EXPECT_EQ(slower.regressions(0.05), 1U);
-    EXPECT_EQ(slower.regressions(0.25), 0U) << "within the slack";
-    EXPECT_NEAR(slower.times.front().mid, 1.2, 1e-12);
-    EXPECT_LT(slower.times.front().low, 1.2);
-    EXPECT_GT(slower.times.front().high, 1.2);
+    const StoreComparison slower = compare(data(), after, slack);
+    EXPECT_EQ(worse(slower), 1U);
+    EXPECT_EQ(worse(compare(data(), after, 0.25)), 0U) << "within the slack";
+    EXPECT_NEAR(slower.found.rows[0].change(), 1.2, 1e-12);
+    EXPECT_LT(slower.found.rows[0].least_change(), 1.2);
+    EXPECT_GT(slower.found.rows[0].most_change(), 1.2);
     set_time(after.cells[0], 1.3);  // the baseline differs from itself by as much
-    EXPECT_EQ(compare(data(), after).is_slower(slower.times.front(), 0.05), false);
+    EXPECT_EQ(worse(compare(data(), after, slack)), 0U);
 }
 
 /// 1.5 times the steps of the same lines each: all of the change is steps.
 TEST(Comparison, SaysWhatAChangeIsMadeOf) {
-    ReportData after = data();
+    ReportData before = data(), after = data();
     set_time(after.cells[1], 1.2);
+    EXPECT_EQ(compare(before, after, slack).found.rows[0].note,
+              "= 1.000 (steps) x 1.000 (lines per step) x 1.500 (time per line); no exact figure of the cell "
+              "changed: code or machine");
     replace(after.cells[1], "error.mean_steps", 6);
     replace(after.cells[1], "lines.lines_per_query", 30);
-    const TimeChange change = compare(data(), after).times.front();
-    EXPECT_NEAR(change.by_steps, 1.5, 1e-12);
-    EXPECT_NEAR(change.by_lines, 1, 1e-12);
-    EXPECT_NEAR(change.by_cost, 1, 1e-12);
-    EXPECT_NEAR(change.by_steps * change.by_lines * change.by_cost, change.mid, 1e-12);
+    EXPECT_EQ(row_of(compare(before, after, slack), "tumble cube8 vclip lean_f64", "time.all_ratio").note,
+              "= 1.500 (steps) x 1.000 (lines per step) x 1.000 (time per line)");
+    for (ReportData* one : {&before, &after})
+        std::erase_if(one->cells[1].figures,
+                      [](const store::FigureRow& row) { return row.probe == "error"; });
+    EXPECT_THAT(row_of(compare(before, after, slack), "tumble cube8 vclip lean_f64", "time.all_ratio").note,
+                HasSubstr("not known"));
 }
 
-/// The tables have what the comparison has, what became worse first, each once.
-TEST(Comparison, AsTables) {
+/// The chapter has what the comparison has, what became worse first, each once.
+TEST(Comparison, AsAChapter) {
     ReportData after = data();
     replace(after.cells[1], "bytes.total_bytes_per_edge", 150);
     replace(after.cells[1], "lines.lines_per_query", 10);
     set_time(after.cells[1], 1.2);
-    const Comparison found = compare(data(), after);
-    const std::vector<TextGrid> grids = change_grids(found, 0.05);
-    ASSERT_EQ(grids.size(), 3U) << "nothing is faster";
-    EXPECT_EQ(grids[0].caption, "Worse, exactly");
-    ASSERT_EQ(grids[0].rows.size(), 1U);
-    EXPECT_EQ(grids[0].rows[0][0].text, "bytes.total_bytes_per_edge");
-    EXPECT_EQ(grids[0].rows[0][3].text, "1.500");
-    EXPECT_EQ(grids[1].caption, "Slower");
-    EXPECT_EQ(grids[1].rows[0][0].text, "1.500");
-    EXPECT_EQ(grids[2].caption, "Better, exactly");
-    EXPECT_EQ(comparison_sentence(found, 0.05),
-              "1 exact figure and 1 time became worse, 1 and 0 better, of 2 cells in both stores; 0 only "
-              "before, 0 only after.");
-    EXPECT_TRUE(change_grids(compare(data(), data()), 0.05).empty());
-    EXPECT_EQ(conditions_grid(found).rows.size(), found.conditions.size());
-}
-
-/// What is not known of a change is said so, and never 1 or 0.
-TEST(Comparison, TablesSayWhatIsNotKnown) {
-    ReportData before = data(), after = data();
-    set_time(after.cells[1], 1.2);
-    for (ReportData* one : {&before, &after})
-        std::erase_if(one->cells[1].figures,
-                      [](const store::FigureRow& row) { return row.probe == "error"; });
-    const std::vector<TextGrid> grids = change_grids(compare(before, after), 0.05);
-    ASSERT_EQ(grids.size(), 1U);
-    EXPECT_EQ(grids[0].rows[0][2].text, "not measured");
-    EXPECT_FALSE(grids[0].rows[0][2].why.empty());
+    const Chapter chapter = compare_chapter(compare(data(), after, slack), slack, "old.db");
+    ASSERT_EQ(chapter.blocks.size(), 3U) << "worse, better, conditions";
+    const TextGrid& worse = chapter.blocks[0].grids[0];
+    ASSERT_EQ(worse.rows.size(), 2U);
+    EXPECT_EQ(worse.caption, "Worse");
+    EXPECT_EQ(worse.rows[0][0].text, "bytes.total_bytes_per_edge");
+    EXPECT_EQ(worse.rows[0][3].text, "1.500");
+    EXPECT_EQ(worse.rows[1][0].text, "time.all_ratio");
+    EXPECT_EQ(chapter.blocks[1].grids[0].rows.size(), 1U);
+    EXPECT_EQ(chapter.blocks[2].grids[0].rows.size(), 7U);
+    EXPECT_EQ(chapter.sentence,
+              "2 of 8 figures in both stores became worse, 1 better; 0 cells or figures are missing, 0 new.");
+    EXPECT_EQ(compare_chapter(compare(data(), data(), slack), slack, "old.db").blocks.size(), 1U);
 }
 
 TEST(Comparison, NamesCausesThatAreNotExcluded) {
     ReportData after = data();
     after.build.compiler = "Clang 14";
     after.cells.pop_back();
-    const Comparison found = compare(data(), after);
-    EXPECT_EQ(found.only_before, 1U);
-    const std::string text = comparison_text(found, 0.05, true);
-    EXPECT_THAT(text, HasSubstr("compiler: GNU 12 -> Clang 14"));
-    EXPECT_THAT(text, HasSubstr("excluded as causes, since they are the same: seed, bodies, processor"));
-    EXPECT_EQ(comparison_json(found, 0.05)["paired"], 1);
+    const StoreComparison comparison = compare(data(), after, slack);
+    EXPECT_EQ(comparison.found.count(Outcome::missing), 1U) << "a cell is one row";
+    EXPECT_TRUE(comparison.found.passed());
+    const std::string text = comparison_text(comparison, "old.db");
+    EXPECT_THAT(text, HasSubstr("missing: tumble cube8 vclip lean_f64\n"));
+    EXPECT_THAT(text, HasSubstr("possible cause: compiler: was GNU 12, is Clang 14"));
+    EXPECT_THAT(text, HasSubstr("excluded as causes, being the same: seed, bodies, processor"));
+    after.cells[0].hash = "another body";
+    EXPECT_THAT(comparison_text(compare(data(), after, slack), "old.db"),
+                HasSubstr("possible cause: bodies"));
 }
 
 }  // namespace

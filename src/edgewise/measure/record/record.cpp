@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/measure/record/record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "edgewise/input/file_text.hpp"
+#include "edgewise/input/json_text.hpp"
+
+namespace edgewise::measure {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Whole numbers without a fraction, as people write them.
+Json number_json(double value) {
+    constexpr double most = 9e15;  // below it every whole number is a double
+    return std::abs(value) < most && value == std::floor(value) ? Json(static_cast<std::int64_t>(value))
+                                                                : Json(value);
+}
+
+Json row_json(const RecordRow& row) {
+    if (!row.text.empty()) return row.text;
+    if (!row.has_interval) return number_json(row.value);
+    return {row.low, row.value, row.high};
+}
+
+Json conditions_json(const Conditions& conditions) {
+    Json json = Json::object();
+    for (const auto& [name, value] : conditions) json[name] = value;
+    return json;
+}
+
+/// What is wrong with a record, without the file's name.
+struct RecordFault {
+    std::string text;
+};
+
+const Json& object_in(const Json& json, const std::string& member) {
+    static const Json none = Json::object();
+    if (!json.contains(member)) return none;
+    if (!json[member].is_object()) throw RecordFault{member + ": needs an object"};
+    return json[member];
+}
+
+Conditions conditions_in(const Json& json, const char* member) {
+    Conditions all;
+    for (const auto& [name, value] : object_in(json, member).items()) {
+        if (!value.is_string()) throw RecordFault{fmt::format("{}.{}: needs a text", member, name)};
+        all.emplace_back(name, value.get<std::string>());
+    }
+    return all;
+}
+
+bool is_interval(const Json& json) {
+    if (!json.is_array() || json.size() != 3 || !std::ranges::all_of(json, &Json::is_number)) return false;
+    return 0 <= json[0] && json[0] <= json[1] && json[1] <= json[2] && json[1] > 0;
+}
+
+RecordRow row_in(const std::string& cell, const std::string& figure, const Json& json) {
+    RecordRow row{cell, figure};
+    if (is_interval(json)) {
+        row.low = json[0].get<double>();
+        row.value = json[1].get<double>();
+        row.high = json[2].get<double>();
+        row.has_interval = true;
+    } else if (json.is_number()) {
+        row.value = row.low = row.high = json.get<double>();
+    } else if (json.is_string() && !json.get_ref<const std::string&>().empty()) {
+        row.text = json.get<std::string>();
+    } else {
+        throw RecordFault{
+            fmt::format("{}{}{}: needs a number, or [low, value, high] with 0 <= low <= value <= high", cell,
+                        cell.empty() ? "" : ": ", figure)};
+    }
+    return row;
+}
+
+FigureRecord record_in(const Json& json, std::string_view kind) {
+    if (!json.is_object()) throw RecordFault{"needs an object"};
+    const Json is = json.value("edgewise_record", Json());
+    if (!is.is_string()) throw RecordFault{"edgewise_record: needs the kind of record, such as \"lock\""};
+    if (const std::string unknown = input::unknown_member(
+            json, "a record", {"edgewise_record", "of", "with", "slack", "figures", "cells"});
+        !unknown.empty())
+        throw RecordFault{unknown};
+    FigureRecord record{
+        is.get<std::string>(), conditions_in(json, "of"), conditions_in(json, "with"), {}, {}};
+    if (!kind.empty() && record.kind != kind)
+        throw RecordFault{fmt::format("a record of kind '{}'; needs one of kind '{}'", record.kind, kind)};
+    if (json.contains("slack")) {
+        if (!json["slack"].is_number() || json["slack"] < 0)
+            throw RecordFault{"slack: needs a number from 0 on"};
+        record.slack = json["slack"].get<double>();
+    }
+    for (const auto& [figure, value] : object_in(json, "figures").items())
+        record.rows.push_back(row_in("", figure, value));
+    const Json& cells = object_in(json, "cells");
+    for (const auto& [cell, figures] : cells.items())
+        for (const auto& [figure, value] : object_in(cells, cell).items())
+            record.rows.push_back(row_in(cell, figure, value));
+    return record;
+}
+
+std::string text_of(const Json& json) { return json.is_string() ? json.get<std::string>() : json.dump(); }
+
+/// A baseline of speed as version 0.1 wrote it: a list of ratios.
+Json from_gate(const Json& old) {
+    Json cells = Json::object(), with = Json::object();
+    for (const Json& entry : old.at("entries")) {
+        std::string cell = text_of(entry.at("algorithm"));
+        for (const char* part : {"table", "scene", "shape", "axes"})
+            if (const std::string word = text_of(entry.at(part)); !word.empty()) cell += " " + word;
+        cells[cell]["time over " + text_of(entry.at("over"))] = {entry.at("low"), entry.at("ratio"),
+                                                                 entry.at("high")};
+    }
+    with["machine"] = text_of(old.at("machine"));
+    for (const auto& [part, value] : old.at("build").items()) with[part] = text_of(value);
+    with["rounds"] = text_of(old.at("rounds"));
+    return {{"edgewise_record", "speed"},
+            {"of", {{"queries", text_of(old.at("queries"))}}},
+            {"with", with},
+            {"slack", old.at("slack")},
+            {"cells", cells}};
+}
+
+/// A machine record as version 0.1 wrote it: a list of cells.
+Json from_machine(const Json& old) {
+    Json cells = Json::object(), with = Json::object();
+    for (const Json& row : old.at("rows")) {
+        // Names of parameters in alphabetical order, as stores have them.
+        const std::string parameters = nlohmann::json::parse(row.at("parameters").dump()).dump();
+        Json& figures = cells[text_of(row.at("scene")) + " " + parameters + " " + text_of(row.at("shape")) +
+                              " " + text_of(row.at("algorithm")) + " " + text_of(row.at("table"))];
+        figures["time ratio"] = {row.at("low"), row.at("ratio"), row.at("high")};
+        if (!row.at("bytes_per_edge").is_null()) figures["bytes per edge"] = row.at("bytes_per_edge");
+    }
+    with["machine"] = text_of(old.at("machine"));
+    with["times"] = text_of(old.at("times"));
+    for (const auto& [name, value] : old.at("cpu").items()) with["cpu." + name] = text_of(value);
+    for (const Json& cache : old.at("caches"))
+        with["cache." + text_of(cache.at("level"))] = text_of(cache.at("bytes")) + " bytes";
+    return {{"edgewise_record", "machine"}, {"with", with}, {"cells", cells}};
+}
+
+/// In the form of today. Throws nlohmann::json::exception where an old record is not whole.
+Json in_this_form(const Json& json) {
+    const auto is_old = [&](const char* name) { return json.is_object() && json.value(name, Json()) == 1; };
+    if (is_old("gate")) return from_gate(json);
+    if (is_old("edgewise_machine_record")) return from_machine(json);
+    if (!is_old("edgewise_lock")) return json;
+    Json lock = {{"edgewise_record", "lock"}};
+    for (const auto& [name, value] : json.items())
+        if (name != "edgewise_lock") lock[name] = value;
+    return lock;
+}
+
+}  // namespace
+
+const std::string& FigureRecord::condition(std::string_view name, const std::string& file) const {
+    for (const auto& [known, value] : of)
+        if (known == name) return value;
+    throw std::runtime_error(fmt::format("{}: of.{}: needs a text", file, name));
+}
+
+std::string to_json(const FigureRecord& record) {
+    Json json = {{"edgewise_record", record.kind}};
+    if (!record.of.empty()) json["of"] = conditions_json(record.of);
+    if (!record.with.empty()) json["with"] = conditions_json(record.with);
+    if (record.slack) json["slack"] = number_json(*record.slack);
+    for (const RecordRow& row : record.rows)
+        (row.cell.empty() ? json["figures"] : json["cells"][row.cell])[row.figure] = row_json(row);
+    return input::json_text(json, 2) + "\n";
+}
+
+FigureRecord parse_record(const std::string& json, const std::string& file, std::string_view kind) {
+    const auto parsed = input::parse_json<Json>(json);
+    try {
+        if (!parsed) throw RecordFault{parsed.error + "; needs a record (edgewise_record)"};
+        return record_in(in_this_form(*parsed), kind);
+    } catch (const RecordFault& fault) {
+        throw std::runtime_error(fmt::format("{}: {}", file, fault.text));
+    } catch (const nlohmann::json::exception&) {
+        throw std::runtime_error(file + ": a record of an earlier version, and not whole; write it again");
+    }
+}
+
+FigureRecord read_record(const std::string& file, std::string_view kind) {
+    const auto text = input::read_file_text(file);
+    if (!text) throw std::runtime_error(text.error);
+    return parse_record(*text, file, kind);
+}
+
+}  // namespace edgewise::measure

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+//
+// Records of figures: a file says again what was written, files of earlier versions are read, each kind of
+// difference has its outcome, and a file that is no record gets one line.
+#include "edgewise/measure/record/record.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "edgewise/measure/lock/lock_program.hpp"
+#include "edgewise/measure/record/comparison.hpp"
+
+namespace edgewise::measure {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+RecordRow interval_row(std::string cell, double low, double value, double high) {
+    return {std::move(cell), "time", value, low, high, true};
+}
+
+const FigureRecord lock = {"lock",
+                           {{"points", "1000"}, {"tree", "k-d"}},
+                           {},
+                           {},
+                           {{"", "bytes", 24000}, {"", "lines_per_query", 14.1}, {"", "knee_bytes", 0}}};
+const FigureRecord speed = {"speed",
+                            {{"queries", "1000"}},
+                            {{"machine", "one"}, {"compiler", "c"}},
+                            0.1,
+                            {interval_row("gjk a", 0.9, 1, 1.1),
+                             {"gjk a", "bytes", 100},
+                             interval_row("gjk b", 1.9, 2, 2.1),
+                             {"gjk b", "bytes", 80}}};
+
+std::string complaint(const std::string& text, std::string_view kind = {}) {
+    try {
+        static_cast<void>(parse_record(text, "mine.json", kind));
+    } catch (const std::runtime_error& problem) {
+        return problem.what();
+    }
+    return "no complaint";
+}
+
+/// Of all rows but equal ones, in the order in which they are shown.
+std::vector<std::string> lines(const RecordComparison& found) {
+    std::vector<std::string> all;
+    const json parsed = json::parse(to_json(found));
+    for (const json& row : parsed["rows"])
+        all.push_back(row["outcome"].get<std::string>() + " " + row["cell"].get<std::string>() + ":" +
+                      row["figure"].get<std::string>());
+    return all;
+}
+
+TEST(Record, IsTheSameWhenItIsReadAgain) {
+    FigureRecord odd = speed;
+    odd.rows.push_back({"", "third", 1.0 / 3});
+    odd.rows.push_back({"", "large", 1e15 + 0.125});
+    odd.rows.push_back({.cell = "claim", .figure = "verdict", .text = "reproduced"});
+    const FigureRecord again = parse_record(to_json(odd), "mine.json", "speed");
+    EXPECT_EQ(json::parse(to_json(again)), json::parse(to_json(odd)));
+    EXPECT_EQ(again.with, odd.with);
+    EXPECT_EQ(again.slack, 0.1);
+    const RecordComparison found = compare(odd, again);
+    EXPECT_TRUE(found.passed());
+    EXPECT_EQ(found.compared(), odd.rows.size() + 1);
+    EXPECT_EQ(found.count(Outcome::equal), 6u) << "and times, whose intervals meet";
+    EXPECT_THAT(to_json(lock), AllOf(HasSubstr("\"bytes\": 24000,"), testing::Not(HasSubstr("slack"))));
+}
+
+/// Without slack every difference is one; each is named with both values, in the lock's order.
+TEST(Record, WithoutSlackMustStay) {
+    FigureRecord now = lock;
+    now.of[0].second = "1001";
+    now.rows[1].value = 14.100000000000001;
+    now.rows[2].figure = "misses";
+    now.rows[2].value = 2;
+    EXPECT_EQ(to_text(compare(lock, now), "mine.json"),
+              "changed: of.points: was 1000, is 1001\n"
+              "changed: lines_per_query: was 14.1, is 14.100000000000001\n"
+              "missing: knee_bytes: was 0, is nothing\n"
+              "new: misses: was nothing, is 2\n"
+              "mine.json: failed; 4 rows compared: 2 changed, 1 missing, 1 new, 2 equal\n");
+    EXPECT_EQ(compare(lock, lock).exit_code(), 0);
+    for (const std::size_t row : {0, 1, 2}) {
+        FigureRecord less = lock, smaller = lock;
+        less.rows.erase(less.rows.begin() + static_cast<std::ptrdiff_t>(row));
+        smaller.rows[row].value -= 1;
+        EXPECT_EQ(compare(lock, less).exit_code(), 1) << "gone";
+        EXPECT_EQ(compare(less, lock).exit_code(), 1) << "new";
+        EXPECT_EQ(compare(lock, smaller).exit_code(), 1) << "less is no better in a lock";
+    }
+}
+
+/// Exact figures are worse where they grew at all, others where the whole interval did, by more than the
+/// slack.
+TEST(Record, WithSlackFailsWhereItBecameWorse) {
+    FigureRecord now = speed;
+    now.rows[0] = interval_row("gjk a", 1.22, 1.3, 1.4);
+    now.rows[1].value = 101;
+    now.rows[2] = interval_row("gjk b", 1.5, 1.6, 1.72);
+    now.rows[3].value = 79;
+    const RecordComparison found = compare(speed, now);
+    EXPECT_EQ(found.exit_code(), 1);
+    EXPECT_THAT(lines(found), ElementsAre("worse gjk a:time", "worse gjk a:bytes", "better gjk b:bytes",
+                                          "better gjk b:time"));
+    EXPECT_THAT(
+        to_text(found, "old.json"),
+        AllOf(HasSubstr("worse: gjk a: time: was 1 [0.9, 1.1], is 1.3 [1.22, 1.4], x 1.300 [1.109, 1.556]\n"),
+              HasSubstr("worse: gjk a: bytes: was 100, is 101\n"), HasSubstr("old.json: failed; ")));
+    now.rows[0] = interval_row("gjk a", 1.20, 1.3, 1.4);
+    now.rows[1].value = 100;
+    now.rows[2] = interval_row("gjk b", 1.5, 1.6, 1.74);
+    EXPECT_THAT(lines(compare(speed, now)),
+                ElementsAre("better gjk b:bytes", "within gjk a:time", "within gjk b:time"));
+    EXPECT_TRUE(compare(speed, now).passed());
+}
+
+TEST(Record, ALoneCellIsOneRowAndFailsNothing) {
+    FigureRecord now = speed;
+    for (std::size_t i : {2, 3}) now.rows[i].cell = "gjk fresh";
+    const RecordComparison found = compare(speed, now);
+    EXPECT_THAT(lines(found), ElementsAre("missing gjk b:", "new gjk fresh:", "within gjk a:time"));
+    EXPECT_TRUE(found.passed());
+    now.rows.erase(now.rows.begin(), now.rows.begin() + 2);
+    now.of.clear();
+    EXPECT_FALSE(compare(speed, now).passed());
+    EXPECT_THAT(to_text(compare(speed, now), "old.json"),
+                HasSubstr("old.json: failed, nothing in common; 0 rows"));
+}
+
+TEST(Record, AnotherMachineIsAPossibleCause) {
+    FigureRecord now = speed;
+    now.with = {{"compiler", "c"}, {"machine", "two"}, {"flags", "-O3"}};
+    RecordComparison found = compare(speed, now);
+    EXPECT_TRUE(found.passed());
+    EXPECT_THAT(to_text(found, "old.json"),
+                AllOf(HasSubstr("possible cause: machine: was one, is two\n"),
+                      HasSubstr("possible cause: flags: was ?, is -O3\n"),
+                      HasSubstr("excluded as causes, being the same: compiler\n")));
+    found.faults = {"wrong answers: gjk a"};
+    EXPECT_EQ(found.exit_code(), 1);
+    EXPECT_THAT(to_text(found, "old.json"), HasSubstr("failed: wrong answers: gjk a\n"));
+}
+
+TEST(Record, OfAnEarlierVersionIsRead) {
+    const FigureRecord of_lock = parse_record(
+        R"({"edgewise_lock": 1, "of": {"points": "1000", "tree": "k-d"},
+            "figures": {"bytes": 24000, "lines_per_query": 14.1, "knee_bytes": 0}})",
+        "mine.json", "lock");
+    EXPECT_EQ(to_json(of_lock), to_json(lock));
+    const FigureRecord baseline = parse_record(
+        R"({"gate": 1, "machine": "m", "build": {"git_revision": "r", "compiler": "c", "flags": "f",
+            "build_type": "b"}, "rounds": 17, "queries": 1000, "slack": 0.25, "entries": [
+            {"algorithm": "gjk", "table": "t", "scene": "cold", "shape": "cube8", "axes": "batch=yes",
+             "over": "reference", "ratio": 2, "low": 1.5, "high": 3}]})",
+        "mine.json", "speed");
+    EXPECT_EQ(baseline.slack, 0.25);
+    EXPECT_EQ(baseline.condition("queries", "f"), "1000");
+    ASSERT_EQ(baseline.rows.size(), 1u);
+    EXPECT_EQ(baseline.rows[0].cell, "gjk t cold cube8 batch=yes");
+    EXPECT_EQ(baseline.rows[0].figure, "time over reference");
+    EXPECT_THAT((std::vector{baseline.rows[0].low, baseline.rows[0].value, baseline.rows[0].high}),
+                ElementsAre(1.5, 2, 3));
+    const FigureRecord machine = parse_record(
+        R"({"edgewise_machine_record": 1, "machine": "m", "times": "measured", "cpu": {"name": "m", "cores": 4},
+            "caches": [{"level": "L1D", "bytes": 32768, "ways": 8}], "rows": [
+            {"scene": "s", "parameters": {"b": 1.0, "a": 2.0}, "shape": "cube8", "algorithm": "gjk",
+             "table": "t", "ratio": 2, "low": 1.5, "high": 3, "bytes_per_edge": 10.5}]})",
+        "mine.json", "machine");
+    ASSERT_EQ(machine.rows.size(), 2u);
+    EXPECT_EQ(machine.rows[0].cell, R"(s {"a":2.0,"b":1.0} cube8 gjk t)");
+    EXPECT_EQ(machine.rows[1].value, 10.5);
+    EXPECT_THAT(machine.with, testing::Contains(std::pair<std::string, std::string>("cpu.cores", "4")));
+    EXPECT_THAT(complaint(R"({"gate": 1, "machine": "m"})"), HasSubstr("write it again"));
+}
+
+TEST(Record, SaysWhatAFileNeeds) {
+    const std::string right = to_json(speed);
+    for (const std::size_t kept : {std::size_t{0}, std::size_t{1}, right.size() / 2, right.size() - 3})
+        EXPECT_THAT(complaint(right.substr(0, kept)),
+                    AllOf(HasSubstr("mine.json: not JSON"), HasSubstr("edgewise_record")));
+    const std::vector<std::pair<std::string, std::string>> faults = {
+        {"[]", "needs an object"},
+        {R"({"edgewise_lock": 2})", "edgewise_record: needs the kind"},
+        {R"({"edgewise_record": "lock", "of": {"a": 1}})", "of.a: needs a text"},
+        {R"({"edgewise_record": "lock", "figures": 3})", "figures: needs an object"},
+        {R"({"edgewise_record": "lock", "figures": {"b": null}})", "b: needs a number"},
+        {R"({"edgewise_record": "lock", "cells": {"c": {"b": [1, 2]}}})", "c: b: needs a number"},
+        {R"({"edgewise_record": "lock", "cells": {"c": {"b": [2, 1, 3]}}})", "c: b: needs a number"},
+        {R"({"edgewise_record": "lock", "cells": {"c": {"b": [0, 0, 0]}}})", "c: b: needs a number"},
+        {R"({"edgewise_record": "lock", "slack": -0.1})", "slack: needs a number"},
+        {R"({"edgewise_record": "lock", "figure": {}})", "did you mean 'figures'"}};
+    for (const auto& [text, said] : faults)
+        EXPECT_THAT(complaint(text), AllOf(testing::StartsWith("mine.json: "), HasSubstr(said))) << text;
+    EXPECT_THAT(complaint(right, "lock"), HasSubstr("needs one of kind 'lock'"));
+    EXPECT_THROW(static_cast<void>(read_record("/nowhere/at/all.json")), std::runtime_error);
+    EXPECT_EQ(lock.condition("tree", "f"), "k-d");
+    EXPECT_THROW(static_cast<void>(lock.condition("leaf", "f")), std::runtime_error);
+}
+
+/// Populations that are not there have no figures: an absence is a difference, not a 0.
+TEST(Record, OfALayoutHasFiguresOfPopulationsThatAreThere) {
+    LayoutFacts facts;
+    facts.bytes = {{"nodes.a", 10}, {"nodes.b", 5}};
+    facts.lines.all = facts.lines.warm = {4, 9, 30, 6};
+    facts.knee_bytes.all = facts.knee_bytes.warm = 128;
+    LevelMisses level{"L1", 9, 0, {1, 2, 3}, {6}, {6}};
+    MachineMisses misses;
+    misses.caches = {level};
+    facts.machines = {{"small", {misses, {}, misses}, {10, 0, 10}}};
+    using Figure = std::pair<std::string, double>;
+    std::vector<Figure> figures;
+    for (const RecordRow& row : lock_of(facts).rows) figures.emplace_back(row.figure, row.value);
+    EXPECT_THAT(figures, ElementsAre(Figure{"bytes.nodes.a", 10}, Figure{"bytes.nodes.b", 5},
+                                     Figure{"bytes", 15}, Figure{"distinct_lines", 0}, Figure{"queries", 4},
+                                     Figure{"lines_per_query", 1.5}, Figure{"knee_bytes", 128},
+                                     Figure{"queries.warm", 4}, Figure{"lines_per_query.warm", 1.5},
+                                     Figure{"knee_bytes.warm", 128}, Figure{"misses_per_query.small.L1", 1.5},
+                                     Figure{"emptied_misses_per_query.small.L1", 2.5},
+                                     Figure{"misses_per_query.small.L1.warm", 1.5},
+                                     Figure{"emptied_misses_per_query.small.L1.warm", 2.5}));
+}
+
+}  // namespace
+}  // namespace edgewise::measure
