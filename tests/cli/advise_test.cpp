@@ -68,7 +68,8 @@ TEST(Advise, TakesNamesAndExplains) {
     for (const json& next : advice["next"]) expect_raced(next, 1.5e-6, !advice["latencies_ns"].empty());
     EXPECT_GE(advice["next"].size(), 1U);
     EXPECT_FALSE(is_named(advice["dropped"], advice["take"]));
-    for (const json& dropped : advice["dropped"]) EXPECT_FALSE(dropped["reason"].get<std::string>().empty()) << dropped;
+    for (const json& dropped : advice["dropped"])
+        EXPECT_FALSE(dropped["reason"].get<std::string>().empty()) << dropped;
     EXPECT_EQ(advice["processes"], 3);
     EXPECT_LE(advice["noise"]["low"], 1);
     EXPECT_GE(advice["noise"]["high"], 1);
