@@ -11,7 +11,7 @@ namespace {
 
 using measure::Outcome;
 
-std::string number_text(const measure::RecordRow& row) {
+std::string shown_value(const measure::RecordRow& row) {
     return row.has_interval ? fmt::format("{:.3f} [{:.3f}, {:.3f}]", row.value, row.low, row.high)
                             : fmt::format("{:.6g}", row.value);
 }
@@ -28,7 +28,7 @@ TextGrid rows_grid(const char* title, const measure::RecordComparison& found, Ou
     TextGrid grid{title, columns_of("figure|#before|#after|#after / before|made of|cell"), {}};
     for (const measure::ComparedRow& row : found.rows)
         if (row.outcome == outcome)
-            grid.rows.push_back(grid_row(row.is.figure, number_text(row.was), number_text(row.is),
+            grid.rows.push_back(grid_row(row.is.figure, shown_value(row.was), shown_value(row.is),
                                          change_text(row), row.note, row.is.cell));
     return grid;
 }

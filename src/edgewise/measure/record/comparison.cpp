@@ -85,7 +85,8 @@ std::string row_text(const ComparedRow& row) {
         line +=
             fmt::format(": was {}, is {}", row.outcome == Outcome::added ? "nothing" : value_text(row.was),
                         row.outcome == Outcome::missing ? "nothing" : value_text(row.is));
-    if (row.is.has_interval && row.was.has_interval && row.outcome != Outcome::missing && !is_cell)
+    const bool in_both = row.outcome != Outcome::missing && row.outcome != Outcome::added;
+    if (in_both && row.is.has_interval && row.was.has_interval)
         line +=
             fmt::format(", x {:.3f} [{:.3f}, {:.3f}]", row.change(), row.least_change(), row.most_change());
     return line + "\n" + (row.note.empty() ? "" : "    " + row.note + "\n");
