@@ -21,7 +21,7 @@ namespace edgewise::bench {
 inline constexpr int places_as_given = 10;
 
 /// Most that is scaled by: the bodies that hulls accept come within 2^10 of 1, and offsets stay in range
-/// beside points of denormal coordinates.
+/// together with points of denormal coordinates.
 inline constexpr int most_places = 190;
 
 class LengthScale {

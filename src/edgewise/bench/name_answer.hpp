@@ -73,7 +73,7 @@ template <class TableA, class TableB>
             name_simplex<TableB>(b, body_b, std::span(of_b).first(pair.count()))};
 }
 
-/// What a query was about.
+/// The pair that a query was about.
 template <class Table>
 struct AskedPair {
     const Table &a, &b;
@@ -123,7 +123,7 @@ void name_answer(const AskedPair<Table>& asked, const Pair& pair, const Distance
         name_features(pair, asked.a, asked.body_a, asked.b, asked.body_b);
 }
 
-/// Of the certificate for bodies as stored; 0 where none can be made.
+/// Width of the certificate for bodies as stored; 0 where there is no certificate.
 [[nodiscard]] inline double certified_width(const NamedAnswer& answer, const scene::Query& query,
                                             std::span<const Polyhedron> stored) {
     const auto certificates = certificates_of(answer, query, stored, stored);

@@ -24,7 +24,7 @@ class Pipe {
     Pipe(const Pipe&) = delete;
     Pipe& operator=(const Pipe&) = delete;
 
-    /// Whoever reads then sees the end, once nobody else can write.
+    /// Closes the writing end: readers see the end of the pipe once no other writer is left.
     void close_writing() const {
         if (ends_[1] >= 0) close(ends_[1]);
         ends_[1] = -1;

@@ -37,7 +37,7 @@ template <class Pair, class Tables>
     return pairs;
 }
 
-/// TracedTable: the same layout with a loader that tells a TraceSink.
+/// TracedTable: the same layout with a loader that reports to a TraceSink.
 template <class Algorithm, class Table, class TracedTable>
 class RunnerFor final : public TableRunner<Table> {
     using Base = TableRunner<Table>;

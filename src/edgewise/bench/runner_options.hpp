@@ -14,7 +14,7 @@
 namespace edgewise::bench {
 
 enum class Sharing : std::uint8_t {
-    as_scene,      ///< what the scene is about: shared, but for `pressure`
+    as_scene,      ///< as the scene needs it: shared, except for `pressure`
     shared,        ///< one table per body, instances point at it
     per_instance,  ///< a copy each, as in the paper
 };

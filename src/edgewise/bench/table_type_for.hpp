@@ -64,7 +64,7 @@ void for_each_served(Use use) {
         Algorithms{});
 }
 
-/// TracedTable: the same with a loader that tells a TraceSink.
+/// TracedTable: the same layout with a loader that reports to a TraceSink.
 template <class Table, class TracedTable>
 [[nodiscard]] TableType table_type_for() {
     TableType type;

@@ -21,7 +21,7 @@ template <std::size_t Lanes, class Scalar, class Read>
 [[nodiscard]] [[gnu::always_inline]] inline Index farthest_in_lanes(std::size_t groups,
                                                                     const Vec3<Scalar>& direction,
                                                                     const Read& read) {
-    /// Has the width of Scalar, so that one mask selects both.
+    /// Has the width of Scalar, so that a single mask selects both.
     using Count = std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t>;
     const Scalar x = direction.x(), y = direction.y(), z = direction.z();
     std::array<Scalar, Lanes> best;

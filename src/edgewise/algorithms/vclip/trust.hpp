@@ -3,9 +3,9 @@
 // Decides how far a run's answer is trusted: how rounding may have changed it, and what answers instead.
 //
 // The line between the closest points is a difference of two points, each rounded: its direction is off by
-// that rounding over its length. Where an edge of each body lies almost along the other's, or a face along an
-// edge, whole valleys of feature pairs have almost the same distance, and V-Clip may stop anywhere in them.
-// A vertex over a face, and edges that cross at a fair angle, are safe: there a plane or a cross product says
+// the rounding over its length. Where an edge of each body lies almost along the other's, or a face along an
+// edge, whole valleys of feature pairs have almost the same distance, and V-Clip may stop anywhere. A vertex
+// over a face, and edges that cross at a fair angle, are safe: a plane or cross product decides.
 // which way is out, whatever the distance.
 #pragma once
 

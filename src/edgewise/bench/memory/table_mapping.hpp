@@ -29,17 +29,17 @@ class TableMapping {
     [[nodiscard]] std::byte* base() const { return base_; }
     [[nodiscard]] static std::size_t bytes();
 
-    /// To be called before the first so many bytes are used. Where address space is short (ulimit -v, strict
-    /// overcommit) addresses come step by step. Throws std::runtime_error when none are left.
+    /// Must be called before the first `bytes` bytes are used. Where address space is short (ulimit -v,
+    /// strict overcommit) addresses come step by step. Throws std::runtime_error when none are left.
     void make_room(std::size_t bytes) {
         if (bytes > room_) grow(bytes);
     }
 
-    /// Whether the system throws out the pages that were not used for longest, as it does with other memory;
-    /// else it may take any.
+    /// Returns true if the system evicts the least recently used pages, as with other memory; if false, it
+    /// may evict any.
     [[nodiscard]] bool keeps_recency() const { return keeps_recency_; }
 
-    /// Bytes, of so many from the start, whose pages are in memory; nothing when the system does not say.
+    /// Number of the first `used` bytes with pages in memory; nothing when the system does not report it.
     [[nodiscard]] std::optional<std::size_t> resident(std::size_t used) const;
 
     /// Writes the first bytes back to the file and drops their pages, in this process and in the system's
