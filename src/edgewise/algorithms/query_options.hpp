@@ -11,7 +11,7 @@
 namespace edgewise {
 
 struct QueryOptions {
-    /// Bodies at most this far apart are touching, in the bodies' own unit.
+    /// Bodies at this distance or nearer are touching, in the bodies' own unit.
     double contact_tolerance = 0;
     /// GJK ends when the squared distance is known to this relative width: the duality gap |v|^2 - <v, w>
     /// over |v|^2. The distance is then too large by at most this part of itself. V-Clip ignores it.

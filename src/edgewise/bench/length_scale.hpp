@@ -27,7 +27,7 @@ inline constexpr int most_places = 190;
 class LengthScale {
   public:
     LengthScale() = default;
-    /// From the largest coordinate of the bodies.
+    /// Chooses the scale from the largest coordinate of the bodies.
     explicit LengthScale(std::span<const Polyhedron> bodies) {
         double largest = 0;
         for (const Polyhedron& body : bodies) {

@@ -81,7 +81,7 @@ struct AskedPair {
     const scene::Query& query;
 };
 
-/// How deep, and with that whether it is more than a touch, to the rounding of coordinates.
+/// Adds the depth, which shows if the contact is more than a touch, to the rounding of coordinates.
 template <class Table, class Pair>
 void measure_contact(const AskedPair<Table>& asked, const Pair& pair, const Distance& distance,
                      NamedAnswer& answer) {
@@ -130,7 +130,7 @@ void name_answer(const AskedPair<Table>& asked, const Pair& pair, const Distance
     return certificates ? certificates->stored.width() : 0;
 }
 
-/// What is asked beyond distance and witnesses, computed and thrown away. `stored`: all bodies, as stored.
+/// Computes the parts beyond distance and witnesses, and drops them. `stored`: all bodies, as stored.
 template <class Table, class Pair>
 [[gnu::noinline]] void pay_for_more(const AskedPair<Table>& asked, const Pair& pair, const Distance& distance,
                                     Needs needs, std::span<const Polyhedron> stored) {

@@ -27,7 +27,7 @@ class NearMargins {
         for (const Polyhedron& body : stored) radii_.push_back(radius_of(body.vertices));
     }
 
-    /// In the unit.
+    /// Margin of a query, in the unit.
     [[nodiscard]] double margin(const scene::Query& query) const {
         return std::max(margins_[query.body_a], margins_[query.body_b]);
     }

@@ -36,7 +36,7 @@ class Pipe {
         while (write(ends_[1], &value, sizeof value) < 0 && errno == EINTR) continue;
     }
 
-    /// Nothing when the other side ended without a word.
+    /// Receives a value; nothing when the other side ended without sending one.
     template <class Value>
     [[nodiscard]] std::optional<Value> receive() const {
         static_assert(std::is_trivially_copyable_v<Value>);

@@ -17,8 +17,8 @@
 
 namespace edgewise::bench {
 
-/// Which queries of a warm scene are the first of their pair: cold by nature, and left out of what is said of
-/// warm ones. One flag per query; all zero where every query is cold.
+/// Flags the queries of a warm scene that are the first of their pair: cold by nature, and left out of the
+/// figures of warm queries. One flag per query; all zero where every query is cold.
 [[nodiscard]] std::vector<std::uint8_t> cold_starts(const scene::Workload& workload);
 
 /// A workload's queries, in an order in which those of one class follow each other as far as no pair comes

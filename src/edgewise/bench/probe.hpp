@@ -33,7 +33,7 @@ class SharedResults {
     mutable std::map<std::type_index, std::shared_ptr<const void>> known_;
 };
 
-/// What caches a sweep wants modelled of a cell: on which machines, over how many queries and steps.
+/// Caches that a sweep wants modelled of a cell: on which machines, over how many queries and steps.
 struct CacheOrder {
     std::span<const measure::MachineChoice> machines = {};  ///< empty: no caches are modelled
     std::size_t queries = 0;                                ///< number of traced queries that count; 0: all
@@ -70,7 +70,7 @@ struct Findings {
 
 struct Probe {
     std::string_view name, summary;
-    /// Every figure is a number, or none with a reason and a remedy.
+    /// Measures the figures: each is a number, or none with a reason and a remedy.
     Findings (*measure)(const ProbedCell& cell);
     /// True if it may measure while other cells are measured: none of its figures is a time. Runs first.
     bool beside_others;

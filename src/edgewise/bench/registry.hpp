@@ -41,7 +41,7 @@ struct TableType {
     /// memory map of a table built now, in memory of the present source (table_memory.hpp)
     std::function<std::vector<MappedPiece>(const Polyhedron&, Parts)> memory_map;
 
-    /// All that any of its algorithms needs.
+    /// The parts that its algorithms need, all together.
     [[nodiscard]] Parts all_parts() const { return serves("vclip") ? Parts::features : Parts::support; }
 
     [[nodiscard]] bool serves(std::string_view algorithm) const {
@@ -54,7 +54,7 @@ struct AlgorithmInfo {
     Parts parts;
 };
 
-/// In the manifest's order.
+/// Table types of this program, in the manifest's order.
 [[nodiscard]] std::span<const TableType> table_types();
 [[nodiscard]] std::span<const AlgorithmInfo> algorithms();
 /// A peer's too. Throws std::invalid_argument for an unknown name.

@@ -58,7 +58,7 @@ class Runner {
     Runner& operator=(const Runner&) = delete;
     virtual ~Runner() = default;
 
-    /// For what is loaded later.
+    /// Sets the options for later loads.
     void configure(const RunnerOptions& options);
 
     /// Builds one table for each body (rounded to what the table stores), for single queries. An error line
@@ -77,9 +77,9 @@ class Runner {
         return prepared_.scale().back(margins_.margin(query));
     }
 
-    /// Every loaded query in order, from cold pairs; points in A's frame. Bodies farther from each other than
-    /// the precision can compute with: status failed, here and below. Of Needs::nearer they are verdicts, as
-    /// near_answer says, in all passes.
+    /// Answers every loaded query in order, from cold pairs; points in A's frame. For bodies farther from
+    /// each other than the precision can compute with: status failed, here and below. With Needs::nearer
+    /// answers are verdicts in the form of near_answer, in all passes.
     [[nodiscard]] std::vector<Distance> answer() const;
 
     /// Answers any query of the loaded bodies from a cold start, with features and, in contact, the depth,
@@ -113,8 +113,8 @@ class Runner {
     using RangePass = std::function<double(std::size_t first, std::size_t last, Distance* answers)>;
     [[nodiscard]] virtual RangePass prepared_range() const = 0;
 
-    /// In batches, over other queries of the loaded bodies, in the runner's unit; not to outlive them. Null:
-    /// the runner asks one after the other.
+    /// A pass in batches, over other queries of the loaded bodies, in the runner's unit; it must not outlive
+    /// them. Null: the runner asks one after the other.
     [[nodiscard]] virtual RangePass batches_of(const scene::Workload& /*queries*/) const { return nullptr; }
 
     /// The loaded queries as batches over threads; not to outlive the runner. Of what passes ask of every

@@ -38,7 +38,7 @@ struct RunnerOptions {
     double margin = usual_margin;  ///< of Needs::nearer, over the extent of the larger of a query's bodies
     bool batch = false;            ///< pairs in a row that differ are asked together
 
-    /// For a verdict alone queries end as soon as it is known.
+    /// Sets the needs; for a verdict alone queries end as soon as it is known.
     void set_needs(Needs wanted) {
         needs = wanted;
         query.verdict_only = wanted == Needs::verdict;

@@ -44,8 +44,8 @@ template <class Scalar>
     return directions;
 }
 
-/// One pass; the sum of heights. Query i is of table i modulo their number, and queries of one table follow
-/// the directions in order. last: empty, for cold starts; or where each table's next query starts.
+/// Runs one pass; returns the sum of heights. Query i is of table i modulo their number, and queries of a
+/// table follow the directions in order. last: empty for cold starts, or each table's next start.
 template <class Table>
 [[nodiscard]] EDGEWISE_QUERY_LOOP double ask_supports(const std::vector<Table>& tables,
                                                       const std::vector<Vec3<ComputeOf<Table>>>& directions,

@@ -24,7 +24,7 @@ concept HasPartsFor = Algorithm::parts == Parts::support || FeatureTable<Table>;
 template <class Algorithm, class Table>
 concept Serves = MeasuredTable<Table> && HasPartsFor<Algorithm, Table>;
 
-/// What is asked of the layout itself.
+/// Sets the entries that depend on the layout alone.
 template <class Table>
 void describe(TableType& type) {
     using P = typename Table::PrecisionType;

@@ -67,7 +67,7 @@ class HalfEdgeTable : public BlockTable<P, Loader> {
 
     static RingEdge<Edge> ring_edge(Index h) { return {h >> 1, (h & 1) != 0}; }
 
-    /// For each half-edge of the body the next one around its face, or around the edge of a segment.
+    /// Returns for each half-edge of the body the next one around its face, or around the edge of a segment.
     [[nodiscard]] static std::vector<HalfEdge> successors(const Polyhedron& body) {
         std::vector<HalfEdge> next(2 * body.edge_count());
         for (HalfEdge h = 0; h < next.size(); ++h) next[h] = h ^ 1;

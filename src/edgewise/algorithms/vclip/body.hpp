@@ -55,8 +55,8 @@ template <class Table>
 inline constexpr ComputeOf<Table> plane_noise =
     static_cast<ComputeOf<Table>>(Tolerance<PlaneScalar<Table>>::contact_noise);
 
-/// How far off its plane a face of this body may be: by rounding; or, for a body with corners so small that
-/// the hull may have merged them, by what counts as flat.
+/// Largest distance of a face of this body from its plane: by rounding; or, for a body with corners so small
+/// that the hull may have merged them, by what counts as flat.
 template <class Table>
 [[nodiscard]] ComputeOf<Table> face_noise(const Table& table) {
     using Scalar = ComputeOf<Table>;

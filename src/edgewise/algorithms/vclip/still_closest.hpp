@@ -40,7 +40,7 @@ concept EndsAtFeatures = requires(const Table& table, typename Table::Vertex v, 
 template <class Scalar>
 using Proven = std::optional<ClosestPoints<Scalar>>;
 
-/// From a point of A to one of B, reversed, in B's frame: B must end along it.
+/// Vector from a point of A to one of B, reversed, in B's frame: B must end along it.
 template <class TableA, class TableB>
 [[nodiscard]] Vec3<ComputeOf<TableB>> backwards_in_b(const Body<TableB>& b,
                                                      const Vec3<ComputeOf<TableA>>& between) {

@@ -15,8 +15,8 @@ enum class Backing { memory, file, shared_memory };
 
 class TableMapping {
   public:
-    /// Where it starts: the size of a large page. Large pages are declined all the same, so that what is
-    /// resident is what was written.
+    /// Alignment of its start: the size of a large page. Large pages are declined all the same, so that only
+    /// written pages are resident.
     static constexpr std::size_t alignment = std::size_t{2} << 20;
 
     /// Takes no memory yet, only addresses. Throws std::runtime_error when there are not even those, or when

@@ -18,10 +18,10 @@ namespace edgewise::bench {
 /// std::runtime_error with its name and the reason.
 [[nodiscard]] std::span<const peers::PeerInfo* const> peers_found();
 
-/// In that order. Each serves one algorithm, of its layout's name.
+/// Table types of the peers, in that order. Each serves one algorithm, of its layout's name.
 [[nodiscard]] std::span<const TableType> peer_types();
 
-/// One for each name among them.
+/// Algorithms of the peers: one for each name among them.
 [[nodiscard]] std::span<const AlgorithmInfo> peer_algorithms();
 
 /// Names as a user writes them: "bullet_epa2", "bullet_epa2_f64", "all". Throws std::invalid_argument that

@@ -76,7 +76,7 @@ class ScalePass {
         return turned_place(places_[i], step);
     }
 
-    /// From cold pairs; ns per query.
+    /// Runs the queries from cold pairs; returns ns per query.
     [[nodiscard]] EDGEWISE_QUERY_LOOP double run(std::vector<double>& distances) {
         for (std::size_t i = 0; i < shapes_.size(); ++i) pairs_[i] = {shapes_[i], next(i)};
         distances.clear();

@@ -20,14 +20,14 @@ namespace edgewise::bench {
 [[nodiscard]] measure::TouchedTables touched_tables(std::span<const TableMap> maps,
                                                     const measure::TouchedBytes& touched);
 
-/// Features of a kind that one table's scene touched in any byte, by their order in the layout. Arrays of one
+/// Features of a kind that one table's scene touched in any byte, by order in the layout. Arrays of one
 /// element a feature show it, side by side or several behind each other (x, y and z). Nothing when the table
 /// has no bytes for the kind alone, or packs several features into one element.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map,
                                                                          const measure::TouchedBytes& touched,
                                                                          FeatureKind kind);
 
-/// What an element's bytes of this component belong to; nothing: to no feature alone.
+/// Kind of feature that an element's bytes of this component belong to; nothing if there is no single one.
 [[nodiscard]] std::optional<FeatureKind> kind_of(Component component);
 [[nodiscard]] std::size_t features_of(const TableMap& map, FeatureKind kind);
 /// The pieces that identify a table's features of a kind: element i of a piece belongs to feature i mod n.

@@ -44,7 +44,7 @@ enum class TraceStep : std::uint8_t {
     return b == FeatureKind::edge ? TraceStep::edge_edge : TraceStep::edge_face;
 }
 
-/// By number.
+/// Names of the fields, by number.
 [[nodiscard]] inline std::span<const std::string_view> field_names() {
     static constexpr std::array<std::string_view, broad_phase_field + broad_phase_arrays> names = {
         "vertex",    "voronoi_plane", "edge_direction", "edge_ends", "face_plane", "vertex_ring",
