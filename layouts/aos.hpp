@@ -20,7 +20,7 @@ struct AosRecord {
     Stored length;
     PolyhedronEdge ends;
 
-    /// What its bytes are for, in memory order.
+    /// Purposes of the record's bytes, in memory order.
     static Shares shares() {
         return {{Component::voronoi_planes, 4 * sizeof(Plane<Stored>)},
                 {Component::edge_geometry, 4 * sizeof(Stored)},

@@ -3,10 +3,10 @@
 // The record of `aos` in three parts that never straddle a cache line: the vertex-edge planes; ends,
 // direction and length; the edge-face planes. Each part starts at a multiple of the size of two planes: 64
 // bytes in double, where the middle part needs 16 bytes of padding, and 32 in single, where it needs none. So
-// fewer lines are read where more bytes are kept.
+// queries read fewer lines, although the table is larger.
 //
-// Mean number of 64-byte lines that are touched, over all records of an array; of pieces in one stretch by
-// `mean_lines` below, which some of these are checked with:
+// Mean number of 64-byte lines that are touched, over all records of an array. `mean_lines` below computes it
+// for contiguous pieces, and static assertions check some of the figures with it:
 //
 //                                    a plane   ends and    vertex-edge planes   all planes
 //                                              direction   and ends             and ends
@@ -19,9 +19,9 @@
 //     single, 128, order as here     1.00      1.00        1.00                 2.00
 //
 // Ring tests read a plane of each edge; V-F reads directions, E-F ends and direction; V-E and E-E read the
-// vertex-edge planes, ends, and the rest if those decide nothing. In single, padding wins only where a test
-// ends at its vertex-edge planes, and for that would add a third to the bytes: the natural size stays, and
-// what is won is the order's.
+// vertex-edge planes, ends, and the rest if these decide nothing. In single, padding reduces lines only where
+// a test ends at its vertex-edge planes, and would add a third to the bytes: the record keeps its natural
+// size, and all of the gain comes from the order.
 //
 // Per edge 192 bytes in double instead of 176; 96 in single.
 #pragma once
@@ -58,7 +58,7 @@ struct PaddedRecord {
 [[nodiscard]] constexpr double mean_lines(std::size_t record, std::size_t from, std::size_t bytes) {
     constexpr std::size_t line = BlockPlan::alignment;
     std::size_t lines = 0;
-    for (std::size_t i = 0; i < line; ++i) {  // after that many records, offsets within lines repeat
+    for (std::size_t i = 0; i < line; ++i) {  // offsets within lines repeat from here on
         const std::size_t start = i * record + from;
         lines += (start + bytes - 1) / line - start / line + 1;
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Array of structures of arrays: blocks of as many edges as a cache line has scalars, 8 in double and 16 in
-// single. In a block, scalar k of all its edges is one row, and a row of scalars is one 64-byte line (of
-// indices, half a line in double): scalar k of edge e
-// is block[e / lanes].row[k][e % lanes]. A pass over all edges reads whole lines as with `soa`, yet the
-// twenty scalars of one edge lie in one place of 20 lines, not in twenty places. Vertices, faces and the
-// edges' ends go by blocks as well. The bytes are those of `soa`; only the lanes that the last block does not
-// fill are padding.
+// Array of structures of arrays, in blocks. A block has one edge for each scalar of a cache line, 8 in
+// double and 16 in single. In a block, scalar k of all its edges is one row, and a row of scalars is
+// one 64-byte line (of indices, half a line in double): scalar k of edge e is block[e /
+// lanes].row[k][e % lanes]. A pass over all edges reads whole lines as with `soa`, yet the twenty
+// scalars of one edge lie in one place of 20 lines, not in twenty places. Vertices, faces and the
+// edges' ends lie in blocks as well. The bytes are those of `soa`; only the lanes that the last block
+// does not fill are padding.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,14 @@
 
 namespace edgewise {
 
-/// `Rows` scalars each of as many things as a cache line holds of `Stored`.
+/// A block with `Rows` scalars for each element; it holds one element for each `Stored` of a cache line.
 template <class Stored, class Scalar, std::size_t Rows>
 struct LaneBlock {
     static constexpr std::size_t lanes = BlockPlan::alignment / sizeof(Stored);
 
     Scalar row[Rows][lanes];
 
-    /// From this row on, of the thing in this lane.
+    /// Scalars of the element in this lane, from row `first` on.
     [[nodiscard]] Strided<Scalar> from(std::size_t first, std::size_t lane) {
         return {&row[first][lane], lanes};
     }
@@ -78,8 +78,8 @@ struct AosoaArrays {
         std::size_t count, scalar;
     };
 
-    /// The last block, if not full, is placed row by row: its free lanes are padding. Blocks are whole lines,
-    /// so it follows the others without a gap.
+    /// Places elements in blocks; a last block that is not full goes row by row: its free lanes are padding.
+    /// Blocks are whole lines, so it follows the other blocks without a gap.
     template <class Element>
     static void place_blocks(BlockPlan& plan, Element*& to, std::size_t count,
                              std::initializer_list<Rows> kinds) {

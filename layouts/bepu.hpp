@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // The convex hull of bepuphysics2 (revision 956a679f, Collidables/ConvexHull.cs): vertices in bundles of
-// eight, x, y and z of all eight side by side; bounding planes in bundles likewise; of each face where its
-// list of vertices starts, and in the lists each vertex as its bundle and its lane, 16 bits each. 25.4 bytes
-// per edge in single at 386 vertices; a scan reads 4.1 of them. What stands there is the structure alone,
+// eight, x, y and z of all eight side by side; bounding planes in bundles of eight too; for each face the
+// start of its list of vertices, and in the lists each vertex as its bundle and its lane, 16 bits each. 25.4
+// bytes per edge in single at 386 vertices; a scan reads 4.1 of them. Only the structure is the engine's,
 // from its published list of fields, in either precision; the algorithms are ours. For GJK only: no face
 // knows its neighbours.
 //
-// A support point is found as the engine finds it, by a scan over all bundles with a best vertex per lane.
-// Planes and faces are stored whatever a table is asked for (keeps_faces, table/contract.hpp), and GJK reads
-// none. Lanes of the last bundle that no vertex fills repeat the last vertex.
+// A scan over all bundles with a best vertex per lane finds support points, as in the engine. Planes and
+// faces are always stored, also in a table for GJK (keeps_faces, table/contract.hpp), which does not read
+// them. Lanes of the last bundle that no vertex fills repeat the last vertex.
 #pragma once
 
 #include <algorithm>
@@ -24,19 +24,19 @@
 
 namespace edgewise {
 
-/// Of eight things, `Rows` scalars each.
+/// `Rows` scalars of each of eight elements, side by side.
 template <class Stored, std::size_t Rows>
 struct BepuBundle {
     static constexpr std::size_t lanes = 8;
     Stored row[Rows][lanes];
 };
 
-/// A vertex of a face.
+/// A vertex of a face, by bundle and lane.
 struct BepuCorner {
     std::uint16_t bundle, lane;
 };
 
-/// Where the arrays are, in bytes from the block's start.
+/// The start of each array, in bytes from the block's start.
 template <class Stored>
 struct BepuPlaces {
     using Points = BepuBundle<Stored, 3>;
@@ -52,7 +52,7 @@ struct BepuPlaces {
     }
 
   private:
-    /// A last bundle that is not full goes row by row: its free lanes are padding.
+    /// Places bundles; a last bundle that is not full goes row by row: its free lanes are padding.
     template <class Bundle>
     static std::uint32_t place_bundles(BlockPlan& plan, std::size_t count, std::size_t rows, Component use) {
         constexpr std::size_t lanes = Bundle::lanes;
@@ -81,10 +81,10 @@ class bepu : public BlockTable<P, Loader> {
         "bepuphysics2's hull (956a679f): vertices and planes in bundles of eight, faces; scanned wide";
     static constexpr std::string_view derives = "support points, by scans";
     static constexpr bool keeps_faces = true;
-    /// 16 bits count bundles: of three neighbours or more a vertex, so many are of no more vertices.
+    /// 16 bits count bundles. Each vertex has at least three neighbours, so this many neighbours always fit.
     static constexpr std::size_t most_neighbours = 3 * 8 * std::size_t{0x10000};
 
-    /// Both kinds of parts are the same here: the engine keeps all.
+    /// Both kinds of parts are the same here: the engine keeps everything.
     bepu(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
         this->make_block(places_);
         for (Index f = 0; f < facts_.face_count; ++f) starts()[f] = body.face_offset[f];
@@ -101,7 +101,7 @@ class bepu : public BlockTable<P, Loader> {
     [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Places()); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
-    /// The last one fills the lanes behind it.
+    /// Writes a vertex; the last vertex also fills the free lanes behind it.
     void write_vertex(Index v, const Vec3d& point) {
         const std::size_t lane = v % lanes, end = v + 1 == facts_.vertex_count ? lanes : lane + 1;
         for (int k = 0; k < 3; ++k)
@@ -121,7 +121,7 @@ class bepu : public BlockTable<P, Loader> {
                 read(bundle.row[2][v % lanes])};
     }
 
-    /// Of a face, as stored.
+    /// Plane of a face, as stored.
     [[nodiscard]] Plane<Compute> face_plane(Index f) const {
         const auto& bundle = planes()[f / lanes].row;
         const auto number = [&](std::size_t k) {
@@ -140,7 +140,7 @@ class bepu : public BlockTable<P, Loader> {
         });
     }
 
-    /// The vertex farthest along the direction, the first of equals.
+    /// Returns the vertex farthest along the direction, the first of equals.
     [[nodiscard]] Vertex scan_support(const Vec3<Compute>& direction) const {
         const std::size_t bundles = (facts_.vertex_count + lanes - 1) / lanes;
         return farthest_in_lanes<lanes>(bundles, direction,

@@ -2,14 +2,14 @@
 //
 // The hull of Box3D (revision 30c67b5e, include/box3d/types.h): half-edges of four bytes (next, twin, origin,
 // face), one half-edge for each vertex and each face, points, face planes, and points and normals once more
-// in arrays of x, y and z, which its scans read four at a time. 35.7 bytes per edge. What stands there is the
-// structure alone, from its published list of fields; the algorithms are ours.
+// in arrays of x, y and z, which its scans read four at a time. 35.7 bytes per edge. Only the structure is
+// the engine's, from its published list of fields; the algorithms are ours.
 //
-// Support points are found as the engine finds them, by a scan over the arrays. V-Clip walks the half-edges:
-// counter-clockwise around a vertex is around the face to the half-edge before and over to its twin, since no
-// half-edge knows the one before. Planes of edges are derived, from points and face normals. Everything is
-// stored whatever a table is asked for (keeps_faces, table/contract.hpp). The engine takes 128 edges at most,
-// for which eight bits number the half-edges; larger bodies are refused.
+// A scan over the arrays finds support points, as in the engine. V-Clip walks the half-edges. No half-edge
+// knows the one before: a counter-clockwise step around a vertex goes around the face to the half-edge before
+// and over to its twin. Planes of edges are derived, from points and face normals. Everything is always
+// stored, also in a table for GJK (keeps_faces, table/contract.hpp). The engine accepts at most 128 edges,
+// since eight bits number the half-edges; larger bodies are refused.
 #pragma once
 
 #include <algorithm>
@@ -30,14 +30,14 @@ struct BoxHalfEdge {
     std::uint8_t next, twin, origin, face;
 };
 
-/// Where the arrays are, in bytes from the block's start, in the engine's order.
+/// The start of each array, in bytes from the block's start, in the engine's order.
 template <class Stored>
 struct BoxPlaces {
     static constexpr std::size_t lanes = 4;
     using Axes = SmallArray<std::uint32_t, 3>;
 
     std::uint32_t vertices = 0, points = 0, edges = 0, planes = 0, faces = 0;
-    Axes point_axes{}, normal_axes{};  ///< full lanes
+    Axes point_axes{}, normal_axes{};  ///< padded to full lanes
 
     void place(BlockPlan& plan, const BodyFacts& n) {
         const Shares byte = {{Component::topology, 1}};
@@ -84,7 +84,7 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
     static constexpr bool keeps_faces = true;
     static constexpr std::size_t most_neighbours = 2 * 128;
 
-    /// Both kinds of parts are the same here: the engine keeps all.
+    /// Both kinds of parts are the same here: the engine keeps everything.
     box3d(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
         this->make_block(places_);
         const auto byte = [](Index i) { return static_cast<std::uint8_t>(i); };
@@ -112,7 +112,7 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
         write_lanes(places_.normal_axes, f, facts_.face_count, plane.normal);
     }
 
-    /// The engine scans.
+    /// Always false: the engine scans.
     [[nodiscard]] static bool climbable() { return false; }
 
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
@@ -137,7 +137,7 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
         return cast<Compute>(load(planes()[f], Field::face_plane));
     }
 
-    /// The vertex farthest along the direction, the first of equals.
+    /// Returns the vertex farthest along the direction, the first of equals.
     [[nodiscard]] Vertex scan_support(const Vec3<Compute>& direction) const {
         const SmallArray<Stored*, 3> axes = {axis(places_.point_axes, 0), axis(places_.point_axes, 1),
                                              axis(places_.point_axes, 2)};
@@ -155,7 +155,7 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
     using Places = BoxPlaces<Stored>;
     static constexpr std::size_t lanes = Places::lanes;
 
-    /// As HalfEdgeTable asks for them.
+    /// Steps between half-edges that HalfEdgeTable needs.
     [[nodiscard]] Index next(Index h) const { return load(edges()[h].next, Field::face_ring); }
     [[nodiscard]] Index twin(Index h) const { return load(edges()[h].twin, Field::vertex_ring); }
     [[nodiscard]] Index origin(Index h) const { return load(edges()[h].origin, Field::edge_ends); }
@@ -171,7 +171,7 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
     [[nodiscard]] Index leaving(Vertex v) const { return load(vertices()[v], Field::vertex_ring); }
     [[nodiscard]] Index first_of(Face f) const { return load(faces()[f], Field::face_ring); }
 
-    /// The last one fills the lanes behind it.
+    /// Writes an element's numbers; the last element also fills the free lanes behind it.
     void write_lanes(const typename Places::Axes& axes, Index i, Index count, const Vec3d& numbers) const {
         const std::size_t end = i + 1 == count ? Places::groups(count) * lanes : std::size_t{i} + 1;
         for (int k = 0; k < 3; ++k)

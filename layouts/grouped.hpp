@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The fields of `aos` and of its rings in records by groups that are chosen at run time: which fields travel
-// together is a list, not a type. `edgewise fields` finds a list, builds it here and measures it. The groups
-// of `aos` give its table again, byte for byte, and those of `hot_cold` that one; so what another list gains
-// or loses is the list's own. What that costs: the place of a field is a start and a stride, 16 bytes that
-// the table holds and reads before it reads the field, where a struct has a constant.
+// The fields of `aos` and of its rings in records by groups that are chosen at run time: which fields share a
+// record is a list, not a type. `edgewise fields` finds a list, builds it here and measures it. The groups of
+// `aos` give the table of `aos`, byte for byte, and those of `hot_cold` that of `hot_cold`; so a gain or loss
+// of another list comes from the list. The cost: a field's place is a start and a stride, 16 bytes that the
+// table holds and reads before the field, where a struct has a constant.
 //
-// The usual groups, where nobody chose, are what `edgewise fields` advised for `aos_f64` and V-Clip in the
-// scene `tumble`: at 386 vertices 27.0 lines per query in place of 32.3.
+// The usual groups, used unless others are chosen, are what `edgewise fields` advised for `aos_f64` and
+// V-Clip in the scene `tumble`: at 386 vertices 27.0 lines per query instead of 32.3.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace edgewise {
 
-/// The usual groups.
+/// Groups for a table without a choice of its own.
 [[nodiscard]] inline const FieldGroups& usual_groups() {
     using enum StoredField;
     static const FieldGroups groups = {{point, vertex_offset},
@@ -40,7 +40,7 @@ namespace edgewise {
 
 template <class Stored>
 struct GroupedArrays : RingsAt<GroupedArrays<Stored>> {
-    /// Each of these fields, record by record.
+    /// The place of a field in each record.
     struct Column {
         std::byte* first = nullptr;
         std::size_t stride = 0;
@@ -70,7 +70,7 @@ struct GroupedArrays : RingsAt<GroupedArrays<Stored>> {
     [[nodiscard]] auto& direction(Index e) const { return at<Vec3<Stored>>(StoredField::direction, e); }
     [[nodiscard]] auto& length(Index e) const { return at<Stored>(StoredField::length, e); }
     [[nodiscard]] auto& face_plane(Index f) const { return at<Plane<Stored>>(StoredField::face_plane, f); }
-    /// Of one edge, end by end.
+    /// The two ends of one edge.
     struct Ends {
         const GroupedArrays* arrays;
         Index edge;

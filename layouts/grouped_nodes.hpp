@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // The nodes of `linked`, each in one record or several, by groups of fields that are chosen at run time:
-// which fields travel together is a list, not a type. The first group of a kind of node is the node, which
-// others point to; it is asked for by itself, as in `linked`, and ends with a pointer to each of the node's
-// further records. These lie side by side, all of one kind in one piece of memory, so that what is seldom
-// read does not stand between what often is. The split is that of Chilimbi, Davidson and Larus
-// ("Cache-conscious structure definition", 1999), who keep the cold fields behind a pointer too.
+// which fields share a record is a list, not a type. The first group of a kind of node is the node, which
+// others point to; it is allocated by itself, as in `linked`, and ends with a pointer to each of the node's
+// further records. Further records of one kind lie side by side in one piece of memory, so that cold fields
+// do not lie between hot ones. The split is that of Chilimbi, Davidson and Larus ("Cache-conscious structure
+// definition", 1999), who keep the cold fields behind a pointer too.
 //
-// One group for each kind of node, its fields in their order, gives `linked` again, byte for byte. The usual
-// groups, where nobody chose, are what `edgewise fields` advised for `linked_f64` and V-Clip in the scene
-// `tumble`: nobody is split, for a pointer costs more than it saves, but fields that are read together no
-// longer straddle lines; at 386 vertices 38.7 lines per query in place of 44.6.
+// One group for each kind of node, its fields in their order, equals `linked`, byte for byte. The usual
+// groups, used unless others are chosen, are what `edgewise fields` advised for `linked_f64` and V-Clip in
+// the scene `tumble`: no node is split, for a pointer costs more than it saves, but fields that are read
+// together no longer straddle lines; at 386 vertices 38.7 lines per query instead of 44.6.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@
 
 namespace edgewise {
 
-/// The usual groups.
+/// Groups for a table without a choice of its own.
 [[nodiscard]] inline const FieldGroups& usual_node_groups() {
     using enum NodeField;
     static const FieldGroups groups = {
@@ -47,7 +47,7 @@ class GroupedNodes {
     using Stored = StoredScalar;
     using Nodes = LinkedNodes<Stored>;
 
-    /// The field's place; where it is of a further record, the pointer to that is read first.
+    /// Returns the field. If it is in a further record, the pointer to the record is read first.
     template <NodeField field, class Loader, class Node>
     [[nodiscard]] auto& at(const Loader& loader, Node* node, Field name) const {
         using Value = NodeValue<Stored, field>;
@@ -81,7 +81,7 @@ class GroupedNodes {
         });
     }
 
-    /// Its pointers are null, but those to its further records.
+    /// Makes a node with null pointers, except those to its further records.
     template <class Node>
     [[nodiscard]] Node* make(std::pmr::memory_resource& owner) {
         constexpr NodeKind kind = kind_of<Stored, Node>();
@@ -143,7 +143,7 @@ class GroupedNodes {
     std::array<NodeFieldPlace, node_field_count> places_{};
     FieldGroups groups_ = FieldsGroupedBy<NodeField>::chosen_or(usual_node_groups());
     Parts parts_ = Parts::support;
-    std::array<Further, node_field_count> further_{};  ///< by number of the record
+    std::array<Further, node_field_count> further_{};  ///< indexed by the number of the record
 };
 
 template <Precision P, class Loader = Direct>

@@ -2,17 +2,17 @@
 //
 // The record of `aos`, split in two. Hot: the four Voronoi planes, which V-Clip's tests read edge after edge
 // along a ring. Cold: ends, direction and length. The split makes the hot record a round number of cache
-// lines (128 bytes in double, two lines; 64 in single, one), so that no plane straddles two of them and a
-// ring brings in planes and nothing else.
+// lines (128 bytes in double, two lines; 64 in single, one), so that no plane straddles two lines and a ring
+// reads only planes.
 //
 // Why direction is cold: rings of planes never need it. A vertex over a face (V-F) asks for the slopes of all
-// edges at the vertex, and takes directions without planes; an edge over a face (E-F) asks for the slope of
-// the edge whose ends it has just read. Only E-E reads it of an edge whose planes it tests, and only where
-// the other edge is clipped by a face. Beside the planes it would spoil their alignment. Ends are cold for
-// that reason alone: V-E, E-E and E-F read them of one edge per body in every test. Nothing reads the length;
-// it is kept so that the two records hold the scalars of `aos`.
+// edges at the vertex, and reads directions without planes; an edge over a face (E-F) asks for the slope of
+// an edge after it has read its ends. Only E-E reads it of an edge with planes under test, and only where the
+// other edge is clipped by a face. Next to the planes it would spoil their alignment. That is also the only
+// reason why ends are cold: V-E, E-E and E-F read them of one edge per body in every test. Nothing reads the
+// length; it is kept so that the two records hold the scalars of `aos`.
 //
-// Per edge 128 + 48 bytes in double, 64 + 32 in single: those of `aos`, to the byte.
+// Per edge 128 + 48 bytes in double, 64 + 32 in single: the same total as in `aos`, to the byte.
 #pragma once
 
 #include <string_view>
@@ -21,14 +21,14 @@
 
 namespace edgewise {
 
-/// What tests against a Voronoi region read of an edge.
+/// The part of an edge that tests against a Voronoi region read.
 template <class Stored>
 struct HotEdge {
     Plane<Stored> vertex_edge[2];  // by End
     Plane<Stored> edge_face[2];    // by Side
 };
 
-/// What says where the edge runs and what it joins.
+/// The part of an edge that says where it runs and what it joins.
 template <class Stored>
 struct ColdEdge {
     PolyhedronEdge ends;

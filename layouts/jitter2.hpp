@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The convex hull of Jitter Physics 2 (jitterphysics2, revision abaf3e1d): a vertex is its coordinates and,
-// as two numbers of 16 bits, where its neighbours begin and end in one list of 16-bit vertex indices. In
-// single a vertex is 16 bytes, 9.4 bytes per edge; in double it is 32, of which 4 are padding that 8-byte
-// coordinates ask for. What stands there is the structure alone, from its published list of fields; the
-// algorithms are ours.
+// as two numbers of 16 bits, the begin and end of its neighbours in one list of 16-bit vertex indices. In
+// single a vertex is 16 bytes, 9.4 bytes per edge; in double it is 32, including 4 bytes of padding for
+// 8-byte coordinates. Only the structure is the engine's, from its published list of fields; the algorithms
+// are ours.
 //
 // Departures: neighbours are in cyclic order, as in every table here, so that V-Clip walks on it with planes
 // derived as in `lean`; the engine's list of triangles (4 bytes per edge more), which neither algorithm
@@ -23,10 +23,10 @@ namespace edgewise {
 template <class Stored>
 struct JitterVertex {
     Vec3<Stored> point;
-    std::uint16_t first, end;  ///< of its neighbours, in the list of all
+    std::uint16_t first, end;  ///< range of its neighbours in the list of all neighbours
 };
 
-/// The vertices' coordinates, as DerivedTable asks for them.
+/// The vertices' coordinates, in the form that DerivedTable needs.
 template <class Stored>
 struct JitterPoints {
     using Vertex = JitterVertex<Stored>;
@@ -45,7 +45,7 @@ struct JitterPoints {
     }
 };
 
-/// Rings as they are read: bounds from the vertices, neighbours from their list.
+/// Reads rings: bounds from the vertices, neighbours from their list.
 template <class Stored>
 class JitterRings : public RingSteps<JitterRings<Stored>> {
   public:
@@ -80,7 +80,7 @@ class JitterRings : public RingSteps<JitterRings<Stored>> {
     std::uint16_t* neighbours_;
 };
 
-/// Vertices stand at the block's start.
+/// Places of the rings in the block; vertices lie at its start.
 template <class Stored>
 class JitterRingPlaces {
   public:

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // The table of `hot_cold`, with the planes, direction and length of an edge made when a query first asks for
-// one of them: a scene that walks over few edges pays for few, in time and in pages of memory touched, since
-// planes are separate from what every edge has. Vertices, face planes and topology stand from the start.
-// Answers are those of the layout itself, bit by bit.
+// one of them. A scene that visits few edges pays only for these, in time and in touched pages of memory,
+// since planes are separate from what every edge has. Vertices, face planes and topology are made at the
+// start. Answers are those of the layout itself, bit by bit.
 //
 // The price: a bit per edge, read before every plane; the canonical body must live as long as the table,
-// since planes are made from it (it is the application's, and not counted in the table's bytes); and queries
-// write, so one table serves one thread at a time (table/contract.hpp), and query_batch_parallel does not
-// take it.
+// since planes are made from it (it is the application's, and not counted in the table's bytes); and
+// queries write, so one table serves one thread at a time (table/contract.hpp), and query_batch_parallel
+// refuses it.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ class Lazy : public Table {
         std::fill_n(words_, word_count(), Word{0});
     }
     Lazy(const Polyhedron&&, Parts, Loader = {}) = delete;
-    /// The same memory seen through another loader: what one makes is there for both.
+    /// A view of the same memory with another loader: an edge that either of them makes exists for both.
     template <class OtherTable, class OtherLoader>
     Lazy(const Lazy<OtherTable, OtherLoader>& other, Loader loader)
         : Table(other, loader), words_(other.words_), bits_(other.bits_.view()), body_(other.body_) {}
@@ -62,7 +62,7 @@ class Lazy : public Table {
         return Table::edge_face_plane(e, side);
     }
 
-    /// A layout's own answers to ring questions would read planes that are not there yet.
+    /// A layout's own ring functions would read planes that are not made yet.
     template <class... Any>
     void most_violated_vertex_plane(const Any&...) const = delete;
     template <class... Any>
@@ -70,14 +70,14 @@ class Lazy : public Table {
     template <class... Any>
     void steepest_descent(const Any&...) const = delete;
 
-    /// Edges made so far, of all views of this table.
+    /// Number of edges made so far, by all views of this table.
     [[nodiscard]] std::size_t made() const {
         std::size_t sum = 0;
         for (std::size_t i = 0; i < word_count(); ++i)
             sum += static_cast<std::size_t>(std::popcount(words_[i]));
         return sum;
     }
-    /// The part of the table's bytes that stands: all but the planes and the geometry of edges not made.
+    /// Part of the table's bytes that is made: all except planes and geometry of the edges not made.
     [[nodiscard]] double materialised() const {
         const Ledger all = ledger();
         const std::size_t of_edges = all[Component::voronoi_planes] + all[Component::edge_geometry];
@@ -98,7 +98,7 @@ class Lazy : public Table {
     }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
 
-    /// Of another body, which must live on, nothing is made yet.
+    /// Takes another body, which must outlive the table; no edge is made yet.
     void write_body(const Polyhedron&&) = delete;
     void write_body(const Polyhedron& body) {
         write_geometry(static_cast<Table&>(*this), body, WriteEdges::when_asked);

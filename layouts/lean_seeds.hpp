@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// As `lean`, with seeds: the farthest vertices in 26 directions, where cold queries and those after a large
-// turn begin (layout_parts/seeds.hpp). 27 to 108 bytes per table from 32 vertices on. MuJoCo keeps as many
-// beside its meshes.
+// The table of `lean` with seeds: the farthest vertices in 26 directions, where cold queries and queries
+// after a large turn begin (layout_parts/seeds.hpp). 27 to 108 bytes per table from 32 vertices on. MuJoCo
+// keeps 27 seeds with each mesh (layouts/mujoco.hpp).
 #pragma once
 
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// As `lean_seeds`, with seeds in 114 directions, on seven rings of latitude and at two poles, as many as in
-// SWIFT's smaller look-up table. 114 to 456 bytes per table from 32 vertices on.
+// The table of `lean_seeds` with seeds in 114 directions, on seven rings of latitude and at two poles: the
+// number of SWIFT's smaller look-up table. 114 to 456 bytes per table from 32 vertices on.
 #pragma once
 
 #include <string_view>

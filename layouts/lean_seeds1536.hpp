@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// As `lean_seeds`, with seeds in 1536 directions, a grid of 16 x 16 on each side of a cube, as PhysX has it.
-// 1536 to 6144 bytes per table from 32 vertices on.
+// The table of `lean_seeds` with seeds in 1536 directions, a grid of 16 x 16 on each side of a cube, as in
+// PhysX. 1536 to 6144 bytes per table from 32 vertices on.
 #pragma once
 
 #include <string_view>

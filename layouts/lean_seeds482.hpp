@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// As `lean_seeds`, with seeds in 482 directions, on fifteen rings of latitude and at two poles, as many as in
-// SWIFT's middle look-up table. 482 to 1928 bytes per table from 32 vertices on.
+// The table of `lean_seeds` with seeds in 482 directions, on fifteen rings of latitude and at two poles: the
+// number of SWIFT's middle look-up table. 482 to 1928 bytes per table from 32 vertices on.
 #pragma once
 
 #include <string_view>

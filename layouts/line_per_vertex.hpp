@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// One cache line of 64 bytes per vertex: its coordinates, how many neighbours it has, and their indices: 9 in
-// double, 12 in single. Who stands on a vertex has both on the line that he read to get there. Proposed by
-// Greer (arXiv 2509.03753, 2025), who reports support queries up to five times as fast; from that paper come
-// the idea and the size, the fields are ours. For GJK only: no plane is stored, and none derived.
+// One cache line of 64 bytes per vertex: its coordinates, its number of neighbours, and their indices: 9 in
+// double, 12 in single. A climb that reaches a vertex has both on the line that it read to get there.
+// Proposed by Greer (arXiv 2509.03753, 2025), who reports support queries up to five times as fast; the idea
+// and the size come from that paper, the fields are ours. For GJK only: no plane is stored, and none derived.
 //
-// The price: 21.4 bytes per edge in double and in single, and a scan reads a line per vertex. Where a vertex
-// has more neighbours than fit, the last index of its line is where the others begin, in an array behind the
+// The price: 21.4 bytes per edge in double and in single, and a scan reads a line per vertex. If a vertex has
+// more neighbours than fit, the last index of its line is the start of the rest, in an array behind the
 // lines.
 #pragma once
 
@@ -28,9 +28,9 @@ struct VertexLine {
 
     alignas(BlockPlan::alignment) Vec3<Stored> point;
     Index degree;
-    Index neighbour[room];  ///< of more neighbours, the last is where those that are not here begin
+    Index neighbour[room];  ///< if there are more neighbours, the last index is the start of the rest
 
-    /// How many of so many neighbours stand on the line.
+    /// Number of neighbours on the line, of a vertex with `degree` neighbours.
     [[nodiscard]] static Index here(Index degree) {
         return degree <= room ? degree : static_cast<Index>(room - 1);
     }
@@ -53,7 +53,7 @@ class line_per_vertex : public BlockTable<P, Loader> {
         "a 64-byte line per vertex: coordinates and neighbours (arXiv 2509.03753)";
     static constexpr std::string_view derives = "nothing";
 
-    /// Both kinds of parts are the same here: there is nothing to leave out.
+    /// Both kinds of parts are the same here: nothing can be left out.
     line_per_vertex(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
         const auto degree_of = [&](Index v) { return static_cast<Index>(body.ring_of_vertex(v).size()); };
         block_ = Block([&](BlockPlan& plan) { place(plan, degree_of); });
@@ -101,7 +101,7 @@ class line_per_vertex : public BlockTable<P, Loader> {
     using Line = VertexLine<Stored>;
     static_assert(sizeof(Line) == BlockPlan::alignment);
 
-    /// degree_of(v): of each vertex of the body.
+    /// degree_of(v): number of neighbours of each vertex of the body.
     template <class DegreeOf>
     void place(BlockPlan& plan, const DegreeOf& degree_of) const {
         std::size_t beyond = 0;
@@ -120,7 +120,7 @@ class line_per_vertex : public BlockTable<P, Loader> {
         assert(v < facts_.vertex_count);
         return reinterpret_cast<Line*>(block_.base())[v];
     }
-    /// Neighbours that are on no line.
+    /// Array of the neighbours that are on no line.
     [[nodiscard]] Index* others() const {
         return reinterpret_cast<Index*>(block_.base() + sizeof(Line) * facts_.vertex_count);
     }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // The convex hull graph of MuJoCo (revision a7255075, mjModel's mesh_graph): two counts; for each vertex of
-// the hull where its neighbours begin and which vertex of the mesh it is; neighbours, each list ended by -1;
-// three vertices for each triangle; and 27 vertices to begin at, in the directions of a 3 x 3 x 3 grid. All
-// of 32 bits, coordinates in single and computed with in double: 24.1 bytes per edge at 218 vertices and 24
-// in the limit, and 108 bytes. What stands there is the structure alone, from its published list of fields;
-// the algorithms are ours. For GJK only: the graph has no order around a vertex in the engine.
+// the hull the start of its neighbours and its number in the mesh; neighbours, each list ended by -1; three
+// vertices for each triangle; and 27 vertices to begin at, in the directions of a 3 x 3 x 3 grid. All of 32
+// bits, coordinates in single and computed with in double: 24.1 bytes per edge at 218 vertices and 24 in the
+// limit, and 108 bytes. Only the structure is the engine's, from its published list of fields; the algorithms
+// are ours. For GJK only: the graph has no order around a vertex in the engine.
 //
-// Departures: the hull's edges alone are in the graph, where the engine cuts faces into triangles first; a
-// list's neighbours are in cyclic order, as in every table here; the mesh is the hull. Faces are stored
-// whatever a table is asked for, and not read.
+// Departures: only the hull's edges are in the graph, where the engine cuts faces into triangles first; a
+// list's neighbours are in cyclic order, as in every table here; the mesh is the hull. Faces are always
+// stored, and not read.
 #pragma once
 
 #include <cassert>
@@ -24,12 +24,12 @@
 
 namespace edgewise {
 
-/// Where the arrays are, in bytes from the block's start.
+/// The start of each array, in bytes from the block's start.
 template <class Stored>
 struct MujocoPlaces {
     std::uint32_t points = 0, counts = 0, begins = 0, in_mesh = 0, neighbours = 0, triangles = 0, seeds = 0;
 
-    /// Of all faces cut into triangles.
+    /// Number of triangles when all faces are cut into triangles.
     [[nodiscard]] static Index triangle_count(const BodyFacts& n) {
         return n.face_ring_count() - 2 * n.face_count;
     }
@@ -47,7 +47,7 @@ struct MujocoPlaces {
     }
 };
 
-/// Numbers of a list up to the -1 that ends it, each read once.
+/// Range of the numbers of a list up to the -1 that ends it, each read once.
 template <class Loader>
 class MujocoList {
   public:
@@ -88,7 +88,7 @@ class mujoco : public BlockTable<P, Loader> {
         "MuJoCo's hull (a7255075): coordinates, a graph of 32-bit numbers with its triangles, 27 seeds";
     static constexpr std::string_view derives = "nothing";
 
-    /// Both kinds of parts are the same here: the engine keeps all.
+    /// Both kinds of parts are the same here: the engine keeps everything.
     mujoco(const Polyhedron& body, Parts /*parts*/, Loader loader = {})
         : Base(body, Parts::features, loader) {
         this->make_block(places_);
@@ -113,7 +113,7 @@ class mujoco : public BlockTable<P, Loader> {
                 static_cast<std::int32_t>(farthest_vertex(body, CornerDirections::direction(i)));
     }
 
-    /// By its number in the mesh.
+    /// Coordinates of the vertex, by its number in the mesh.
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
         assert(v < facts_.vertex_count);
         const std::int32_t in_mesh = load(numbers(places_.in_mesh)[v], Field::vertex);
@@ -123,7 +123,7 @@ class mujoco : public BlockTable<P, Loader> {
         const std::int32_t begin = load(numbers(places_.begins)[v], Field::vertex_ring);
         return MujocoList<Loader>(this->loader_, numbers(places_.neighbours) + begin);
     }
-    /// Among the vertices far along the direction, of any length.
+    /// Returns a vertex that is far along the direction, which may have any length.
     [[nodiscard]] Vertex seed(const Vec3<Compute>& direction) const {
         return static_cast<Vertex>(
             load(numbers(places_.seeds)[CornerDirections::place(direction)], Field::seed));

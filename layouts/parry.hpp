@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The convex polyhedron of parry (revision 3a41ac21, shape/convex_polyhedron.rs): points; for each vertex and
-// each face where its part of the adjacency lists begins and how long it is; faces with their normals; edges
+// The convex polyhedron of parry (revision 3a41ac21, shape/convex_polyhedron.rs): points; for each vertex
+// and each face the start and length of its part of the adjacency lists; faces with their normals; edges
 // with ends, faces, direction and a flag, 32 bytes in single and 48 in double; and four lists of 32-bit
 // indices, faces and edges of vertices, edges and vertices of faces. 84 bytes per edge in single, 112 in
-// double. What stands there is the structure alone, from its published list of fields; the algorithms are
+// double. Only the structure is the library's, from its published list of fields; the algorithms are
 // ours.
 //
-// Support points are found as the library finds them, by a scan over the points. V-Clip has all that it asks
-// for but planes, which are derived from directions, normals and points. Lists are in cyclic order, as in
-// every table here. Everything is stored whatever a table is asked for (keeps_faces, table/contract.hpp).
+// A scan over the points finds support points, as in the library. V-Clip finds all that it needs except
+// planes, which are derived from directions, normals and points. Lists are in cyclic order, as in every table
+// here. Everything is always stored, also in a table for GJK (keeps_faces, table/contract.hpp).
 #pragma once
 
 #include <cassert>
@@ -23,7 +23,7 @@
 
 namespace edgewise {
 
-/// Part of two adjacency lists.
+/// A range in two adjacency lists.
 struct ParryRange {
     Index first, count;
 };
@@ -38,10 +38,10 @@ template <class Stored>
 struct ParryEdge {
     Index vertices[2], faces[2];  ///< tail and head; left and right, or no_face
     Vec3<Stored> direction;
-    bool deleted;  ///< of the library's builder: false
+    bool deleted;  ///< flag of the library's builder: always false
 };
 
-/// Where the arrays are, in bytes from the block's start.
+/// The start of each array, in bytes from the block's start.
 template <class Stored>
 struct ParryPlaces {
     using Face = ParryFace<Stored>;
@@ -87,7 +87,7 @@ class parry : public BlockTable<P, Loader> {
     static constexpr std::string_view derives = "planes of edges; support points, by scans";
     static constexpr bool keeps_faces = true;
 
-    /// Both kinds of parts are the same here: the library keeps all.
+    /// Both kinds of parts are the same here: the library keeps everything.
     parry(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
         this->make_block(places_);
         link_vertices(body);
@@ -109,7 +109,7 @@ class parry : public BlockTable<P, Loader> {
     void write_edge(Index e, const EdgeGeometry& g) { edges()[e].direction = cast<Stored>(g.direction); }
     void write_face(Index f, const Plane<double>& plane) { faces()[f].normal = cast<Stored>(plane.normal); }
 
-    /// The library scans.
+    /// Always false: the library scans.
     [[nodiscard]] static bool climbable() { return false; }
 
     [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// What PhysX keeps of a convex hull for GJK (PhysX, revision a3d8a641, convex/GuBigConvexData.h,
-// GuCubeIndex.h, cooking): 12-byte vertices; a vertex's valency, how many neighbours it has and where they
-// begin, 16 bits each; neighbours of 8 bits in cyclic order; and, from 32 vertices on, for each cell of a
+// The part of a PhysX convex hull that GJK reads (PhysX, revision a3d8a641, convex/GuBigConvexData.h,
+// GuCubeIndex.h, cooking): 12-byte vertices; a vertex's valency, its number of neighbours and their
+// start, 16 bits each; neighbours of 8 bits in cyclic order; and, from 32 vertices on, for each cell of a
 // grid of 16 x 16 on each side of a cube the vertex farthest along its direction and the one farthest
-// against it, 3072 bytes. The second half says nothing new: the farthest against a direction is the farthest
-// along the opposite one. 11.4 bytes per edge at 255 vertices and 36 at 38; the engine's object comes to some
-// 48 bytes more. What stands there is the structure alone, from its published list of fields; the algorithms
+// against it, 3072 bytes. The second half adds nothing: the farthest against a direction is the farthest
+// along the opposite one. 11.4 bytes per edge at 255 vertices and 36 at 38; the engine's object has some
+// 48 bytes more. Only the structure is the engine's, from its published list of fields; the algorithms
 // are ours.
 //
-// Neighbours in cyclic order are all that V-Clip needs: planes are derived as in `lean`. Bodies of more than
-// 255 vertices are refused, as the engine refuses them. Seeds are exact maxima here.
+// V-Clip needs only neighbours in cyclic order: planes are derived as in `lean`. Bodies of more than 255
+// vertices are refused, as in the engine. Seeds are exact maxima here.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@
 namespace edgewise {
 
 struct PhysxValency {
-    std::uint16_t count, first;  ///< neighbours, and where they begin in the list of all
+    std::uint16_t count, first;  ///< number of neighbours, and their start in the list of all neighbours
 };
 
 using PhysxDirections = GridDirections<16>;
@@ -53,7 +53,7 @@ class PhysxPoints : public Seeded<PlainPoints<Stored>, PhysxDirections> {
     std::uint32_t against_at_ = 0;
 };
 
-/// Rings as they are read.
+/// Reads rings from the valencies and neighbours.
 class PhysxRings : public RingSteps<PhysxRings> {
   public:
     PhysxRings(PhysxValency* valencies, std::uint8_t* neighbours)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// A vertex and its neighbours in one record: its coordinates, then those of all who are around, then where
-// their records are. A hill-climbing step reads the record it stands on and nothing else: two cache lines in
+// A vertex and its neighbours in one record: its coordinates, then those of all its neighbours, then the
+// places of their records. A hill-climbing step reads only the record of its vertex: two cache lines in
 // single for a vertex of six neighbours, four in double. A step up goes straight to the next record. For GJK
 // only.
 //
-// Records start on cache lines, as long as they need to be. Per record 20 bytes in single (32 in double):
-// coordinates, the vertex's own index and the number of neighbours; and 16 (28) per neighbour: a copy of its
-// coordinates and the line where its record starts. The price: every vertex is kept once for itself and once
-// for each neighbour, ten times the bytes of coordinates alone.
+// Records start on cache lines and have the length that they need. Per record 20 bytes in single (32 in
+// double): coordinates, the vertex's own index and the number of neighbours; and 16 (28) per neighbour: a
+// copy of its coordinates and the line where its record starts. The price: every vertex is kept once for
+// itself and once for each neighbour, ten times the bytes of coordinates alone.
 #pragma once
 
 #include <cassert>
@@ -21,8 +21,8 @@
 
 namespace edgewise {
 
-/// A vertex as somebody found it: the line where its record starts, and the byte where coordinates of it are,
-/// its own or a neighbour's copy.
+/// A handle of a vertex: the line where its record starts, and the byte where coordinates of it are, its own
+/// or the copy in a neighbour's record.
 struct PointHandle {
     Index record, at;
     [[nodiscard]] bool operator==(const PointHandle& other) const { return record == other.record; }
@@ -39,7 +39,7 @@ struct PointRecord {
 
     [[nodiscard]] Vec3<Stored>* around() { return reinterpret_cast<Vec3<Stored>*>(this + 1); }
     [[nodiscard]] Index* starts() { return reinterpret_cast<Index*>(around() + count); }
-    /// Lines from one record to the next.
+    /// Number of lines from one record to the next.
     [[nodiscard]] static Index length(std::size_t count) {
         const std::size_t bytes = sizeof(PointRecord) + count * (sizeof(Vec3<Stored>) + sizeof(Index));
         return static_cast<Index>((bytes + line - 1) / line);
@@ -62,7 +62,7 @@ class points_neighbours : public BlockTable<P, Loader> {
         "one record per vertex, on lines of its own: its coordinates and its neighbours'";
     static constexpr std::string_view derives = "nothing";
 
-    /// Both kinds of parts are the same here: there is nothing to leave out.
+    /// Both kinds of parts are the same here: nothing can be left out.
     points_neighbours(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
         block_ = Block([&](BlockPlan& plan) {
             for (Index v = 0; v < body.vertex_count(); ++v) append(plan, body.ring_of_vertex(v).size());
@@ -115,7 +115,7 @@ class points_neighbours : public BlockTable<P, Loader> {
         });
     }
 
-    /// Records lie in the order of the body's vertices.
+    /// Writes records in the order of the body's vertices.
     void write_body(const Polyhedron& body) {
         Index start = 0;
         for (Index v = 0; v < body.vertex_count(); ++v) {
@@ -146,13 +146,13 @@ class points_neighbours : public BlockTable<P, Loader> {
         assert(start < end_);
         return *reinterpret_cast<Record*>(block_.base() + std::size_t{start} * Record::line);
     }
-    /// By its own coordinates, with which a record starts.
+    /// Handle of a vertex by its own coordinates, with which a record starts.
     [[nodiscard]] static Vertex own(Index start) { return {start, start * static_cast<Index>(Record::line)}; }
     [[nodiscard]] Index next(Index start) const {
         return start + Record::length(load(record(start).count, Field::neighbour));
     }
 
-    Index end_ = 0;  // of the last record, in lines
+    Index end_ = 0;  // end of the last record, in lines
 };
 
 }  // namespace edgewise

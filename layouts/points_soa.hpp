@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Points alone: the coordinates of the vertices in three arrays, x, y and z, and nothing else. Without
-// neighbours nobody can climb, so a support point is always found by a scan over all vertices, which three
-// plain arrays let the compiler do several vertices at a time. For GJK only. The least a table can hold: 24
-// bytes per vertex in double, 12 in single; no topology.
+// neighbours no climb is possible, so a scan over all vertices finds each support point. Three plain arrays
+// let the compiler scan several vertices at a time. For GJK only. No table of plain coordinates is smaller:
+// 24 bytes per vertex in double, 12 in single; no topology.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 
 namespace edgewise {
 
-/// One array each of x, y and z: where they start, in bytes from the block's start.
+/// The start of the arrays of x, y and z, in bytes from the block's start.
 template <class Stored>
 struct PointArrays {
     SmallArray<std::uint32_t, 3> at{};
@@ -51,7 +51,7 @@ class points_soa : public BlockTable<P, Loader> {
     static constexpr std::string_view stores = "vertex coordinates in three arrays, no neighbours";
     static constexpr std::string_view derives = "support points, by scans";
 
-    /// Both kinds of parts are the same here: there is nothing to leave out.
+    /// Both kinds of parts are the same here: nothing can be left out.
     points_soa(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
         this->make_block(coordinates_);
         write_geometry(*this, body);
@@ -73,7 +73,7 @@ class points_soa : public BlockTable<P, Loader> {
         return {coordinate(0, v), coordinate(1, v), coordinate(2, v)};
     }
 
-    /// The vertex farthest along the direction, the first of equals.
+    /// Returns the vertex farthest along the direction, the first of equals.
     [[nodiscard]] Vertex scan_support(const Vec3<Compute>& direction) const {
         if constexpr (std::is_same_v<Loader, Direct>)
             if (this->vertex_count() >= Pack<Compute>::size) return scan_packs(direction);
@@ -84,8 +84,8 @@ class points_soa : public BlockTable<P, Loader> {
     template <Precision, class>
     friend class points_soa;
 
-    /// A pack of vertices at a time, the last ones perhaps again: each place keeps its highest, and at the
-    /// end the first vertex that is as high as the highest of all. No branch but the loop's.
+    /// Scans a pack of vertices at a time, the last ones perhaps twice: each lane keeps its highest, and at
+    /// the end the first vertex with the highest value of all wins. No branch except the loop's.
     [[nodiscard]] [[gnu::always_inline]] Vertex scan_packs(const Vec3<Compute>& direction) const {
         constexpr std::size_t size = Pack<Compute>::size;
         const std::size_t count = this->vertex_count();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// As `lean`, with vertex coordinates of 16 bits on the body's own grid: 6.8 bytes per edge at 386 vertices.
-// The body is another one: the hull of the vertices where the grid has them, with its own topology; each
-// coordinate moves by half a step at most, where a step is the power of two above a 65 533rd of the
-// box's longest side (more for a body far off its origin). The precision says what computes.
+// The table of `lean` with vertex coordinates of 16 bits on the body's own grid: 6.8 bytes per edge at 386
+// vertices. The stored body differs: it is the hull of the vertices at their grid places, with its own
+// topology; each coordinate moves by half a step at most, where a step is the power of two above a 65 533rd
+// of the box's longest side (more for a body far off its origin). The precision is the one that computes.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@
 
 namespace edgewise {
 
-/// Coordinates of 16 bits on the body's own grid.
+/// Vertex coordinates of 16 bits on the body's own grid.
 template <class Compute>
 struct GridPoints {
-    /// What computes with this rounding step holds every place of the grid exactly.
+    /// Arithmetic with this rounding step holds every place of the grid exactly.
     static constexpr double eps = double{Tolerance<Compute>::eps};
 
     Grid grid;
@@ -45,7 +45,7 @@ class quantised : public DerivedTable<GridPoints<typename P::Compute>, P, Loader
     static constexpr std::string_view stores =
         "vertex coordinates of 16 bits on the body's grid, and neighbour rings of 8, 16 or 32 bits";
 
-    /// What the table holds of a body: the only bodies that it may be built from.
+    /// The body as the table holds it: the only kind of body that it may be built from.
     [[nodiscard]] static Result<Polyhedron> stored_body(const Polyhedron& body) {
         return round_to_grid(body, GridPoints<typename P::Compute>::eps);
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// As `quantised`, but the stored body contains the given one: grown about its middle, by no more than is
-// needed, before it is rounded. For those to whom a missed contact is worse than an early one: what this
-// table calls separated is separated. That holds for solids: a flat body stays flat, rounded to the nearest
-// places.
+// The table of `quantised`, but the stored body contains the given one: it grows about its middle, by no more
+// than is needed, before it is rounded. For users to whom a missed contact is worse than an early one: bodies
+// that this table calls separated are separated. That holds for solids: a flat body stays flat, rounded to
+// the nearest places.
 #pragma once
 
 #include <string_view>
@@ -21,7 +21,7 @@ class quantised_outward : public DerivedTable<GridPoints<typename P::Compute>, P
     static constexpr std::string_view stores =
         "as quantised, of a body grown until it contains the given one";
 
-    /// What the table holds of a body: the only bodies that it may be built from.
+    /// The body as the table holds it: the only kind of body that it may be built from.
     [[nodiscard]] static Result<Polyhedron> stored_body(const Polyhedron& body) {
         return round_to_grid_outward(body, GridPoints<typename P::Compute>::eps);
     }

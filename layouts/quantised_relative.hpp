@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// As `lean_relative`, with vertex coordinates of 16 bits on the body's own grid, as `quantised` has them: 4.7
-// bytes per edge. The body is that of `quantised` in another order.
+// The table of `lean_relative` with vertex coordinates of 16 bits on the body's own grid, as in `quantised`:
+// 4.7 bytes per edge. The body is that of `quantised` in another order.
 #pragma once
 
 #include <string_view>
@@ -20,7 +20,7 @@ class quantised_relative : public RelativeTable<GridPoints<typename P::Compute>,
     static constexpr std::string_view stores =
         "vertex coordinates of 16 bits on the body's grid, and neighbours as differences of 8 bits";
 
-    /// What the table holds of a body, but for the order of its vertices.
+    /// The body as the table holds it, except for the order of its vertices.
     [[nodiscard]] static Result<Polyhedron> stored_body(const Polyhedron& body) {
         return round_to_grid(body, GridPoints<typename P::Compute>::eps);
     }

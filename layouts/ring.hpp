@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Voronoi planes in the order of the rings: the vertex-edge planes around a vertex lie side by side, and so
-// do the edge-face planes around a face. Which plane of a ring a point violates most is then one pass over
-// contiguous memory: no edge is read and no index followed until the winner is known. The slopes of the edges
-// at a vertex are a pass over the same planes, whose normals are the directions, leaving the vertex,
-// reversed. Every half-edge starts at one vertex and has one face on its left, so each plane is kept once.
+// do the edge-face planes around a face. One pass over contiguous memory finds the plane of a ring that a
+// point violates most: no edge is read and no index followed until the winner is known. Slopes of a vertex's
+// edges are a pass over the same planes: the reversed normals are the directions that leave it. Every
+// half-edge starts at one vertex and has one face on its left, so each plane is kept once.
 //
 // Per edge four planes, as in `aos` (128 bytes in double, 64 in single), and a record of its own: ends,
 // direction and length, and the places of its planes (64 bytes, 48 in single), 16 bytes more than `aos`. The
@@ -67,7 +67,7 @@ struct RingArrays {
         edge.length = static_cast<Stored>(g.length);
     }
 
-    /// Where each edge finds its planes.
+    /// Sets the places of each edge's planes.
     void link(const Polyhedron& body) const {
         for (Index at = 0; at < body.vertex_ring.size(); ++at) {
             const HalfEdge h = body.vertex_ring[at];
@@ -114,7 +114,7 @@ class ring : public StoredTable<RingArrays<typename P::Stored>, P, Loader> {
         return cast<Compute>(load(at_.edge_face[at], Field::voronoi_plane));
     }
 
-    /// See table/ring_questions.hpp.
+    /// Answers in one pass, as table/ring_questions.hpp allows.
     [[nodiscard]] std::optional<Edge> most_violated_vertex_plane(Vertex v, const Vec3<Compute>& point) const {
         return most_violated(at_.vertex_edge, rings_.vertex_ring, rings_.vertex_offset + v,
                              Field::vertex_ring, point);
@@ -140,10 +140,10 @@ class ring : public StoredTable<RingArrays<typename P::Stored>, P, Loader> {
     }
 
   private:
-    /// Selects instead of jumps, so that nothing holds up the distances of the planes that follow. Not in
+    /// Selects instead of jumps, so that nothing delays the distances of the planes that follow. Not in
     /// vectors: the n x, n y, n z and n offsets of a ring in rows, four planes a vector operation, took 1.09
     /// (double; 1.00 single) of the time of `aos` where this takes 0.94 (0.91; V-Clip, `cold`, 386 vertices).
-    /// Rings of three and six planes fill vectors badly, and the search for the least is as long.
+    /// Rings of three and six planes fill vectors badly, and the search for the least takes as long.
     std::optional<Edge> most_violated(const Plane<Stored>* planes, const Index* half_edges,
                                       const Index* offset, Field field, const Vec3<Compute>& point) const {
         const Index first = load(offset[0], field), last = load(offset[1], field);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // A vertex's ring as coordinates side by side: x, y and z of eight neighbours, then their indices. One step
-// of a climb measures the whole ring in three rows, and has the next vertex's coordinates at hand; the layout
-// of `points_neighbours` turned round, for lanes (not published elsewhere). For GJK only. A block is 128
-// bytes in single, two cache lines, and 256 in double. The vertices' own coordinates stand before the blocks,
-// where scans and starts of climbs read them.
+// of a climb measures the whole ring in three rows, and then has the next vertex's coordinates; the layout of
+// `points_neighbours` transposed, for lanes (not published elsewhere). For GJK only. A block is 128 bytes in
+// single, two cache lines, and 256 in double. The vertices' own coordinates lie before the blocks, where
+// scans and starts of climbs read them.
 //
 // Lanes that a ring leaves free repeat its last neighbour's coordinates, which never come first, and the
-// first free index is the vertex itself: there the ring ends. A ring of more than eight goes on: the eighth
-// lane then repeats the seventh, and its index says, by its highest bit, which block is next; those stand
-// behind the others. The price: lanes are full at a degree of eight, and there are six.
+// first free index is the vertex itself: there the ring ends. A ring of more than eight continues: the eighth
+// lane then repeats the seventh, and its index has the highest bit set and says which block is next. Such
+// blocks lie behind the others. The price: lanes are full at degree eight, and the usual degree is six.
 #pragma once
 
 #include <algorithm>
@@ -31,10 +31,10 @@ struct RingLanes {
     alignas(BlockPlan::alignment) Stored axis[3][lanes];  ///< x of all, y of all, z of all
     Index vertex[lanes];
 
-    /// Lanes of a block that hold neighbours, of so many that are left of the ring.
+    /// Number of lanes of a block that hold neighbours, if `left` neighbours of the ring are left.
     [[nodiscard]] static std::size_t used_of(std::size_t left) { return left <= lanes ? left : lanes - 1; }
 
-    /// One more block, of a ring that has so many neighbours left.
+    /// Adds one block, for a ring with `left` neighbours left.
     static void append(BlockPlan& plan, std::size_t left) {
         const std::size_t used = used_of(left) * sizeof(Stored), row = lanes * sizeof(Stored);
         const std::size_t indices = std::min<std::size_t>(left + 1, lanes) * sizeof(Index);
@@ -48,7 +48,7 @@ struct RingLanes {
     }
 };
 
-/// Eight neighbours of a vertex, some of them twice where there are fewer, as a climb asks for them
+/// Eight neighbours of a vertex, some of them twice where there are fewer, in the form that a climb needs
 /// (table/contract.hpp).
 template <class Compute, class Stored, class Loader>
 class RingLanesView {
@@ -96,7 +96,7 @@ class ring_block : public BlockTable<P, Loader> {
         "coordinates, and per vertex its ring's coordinates and indices in blocks of eight lanes";
     static constexpr std::string_view derives = "nothing";
 
-    /// Both kinds of parts are the same here: there is nothing to leave out.
+    /// Both kinds of parts are the same here: nothing can be left out.
     ring_block(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
         const auto degree_of = [&](Index v) { return static_cast<Index>(body.ring_of_vertex(v).size()); };
         block_ = Block([&](BlockPlan& plan) { blocks_at_ = place(plan, degree_of); });
@@ -129,7 +129,7 @@ class ring_block : public BlockTable<P, Loader> {
             at(v, 0), Place{0, 0, v}, [](const Place& place) { return place.vertex; }, after);
     }
 
-    /// The ring of a vertex that has one.
+    /// Blocks of a vertex's ring; the vertex must have neighbours.
     [[nodiscard]] auto ring_blocks(Vertex v) const {
         const auto after = [this](Index block) {
             const Index last = goes_on_ ? load(blocks()[block].vertex[lanes - 1], Field::neighbour) : 0;
@@ -166,13 +166,13 @@ class ring_block : public BlockTable<P, Loader> {
     using View = RingLanesView<Compute, Stored, Loader>;
     static constexpr Index lanes = Lanes::lanes, more = 1U << 31, none = 0xffffffff;
 
-    /// One neighbour; past the last, whose ring it is.
+    /// Place of one neighbour; past the last one, the vertex itself.
     struct Place {
         Index block, lane, vertex;
         [[nodiscard]] bool operator==(const Place& other) const { return vertex == other.vertex; }
     };
 
-    /// Returns where the blocks start. degree_of(v): of each vertex of the body.
+    /// Returns the start of the blocks. degree_of(v): number of neighbours of each vertex of the body.
     template <class DegreeOf>
     [[nodiscard]] std::uint32_t place(BlockPlan& plan, const DegreeOf& degree_of) const {
         using Point = Vec3<Stored>;
@@ -219,7 +219,7 @@ class ring_block : public BlockTable<P, Loader> {
     [[nodiscard]] Lanes* blocks() const { return reinterpret_cast<Lanes*>(block_.base() + blocks_at_); }
 
     std::uint32_t blocks_at_ = 0;
-    bool goes_on_ = false;  ///< some ring has more than eight
+    bool goes_on_ = false;  ///< a ring has more than eight neighbours
 };
 
 }  // namespace edgewise

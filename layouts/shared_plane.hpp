@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The record of `aos` without what it says twice: of the four planes' sixteen scalars, the seven that do not
-// follow from the rest. Both vertex-edge planes of an edge stand across its direction d: the tail's is {-d,
-// offset}, the head's {d, offset}. An edge-face plane stands across the face, whose normal n the table keeps
-// once, and holds the edge: its normal is n x d, and only its offset is kept. Nothing asks for the length: it
-// is left out.
+// The record of `aos` without its redundancy: of the four planes' sixteen scalars, the seven that do not
+// follow from the rest. Both vertex-edge planes of an edge are normal to its direction d: the tail's is {-d,
+// offset}, the head's {d, offset}. An edge-face plane contains the edge and is perpendicular to the face, of
+// which the table keeps the normal n once: the plane's normal is n x d, and only its offset is kept. Nothing
+// asks for the length: it is left out.
 //
-// In double every plane is that of `aos` to the bit, since n x d is computed as it is there, from the same
-// numbers. In single and mixed n and d were rounded before the product instead of after it. The price: an
-// edge-face plane reads the face's line as well, and a square root is taken of its length.
+// In double every plane is that of `aos` to the bit, since n x d is computed in the same way, from the same
+// numbers. In single and mixed, n and d are rounded before the product instead of after it. The price: an
+// edge-face plane reads the face's line as well, and computes a square root for its length.
 //
 // Per edge 7 scalars instead of 20: d (3, counted as edge geometry, although it is the normal of two planes
 // as well) and four offsets (counted as Voronoi planes). With four indices that is 72 bytes in double instead
@@ -93,7 +93,7 @@ class shared_plane : public StoredTable<SharedPlaneArrays<typename P::Stored>, P
         return {end == End::head ? along : Vec3<Compute>(-along), offset};
     }
 
-    /// As layout_parts/voronoi.hpp has it, from what is stored.
+    /// Computes the edge-face plane as layout_parts/voronoi.hpp does, from the stored numbers.
     [[nodiscard]] Plane<Compute> edge_face_plane(Edge e, Side side) const {
         const Face face = side == Side::left ? this->left(e) : this->right(e);
         const Compute offset = load(at_.side_offset(e, side), Field::voronoi_plane);

@@ -2,7 +2,7 @@
 //
 // Structure of arrays: the same scalars as `aos`, each in an array of its own: twenty for an edge, three for
 // a vertex, four for a face. Made for passes over all edges; V-Clip jumps from edge to edge, and reads a
-// cache line per scalar. More parallel arrays than a cache has ways is a trap of its own.
+// cache line per scalar. With more parallel arrays than a cache has ways, conflict misses may be added.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace edgewise {
 
-/// The distance of arrays from start to start, if they take a line or more: back to back in whole lines, or
-/// an odd number of lines.
+/// Distance between the starts of neighbouring arrays, if they take a line or more: back to back in whole
+/// lines, or an odd number of lines.
 enum class Spacing : bool { back_to_back, odd_lines };
 
 template <class Stored, Spacing spacing>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // The half-edges of SWIFT, a library for proximity by Voronoi regions (SWIFT 1.1, its mesh.h): 104 bytes
-// each, of which 64 are two unit vectors with their offsets, here the planes at the half-edge's origin and
-// beside its face; then the half-edges after and before it around the face, its twin, its origin and its
+// each. 64 of the bytes are two unit vectors with their offsets, here the planes at the half-edge's origin
+// and next to its face; then the half-edges after and before it around the face, its twin, its origin and its
 // face. A vertex is its coordinates and a half-edge, 32 bytes, a face its plane and a half-edge, 40. 245
-// bytes per edge. What stands there is the structure alone, from its published list of fields; the
-// algorithms are ours.
+// bytes per edge. Only the structure is the library's, from its published list of fields; the algorithms are
+// ours.
 //
-// Departures: what SWIFT keeps as pointers are numbers of the same size, and the list names four of them
-// beside the 64 bytes: the fifth is taken to be the half-edge before. The library's hierarchy of coarser
-// bodies, 48 bytes per edge of each level, and its look-up table of directions are left out (lean_seeds114
-// and lean_seeds482 have tables of that size). Planes are those of `aos` to the bit. Everything is stored
-// whatever a table is asked for (keeps_faces, table/contract.hpp).
+// Departures: numbers replace SWIFT's pointers, in the same size. Its list names four of them after the 64
+// bytes; we assume that the fifth is the half-edge before. The library's hierarchy of coarser bodies, 48
+// bytes per edge of each level, and its look-up table of directions are left out (lean_seeds114 and
+// lean_seeds482 have tables of that size). Planes are those of `aos` to the bit. Everything is always stored,
+// also in a table for GJK (keeps_faces, table/contract.hpp).
 #pragma once
 
 #include <cassert>
@@ -24,7 +24,7 @@
 
 namespace edgewise {
 
-/// As wide as a pointer.
+/// An index in the size of a pointer.
 using SwiftLink = std::uint64_t;
 
 template <class Stored>
@@ -45,7 +45,7 @@ struct SwiftFace {
     SwiftLink half_edge;
 };
 
-/// Where the arrays are, in bytes from the block's start.
+/// The start of each array, in bytes from the block's start.
 template <class Stored>
 struct SwiftPlaces {
     using HalfEdgeRecord = SwiftHalfEdge<Stored>;
@@ -86,7 +86,7 @@ class swift : public HalfEdgeTable<swift<P, Loader>, P, Loader> {
     static constexpr std::string_view derives = "nothing";
     static constexpr bool keeps_faces = true;
 
-    /// Both kinds of parts are the same here: the library keeps all.
+    /// Both kinds of parts are the same here: the library keeps everything.
     swift(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
         this->make_block(places_);
         const std::vector<HalfEdge> successor = this->successors(body);
@@ -123,7 +123,7 @@ class swift : public HalfEdgeTable<swift<P, Loader>, P, Loader> {
         assert(v < facts_.vertex_count);
         return cast<Compute>(load(vertices()[v].point, Field::vertex));
     }
-    /// The plane's normal at the head points along the edge.
+    /// Direction of the edge: the normal of its plane at the head.
     [[nodiscard]] Vec3<Compute> direction(Edge e) const {
         assert(e < facts_.edge_count());
         return cast<Compute>(load(half_edges()[2 * e + 1].at_origin.normal, Field::edge_direction));
@@ -147,7 +147,7 @@ class swift : public HalfEdgeTable<swift<P, Loader>, P, Loader> {
 
     using Places = SwiftPlaces<Stored>;
 
-    /// As HalfEdgeTable asks for them.
+    /// Steps between half-edges that HalfEdgeTable needs.
     [[nodiscard]] Index next(Index h) const { return link(half_edges()[h].next, Field::face_ring); }
     [[nodiscard]] Index before(Index h) const { return link(half_edges()[h].before, Field::vertex_ring); }
     [[nodiscard]] Index twin(Index h) const { return link(half_edges()[h].twin, Field::vertex_ring); }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The one definition of a relative pose that can be answered, for queries, batches, bounds and penetration:
-// finite, a proper rotation to within sloppiest_rotation, and so short that its square does not overflow. Any
-// other pose would be answered with a distance that is no number, or with a contact that is none; such a
-// query fails (Status::failed) and leaves its pair as it was. Some fifty operations, no division and no
-// branch but the last.
+// finite, a proper rotation to within sloppiest_rotation, and so short that its square does not overflow. The
+// answer to any other pose would be a distance of NaN, or a contact that does not exist; such a query fails
+// (Status::failed) and leaves its pair unchanged. Some fifty operations, no division and no branch except the
+// last.
 #pragma once
 
 #include <cmath>
@@ -16,9 +16,9 @@
 
 namespace edgewise {
 
-/// How far R is from a proper rotation, squared: by columns x, y, z, the sum of the squares of |x|^2 - 1 and
+/// Squared distance of R from a proper rotation: by columns x, y, z, the sum of the squares of |x|^2 - 1 and
 /// |y|^2 - 1, and twice those of x . y and z - x * y. About the sum of the squares of all entries of R^T R -
-/// I, but 8 of a mirror image; no number where an entry of R is none.
+/// I, but 8 for a mirror image; NaN where an entry of R is NaN.
 template <class Scalar>
 [[nodiscard]] Scalar squared_rotation_error(const Mat3<Scalar>& r) {
     const Vec3<Scalar> x = r.col(0), y = r.col(1), z = r.col(2);
@@ -26,8 +26,8 @@ template <class Scalar>
     return xx * xx + yy * yy + 2 * (xy * xy + squared_norm(Vec3<Scalar>(z - cross(x, y))));
 }
 
-/// Whether a pose with this squared distance from a rotation, at most, is so short that a query which
-/// computes in Scalar can answer it.
+/// Returns true if the pose has at most this squared distance from a rotation, and is so short that a query
+/// in Scalar can answer it.
 template <class Scalar>
 [[nodiscard]] bool is_within(const Transform<double>& a_from_b, double squared_error) {
     const Vec3d& t = a_from_b.translation;
@@ -36,13 +36,13 @@ template <class Scalar>
            offset <= static_cast<double>(Tolerance<Scalar>::largest_offset);
 }
 
-/// Scalar: what computes the query.
+/// Returns true if the pose can be answered by a query that computes in Scalar.
 template <class Scalar>
 [[nodiscard]] bool is_answerable(const Transform<double>& a_from_b) {
     return is_within<Scalar>(a_from_b, sloppiest_rotation * sloppiest_rotation);
 }
 
-/// False of a table that holds numbers which no query can compute with: a view at such a scale
+/// Returns false for a table with numbers that no query can compute with: a view at such a scale
 /// (table/scaled_table.hpp). Other tables are built from bodies in range.
 template <class Table>
 [[nodiscard]] bool is_in_range(const Table& table) {
@@ -52,7 +52,7 @@ template <class Table>
         return true;
 }
 
-/// Stops the compiler, in one line, where two tables compute in different scalars.
+/// Stops the compiler, with one line, where two tables compute in different scalars.
 template <class TableA, class TableB>
 [[nodiscard]] constexpr bool compute_alike() {
     constexpr bool alike = std::is_same_v<ComputeOf<TableA>, ComputeOf<TableB>>;
@@ -62,7 +62,7 @@ template <class TableA, class TableB>
     return alike;
 }
 
-/// What any query asks first.
+/// Returns true if tables and pose can be answered; every query checks this first.
 template <class TableA, class TableB>
 [[nodiscard]] bool is_answerable(const TableA& a, const TableB& b, const Transform<double>& a_from_b) {
     return is_answerable<ComputeOf<TableA>>(a_from_b) && is_in_range(a) && is_in_range(b);

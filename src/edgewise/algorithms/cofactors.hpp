@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // The point of a simplex closest to the origin, by Johnson's cofactors (johnson.hpp) without his search: all
-// of them are computed, in one line of arithmetic, and their signs, as bits of one word, tell which subset
+// of them are computed, in one line of arithmetic, and their signs, as bits of one word, say which subset
 // passes. Trying one subset after the other takes a branch for each, which no processor can predict: it was
 // 44 % of GJK's instructions and 65 % of its mispredicted branches.
 //
 // Departures. The cofactors of a whole tetrahedron are products of six lengths, which overflow and vanish
-// early in single precision; their signs are those of its corner volumes, products of three. What was chosen
-// is tried as Johnson tries it, against every other point, and if that fails, or nothing passes, he decides:
-// his backup, and his care for flat tetrahedra, are needed then.
+// early in single precision; their signs are those of its corner volumes, products of three. The chosen
+// subset is tried as Johnson tries it, against every other point. If that fails, or nothing passes, Johnson's
+// search decides: its backup, and its care for flat tetrahedra, are needed then.
 #pragma once
 
 #include <bit>
@@ -22,7 +22,7 @@
 
 namespace edgewise {
 
-/// D_k(X + {k}) for a subset X of `count` points whose own cofactors are known; `Number` may have lanes.
+/// D_k(X + {k}) for a subset X of `count` points with known cofactors; `Number` may have lanes.
 template <class Number, int count, class Points, class Known>
 [[nodiscard]] [[gnu::always_inline]] inline Number cofactor(const Points& w, const Known& of, int subset,
                                                             int k) {
@@ -32,7 +32,7 @@ template <class Number, int count, class Points, class Known>
 #pragma GCC unroll 4
     for (int i = m; i < count; ++i) {
         if (!(subset >> i & 1)) continue;
-        // One way round, so that the compiler finds those that are asked for twice.
+        // In one order only, so that the compiler finds products that are needed twice.
         const Number slope = m < k ? Number(dot(w[i], w[m] - w[k])) : Number(-dot(w[i], w[k] - w[m]));
         const Number term =
             std::has_single_bit(static_cast<unsigned>(subset)) ? slope : Number(of[subset][i] * slope);
@@ -41,8 +41,8 @@ template <class Number, int count, class Points, class Known>
     return sum;
 }
 
-/// Six times the volume of a tetrahedron, and those of the origin with each of its faces: the cofactors of
-/// the whole are the corners' times the whole's. `Number` may have lanes.
+/// Six times the volume of a tetrahedron, and of the tetrahedra of the origin with each face: the cofactors
+/// of the whole are the corners' times the whole's. `Number` may have lanes.
 template <class Number>
 struct CornersOfWhole {
     SmallArray<Number, 4> corner;
@@ -59,9 +59,9 @@ struct CornersOfWhole {
     }
 };
 
-/// The cofactors of every subset of `count` points that the closest point may rest on: where that is known to
-/// rest on the newest, the last of them, of half of them. Loops are unrolled, so that nothing but arithmetic
-/// is left.
+/// The cofactors of every subset of `count` points that the closest point may rest on. If it is known to rest
+/// on the newest point, the last one, that is half of the subsets. Loops are unrolled, so that only
+/// arithmetic is left.
 template <class Scalar, int count, bool newest_belongs>
 class Cofactors {
   public:
@@ -81,7 +81,7 @@ class Cofactors {
         if constexpr (count == 4) add_volumes(w);
     }
 
-    /// Bit i: by its signs, the closest point rests on ascending_subsets[i].
+    /// Bit i is set if by its signs the closest point rests on ascending_subsets[i].
     [[nodiscard]] [[gnu::always_inline]] unsigned passing() const {
         unsigned result = 0;
 #pragma GCC unroll 16
@@ -99,7 +99,7 @@ class Cofactors {
         return result;
     }
 
-    /// Of the points of a subset other than the whole; 0 for the others.
+    /// Cofactors of the points of a subset other than the whole; 0 for points outside the subset.
     [[nodiscard]] const SmallArray<Scalar, 4>& of(PointMask subset) const { return of_[subset]; }
 
   private:
@@ -107,11 +107,11 @@ class Cofactors {
     static constexpr int proper_end = count == 4 ? 15 : subsets;  ///< without the whole of four
     static constexpr int newest = 1 << (count - 1);
 
-    /// The closest point may rest on this subset.
+    /// Returns true if the closest point may rest on this subset.
     [[nodiscard]] static constexpr bool is_asked(int subset) {
         return !newest_belongs || (subset & newest) != 0;
     }
-    /// The cofactors of one that holds one point more, the newest, are made of this subset's.
+    /// Returns true if this subset's cofactors are needed for those of the subset with the newest point.
     [[nodiscard]] static constexpr bool is_asked_with_newest(int subset) {
         return (subset | newest) < proper_end;
     }
@@ -120,7 +120,7 @@ class Cofactors {
         return static_cast<std::uint64_t>(set) << (4 * subset + k);
     }
 
-    /// The signs of the whole's cofactors.
+    /// Adds the signs of the whole's cofactors.
     [[gnu::always_inline]] void add_volumes(const Points& w) {
         const CornersOfWhole<Scalar> volumes(w);
 #pragma GCC unroll 4
@@ -134,7 +134,7 @@ class Cofactors {
     std::uint64_t positive_ = 0;
 };
 
-/// Weighs the subset that passes by its signs; false if none does, or rounding has it wrong.
+/// Computes the weights of the subset that passes by its signs; false if none does, or rounding misleads.
 template <int count, bool newest_belongs, class Scalar>
 [[nodiscard]] [[gnu::always_inline]] inline bool weigh_passing(const SimplexPoints<Scalar>& w,
                                                                ClosestOfSimplex<Scalar>& found) {
@@ -162,7 +162,7 @@ template <int count, bool newest_belongs, class Scalar>
     return excludes;
 }
 
-/// The same for any count above one.
+/// Calls weigh_passing for any count above one.
 template <bool newest_belongs, class Scalar>
 [[nodiscard]] [[gnu::always_inline]] inline bool weigh_passing_of(const SimplexPoints<Scalar>& w, int count,
                                                                   ClosestOfSimplex<Scalar>& found) {
@@ -171,7 +171,7 @@ template <bool newest_belongs, class Scalar>
     return weigh_passing<2, newest_belongs>(w, found);
 }
 
-/// Where no subset passes by its signs.
+/// Finds the closest point by search, where no subset passes by its signs.
 template <class Scalar>
 [[gnu::noinline]] void search_closest(const SimplexPoints<Scalar>& w, int count,
                                       ClosestOfSimplex<Scalar>& found) {
@@ -179,8 +179,8 @@ template <class Scalar>
     found = johnson.holds_origin() ? johnson.inside() : johnson.closest();
 }
 
-/// Of any simplex, and of one that is known to rest on its newest point: two functions, since their branches
-/// go different ways.
+/// Finds the closest point of any simplex, and of a simplex that is known to rest on its newest point: two
+/// functions, since their branches go different ways.
 template <class Scalar>
 [[gnu::noinline]] EDGEWISE_IN_QUERY_LOOP void find_closest_of_any(const SimplexPoints<Scalar>& w, int count,
                                                                   ClosestOfSimplex<Scalar>& found) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What every algorithm returns. Points are in the frame of body A, where queries run; `to_world` takes them
-// out.
+// The answer of every algorithm. Points are in the frame of body A, where queries run; `to_world` transforms
+// them to world coordinates.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace edgewise {
 
 enum class Status : std::uint8_t {
     separated,    ///< distance > 0
-    touching,     ///< distance 0 (or within a tolerance asked for) and no common interior seen: `penetration`
-                  ///< tells whether there is one
+    touching,     ///< distance 0 (or within a tolerance asked for) and no common interior found:
+                  ///< `penetration` decides if there is one
     overlapping,  ///< distance 0 and a common interior point
     failed,       ///< no answer; the caller says why
 };
@@ -26,21 +26,21 @@ enum class Status : std::uint8_t {
 
 struct Distance {
     Status status = Status::failed;
-    double distance = 0;            ///< 0 in contact, but for what a contact tolerance allows
+    double distance = 0;            ///< 0 in contact, except for what a contact tolerance allows
     Vec3d point_a = Vec3d::Zero();  ///< witness on A, in A's frame; when overlapping, no claim is made
     Vec3d point_b = Vec3d::Zero();  ///< witness on B, in A's frame
-    /// Unit, from A to B: a plane across it separates the bodies, and B moved along it gets farther away. Of
-    /// close bodies it is better known than the difference of the witness points, whose rounding may exceed
-    /// their distance. Zero in contact, where `penetration` gives the normal of the least way out.
+    /// Unit, from A to B: a plane normal to it separates the bodies, and B moved along it gets farther away.
+    /// For close bodies it is more accurate than the difference of the witness points, with rounding that may
+    /// exceed their distance. Zero in contact, where `penetration` gives the normal of the least way out.
     Vec3d normal = Vec3d::Zero();
     int steps = 0;        ///< V-Clip states visited, or GJK iterations
     int cycles = 0;       ///< runs that came back to a state already seen
     int fallbacks = 0;    ///< answers taken from the complete fallback instead
-    int refinements = 0;  ///< close answers computed anew from where the run ended
+    int refinements = 0;  ///< close answers computed again from where the run ended
     int escapes = 0;      ///< local minima under a face that V-Clip left for a better face
 };
 
-/// The witness points and the normal in world coordinates.
+/// Returns the answer with witness points and normal in world coordinates.
 [[nodiscard]] inline Distance to_world(Distance answer, const Pose& pose_a) {
     answer.point_a = pose_a.apply(answer.point_a);
     answer.point_b = pose_a.apply(answer.point_b);
@@ -48,7 +48,7 @@ struct Distance {
     return answer;
 }
 
-/// Fills in what follows from two witness points known to be closest.
+/// Makes an answer from two witness points that are known to be closest.
 template <class Scalar>
 [[nodiscard]] Distance between(const Vec3<Scalar>& on_a, const Vec3<Scalar>& on_b) {
     const Vec3<Scalar> offset = on_b - on_a;

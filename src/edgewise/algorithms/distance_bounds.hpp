@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What is known of a pair's distance without a look at either body: bounds proven at one pose, and by how far
-// body B can have moved since. No point of B moves farther than its translation and, of a turn, the Frobenius
-// norm of R - R0 times its distance from B's origin; the distance changes by no more than that (Mirtich,
-// "Impulse-based Dynamic Simulation", 1996, bounds times of impact in this way). It holds for any two
-// matrices: of two exact rotations a root of two less would do, of rotations in single it would not. Most
-// pairs of a scene are far from each other or well within a margin: they are answered in some nanoseconds,
-// and no line of a table is read.
+// Bounds of a pair's distance without reading either body: bounds proven at one pose, and the distance by
+// which body B can have moved since. No point of B moves farther than its translation and, of a turn, the
+// Frobenius norm of R - R0 times its distance from B's origin; the distance changes by no more than that
+// (Mirtich, "Impulse-based Dynamic Simulation", 1996, bounds times of impact in this way). It holds for any
+// two matrices: for two exact rotations a root of two less would do, for rotations in single it would not.
+// Most pairs of a scene are far from each other or well within a margin: they are answered in some
+// nanoseconds, and no line of a table is read.
 #pragma once
 
 #include <algorithm>
@@ -34,22 +34,22 @@ struct DistanceInterval {
 
 class DistanceBounds {
   public:
-    /// Nothing is known.
+    /// Bounds of a pair about which nothing is known.
     DistanceBounds() = default;
 
-    /// Known at this pose of B in A's frame; `radius_b`: of B about its own origin (radius_of).
+    /// Bounds known at this pose of B in A's frame; `radius_b`: radius of B about its own origin (radius_of).
     DistanceBounds(const DistanceInterval& known, const Transform<double>& a_from_b, double radius_b)
         : known_(known), at_(a_from_b), squared_radius_(radius_b * radius_b) {
         assert(known.least <= known.most && radius_b >= 0);
     }
 
-    /// At another pose.
+    /// Bounds at another pose.
     [[nodiscard]] DistanceInterval at(const Transform<double>& a_from_b) const {
         const double moved = motion_to(a_from_b).most();
         return {std::max(0.0, known_.least - moved), known_.most + moved};
     }
 
-    /// Whether the bodies are nearer to each other than this; nothing where the bounds do not tell.
+    /// Returns true if the bodies are nearer than `distance`; nothing where the bounds do not decide.
     [[nodiscard]] std::optional<bool> nearer_than(double distance, const Transform<double>& a_from_b) const {
         if (distance <= 0) return false;
         const double above = known_.least - distance, below = distance - known_.most;
@@ -60,22 +60,22 @@ class DistanceBounds {
     }
 
   private:
-    /// No point of B is farther from where it was than the sum of the roots of these.
+    /// Squared bounds: no point of B has moved farther than the sum of their roots.
     struct Motion {
         double squared_shift, squared_turn;
 
         [[nodiscard]] double most() const {
             return (std::sqrt(squared_shift) + std::sqrt(squared_turn)) * rounding;
         }
-        /// Roots are taken where the mean of the squares, which is no less than the squared mean, does not
-        /// tell.
+        /// Computes roots only where the mean of the squares, which is no less than the squared mean, does
+        /// not decide.
         [[nodiscard]] bool is_within(double room) const {
             const double left = (2 - rounding) * room;
             return 2 * (squared_shift + squared_turn) < left * left || most() <= room;
         }
     };
 
-    /// Differences of given numbers have their relative error alone.
+    /// Differences of given numbers have only their own relative error.
     static constexpr double rounding = 1 + 16 * std::numeric_limits<double>::epsilon();
 
     [[nodiscard]] Motion motion_to(const Transform<double>& to) const {
@@ -90,7 +90,7 @@ class DistanceBounds {
     double squared_radius_ = 0;
 };
 
-/// How far the body reaches from its origin.
+/// Largest distance of the body from its origin.
 template <SupportTable Table>
 [[nodiscard]] double radius_of(const Table& table) {
     double radius = 0;
@@ -101,10 +101,10 @@ template <SupportTable Table>
     return radius;
 }
 
-/// Bounds from an answer to a query at this pose, of which only the normal and the witness points are
-/// believed: no vertex of either body lies between the two planes across the normal, and the witness points
-/// are points of the bodies. Both to rounding in what the tables compute with, which is allowed for. `pair`
-/// as the query left it: the farthest vertices along the normal are where it ended, or beside that.
+/// Bounds from an answer to a query at this pose. They rely only on its normal and witness points: no vertex
+/// of either body lies between the two planes across the normal, and the witness points are points of the
+/// bodies. Both hold to the rounding of the tables' arithmetic, and the bounds include it. `pair` as the
+/// query left it: the farthest vertices along the normal are at its end, or next to it.
 template <SupportTable TableA, SupportTable TableB, class Pair>
 [[nodiscard]] DistanceInterval proven_interval(const TableA& a, const TableB& b,
                                                const Transform<double>& a_from_b, const Distance& answer,

@@ -8,8 +8,8 @@
 // relative (the duality gap against the rounding noise of the support products) where Cameron's is an
 // absolute 1e-8 on the squared distance; a repeated support point ends the run, as does a step that gains
 // nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp). A cold query starts at the points
-// that face each other along the line of the origins, not anywhere; one whose old simplex lies much farther
-// off than it did, or proves to be of no use, starts anew from there.
+// that face each other along the line of the origins, not anywhere. A warm query with an old simplex that now
+// lies much farther off, or proves useless, starts again from these points.
 #pragma once
 
 #include <algorithm>
@@ -83,14 +83,14 @@ class GjkRun {
         sub_.solve_first();
     }
 
-    /// Than when the last query ended, whose distance was `before`: the bodies have moved far since.
+    /// Returns true if the bodies have moved far since the last query ended at distance `before`.
     [[nodiscard]] bool lies_farther(Scalar before) const {
         const Scalar farthest = static_cast<Scalar>(moved_far_of_distance) * before +
                                 static_cast<Scalar>(moved_far_of_size) * sub_.simplex().size;
         return squared_norm(sub_.closest().point) > farthest * farthest;
     }
 
-    /// Cold: from the points of both bodies that face each other along the line between their origins.
+    /// Cold start: from the points of both bodies that face each other along the line of their origins.
     void start_between_origins() {
         const Vec3<Scalar>& towards_b = a_from_b_.translation;
         const auto a = support_from(a_, towards_b, a_.first_vertex());
@@ -99,8 +99,8 @@ class GjkRun {
         sub_.add(a.vertex, b.vertex, a.point, a_from_b_.point(b.point));
     }
 
-    /// The first support points say that the last query's simplex is of no use after this much motion: cold,
-    /// if that begins nearer.
+    /// Called when the first support points show that the last query's simplex is useless after this much
+    /// motion. Starts cold, if that begins nearer.
     [[nodiscard]] [[gnu::noinline]] bool start_nearer(Scalar squared) {
         is_cold_ = true;
         const SubDistance<TableA, TableB> warm = sub_;
@@ -119,7 +119,7 @@ class GjkRun {
         return is_cold_ ? cold_support(table, direction, last) : support(table, direction, last);
     }
 
-    /// One support point further; false when nothing is left to gain.
+    /// Adds one support point; false when nothing is left to gain.
     [[nodiscard]] bool advance(Scalar squared) {
         const auto& simplex = sub_.simplex();
         const Vec3<Scalar>& v = sub_.closest().point;
@@ -138,7 +138,7 @@ class GjkRun {
         return sub_.extend(a.vertex, b.vertex, a.point, on_b, squared, separates_);
     }
 
-    /// At the origin with a direction that separates nothing: contact as far as this precision can tell.
+    /// At the origin with a direction that separates nothing: contact within this precision.
     [[nodiscard]] Status separated_or_contact() const {
         const bool at_origin =
             max_abs(sub_.closest().point) <= Tolerance<Scalar>::contact_noise * sub_.simplex().size;
@@ -160,12 +160,12 @@ class GjkRun {
     Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
     int steps_ = 0;
     bool is_cold_ = false;
-    bool separates_ = false;  ///< beyond rounding
+    bool separates_ = false;  ///< true if a direction separates by more than rounding
 };
 
 /// One run with everything inlined: calls cost a tenth of it. A symbol of its own, which a library of table
-/// types may hold and others use (`extern template`). Where a sanitizer looks on, nothing is flattened, since
-/// what it looks at is not inlined into what it does not: g++ took minutes for one query otherwise.
+/// types may hold and others use (`extern template`). Not flattened under sanitizers: instrumented code is
+/// not inlined into other code, and g++ took minutes for one query otherwise.
 template <SupportTable TableA, SupportTable TableB>
 [[nodiscard]] EDGEWISE_QUERY_LOOP Distance run_gjk(const TableA& a, const TableB& b,
                                                    const Transform<ComputeOf<TableA>>& a_from_b,
@@ -174,7 +174,7 @@ template <SupportTable TableA, SupportTable TableB>
     return GjkRun<TableA, TableB>(a, b, a_from_b, options).run(pair);
 }
 
-/// The algorithm as the sweep and users see it.
+/// The algorithm as the sweep and users call it.
 struct Gjk {
     static constexpr std::string_view name = "gjk";
     static constexpr Parts parts = Parts::support;
@@ -183,7 +183,7 @@ struct Gjk {
     using Pair = SimplexPair<TableA, TableB>;
 
     /// Distance of two bodies; `a_from_b` takes B's points into A's frame. `pair` is the start of this query
-    /// and receives the start of the next. Fails for a pose that is none (answerable.hpp).
+    /// and receives the start of the next. Fails for an invalid pose (answerable.hpp).
     template <SupportTable TableA, SupportTable TableB, class Observer = NoObserver>
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                         SimplexPair<TableA, TableB>& pair, const QueryOptions& options = {},

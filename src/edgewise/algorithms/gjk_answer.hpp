@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What GJK's last simplex says of the bodies: distance, witness points and normal.
+// Distance, witness points and normal from GJK's last simplex.
 #pragma once
 
 #include "edgewise/algorithms/distance.hpp"
@@ -9,9 +9,9 @@
 
 namespace edgewise {
 
-/// `simplex`: on_a(i), on_b(i), in A's frame, of `count` points. Witness points are its own, weighted.
-/// Weights on a thin triangle are worse than its foot: what the witnesses of separated bodies differ from it
-/// by is shared out, so that they are separated by the distance that is reported.
+/// `simplex`: on_a(i), on_b(i), in A's frame, of `count` points. Witness points are weighted sums of them.
+/// Weights on a thin triangle are less accurate than its foot: the difference of the witnesses of separated
+/// bodies from it is shared out, so that they are separated by the reported distance.
 template <class Points, class Scalar>
 [[nodiscard]] Distance gjk_answer(const Points& simplex, const ClosestOfSimplex<Scalar>& closest,
                                   Status status, int steps) {

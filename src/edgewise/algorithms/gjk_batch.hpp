@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // GJK for many pairs at once: pairs in, answers out, each to the bit that of Gjk::query. Cold pairs of small
-// bodies, whose support points a scan finds, are answered several at a time, one per lane of the processor's
-// registers (lanes/lane_gjk.hpp); others one after the other, while the memory of the next is being fetched.
-// Lanes solve by cofactors: where another solver is asked for, all are asked one after the other.
+// bodies, for which a scan finds support points, are answered several at a time, one per lane of the
+// processor's registers (lanes/lane_gjk.hpp); other pairs one after the other, while the memory of the next
+// is being fetched. Lanes solve by cofactors: with another solver all are asked one after the other.
 #pragma once
 
 #include <cassert>
@@ -25,13 +25,13 @@
 
 namespace edgewise {
 
-/// A table whose handles count the vertices from 0: a lane can name them.
+/// A table with handles that count the vertices from 0: a lane can name them.
 template <class Table>
 concept LaneTable = SupportTable<Table> && std::unsigned_integral<typename Table::Vertex> && requires {
     requires Table::counts_vertices;
 };
 
-/// Whether a scan finds this table's support points, and so lanes can.
+/// Returns true if a scan finds this table's support points: then lanes can find them.
 template <LaneTable Table>
 [[nodiscard]] bool fits_lane(const Table& table) {
     if constexpr (ClimbingTable<Table>) {
@@ -42,7 +42,7 @@ template <LaneTable Table>
     return table.vertex_count() <= most_lane_vertices;
 }
 
-/// query_batch's work where lanes can do it.
+/// Runs query_batch where lanes can do it.
 template <LaneTable TableA, LaneTable TableB>
 class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
   public:
@@ -55,7 +55,7 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
         assert(options.sub_distance == SubDistanceSolver::cofactors && "lanes know no other");
     }
 
-    /// width: not none.
+    /// `width`: a width other than none.
     void run(LaneWidth width) { run_lanes(*this, options_, width); }
 
     [[nodiscard]] bool next(int lane, LaneQuery<Scalar>& query) override {
@@ -106,7 +106,7 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
   private:
     static constexpr std::size_t most_lanes = 8;  ///< 256 bits of float
 
-    /// What a query ended with, as its answer and its pair read it.
+    /// The simplex at the end of a query, as its answer and its pair read it.
     struct EndSimplex {
         int count = 0;
         SmallArray<typename TableA::Vertex, 4> a{};
@@ -134,8 +134,8 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
         answers_[number] = ask_one(queries_[number], options_);
     }
 
-    /// False: not for lanes. A warm query is none: of pairs that moved by 0.01 to 1 rad lanes took 1.1 to 1.7
-    /// times as long as single queries, since most of these end after one support point.
+    /// False: not for lanes. Warm queries are not: for pairs that moved by 0.01 to 1 rad lanes took 1.1 to
+    /// 1.7 times as long as single queries, since most warm queries end after one support point.
     [[nodiscard]] bool start(const Query& given, LaneQuery<Scalar>& query) const {
         if (!is_answerable(*given.a, *given.b, given.a_from_b)) [[unlikely]]
             return false;  // the single query says so

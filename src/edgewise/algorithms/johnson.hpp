@@ -10,15 +10,15 @@
 // <v, w_m - w_k> <= 0, which has the sign of D_k(X + {k}). Differences are taken before products:
 // cancellation in <w_i,w_m> - <w_i,w_k> is where the textbook form loses its digits.
 //
-// Departures. A tetrahedron holds the origin only if the signed volumes of its four corners say so beyond
+// Departures. A tetrahedron holds the origin only if the signed volumes of its four corners show it beyond
 // their rounding: on a flat one the cofactors are noise and may all be positive. And when rounding leaves no
-// subset that passes, the backup procedure weighs every subset whose cofactors are positive by its own
-// distance and takes the nearest; positive weights always give a point of the simplex, so that answer is
-// never a lie. It also checks a triangle with almost collinear corners, whose cofactors are noise.
+// subset that passes, the backup procedure weighs every subset with positive cofactors by its own distance
+// and takes the nearest; positive weights always give a point of the simplex, so the answer is never
+// invalid. It also checks triangles with almost collinear corners, whose cofactors are noise.
 //
-// Johnson, not signed volumes throughout, because it is what the replicated paper ran, and because the backup
-// already covers flat simplices. Unless it is asked for (sub_distance_solver.hpp), most simplices are decided
-// without its loops, by the same cofactors (cofactors.hpp).
+// Johnson, not signed volumes throughout, because the replicated paper ran it, and because the backup already
+// covers flat simplices. Unless it is asked for (sub_distance_solver.hpp), most simplices are decided without
+// its loops, by the same cofactors (cofactors.hpp).
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@
 
 namespace edgewise {
 
-/// The triple product with every sign turned positive: what its rounding is relative to.
+/// The triple product with every sign turned positive: its rounding is relative to this.
 template <class Scalar>
 [[nodiscard]] Scalar unsigned_volume(const Vec3<Scalar>& a, const Vec3<Scalar>& b, const Vec3<Scalar>& c) {
     const auto size = [](const Scalar& s) {
@@ -71,16 +71,16 @@ class Johnson {
 
     static constexpr Mask whole = 15;
 
-    /// Points are w[0 .. count-1], 1 <= count <= 4.
+    /// Takes the points w[0 .. count-1], 1 <= count <= 4.
     Johnson(const SimplexPoints<Scalar>& w, int count) : w_(w), count_(count) {
         assert(count >= 1 && count <= 4);
     }
 
-    /// Whether a tetrahedron holds the origin, before any subset is tried.
+    /// Returns true if a tetrahedron holds the origin, before any subset is tried.
     [[nodiscard]] bool holds_origin() { return count_ == 4 && volumes_hold_origin(); }
     [[nodiscard]] Closest inside() const { return weigh(whole); }
 
-    /// Out of line: unless chosen, asked only where the signs of the cofactors do not tell (cofactors.hpp).
+    /// Out of line: unless chosen, called only where the cofactors' signs decide nothing (cofactors.hpp).
     [[nodiscard]] [[gnu::noinline]] Closest closest() {
         if (Closest found; ascend(found)) return found.thin ? nearer_of(found) : found;
         if (count_ == 4 && volumes_hold_origin()) return weigh(whole);
@@ -88,7 +88,7 @@ class Johnson {
     }
 
   private:
-    /// The first subset that passes, in ascending size; false if none does.
+    /// Finds the first subset that passes, in ascending size; false if none does.
     [[nodiscard]] bool ascend(Closest& found) {
         return std::any_of(ascending_subsets.begin(), ascending_subsets.end(), [&](Mask mask) {
             if (mask >> count_ != 0 || !cofactors(mask)) return false;
@@ -106,7 +106,7 @@ class Johnson {
     /// <w_i, w_m - w_k>
     [[nodiscard]] Scalar slope(int i, int m, int k) const { return dot(w_[i], w_[m] - w_[k]); }
 
-    /// D_k(X + {k}) for a subset whose own cofactors are known.
+    /// D_k(X + {k}) for a subset with known cofactors.
     [[nodiscard]] Scalar cofactor_of(Mask subset, int k) const {
         const int m = lowest_point(subset);
         Scalar sum = 0;
@@ -116,7 +116,7 @@ class Johnson {
         return sum;
     }
 
-    /// Cofactors of every member, from the subsets one smaller; true when all are positive.
+    /// Computes cofactors of every member, from the subsets one smaller; true when all are positive.
     bool cofactors(Mask mask) {
         if ((mask & (mask - 1)) == 0) {
             cofactor_[mask][lowest_point(mask)] = 1;
@@ -132,7 +132,7 @@ class Johnson {
         return positive;
     }
 
-    /// No other point lies nearer along the direction of this subset's closest point.
+    /// Returns true if no other point lies nearer along the direction of this subset's closest point.
     [[nodiscard]] bool excludes_others(Mask mask, const Vec3<Scalar>& point) const {
         const int m = lowest_point(mask);
         for (int k = 0; k < count_; ++k) {
@@ -165,7 +165,7 @@ class Johnson {
         return squared_norm(nearest.point) < squared_norm(triangle.point) ? nearest : triangle;
     }
 
-    /// The backup procedure. All cofactors are known by now.
+    /// The backup procedure. All cofactors are known by then.
     [[nodiscard]] Closest nearest_of_all() {
         Closest best;
         Scalar least = -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A pair that is asked whether it is nearer than some margin: by its bounds where these tell, else by a
+// A pair for the question if its bodies are nearer than some margin: its bounds answer where they can, else a
 // query, which renews them.
 #pragma once
 
@@ -16,14 +16,14 @@
 
 namespace edgewise {
 
-/// What a pair keeps from one such question to the next. The bounds first: most questions read no more.
+/// State of a pair between such questions. The bounds first: most questions read only them.
 template <class Pair>
 struct NearCache {
     DistanceBounds bounds;
     Pair pair;
 };
 
-/// Asks the tables for the whole distance, and with the answer renews the bounds.
+/// Queries the tables for the whole distance, and renews the bounds from the answer.
 template <class Algorithm, SupportTable TableA, SupportTable TableB, class Pair, class Observer = NoObserver>
 Distance ask_near(const TableA& a, const TableB& b, const Transform<double>& a_from_b, const Radii& radii,
                   NearCache<Pair>& cache, const QueryOptions& options = {}, Observer&& observer = {}) {
@@ -44,9 +44,9 @@ class NearPair {
     NearPair(const TableA&, const TableB&&) = delete;
     NearPair(const TableA&&, const TableB&&) = delete;
 
-    /// Whether the bodies are nearer to each other than `distance`. To rounding: bodies at just this distance
-    /// may be called either. A pose that cannot be answered (answerable.hpp) counts as nearer, since the
-    /// caller then computes the distance, and that query fails.
+    /// Returns true if the bodies are nearer to each other than `distance`. To rounding: at exactly this
+    /// distance either answer is possible. A pose that cannot be answered (answerable.hpp) counts as nearer,
+    /// since the caller then computes the distance, and that query fails.
     [[nodiscard]] bool nearer_than(double distance, const Transform<double>& a_from_b) {
         if (!is_answerable(a_, b_, a_from_b)) [[unlikely]]
             return true;
@@ -54,8 +54,8 @@ class NearPair {
         return ask(a_from_b).distance < distance;
     }
 
-    /// The distance is no less, and no more, than this; no table is read. Nothing is known at a pose that
-    /// cannot be answered.
+    /// Lower and upper bound of the distance; no table is read. Nothing is known at a pose that cannot be
+    /// answered.
     [[nodiscard]] DistanceInterval bounds(const Transform<double>& a_from_b) const {
         if (!is_answerable(a_, b_, a_from_b)) return {};
         return cache_.bounds.at(a_from_b);
@@ -67,7 +67,7 @@ class NearPair {
         return ask_near<Algorithm>(a_, b_, a_from_b, radii_, cache_);
     }
 
-    /// How often the tables were asked.
+    /// Number of queries to the tables.
     [[nodiscard]] std::uint64_t queries() const { return queries_; }
 
   private:

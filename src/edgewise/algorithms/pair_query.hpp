@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One query as a value, so that many can be handed over at once, and the plainest way to answer many: one
-// after the other, while the memory of those to come is being fetched.
+// One query as a value, so that a caller can hand over many at once, and the simplest way to answer many: one
+// after the other, while the memory of later queries is being fetched.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace edgewise {
 
-/// One query: as Algorithm::query takes it (Gjk, or VClip). No two of a batch may share a pair.
+/// One query: the arguments of Algorithm::query (Gjk, or VClip). No two of a batch may share a pair.
 template <SupportTable TableA, SupportTable TableB, class Algorithm = Gjk>
 struct PairQuery {
     const TableA* a;
@@ -23,11 +23,11 @@ struct PairQuery {
     typename Algorithm::template Pair<TableA, TableB>* pair;
 };
 
-/// A batch as functions take it: any contiguous range converts, so its types are named, not deduced.
+/// A batch as a parameter: any contiguous range converts, so its types are named, not deduced.
 template <SupportTable TableA, SupportTable TableB, class Algorithm>
 using PairQueries = std::type_identity_t<std::span<const PairQuery<TableA, TableB, Algorithm>>>;
 
-/// Asks for the memory of a query that is to come.
+/// Prefetches the memory of a later query.
 template <class Query>
 void fetch_ahead(std::span<const Query> queries, std::size_t of) {
     constexpr std::size_t ahead = 8;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A batch over threads: parts of it, disjoint, by oneTBB (Debian: libtbb-dev). Pairs know nothing of each
-// other, so every answer is to the bit that of a single query, whoever asks it and beside which others.
+// A batch over threads: parts of it, disjoint, by oneTBB (Debian: libtbb-dev). Pairs are independent, so
+// every answer is to the bit that of a single query, in any thread and any part.
 //
 // The one header that includes TBB. The package does not link it: a program that includes this header links
 // TBB::tbb itself (find_package(TBB)), and others need no TBB.
@@ -22,19 +22,19 @@
 
 namespace edgewise {
 
-/// How many queries a thread takes at once, at most: some hundred, so that handing them out costs nothing
-/// beside them; fewer of a batch that would else not go round.
+/// Most queries that a thread takes at once: some hundred, so that the cost of handing them out is
+/// negligible; fewer if a batch is too small for all threads.
 [[nodiscard]] inline std::size_t queries_per_part(std::size_t queries, const tbb::task_arena& arena) {
     constexpr std::size_t parts_each = 4, least = 32, most = 256;
     const auto threads = static_cast<std::size_t>(arena.max_concurrency());
     return std::clamp(queries / (parts_each * threads), least, most);
 }
 
-/// Tables that several threads may ask at once: all but those that queries write to, such as `lazy`.
+/// Tables that several threads may query at once: all except those that queries write to, such as `lazy`.
 template <class Table>
 concept ShareableTable = SupportTable<Table> && !queries_write<Table>;
 
-/// query_batch in as many threads as the arena has. For those who ask batch after batch: they keep the arena.
+/// Runs query_batch in all threads of the arena. For callers with many batches: they keep the arena.
 template <ShareableTable TableA, ShareableTable TableB, class Algorithm = Gjk>
 void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
                           const QueryOptions& options, tbb::task_arena& arena,
@@ -51,8 +51,8 @@ void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::s
     });
 }
 
-/// Answers queries[i] in answers[i] in at most so many threads, the caller's among them; 1 or more. TBB runs
-/// no more of them than the machine has cores (tbb::global_control says otherwise). Returns when all is done.
+/// Answers queries[i] in answers[i] in at most `threads` threads, including the caller's; 1 or more. TBB runs
+/// no more of them than the machine has cores (unless tbb::global_control differs). Returns when all is done.
 template <ShareableTable TableA, ShareableTable TableB, class Algorithm = Gjk>
 void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
                           const QueryOptions& options, int threads, LaneWidth width = best_lanes()) {

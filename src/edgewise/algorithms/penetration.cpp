@@ -51,16 +51,16 @@ class EpaRun {
         answer_.depth = std::numeric_limits<double>::infinity();
     }
 
-    /// The corner as a point of the polytope.
+    /// Takes the corner as a point of the polytope.
     Vec3d take(const Corner& corner) {
         size_ = std::max(size_, corner.size() * scale_);
         return corner.point(scale_);
     }
 
-    /// Of the products along a unit direction.
+    /// Rounding noise of the products along a unit direction.
     [[nodiscard]] double noise() const { return difference_.support_noise() * size_; }
 
-    /// Along any direction the difference ends at its support plane: no translation beyond that is needed.
+    /// The difference ends at its support plane along any direction: no longer translation is needed.
     void note_bound(const epa::Face& face, double gain, const Corner& corner) {
         const double bound = std::max(0.0, (face.distance + gain) / scale_);
         if (bound >= answer_.depth) return;
@@ -87,8 +87,8 @@ class EpaRun {
         return answer_;
     }
 
-    /// A difference without volume has no depth: any step across it separates the bodies. Solids only look
-    /// like that when an offset swallows their digits; then they are separated already.
+    /// A difference without volume has no depth: any step across it separates the bodies. Solids look like
+    /// that only when an offset swallows their digits; then they are separated already.
     [[nodiscard]] Penetration flat(const epa::Tetrahedron& tetrahedron) {
         const auto closest = Johnson<double>(tetrahedron.points(), tetrahedron.count()).closest();
         const double distance = norm(closest.point);
@@ -102,8 +102,8 @@ class EpaRun {
         return answer_;
     }
 
-    /// Whether the difference does not go on beyond the origin along a unit direction: a distance of some
-    /// rounding steps has a direction that is noise, and may lie within the difference's own plane.
+    /// Returns true if the difference does not continue beyond the origin along a unit direction. A distance
+    /// of some rounding steps has a direction that is noise, and may lie within the difference's own plane.
     [[nodiscard]] bool ends_at_origin(const Vec3d& direction, const epa::Tetrahedron& tetrahedron) const {
         if (max_abs(direction) == 0) return false;
         const Corner& first = tetrahedron.corners()[0];

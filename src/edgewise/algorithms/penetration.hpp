@@ -28,27 +28,27 @@
 
 namespace edgewise {
 
-/// All in A's frame. B moved by depth * normal touches A. Always <normal, point_a - point_b> = depth; when
-/// converged, point_a - point_b = depth * normal, both to rounding: point_a is the point of A deepest in B,
-/// point_b that of B deepest in A.
+/// Everything is in A's frame. B moved by depth * normal touches A. Always <normal, point_a - point_b> =
+/// depth; when converged, point_a - point_b = depth * normal, both to rounding: point_a is the point of A
+/// deepest in B, point_b the point of B deepest in A.
 struct Penetration {
     double depth = 0;              ///< 0: touching, or separated (then along the normal, the points are void)
-    Vec3d normal = Vec3d::Zero();  ///< unit; where B must go, outward from A
+    Vec3d normal = Vec3d::Zero();  ///< unit; direction in which B must move, outward from A
     Vec3d point_a = Vec3d::Zero();  ///< on the surface of A
     Vec3d point_b = Vec3d::Zero();  ///< on the surface of B
-    int steps = 0;                  ///< faces looked at
+    int steps = 0;                  ///< number of faces examined
     /// False: the work space was full, and the depth is an upper bound; or, with a normal of zero, the pose
     /// cannot be answered (answerable.hpp).
     bool converged = false;
 };
 
-/// What a query needs beside the stack. Reused from one query to the next, it allocates only when a query
-/// needs more than any before it. One for each thread.
+/// Heap memory of a query. Reused from one query to the next, it allocates only when a query needs more than
+/// any before it. Use one for each thread.
 struct PenetrationSpace {
     static constexpr std::size_t first_faces = 256;
 
-    /// A query stops when it has made so many faces (some 100 bytes each). Shallow pairs make
-    /// some dozen; two concentric spheres, all of whose surface is about equally deep, make 4000 with 386
+    /// A query stops when it has made this many faces (some 100 bytes each). Shallow pairs make some dozen.
+    /// Two concentric spheres, with a surface that is about equally deep everywhere, make 4000 with 386
     /// vertices each and 13000 with 1538.
     std::size_t face_limit = 65536;
 
@@ -61,12 +61,12 @@ struct PenetrationSpace {
     }
 };
 
-/// Of a difference, from one to four of its corners.
+/// Depth of a difference, from one to four of its corners.
 [[nodiscard]] Penetration penetration(const epa::Difference& difference, std::span<const epa::Corner> start,
                                       PenetrationSpace& space);
 
-/// Depth of two bodies that GJK found touching or overlapping; `start` is what that query left (any other,
-/// or an empty one, costs steps only). `a_from_b` takes B's points into A's frame.
+/// Depth of two bodies that GJK found touching or overlapping; `start` is the state that the query left (any
+/// other, or an empty one, costs only steps). `a_from_b` takes B's points into A's frame.
 template <SupportTable TableA, SupportTable TableB>
 [[nodiscard]] Penetration penetration(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                       const SimplexPair<TableA, TableB>& start, PenetrationSpace& space) {

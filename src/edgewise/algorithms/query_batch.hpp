@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Many pairs at once: queries in, answers out, each to the bit that of a single query. GJK's pairs of small
-// bodies go side by side (gjk_batch.hpp); those of other tables, and V-Clip's, which walk each a way of its
-// own, one after the other; so are those that Johnson's search is to solve.
+// bodies go side by side (gjk_batch.hpp). Pairs of other tables, pairs of V-Clip, which each walk their own
+// way, and pairs that Johnson's search solves go one after the other.
 #pragma once
 
 #include <cassert>
@@ -16,8 +16,8 @@
 
 namespace edgewise {
 
-/// Answers queries[i] in answers[i]. Disjoint parts of a batch may run in as many threads: nothing is shared
-/// but tables, which are read (parallel_batch.hpp). V-Clip has no lanes, and no use for a width.
+/// Answers queries[i] in answers[i]. Disjoint parts of a batch may run in threads of their own: they share
+/// only tables, which are read (parallel_batch.hpp). V-Clip has no lanes, and ignores the width.
 template <SupportTable TableA, SupportTable TableB, class Algorithm = Gjk>
 void query_batch(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
                  const QueryOptions& options = {}, LaneWidth width = best_lanes()) {

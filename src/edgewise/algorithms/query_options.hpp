@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a caller may give away of an answer for speed or robustness, and how it is found. Nothing is given
-// away unless asked: both tolerances default to "as exact as the type allows". The paper's (section 3.4) are
-// of these two kinds.
+// Accuracy that a caller may trade for speed or robustness, and how answers are found. Nothing is traded
+// unless asked for: both tolerances default to "as exact as the type allows". The paper's tolerances (section
+// 3.4) are of the same two kinds.
 #pragma once
 
 #include "edgewise/algorithms/distance.hpp"
@@ -11,25 +11,25 @@
 namespace edgewise {
 
 struct QueryOptions {
-    /// Bodies as near as this or nearer are touching, in the bodies' own unit.
+    /// Bodies at this distance or nearer are touching, in the bodies' own unit.
     double contact_tolerance = 0;
     /// GJK ends when the squared distance is known to this relative width: the duality gap |v|^2 - <v, w>
-    /// over |v|^2. The distance is then too large by at most this part of itself. V-Clip has no such thing.
+    /// over |v|^2. The distance is then too large by at most this part of itself. V-Clip ignores it.
     double gap_tolerance = 0;
-    /// Only the verdict is wanted: GJK ends as soon as a direction separates the bodies, by more than the
-    /// contact tolerance, and the distance of separated bodies is then an upper bound. V-Clip knows its
+    /// If true, only the verdict matters: GJK ends as soon as a direction separates the bodies, by more than
+    /// the contact tolerance, and the distance of separated bodies is then an upper bound. V-Clip knows its
     /// verdict no sooner than its distance.
     bool verdict_only = false;
-    /// V-Clip's: a cycle, and an answer that rounding may have chosen, is GJK's to give. Else V-Clip is raw,
-    /// as published: what it ended with stands, right or wrong. Its loops are not inlined then: it is there
-    /// to be judged, not timed.
+    /// V-Clip only: if true, GJK answers after a cycle, and where rounding may have chosen the answer. If
+    /// false, V-Clip is raw, as published: its last result is the answer, right or wrong. Its loops are not
+    /// inlined then: raw V-Clip is there to be checked, not timed.
     bool hardened = true;
-    /// GJK's; V-Clip has none of its own, and where it asks GJK that solves as by default.
+    /// GJK's solver; V-Clip has none, and where it asks GJK, GJK solves by the default.
     SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;
 };
 
-/// An answer as the options ask for it. A distance within the tolerance stays as found: for GJK, which
-/// stops as soon as it knows that much, an upper bound.
+/// Applies the options to an answer. A distance within the tolerance stays as found: for GJK, which stops as
+/// soon as it knows that much, an upper bound.
 [[nodiscard]] inline Distance within(const QueryOptions& options, Distance answer) {
     if (answer.status == Status::separated && answer.distance <= options.contact_tolerance)
         answer.status = Status::touching;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// GJK's simplex while a query runs. Its points lie in places of their own, where they stay as long as they
-// belong to it: in order are their differences alone, which are all that the next iteration asks for.
+// GJK's simplex while a query runs. Its points stay in their own places as long as they belong to it; only
+// their differences are kept in order, because the next iteration reads only these.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace edgewise {
 
-/// Up to four pairs of vertices, and the points they stand for in the Minkowski difference (A's frame).
+/// Up to four pairs of vertices, and their points in the Minkowski difference (A's frame).
 template <SupportTable TableA, SupportTable TableB>
 class Simplex {
   public:
@@ -24,11 +24,11 @@ class Simplex {
 
     int count = 0;
     SimplexPoints<Scalar> difference;
-    Scalar size = 0;  ///< longest coordinate of all points pushed so far: what rounding is relative to
+    Scalar size = 0;  ///< longest coordinate of all points pushed so far: rounding is relative to it
 
     [[nodiscard]] typename TableA::Vertex vertex_a(int i) const { return vertex_a_[place_[i]]; }
     [[nodiscard]] typename TableB::Vertex vertex_b(int i) const { return vertex_b_[place_[i]]; }
-    /// Both in A's frame.
+    /// Points of A and B, both in A's frame.
     [[nodiscard]] const Vec3<Scalar>& on_a(int i) const { return on_a_[place_[i]]; }
     [[nodiscard]] const Vec3<Scalar>& on_b(int i) const { return on_b_[place_[i]]; }
 
@@ -53,7 +53,7 @@ class Simplex {
         size = std::max({size, max_abs(point_a), max_abs(point_b)});
     }
 
-    /// As if the last push had not been; `before`: the size then.
+    /// Undoes the last push; `before`: the size before it.
     void drop_newest(Scalar before) {
         assert(count > 0);
         --count;
@@ -61,7 +61,7 @@ class Simplex {
         size = before;
     }
 
-    /// Which of them it is, if any, no processor can predict: all are compared.
+    /// Compares all pairs, because no processor can predict which of them matches.
     [[nodiscard]] bool holds(typename TableA::Vertex a, typename TableB::Vertex b) const {
         unsigned equal = 0;
 #pragma GCC unroll 4
@@ -71,8 +71,8 @@ class Simplex {
         return (equal & taken_) != 0;
     }
 
-    /// Drops what the closest point does not rest on; weights move along. Which points those are no processor
-    /// can predict: all are copied down, and what is dropped is written over by the next.
+    /// Drops the points that the closest point does not rest on; weights move along. No processor can predict
+    /// which points stay: all are copied down, and the next push overwrites the dropped ones.
     void keep(ClosestOfSimplex<Scalar>& closest) {
         int kept = 0;
         unsigned taken = 0;
@@ -99,16 +99,16 @@ class Simplex {
     unsigned taken_ = 0;  ///< bit i: place i holds a point
 };
 
-/// Of the squared distance: a last simplex whose closest point promises no more than this is far off. A
-/// matter of time, not of right answers, as are the next.
+/// Share of the squared distance: a last simplex with a closest point that promises no more than this is far
+/// off. It affects time, not right answers; so do the next constants.
 inline constexpr double far_off_simplex = 0.5;
 
 /// A last simplex that lies farther from the origin than this times its last distance and this part of its
-/// longest coordinate is far off before any support point is asked for. Time over that without this rule,
-/// pairs that turn in their places, 1 rad per step / to any pose, a Zen 3 beside other work: points_soa_f64
-/// 0.94 / 0.88 at 8 vertices, 0.89 / 0.87 at 38; lean_seeds_f64 0.65 / 0.60 at 386, 0.58 / 0.52 at 1538. None
-/// was taken for far off at 0.1 rad and less. 0.1 to 0.3 of the coordinate differ by up to 0.03 of the time
-/// to any pose; at 1 rad less is better.
+/// longest coordinate is far off before any support point is asked for. Time relative to running without this
+/// rule, pairs that turn in their places, 1 rad per step / to any pose, a Zen 3 with other load:
+/// points_soa_f64 0.94 / 0.88 at 8 vertices, 0.89 / 0.87 at 38; lean_seeds_f64 0.65 / 0.60 at 386, 0.58 /
+/// 0.52 at 1538. None counted as far off at 0.1 rad and less. 0.1 to 0.3 of the coordinate differ by up to
+/// 0.03 of the time to any pose; at 1 rad less is better.
 inline constexpr double moved_far_of_distance = 1.1, moved_far_of_size = 0.125;
 
 }  // namespace edgewise

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What a pair keeps of GJK from one query to the next: the vertices of its last simplex and how far from each
-// other the bodies were, in 32 bytes where handles are whole numbers. Four words, of which each holds two
-// handles of 26 bits and a quarter of the note that says how many there are, of which tables, and the
-// distance.
+// State of GJK that a pair keeps from one query to the next: the vertices of its last simplex and the
+// distance of the bodies, in 32 bytes where handles are whole numbers. Each of the four words holds two
+// handles of 26 bits and a quarter of the note. The note gives the number of vertices, a mark of the tables,
+// and the distance.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace edgewise {
 
-/// Of A's and B's vertices, whose difference is a point of a simplex.
+/// Vertices of A and B; their difference is a point of a simplex.
 template <SupportTable TableA, SupportTable TableB>
 struct VertexPair {
     typename TableA::Vertex a;
@@ -42,7 +42,7 @@ class PlainCorners {
     std::uint64_t note_ = 0;
 };
 
-/// The same of handles that are whole numbers below 2^26.
+/// Four pairs of vertices and a note of 48 bits, for handles that are whole numbers below 2^26.
 template <SupportTable TableA, SupportTable TableB>
 class PackedCorners {
   public:
@@ -72,7 +72,7 @@ class PackedCorners {
     static constexpr std::uint64_t handle = (std::uint64_t{1} << handle_bits) - 1,
                                    both_handles = (std::uint64_t{1} << note_at) - 1;
 
-    alignas(32) std::array<std::uint64_t, 4> words_{};  ///< never in two lines
+    alignas(32) std::array<std::uint64_t, 4> words_{};  ///< within one cache line
 };
 
 template <class Table>
@@ -89,7 +89,7 @@ struct CornersFor<TableA, TableB> {
     using Type = PackedCorners<TableA, TableB>;
 };
 
-/// A pair kept over a rebuild of its tables starts cold, and so does one whose handles are too large to keep.
+/// Starts cold after a rebuild of its tables, and if their handles are too large to keep.
 template <SupportTable TableA, SupportTable TableB>
 class SimplexPair {
   public:
@@ -100,10 +100,10 @@ class SimplexPair {
         corners_.set_note(note_of(a, b, 0, std::numeric_limits<float>::infinity()));
     }
 
-    /// Vertices held; 0: cold.
+    /// Number of vertices held; 0: cold.
     [[nodiscard]] std::uint32_t count() const { return low_word() & most; }
-    /// Of the bodies, when these vertices held their closest points: 0 in contact, infinite where that is not
-    /// known; up to a 128th too small.
+    /// Distance of the bodies when these vertices held their closest points: 0 in contact, infinite where it
+    /// is not known; up to a 128th too small.
     [[nodiscard]] float distance() const {
         return std::bit_cast<float>(static_cast<std::uint32_t>(corners_.note() >> 32 << 16));
     }
@@ -112,7 +112,7 @@ class SimplexPair {
         return corners_.corner(i);
     }
 
-    /// All of A's, and of B's: the first count() of four.
+    /// All vertices of A, and of B: the first count() of four.
     [[nodiscard]] std::array<typename TableA::Vertex, 4> vertices_a() const {
         std::array<typename TableA::Vertex, 4> vertices{};
         for (std::uint32_t i = 0; i < count(); ++i) vertices[i] = corner(i).a;
@@ -124,17 +124,17 @@ class SimplexPair {
         return vertices;
     }
 
-    /// False after a rebuild: the handles may lead anywhere, and no query follows them.
+    /// Returns false after a rebuild: the handles may lead anywhere, and no query follows them.
     [[nodiscard]] bool belongs_to(const TableA& a, const TableB& b) const {
         return (low_word() & ~most) == tables_of(a, b);
     }
-    /// Whether the next query of these tables starts from what is held.
+    /// Returns true if the next query of both tables starts from the held vertices.
     [[nodiscard]] bool starts_warm(const TableA& a, const TableB& b) const {
         const std::uint32_t word = low_word();
         return (word & most) != 0 && (word & ~most) == tables_of(a, b);
     }
 
-    /// One more, up to four.
+    /// Adds one pair of vertices, up to four.
     void push(const Corner& corner) {
         const std::uint32_t before = count();
         assert(before < 4);
@@ -142,8 +142,8 @@ class SimplexPair {
         corners_.set(before, corner);
         corners_.set_note(corners_.note() + 1);
     }
-    /// Of these tables, and a simplex of theirs: vertex_a(i), vertex_b(i) of `count` points, whose closest
-    /// points are so far from each other.
+    /// Holds a simplex of two tables: vertex_a(i), vertex_b(i) of `count` points, with closest points at this
+    /// distance from each other.
     template <class Points>
     void hold(const TableA& a, const TableB& b, const Points& simplex, double distance) {
         bool all_fit = true;
@@ -157,7 +157,7 @@ class SimplexPair {
         corners_.set_note(note_of(a, b, count, static_cast<float>(distance)));
     }
 
-    /// The same vertices of the same tables, as far from each other.
+    /// Compares the vertices, the tables and the distance.
     [[nodiscard]] bool operator==(const SimplexPair& other) const {
         if (corners_.note() != other.corners_.note()) return false;
         for (std::uint32_t i = 0; i < count(); ++i)
@@ -168,13 +168,13 @@ class SimplexPair {
   private:
     using Corners = typename CornersFor<TableA, TableB>::Type;
 
-    static constexpr std::uint32_t most = 7;  ///< the note's bits that count
+    static constexpr std::uint32_t most = 7;  ///< bits of the note for the number of vertices
 
     [[nodiscard]] static std::uint32_t tables_of(const TableA& a, const TableB& b) {
         return identity_of(a, b) << 3;
     }
-    /// Of the distance, which only says whether the bodies have moved far, the upper half: eight binary
-    /// digits.
+    /// Packs the note. Upper half of the distance's 32 bits, with eight binary digits: enough to detect large
+    /// motion.
     [[nodiscard]] static std::uint64_t note_of(const TableA& a, const TableB& b, std::uint32_t count,
                                                float distance) {
         const std::uint64_t half = std::bit_cast<std::uint32_t>(distance) >> 16;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// GJK's sub-distance: the simplex while a query runs, and its point nearest to the origin, by the solver that
-// was chosen (sub_distance_solver.hpp), in as wide an arithmetic as it takes. Close, thin and undecided
-// simplices are solved in wider arithmetic, and so is every one from where rounding hides a gain on.
+// GJK's sub-distance: the simplex while a query runs, and its point nearest to the origin, by the chosen
+// solver (sub_distance_solver.hpp), in arithmetic as wide as needed. Close, thin and undecided simplices are
+// solved in wider arithmetic, and so is every one after rounding first hides a gain.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@
 
 namespace edgewise {
 
-/// Solved in wider arithmetic: in doubles by all cofactors too, where they are what was chosen; sums of two
-/// doubles take longer for all of them than for Johnson's search.
+/// Solves in wider arithmetic. In doubles all cofactors are used too, if they are the chosen solver; in sums
+/// of two doubles all of them take longer than Johnson's search.
 template <class Wide>
 [[nodiscard]] ClosestOfSimplex<Wide> closest_in_wide(const SimplexPoints<Wide>& points, int count,
                                                      SubDistanceSolver solver) {
@@ -46,21 +46,21 @@ class SubDistance {
     explicit SubDistance(SubDistanceSolver solver = SubDistanceSolver::cofactors)
         : solver_(solver), way_(way_of(solver)) {}
 
-    /// Points from which nothing was dropped that the closest point rests on.
+    /// Simplex without the points that the closest point does not rest on.
     [[nodiscard]] const Points& simplex() const { return simplex_; }
     [[nodiscard]] const Closest& closest() const { return closest_; }
 
-    /// As before the first point.
+    /// Returns to the state before the first point.
     void clear() {
         simplex_.clear();
         way_ = way_of(solver_);
     }
-    /// One of a query's first points, up to four; then solve_first().
+    /// Adds one of a query's first points, up to four; then call solve_first().
     void add(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& on_a,
              const Vec3<Scalar>& on_b) {
         simplex_.push(a, b, on_a, on_b);
     }
-    /// Those that a pair keeps of its last query, where they are now.
+    /// Adds the points that a pair keeps of its last query, at their present places.
     void add_last(const SimplexPair<TableA, TableB>& pair, const TableA& a, const TableB& b,
                   const Transform<Scalar>& a_from_b) {
         const std::uint32_t count = pair.count();
@@ -75,7 +75,7 @@ class SubDistance {
         simplex_.keep(closest_);
     }
 
-    /// Takes in a point of the difference; false, and nothing changed, if the closest point, at this squared
+    /// Adds a point of the difference; false, and nothing changed, if the closest point, at this squared
     /// distance, comes no nearer to the origin. `separates`: the bodies are known to be separated.
     [[nodiscard]] bool extend(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& on_a,
                               const Vec3<Scalar>& on_b, Scalar squared, bool separates) {
@@ -93,15 +93,15 @@ class SubDistance {
     }
 
   private:
-    /// How the next simplex is solved. One word tells both the solver and whether it is still trusted: the
-    /// solver costs the loop of a query no branch of its own.
+    /// Solver of the next simplex. One word holds the solver and whether it is still trusted, so the solver
+    /// costs the loop of a query no branch of its own.
     enum class Way : std::uint8_t { cofactors, johnson, wide };
 
     [[nodiscard]] static constexpr Way way_of(SubDistanceSolver solver) {
         return solver == SubDistanceSolver::cofactors ? Way::cofactors : Way::johnson;
     }
 
-    /// A pair that overlapped most likely still does: four signs tell, where fourteen subsets would be tried.
+    /// A pair that overlapped most likely still does: four signs show it, instead of fourteen subsets.
     [[nodiscard]] bool still_inside() {
         Johnson<Scalar> johnson(simplex_.difference, simplex_.count);
         if (!johnson.holds_origin()) return false;
@@ -119,13 +119,13 @@ class SubDistance {
         solve_wide();
     }
 
-    /// Johnson's search; whether its answer will do. Out of line: only asked where it was chosen.
+    /// Runs Johnson's search; true if its answer will do. Out of line: called only where it was chosen.
     [[nodiscard]] [[gnu::noinline]] bool search() {
         closest_ = Johnson<Scalar>(simplex_.difference, simplex_.count).closest();
         return is_sure();
     }
 
-    /// Not close, thin or undecided.
+    /// Returns true if the simplex is not close, thin or undecided.
     [[nodiscard]] bool is_sure() const {
         if (closest_.members == Johnson<Scalar>::whole) return true;
         const Scalar close = Tolerance<Scalar>::close * simplex_.size;
@@ -133,8 +133,8 @@ class SubDistance {
         return far && !closest_.backup && !closest_.thin;
     }
 
-    /// Near the origin the cofactors cancel: the direction of what is left is noise, or the wrong members are
-    /// chosen and the distance grows. So the same in wider arithmetic. The points stay as they are; their
+    /// Solves again in wider arithmetic. Near the origin the cofactors cancel: the remaining direction is
+    /// noise, or the wrong members are chosen and the distance grows. The points stay as they are; their
     /// rounding costs the distance no more than itself. Returns the squared distance, unrounded.
     [[gnu::noinline]] Wider<Scalar> solve_wide() {
         SimplexPoints<Wider<Scalar>> points;
@@ -152,13 +152,13 @@ class SubDistance {
         return way_ != Way::wide && squared_norm(closest_.point) < before;
     }
 
-    /// The duality gap is open but the distance did not fall: along a valley of nearly parallel sides it
-    /// falls by the square of the gap, and many steps that rounding hides add up. From here on only the
-    /// unrounded distance counts, which falls strictly: the run ends. (It is kept, not computed again from
-    /// the simplex that is left: of a sliver that may come out larger, and the run would cycle.) False if
-    /// even so nothing is gained; unless nothing separates the bodies yet: of bodies a billionth as thick as
+    /// Called when the duality gap is open but the distance did not fall. Along a valley of nearly parallel
+    /// sides it falls by the square of the gap, and many steps that rounding hides add up. From here on only
+    /// the unrounded distance counts, which falls strictly: the run ends. (It is kept, not computed again
+    /// from the remaining simplex: for a sliver that may come out larger, and the run would cycle.) False if
+    /// even so nothing is gained; unless nothing separates the bodies yet: in bodies a billionth as thick as
     /// long a direction may turn all the way they need while the distance falls by less than a part in 2^64.
-    /// No such step is lost, up to most_level_steps.
+    /// No step of that kind is lost, up to most_level_steps.
     [[nodiscard]] [[gnu::noinline]] bool retry_in_wide_arithmetic(bool separates) {
         if (way_ != Way::wide) {
             way_ = Way::wide;
@@ -181,7 +181,7 @@ class SubDistance {
     Closest closest_;
     SubDistanceSolver solver_;
     Way way_;
-    int level_steps_ = 0;        ///< that gained nothing
+    int level_steps_ = 0;        ///< number of steps that gained nothing
     Wider<Scalar> unrounded_{};  ///< squared distance, of Way::wide
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How GJK finds the point of its simplex that is closest to the origin, by name. Both are Johnson's, and
-// where they agree they do so to the bit.
+// Solvers, by name, for the point of GJK's simplex that is closest to the origin. Both are Johnson's, and
+// where they agree they agree to the bit.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace edgewise {
 
 enum class SubDistanceSolver : std::uint8_t {
-    cofactors,  ///< all cofactors at once; their signs tell, and the search is asked where they do not
+    cofactors,  ///< all cofactors at once; search where their signs decide nothing
     johnson,    ///< Johnson's search, one subset after the other: what the replicated paper ran
 };
 
@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 2> sub_distance_solver_names = {"c
     return sub_distance_solver_names[static_cast<std::size_t>(solver)];
 }
 
-/// Nothing for an unknown name.
+/// Returns the solver with this name; nothing for an unknown name.
 [[nodiscard]] constexpr std::optional<SubDistanceSolver> sub_distance_solver_from(std::string_view name) {
     for (std::size_t i = 0; i < sub_distance_solver_names.size(); ++i) {
         if (sub_distance_solver_names[i] == name) return static_cast<SubDistanceSolver>(i);

@@ -15,14 +15,14 @@
 
 namespace edgewise {
 
-/// Points of a simplex: of four places the first ones.
+/// Points of a simplex: the first of four places.
 template <class Scalar>
 using SimplexPoints = SmallArray<Vec3<Scalar>, 4>;
 
 /// A subset of a simplex's points; bit i: point i belongs to it.
 using PointMask = std::uint8_t;
 
-/// Three points. (std::popcount is a call into a library where the machine may lack the instruction.)
+/// Returns true for three points. (std::popcount may be a library call where the instruction is missing.)
 [[nodiscard]] constexpr bool is_triangle(PointMask mask) {
     constexpr unsigned triangles = 1U << 7 | 1U << 11 | 1U << 13 | 1U << 14;
     return (triangles >> mask & 1U) != 0;
@@ -42,18 +42,18 @@ template <class Scalar>
 struct TriangleSides {
     Vec3<Scalar> p, q;
 
-    /// Too long and low for its foot to be as good as its corners are.
+    /// Returns true if it is too long and low for its foot to be as accurate as its corners.
     [[nodiscard]] bool is_thin() const {
         const Scalar longest = squared_side();
         return !(squared_norm(cross(p, q)) > Tolerance<Scalar>::thin * longest * longest);
     }
 
-    /// The closest point to the origin, from the weighted sum of the corners: that, or its foot on the normal
-    /// through the origin. Where the triangle is long and low (length over height k) the weights are off by
-    /// k^2 rounding steps, the sum by k^2 times the length, and its direction, along which the next support
-    /// point is sought, by that over its own length; the normal's direction is off by k steps. The better
-    /// known one wins; of a sliver, whose normal is noise, the sum, which at least is a point of the
-    /// triangle.
+    /// The closest point to the origin, from the weighted sum of the corners: the sum itself, or its foot on
+    /// the normal through the origin. Where the triangle is long and low (length over height k) the weights
+    /// are off by k^2 rounding steps, the sum by k^2 times the length, and its direction, along which the
+    /// next support point is sought, by that over its own length; the normal's direction is off by k steps.
+    /// The more accurate one wins; for a sliver, with a normal that is noise, the sum, which at least is a
+    /// point of the triangle.
     [[nodiscard]] Vec3<Scalar> foot(const Vec3<Scalar>& weighted) const {
         const Vec3<Scalar> normal = cross(p, q);
         const Scalar squared = squared_norm(normal), longest = squared_side();
@@ -65,11 +65,11 @@ struct TriangleSides {
     }
 
   private:
-    /// Of the longer one.
+    /// Squared length of the longer side.
     [[nodiscard]] Scalar squared_side() const { return std::max(squared_norm(p), squared_norm(q)); }
 };
 
-/// The sides of the triangle that `mask` makes of these points.
+/// Sides of the triangle that `mask` selects from the points.
 template <class Scalar>
 [[nodiscard]] TriangleSides<Scalar> triangle_sides(const SimplexPoints<Scalar>& w, PointMask mask) {
     assert(is_triangle(mask));
@@ -83,12 +83,12 @@ template <class Scalar>
 template <class Scalar>
 struct ClosestOfSimplex {
     PointMask members = 0;
-    bool backup = false;  ///< no subset passed: the nearest of all
+    bool backup = false;  ///< no subset passed: the nearest of all subsets was taken
     bool thin = false;    ///< a triangle too long and low for `point` to be as good as its corners are
     SmallArray<Scalar, 4> weight{};  ///< of members; they sum to one
     Vec3<Scalar> point;
 
-    /// From the sum of the members, weighted.
+    /// Sets the subset, and the point from the weighted sum of its members.
     void rest_on(PointMask subset, const SimplexPoints<Scalar>& w, const Vec3<Scalar>& weighted) {
         members = subset;
         backup = false;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The support point: the vertex farthest along a direction. Large bodies climb along neighbour rings
-// (Cameron, "Enhancing GJK", ICRA 1997): on a convex body a vertex none of whose neighbours is farther is the
+// (Cameron, "Enhancing GJK", ICRA 1997): on a convex body a vertex without a farther neighbour is the
 // farthest. Small bodies are scanned: below the break-even a scan's predictable loop, of several vertices at
-// a time, beats the climb's unpredictable one. Where neighbours are level to within rounding the climb looks
-// at all that are: behind them it may go on. Bodies on which even that may end below the top are scanned
-// (geometry/strictly_convex.hpp).
+// a time, beats the climb's unpredictable one. Where neighbours are level to within rounding, the climb
+// visits all of them: behind them it may continue. Bodies on which even that may end below the top are
+// scanned (geometry/strictly_convex.hpp).
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace edgewise {
 
-/// Of eight numbers, in three steps.
+/// Highest of eight numbers, in three steps.
 template <class Scalar>
 [[nodiscard]] Scalar highest(const std::array<Scalar, 8>& of) {
     const Scalar a = std::max(of[0], of[1]), b = std::max(of[2], of[3]);
@@ -30,7 +30,7 @@ template <class Scalar>
     return std::max(std::max(a, b), std::max(c, d));
 }
 
-/// The first of eight numbers that is this one.
+/// Position of the first of eight numbers that equals `number`.
 template <class Scalar>
 [[nodiscard]] int first_equal(const std::array<Scalar, 8>& of, Scalar number) {
     unsigned equal = 1U << 8;
@@ -46,7 +46,7 @@ struct SupportPoint {
     ComputeOf<Table> along;  ///< <point, direction>
 };
 
-/// A table that says that its handles count the vertices, from 0: any of them can be named without a walk.
+/// A table that declares that its handles count the vertices, from 0: each can be named without a walk.
 template <class Table>
 concept CountedTable = ClimbingTable<Table> && requires {
     requires Table::counts_vertices && std::unsigned_integral<typename Table::Vertex>;
@@ -55,20 +55,20 @@ concept CountedTable = ClimbingTable<Table> && requires {
 /// Vertices below which a linear scan is used, from a warm start. By packs, time of scanning over time of
 /// climbing, GJK at 0.01 / 1 rad per step, a Zen 3 with AVX2: lean_f64 0.86 / 0.88 at 8 vertices, 0.91 / 0.92
 /// at 26, 0.97 / 0.94 at 38, 1.01 / 0.95 at 56; aos_f64 0.88 / 0.91, 0.93 / 0.95, 1.0 / 0.97, 1.03 / 0.98;
-/// singles as these. So as many as a batch's lanes take (lanes/lane_source.hpp), which scan. One by one, as a
-/// list makes it, climbing took 0.89 of scanning at 8 vertices and 0.67 at 38, on a Zen 5.
+/// singles the same. So bodies that fit a batch's lanes (lanes/lane_source.hpp), which scan, are scanned. One
+/// by one, as a list makes it, climbing took 0.89 of scanning at 8 vertices and 0.67 at 38, on a Zen 5.
 template <class Table>
 inline constexpr std::size_t scan_below = CountedTable<Table> ? 65 : 8;
 
-/// The same from a cold start, far from the top, where every turn of a climb is a surprise: scanning over
-/// climbing lean_f64 0.77 at 38 vertices and 0.97 at 60, lean_f32 0.74 and 0.85, aos_f64 0.86 and 1.0; with a
-/// seed to climb from (lean_seeds) 0.88 and 1.0. One by one 0.69 to 0.80 at 8, 0.83 at 18, 1.02 at 38.
+/// Vertices below which a scan is used from a cold start, where branch prediction fails on every climbing
+/// step. Scanning over climbing: lean_f64 0.77 at 38 vertices and 0.97 at 60, lean_f32 0.74 and 0.85, aos_f64
+/// 0.86 and 1.0; with a seed (lean_seeds) 0.88 and 1.0. One by one 0.69 to 0.80 at 8, 0.83 at 18, 1.02 at 38.
 template <class Table>
 inline constexpr std::size_t scan_cold_below = CountedTable<Table> ? 65 : 32;
 
-/// As scan_any, a pack of vertices at a time, the last ones perhaps again: each place keeps its highest, and
-/// at the end the first vertex that is as high as the highest of all. Which of them is the highest so far no
-/// processor can predict: nothing branches but the loop.
+/// Scans a pack of vertices at a time, the last ones perhaps twice: each lane keeps its highest, and at the
+/// end the first vertex with the highest value of all wins, as in scan_any. No processor can predict which
+/// vertex is the highest so far: nothing branches except the loop.
 template <CountedTable Table>
 [[nodiscard]] SupportPoint<Table> scan_packs(const Table& table, const Vec3<ComputeOf<Table>>& direction) {
     using Vertex = typename Table::Vertex;
@@ -96,7 +96,7 @@ template <CountedTable Table>
     return {vertex, point, dot(point, direction)};
 }
 
-/// The farthest vertex of all, the first of equals, as any table finds it.
+/// The farthest vertex of all, the first of equals, by a loop that any table allows.
 template <SupportTable Table>
 [[nodiscard]] [[gnu::noinline]] SupportPoint<Table> scan_any(const Table& table,
                                                              const Vec3<ComputeOf<Table>>& direction) {
@@ -115,8 +115,8 @@ template <SupportTable Table>
     }
 }
 
-/// The same. A layout that can scan faster defines a member of this name, which gives the vertex: the same
-/// one.
+/// The farthest vertex by a scan. A layout that can scan faster defines a member of this name, which must
+/// return the same vertex.
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> scan_support(const Table& table, const Vec3<ComputeOf<Table>>& direction) {
     if constexpr (requires { table.scan_support(direction); }) {
@@ -134,7 +134,7 @@ concept SeededTable = ClimbingTable<Table> && requires(const Table& table, Vec3<
     { table.seed(direction) } -> std::same_as<typename Table::Vertex>;
 };
 
-/// Whether climbs on this table find the top.
+/// Returns true if climbs on this table find the top.
 template <ClimbingTable Table>
 [[nodiscard]] bool may_climb(const Table& table) {
     if constexpr (requires { table.climbable(); })
@@ -143,7 +143,7 @@ template <ClimbingTable Table>
         return table.strictly_convex();
 }
 
-/// Vertices that differ by less in height may be as high as each other.
+/// Largest difference in height of vertices that may be equally high.
 template <ClimbingTable Table>
 [[nodiscard]] ComputeOf<Table> level_band(const Table& table, const SupportPoint<Table>& near,
                                           const Vec3<ComputeOf<Table>>& direction) {
@@ -153,9 +153,9 @@ template <ClimbingTable Table>
     return Tolerance<Scalar>::level * size * max_abs(direction);
 }
 
-/// From a vertex with no higher neighbour but one as high to within `band`: past all such to one that is
-/// higher; false, and `best` stays the top, if there is none. Those above any height are connected on a
-/// convex body, so this misses none. Where very many are level a scan finds the highest.
+/// Leaves a vertex with no higher neighbour but with neighbours as high to within `band`: past all level ones
+/// to a higher vertex. False, and `best` stays the top, if there is none. Vertices above any height are
+/// connected on a convex body, so this misses none. Where very many are level a scan finds the highest.
 template <ClimbingTable Table>
 [[nodiscard]] [[gnu::noinline]] bool leave_level(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                                  ComputeOf<Table> band, SupportPoint<Table>& best) {
@@ -183,7 +183,7 @@ template <ClimbingTable Table>
 }
 
 /// One round of a climb over the ring of best.vertex, eight neighbours at a time: moves `best` to the highest
-/// of it, if that is higher, and returns whether. `next`: the highest of what is not.
+/// neighbour, and returns true, if that is higher. `next`: the highest of the other neighbours.
 template <RingBlockTable Table>
 [[nodiscard]] bool climb_ring_blocks(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                      SupportPoint<Table>& best, ComputeOf<Table>& next) {
@@ -202,9 +202,9 @@ template <RingBlockTable Table>
     return improved;
 }
 
-/// Steepest ascent from `start`. Strictly upward, so it ends within as many rounds as there are vertices;
-/// else the shape changes while it is asked, and a scan decides. A neighbour as high as the top but for
-/// rounding may hide a slope behind it.
+/// Steepest ascent from `start`. Strictly upward, so it ends within as few rounds as there are vertices; if
+/// not, the shape changes during the query, and a scan decides. A neighbour as high as the top, except for
+/// rounding, may hide a slope behind it.
 template <ClimbingTable Table>
 [[nodiscard]] SupportPoint<Table> climb_support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                                 typename Table::Vertex start) {
@@ -240,8 +240,8 @@ template <ClimbingTable Table>
     return scan_support(table, direction);
 }
 
-/// Climbed to from `start` where that pays (`scan_under` vertices and more) and is safe, else found by a
-/// scan.
+/// The support point, by a climb from `start` where that pays (`scan_under` vertices and more) and is safe,
+/// else by a scan.
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                           [[maybe_unused]] typename Table::Vertex start,
@@ -253,8 +253,8 @@ template <SupportTable Table>
     return scan_support(table, direction);
 }
 
-/// The same far from the top, where `start` says little: climbed to from the table's seed, if that is
-/// farther.
+/// The support point from a cold start, far from the top: climbs from the table's seed, if that is farther
+/// than `start`.
 template <SupportTable Table>
 [[nodiscard]] SupportPoint<Table> cold_support(const Table& table, const Vec3<ComputeOf<Table>>& direction,
                                                typename Table::Vertex start) {

@@ -30,17 +30,17 @@ struct BodyPair {
     [[nodiscard]] auto operator<=>(const BodyPair&) const = default;
 };
 
-/// What an update reads and writes.
+/// The arrays that an update reads and writes.
 enum class BroadPhaseArray : std::uint8_t { boxes, order_x, order_y, order_z, pairs };
 inline constexpr std::size_t broad_phase_arrays = 5;
 
-/// Which bytes of an element.
+/// Range of bytes of an element.
 struct ElementPart {
     std::size_t offset, bytes;
 };
 
-/// Is notified of every read and write; costs nothing. (Not of the last sort of the pairs: there are few,
-/// and they have just been written.)
+/// Is notified of every read and write; costs nothing. (Not of the last sort of the pairs: there are few, and
+/// they have just been written.)
 struct NoTouches {
     static void read(BroadPhaseArray, std::size_t /*element*/, ElementPart) {}
     static void write(BroadPhaseArray, std::size_t /*element*/, ElementPart) {}
@@ -78,7 +78,7 @@ class SweepAndPrune {
 
     /// Places that insertion sort moved in the last update, over all axes: the cost of lost coherence.
     [[nodiscard]] std::size_t moves() const { return moves_; }
-    /// Pairs of boxes whose ends the last update compared on the axis it swept.
+    /// Pairs of boxes with ends that the last update compared on the axis it swept.
     [[nodiscard]] std::size_t tests() const { return tests_; }
 
   private:
@@ -94,7 +94,7 @@ class SweepAndPrune {
         return {static_cast<std::size_t>(axis + 3) * sizeof(double), sizeof(double)};
     }
 
-    /// How far the boxes' centres scatter along an axis (their variance, up to constants).
+    /// Variance of the boxes' centres along an axis, up to constants.
     template <class Touches>
     [[nodiscard]] static double spread(int axis, std::span<const Aabb> boxes, Touches& touches) {
         const auto ends = [&](std::size_t i) {
@@ -114,7 +114,7 @@ class SweepAndPrune {
         return sum;
     }
 
-    /// Ties go by body number, so the order never depends on the past.
+    /// Sorts an axis. Ties go by body number, so the order never depends on the past.
     template <class Touches>
     void sort_axis(int axis, std::span<const Aabb> boxes, Touches& touches) {
         std::vector<std::uint32_t>& order = order_[static_cast<std::size_t>(axis)];

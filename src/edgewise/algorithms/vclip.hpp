@@ -9,10 +9,10 @@
 // in exact arithmetic.
 //
 // In floating point it may cycle. Where the report has an iteration limit, we detect the cycle itself
-// (cycle_guard) and let a complete algorithm answer (fallback); both are counted. A cold query starts at the
-// vertices that face each other (nearer_start). Where planes are derived, the first pairs of a query are
-// tried by their corners before their state is (still_closest). Other departures are named in the states'
-// files.
+// (cycle_guard) and let a complete algorithm answer (fallback); both are counted. A cold query starts at
+// the vertices that face each other (nearer_start). Where planes are derived, the first pairs of a query
+// are tried by their corners before their state is (still_closest). The states' files name the other
+// departures.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ namespace edgewise {
 
 namespace vclip {
 
-/// One state: the pair's two features decide which.
+/// Runs one state; the kinds of the pair's two features select it.
 template <class TableA, class TableB>
 [[nodiscard]] Step step(Body<TableA>& a, Body<TableB>& b) {
     using enum FeatureKind;
@@ -83,7 +83,7 @@ template <class TableA, class TableB>
     return {.status = last == Step::overlapping ? Status::overlapping : Status::touching};
 }
 
-/// Raw V-Clip's: of a cycle, the features at hand; nothing where coordinates overflow.
+/// Answer of raw V-Clip: after a cycle from the present features; none where coordinates overflow.
 template <class TableA, class TableB>
 [[nodiscard]] Distance raw_answer(const Body<TableA>& a, const Body<TableB>& b, Step last, bool cycle) {
     Distance result = answer(a, b, cycle ? Step::separated : last);
@@ -98,11 +98,11 @@ enum class End : std::uint8_t {
     cycled,
 };
 
-/// The answer of a run that ended, or what the fallback says where it is not believed.
+/// The answer of a run that ended, or the fallback's answer where it is not trusted.
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance believed(Distance result, Body<TableA>& a, Body<TableB>& b, Observer& observer,
                                 End end) {
-    // Coordinates whose products overflow give no distance: GJK has the range, and starts cold.
+    // Coordinates with products that overflow give no distance: GJK has the range, and starts cold.
     const bool is_number = std::isfinite(result.distance);
     const bool is_cycle = end == End::cycled;
     const Trust verdict = is_cycle || !is_number ? Trust::doubted : trust(result, a, b, end == End::proven);
@@ -115,14 +115,14 @@ template <class TableA, class TableB, class Observer>
     return result;
 }
 
-/// How many pairs of a query are tried by their corners alone before their states are. Time of lean_f64 over
-/// aos_f64, a Zen 3 beside other work, in a loop of queries alone (a sweep's passes say some hundredths
-/// more), 0.01 rad per step, at 8, 38, 386 vertices: with one 1.16, 1.13, 1.30, two 1.09, 1.03, 1.18,
-/// three 1.09, 1.02, 1.07, nine no less. At 1 rad 2.2, 1.83, 1.75 whatever their number up to three: a pair
-/// far off is not proven, and walks on by its state.
+/// Number of pairs of a query that are tried by their corners before their states. Time of lean_f64 over
+/// aos_f64, a Zen 3 with other load, in a loop of queries alone (a sweep's passes show some hundredths more),
+/// 0.01 rad per step, at 8, 38, 386 vertices: with one 1.16, 1.13, 1.30, two 1.09, 1.03, 1.18, three 1.09,
+/// 1.02, 1.07, nine no less. At 1 rad 2.2, 1.83, 1.75 whatever their number up to three: a pair far off is
+/// not proven, and its state moves it on.
 inline constexpr int most_proofs = 3;
 
-/// The closest points of the pair that a query has reached in so many steps, where the proof is tried and
+/// The closest points of the pair that a query has reached after `steps` steps, where the proof is tried and
 /// holds.
 template <class TableA, class TableB>
 [[nodiscard]] Proven<ComputeOf<TableA>> proven_at([[maybe_unused]] int steps,
@@ -134,7 +134,7 @@ template <class TableA, class TableB>
     return std::nullopt;
 }
 
-/// `hardened`: as QueryOptions has it.
+/// Walks to the closest features. `hardened`: as in QueryOptions.
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened) {
     [[maybe_unused]] const int far_off = hardened ? start_nearer_if_cold(a, b) : 0;
@@ -168,7 +168,7 @@ template <class TableA, class TableB, class Observer>
     }
 }
 
-/// One run with everything inlined, a symbol of its own: see run_gjk.
+/// One run with everything inlined, as a symbol of its own, for the reasons given at run_gjk.
 template <class TableA, class TableB>
 [[nodiscard]] EDGEWISE_QUERY_LOOP Distance run(Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
@@ -183,7 +183,7 @@ template <class TableA, class TableB>
 
 }  // namespace vclip
 
-/// The algorithm as the sweep and users see it.
+/// The algorithm as the sweep and users call it.
 struct VClip {
     static constexpr std::string_view name = "vclip";
     static constexpr Parts parts = Parts::features;
@@ -193,7 +193,7 @@ struct VClip {
 
     /// Distance of two bodies; `a_from_b` takes B's points into A's frame. `pair` is the start of this query
     /// and receives the closest features, the start of the next. Fails for a pose that cannot be answered
-    /// (answerable.hpp); hands one whose rotation is farther from orthogonal than sloppy_rotation to GJK.
+    /// (answerable.hpp); passes a rotation farther from orthogonal than sloppy_rotation to GJK.
     template <FeatureTable TableA, FeatureTable TableB, class Observer = NoObserver>
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                         FeaturePair<TableA, TableB>& pair, const QueryOptions& options = {},
@@ -231,7 +231,7 @@ struct VClip {
         return within(options, result);
     }
 
-    /// To GJK: a pose whose rotation is farther from orthogonal than V-Clip's two frames may disagree.
+    /// Passes a pose to GJK if V-Clip's two frames may disagree too much, because R is not orthogonal.
     template <class TableA, class TableB, class Observer>
     [[nodiscard]] [[gnu::noinline]] static Distance hand_on(const TableA& a, const TableB& b,
                                                             const Transform<double>& a_from_b,

@@ -10,7 +10,7 @@ namespace edgewise::bench {
 /// Revision, compiler and flags are fixed at build time; the machine is read now.
 [[nodiscard]] store::BuildRow this_build();
 
-/// Where the set-up left the chart bundles.
+/// Folder where the set-up left the chart bundles.
 [[nodiscard]] const char* charts_folder();
 
 }  // namespace edgewise::bench

@@ -34,8 +34,8 @@ double outside(const Vec3d& point, const Polyhedron& stored, const Pose& pose) {
     return exact->distance == 0 ? 0 : std::nextafter(exact->distance, infinity);
 }
 
-/// How far the stored body is from the given one at most: what storing moved a vertex, and what vertices and
-/// points stand out that hulls left out (some 1e-12 of the extent, as flat; more after coarse rounding).
+/// Bound of the distance of the stored body from the given one: how far storing moved a vertex, or points
+/// left out by hulls stick out (some 1e-12 of the extent, as flat; more after coarse rounding).
 double moved_by(const Polyhedron& given, std::span<const Vec3d> points, const Polyhedron& stored,
                 const Mat3d& rotation) {
     std::map<Index, Vec3d> kept;

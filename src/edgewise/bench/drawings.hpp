@@ -18,13 +18,13 @@ namespace edgewise::bench {
 [[nodiscard]] std::string draw_map(const std::string& title, const std::vector<MappedPiece>& map,
                                    std::size_t most_lines = 2048);
 
-/// Of the table of this body, with all parts that the layout has, placed in an arena. Throws
+/// Drawing of the table of this body, with all parts that the layout has, placed in an arena. Throws
 /// std::invalid_argument when the layout cannot store the body.
 [[nodiscard]] std::string draw_layout(const TableType& type, const std::string& shape,
                                       const Polyhedron& body);
 
-/// Of the accesses of each line, from the tables' start on; most_lines as above. White was never accessed;
-/// from light to dark is logarithmic.
+/// Drawing of the accesses of each line, from the tables' start on; most_lines as above. White was never
+/// accessed; light to dark is logarithmic.
 [[nodiscard]] std::string draw_heat(const std::string& title, std::span<const std::uint32_t> accesses,
                                     std::size_t most_lines = 8192);
 

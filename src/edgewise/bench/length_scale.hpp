@@ -21,13 +21,13 @@ namespace edgewise::bench {
 inline constexpr int places_as_given = 10;
 
 /// Most that is scaled by: the bodies that hulls accept come within 2^10 of 1, and offsets stay in range
-/// beside points of denormal coordinates.
+/// together with points of denormal coordinates.
 inline constexpr int most_places = 190;
 
 class LengthScale {
   public:
     LengthScale() = default;
-    /// From the largest coordinate of the bodies.
+    /// Chooses the scale from the largest coordinate of the bodies.
     explicit LengthScale(std::span<const Polyhedron> bodies) {
         double largest = 0;
         for (const Polyhedron& body : bodies) {

@@ -73,7 +73,7 @@ template <class TableA, class TableB>
             name_simplex<TableB>(b, body_b, std::span(of_b).first(pair.count()))};
 }
 
-/// What a query was about.
+/// The pair that a query was about.
 template <class Table>
 struct AskedPair {
     const Table &a, &b;
@@ -81,7 +81,7 @@ struct AskedPair {
     const scene::Query& query;
 };
 
-/// How deep, and with that whether it is more than a touch, to the rounding of coordinates.
+/// Adds the depth, which shows if the contact is more than a touch, to the rounding of coordinates.
 template <class Table, class Pair>
 void measure_contact(const AskedPair<Table>& asked, const Pair& pair, const Distance& distance,
                      NamedAnswer& answer) {
@@ -123,14 +123,14 @@ void name_answer(const AskedPair<Table>& asked, const Pair& pair, const Distance
         name_features(pair, asked.a, asked.body_a, asked.b, asked.body_b);
 }
 
-/// Of the certificate for bodies as stored; 0 where none can be made.
+/// Width of the certificate for bodies as stored; 0 where there is no certificate.
 [[nodiscard]] inline double certified_width(const NamedAnswer& answer, const scene::Query& query,
                                             std::span<const Polyhedron> stored) {
     const auto certificates = certificates_of(answer, query, stored, stored);
     return certificates ? certificates->stored.width() : 0;
 }
 
-/// What is asked beyond distance and witnesses, computed and thrown away. `stored`: all bodies, as stored.
+/// Computes the parts beyond distance and witnesses, and drops them. `stored`: all bodies, as stored.
 template <class Table, class Pair>
 [[gnu::noinline]] void pay_for_more(const AskedPair<Table>& asked, const Pair& pair, const Distance& distance,
                                     Needs needs, std::span<const Polyhedron> stored) {

@@ -21,11 +21,11 @@ struct NamedAnswer {
     bool depth_cut_short = false;  ///< EPA's work space was full: the depth is an upper bound
     Vec3d normal = Vec3d::Zero();  ///< in contact: B moved by depth * normal only touches A
     std::vector<Index> proof_a,
-        proof_b;  ///< in contact: stored vertices whose hulls hold a common point, or nearly
+        proof_b;  ///< in contact: stored vertices with hulls that hold a common point, or nearly
 };
 
-/// What a pass beside the timed one answered, to be held against the answers: how many of the workload's
-/// first queries, and the sum of their distances in order, which is the same bits if they are.
+/// Answers of another pass, to be compared with those of the timed pass: the number of the workload's first
+/// queries, and the sum of their distances in order, with the same bits if they agree.
 struct PassSum {
     std::size_t queries = 0;
     double distances = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a question for nearness needs to know of a workload's bodies beside their tables: the margin of each
-// two, and how far each reaches.
+// Data that a question for nearness needs of a workload's bodies besides their tables: the margin of each
+// pair, and the reach of each body.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class NearMargins {
         for (const Polyhedron& body : stored) radii_.push_back(radius_of(body.vertices));
     }
 
-    /// In the unit.
+    /// Margin of a query, in the unit.
     [[nodiscard]] double margin(const scene::Query& query) const {
         return std::max(margins_[query.body_a], margins_[query.body_b]);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A query of which only this is asked: are the bodies nearer to each other than a margin? A pair of a warm
-// scene answers by its bounds where these tell; else the tables are asked for the whole distance, which
-// renews the bounds. A cold query has no past: the tables are asked, and no more than the verdict.
+// A query with one question: are the bodies nearer to each other than a margin? A pair of a warm scene
+// answers by its bounds where these decide; else the tables compute the whole distance, which renews the
+// bounds. A cold query has no past: the tables compute only the verdict.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@
 
 namespace edgewise::bench {
 
-/// A verdict in the form of an answer: `touching` and 0 for nearer, else `separated` and the margin; what was
-/// counted is that of the query `asked`. Steps are 0 where the bounds told. A failed query stays one.
+/// A verdict in the form of an answer: `touching` and 0 for nearer, else `separated` and the margin; the
+/// counts are those of the query `asked`. Steps are 0 where the bounds decided. A failed query stays failed.
 [[nodiscard]] inline Distance near_answer(bool nearer, double margin, const Distance& asked = {}) {
     Distance answer;
     answer.status = nearer ? Status::touching : Status::separated;
@@ -31,7 +31,7 @@ namespace edgewise::bench {
     return answer;
 }
 
-/// Of a warm pair whose bounds do not tell.
+/// Asks the tables about a warm pair if its bounds do not decide.
 template <class Algorithm, class Table, class Pair, class Observer = NoObserver>
 [[nodiscard]] Distance ask_warm_near(const Table& a, const Table& b, const Transform<double>& a_from_b,
                                      NearCache<Pair>& cache, double margin, const Radii& radii,
@@ -74,7 +74,7 @@ class NearPass {
             const scene::Query& query = workload_.queries[i];
             const double margin = margins_.margin(query);
             if (const auto told = told_by_bounds(query, margin)) {
-                // No whole answer is made for nobody: it would take as long as the bounds.
+                // No whole answer is made without a reader: it would take as long as the bounds.
                 sum += *told ? 0 : margin;
                 if (answers) answers[i] = near_answer(*told, margin);
                 continue;
@@ -92,7 +92,7 @@ class NearPass {
         return pairs_[query.pair].bounds.nearer_than(margin, relative_pose(query.pose_a, query.pose_b));
     }
 
-    /// Computes the pose again: handed over, it would stand in memory in the loop that seldom asks.
+    /// Computes the pose again: as an argument it would take memory in the loop that rarely asks.
     [[nodiscard]] [[gnu::noinline]] Distance ask(const scene::Query& query, double margin) {
         const Transform<double> a_from_b = relative_pose(query.pose_a, query.pose_b);
         const auto [a, b] = tables_(query);

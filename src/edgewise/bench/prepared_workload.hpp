@@ -17,8 +17,8 @@
 
 namespace edgewise::bench {
 
-/// Which queries of a warm scene are the first of their pair: cold by nature, and left out of what is said of
-/// warm ones. One flag per query; all zero where every query is cold.
+/// Flags the queries of a warm scene that are the first of their pair: cold by nature, and left out of the
+/// figures of warm queries. One flag per query; all zero where every query is cold.
 [[nodiscard]] std::vector<std::uint8_t> cold_starts(const scene::Workload& workload);
 
 /// A workload's queries, in an order in which those of one class follow each other as far as no pair comes
@@ -36,11 +36,11 @@ class PreparedWorkload {
     [[nodiscard]] std::string take_bodies(std::span<const Polyhedron> bodies, VertexOrder order,
                                           const std::function<Result<Polyhedron>(const Polyhedron&)>& store);
 
-    /// Queries about these bodies. What needs no change is not copied: `workload` must stay where it is.
+    /// Takes queries about these bodies. Unchanged data is not copied: `workload` must stay where it is.
     void take_queries(const scene::Workload& workload);
 
     [[nodiscard]] const LengthScale& scale() const { return scale_; }
-    /// As stored: in the unit, from which tables are built, and as given.
+    /// Stored bodies: in the unit, from which tables are built, and as given.
     [[nodiscard]] const std::vector<Polyhedron>& bodies() const { return bodies_; }
     [[nodiscard]] const std::vector<Polyhedron>& unscaled_bodies() const {
         return scale_.is_one() ? bodies_ : unscaled_;
@@ -51,7 +51,7 @@ class PreparedWorkload {
     /// A query of the given bodies made ready.
     [[nodiscard]] scene::Query prepared(const scene::Query& given) const;
 
-    /// Whether the offset between the bodies of a query made ready can be computed with: not too long, nor,
+    /// Returns true if the offset between the bodies of a prepared query is in range: not too long, nor,
     /// between points at their origins, too short.
     [[nodiscard]] bool in_range(const scene::Query& query, bool in_single) const;
 

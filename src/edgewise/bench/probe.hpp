@@ -34,11 +34,11 @@ class SharedResults {
     mutable std::map<std::type_index, std::shared_ptr<const void>> known_;
 };
 
-/// What caches a sweep wants modelled of a cell: on which machines, over how many queries and steps.
+/// Caches that a sweep wants modelled of a cell: on which machines, over how many queries and steps.
 struct CacheOrder {
     std::span<const measure::MachineChoice> machines = {};  ///< empty: no caches are modelled
-    std::size_t queries = 0;                                ///< traced, of those that count; 0: all
-    std::size_t steps = 0;  ///< and of a scene in time order as many whole steps at least
+    std::size_t queries = 0;                                ///< number of traced queries that count; 0: all
+    std::size_t steps = 0;  ///< and in a scene in time order at least this number of whole steps
 
     /// A number that is another one for other machines, or another number of queries or steps; whole, and
     /// exact as a figure.
@@ -65,17 +65,17 @@ struct ProbedCell {
 
 struct Findings {
     std::vector<measure::Figure> figures;
-    /// Of a pass over the queries that the probe made: the cell fails if it gave other answers.
+    /// Sum of a pass over the queries by the probe: the cell fails if it gave other answers.
     std::optional<PassSum> passed = {};
 };
 
 struct Probe {
     std::string_view name, summary;
-    /// Every figure is a number, or none with a reason and a remedy.
+    /// Measures the figures: each is a number, or none with a reason and a remedy.
     Findings (*measure)(const ProbedCell& cell);
-    /// Whether it may measure while others do: nothing of it is a time. To be measured first.
+    /// True if it may measure while other cells are measured: none of its figures is a time. Runs first.
     bool beside_others;
-    /// Whether it measures other libraries too: it asks for nothing but answers, rounds and sizes.
+    /// True if it measures other libraries too: it uses only answers, rounds and sizes.
     bool of_peers;
 };
 

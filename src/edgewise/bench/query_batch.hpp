@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A workload's queries collected for a batch: as many as stay in the first-level cache with their
+// A workload's queries collected for a batch, up to the number that stays in the first-level cache with their
 // answers.
 #pragma once
 
@@ -34,7 +34,7 @@ class QueryBatch {
         queries_[count_++] = {&a, &b, a_from_b, pair};
     }
 
-    /// Asks all, tells take(number, pair, answer) of each, and is empty.
+    /// Answers all, calls take(number, pair, answer) for each, and is then empty.
     template <class Take>
     void ask(const Take& take) {
         query_batch<Table, Table, Algorithm>(std::span(queries_).first(count_),

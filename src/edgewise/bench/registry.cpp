@@ -14,8 +14,8 @@ namespace edgewise::bench {
 
 namespace {
 
-/// Every item a name stands for, in registry order; throws when some name stands for none. An item's names:
-/// the first is the one that is listed.
+/// Selects every item that a name matches, in registry order; throws when a name matches none. The first of
+/// an item's names is the one that is listed.
 template <class Item, class NamesOf>
 std::vector<const Item*> select(std::span<const Item> items, std::span<const std::string> names,
                                 std::string_view what, NamesOf names_of) {

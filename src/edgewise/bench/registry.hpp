@@ -23,25 +23,25 @@ struct TableType {
     std::string layout, precision;
     std::string stores, derives;          ///< one line each
     std::string variant_of;               ///< a layout that it hardly differs from; empty: none
-    std::vector<std::string> algorithms;  ///< those whose contract the layout meets
+    std::vector<std::string> algorithms;  ///< algorithms with a contract that the layout meets
     std::string storage;                  ///< of bodies: "double", "single", or a lossy layout's own
     bool single_storage = false;          ///< holds bodies in the range of single precision
     bool rounded_planes = false;          ///< stores planes rounder than what computes
     double eps = 0;                       ///< rounding step of what computes: 2^-52 or 2^-23
-    bool is_peer = false;                 ///< another library (bench/peers), whose errors are figures
+    bool is_peer = false;                 ///< another library (bench/peers); its errors are figures
     bool verdict_only = false;            ///< of a peer: it gives no distances
     std::function<std::unique_ptr<Runner>(std::string_view algorithm)> make_runner;
     std::function<Result<Polyhedron>(const Polyhedron&)> stored_body;  ///< what its tables hold of a body
-    /// a table that nobody asks anything: for its memory
+    /// makes a table that runs no query: for its memory
     std::function<std::shared_ptr<const void>(const Polyhedron&, Parts)> make_table;
     std::function<Ledger(const Polyhedron&, Parts)> ledger;  ///< of a table built from a body it can store
-    /// bytes more of a table that keeps the user's indices of its vertices; empty of layouts that do not
-    /// number them anew
+    /// additional bytes of a table that keeps the user's indices of its vertices; empty for layouts that do
+    /// not renumber them
     std::function<std::size_t(const Polyhedron&)> input_order_bytes;
-    /// of such a table, where its memory comes from now (table_memory.hpp)
+    /// memory map of a table built now, in memory of the present source (table_memory.hpp)
     std::function<std::vector<MappedPiece>(const Polyhedron&, Parts)> memory_map;
 
-    /// All that any of its algorithms needs.
+    /// The parts that its algorithms need, all together.
     [[nodiscard]] Parts all_parts() const { return serves("vclip") ? Parts::features : Parts::support; }
 
     [[nodiscard]] bool serves(std::string_view algorithm) const {
@@ -54,16 +54,16 @@ struct AlgorithmInfo {
     Parts parts;
 };
 
-/// In the manifest's order.
+/// Table types of this program, in the manifest's order.
 [[nodiscard]] std::span<const TableType> table_types();
 [[nodiscard]] std::span<const AlgorithmInfo> algorithms();
 /// A peer's too. Throws std::invalid_argument for an unknown name.
 [[nodiscard]] const AlgorithmInfo& algorithm_called(std::string_view name);
 
-/// What their query loops are compiled with beyond all other code: " query loops: -march=native".
+/// Additional compiler flags of the query loops: " query loops: -march=native".
 [[nodiscard]] const char* table_types_flags();
 
-/// The folder beside this program that holds its peers' modules, which are compiled as its query loops are.
+/// Folder next to this program with its peers' modules, which are compiled like its query loops.
 [[nodiscard]] const char* peers_folder_name();
 
 /// Names as a user writes them: "aos" (all its precisions), "aos_f64", "all". Throws std::invalid_argument

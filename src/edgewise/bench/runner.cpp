@@ -36,7 +36,7 @@ void book(measure::Timing& timing, std::span<const std::uint8_t> in_contact, std
 measure::Timing time_pass(const Runner::RangePass& run, const scene::Workload& workload,
                           std::span<const std::uint8_t> in_contact, double clock_cost_ns) {
     measure::Timing timing;
-    double sum = 0;  // of all distances: an answer nobody reads might not be computed
+    double sum = 0;  // sum of all distances: without a use of the answers the compiler might drop them
     const std::vector<std::uint8_t> cold = cold_starts(workload);
     for (std::size_t first = 0; first < cold.size();) {
         const std::size_t last = cold[first] ? first + 1 : end_of_stretch(cold, in_contact, first);

@@ -30,13 +30,13 @@
 
 namespace edgewise::bench {
 
-/// What the tables of a cell take of memory, and of time to build.
+/// Memory of a cell's tables, and their build time.
 struct MemoryUse {
     std::uint64_t tables = 0;
     double requested = 0;            ///< bytes asked of the allocator: the sum of the tables
     double taken = 0;                ///< bytes that these take there: headers, size classes, gaps
-    std::optional<double> resident;  ///< bytes of pages in memory; nothing where the allocator cannot tell
-    double materialised = 1;         ///< part of the tables' bytes that ever stood; below 1 in lazy tables
+    std::optional<double> resident;  ///< bytes of pages in memory; nothing where the allocator has no figure
+    double materialised = 1;         ///< part of the tables' bytes that was ever made; below 1 in lazy tables
 };
 
 struct BuildTimes {
@@ -58,7 +58,7 @@ class Runner {
     Runner& operator=(const Runner&) = delete;
     virtual ~Runner() = default;
 
-    /// For what is loaded later.
+    /// Sets the options for later loads.
     void configure(const RunnerOptions& options);
 
     /// Builds one table for each body (rounded to what the table stores), for single queries. An error line
@@ -72,25 +72,25 @@ class Runner {
     /// The bodies that the tables really hold, in the given bodies' unit and order.
     [[nodiscard]] std::span<const Polyhedron> stored_bodies() const { return prepared_.unscaled_bodies(); }
 
-    /// Of Needs::nearer: the distance that a query of loaded bodies is about, in the given bodies' unit.
+    /// Margin of a query of loaded bodies with Needs::nearer, in the given bodies' unit.
     [[nodiscard]] double margin(const scene::Query& query) const {
         return prepared_.scale().back(margins_.margin(query));
     }
 
-    /// Every loaded query in order, from cold pairs; points in A's frame. Bodies farther from each other than
-    /// the precision can compute with: status failed, here and below. Of Needs::nearer they are verdicts, as
-    /// near_answer says, in all passes.
+    /// Answers every loaded query in order, from cold pairs; points in A's frame. For bodies farther from
+    /// each other than the precision can compute with: status failed, here and below. With Needs::nearer
+    /// answers are verdicts in the form of near_answer, in all passes.
     [[nodiscard]] std::vector<Distance> answer() const;
 
-    /// Any query of the loaded bodies from a cold start, with features and, in contact, the depth, which also
-    /// tells touching from overlapping.
+    /// Answers any query of the loaded bodies from a cold start, with features and, in contact, the depth,
+    /// which also separates touching from overlapping.
     [[nodiscard]] virtual NamedAnswer answer(const scene::Query& query) const = 0;
 
     /// Times the loaded queries; `in_contact[i]` != 0 books query i under overlapping, else under separated;
-    /// where it is empty nobody knows, and all are booked under either. The clock is read where the class
-    /// changes, and its cost is subtracted; batches are asked class by class, as far as no pair comes again.
-    /// In a warm scene a pair's first query, cold by nature, is booked apart, timed by itself: to no better
-    /// than the clock's cost is known.
+    /// if it is empty, all are booked under either. The clock is read where the class changes, and its cost
+    /// is subtracted; batches are asked class by class, until a pair comes again. In a warm scene a pair's
+    /// first query, cold by nature, is booked apart, timed by itself: its accuracy is limited by the accuracy
+    /// of the clock's cost.
     [[nodiscard]] measure::Timing time(std::span<const std::uint8_t> in_contact, double clock_cost_ns) const;
 
     /// Notifies of the accesses of loaded queries, from cold pairs, as far as the extent says; of a warm
@@ -107,14 +107,14 @@ class Runner {
     /// broad phase. Not to outlive the runner.
     [[nodiscard]] std::function<PassSum()> prepared_pass() const;
 
-    /// As prepared_pass, but for queries first .. last - 1, as often and far as the caller likes: pairs go on
-    /// where the last call left them, and are set back where first is 0. Returns the sum of distances in the
+    /// Runs queries first .. last - 1 as prepared_pass does, any number of times and in any ranges: pairs go
+    /// on where the last call left them, and are reset where first is 0. Returns the sum of distances in the
     /// runner's unit; answers, in that unit too, are written from answers[first] on unless it is null.
     using RangePass = std::function<double(std::size_t first, std::size_t last, Distance* answers)>;
     [[nodiscard]] virtual RangePass prepared_range() const = 0;
 
-    /// In batches, over other queries of the loaded bodies, in the runner's unit; not to outlive them. Null:
-    /// the runner asks one after the other.
+    /// A pass in batches, over other queries of the loaded bodies, in the runner's unit; it must not outlive
+    /// them. Null: the runner asks one after the other.
     [[nodiscard]] virtual RangePass batches_of(const scene::Workload& /*queries*/) const { return nullptr; }
 
     /// The loaded queries as batches over threads; not to outlive the runner. Of what passes ask of every
@@ -126,22 +126,22 @@ class Runner {
     [[nodiscard]] virtual Ledger ledger() const = 0;
     [[nodiscard]] virtual std::size_t object_bytes() const = 0;
 
-    /// What all tables take.
+    /// Memory of all tables.
     [[nodiscard]] MemoryUse memory() const;
 
     /// The memory of every table.
     [[nodiscard]] virtual std::vector<TableMap> memory_maps() const = 0;
 
-    /// Of every table, where each field of its records lies, from the allocator's base; empty where the
-    /// layout does not say.
+    /// Maps of every table's fields, by offset from the allocator's base; empty where the layout does not
+    /// declare them.
     [[nodiscard]] virtual std::vector<FieldMap> field_maps() const { return {}; }
 
-    /// What the tables stand in. Only after load().
+    /// Allocator of the tables' memory. Only after load().
     [[nodiscard]] const TableAllocator& table_allocator() const { return *memory_; }
 
-    /// Times of building a table of the first body anew, and of refitting one in place to the body deformed
-    /// (twice as large and back, with the topology kept), so often each, alternating: neighbours in time
-    /// share the machine's moods.
+    /// Times of building a table of the first body again, and of refitting one in place to the body deformed
+    /// (twice as large and back, with the topology kept). Each is repeated `repetitions` times, alternating:
+    /// neighbours in time are affected equally by changes in machine speed.
     [[nodiscard]] virtual BuildTimes build_times(int repetitions) const = 0;
 
     /// Support queries of the tables by themselves. Empty: the runner has no support points of its own.
@@ -155,10 +155,10 @@ class Runner {
 
   protected:
     [[nodiscard]] virtual Result<Polyhedron> store(const Polyhedron& body) const = 0;
-    /// One for each of these bodies, in that order, in place of the ones there are.
+    /// Builds a table for each body, in that order, and drops the present ones.
     virtual void build_tables(const std::vector<const Polyhedron*>& bodies) = 0;
     [[nodiscard]] virtual std::size_t table_count() const = 0;
-    /// Mean part of the tables' bytes that ever stood.
+    /// Mean part of the tables' bytes that was ever made.
     [[nodiscard]] virtual double materialised() const = 0;
 
     [[nodiscard]] const PreparedWorkload& prepared() const { return prepared_; }
@@ -183,7 +183,7 @@ class Runner {
     RunnerOptions given_options_, options_;  ///< in the given bodies' unit, and in the runner's
     PreparedWorkload prepared_;
     NearMargins margins_;                     ///< of Needs::nearer alone
-    std::unique_ptr<TableAllocator> memory_;  ///< what the tables stand in
+    std::unique_ptr<TableAllocator> memory_;  ///< allocator of the tables
     bool table_each_ = false;                 ///< one for each instance, not for each body
 };
 

@@ -24,7 +24,7 @@
 
 namespace edgewise::bench {
 
-/// One cache for each pair of a warm scene, each on its own bodies' tables. tables: gives a query's two.
+/// Caches of the pairs of a warm scene, each on its own bodies' tables. tables: gives a query's two.
 template <class Pair, class Tables>
 [[nodiscard]] std::vector<Pair> cold_pairs_of(const scene::Workload& workload, const Tables& tables) {
     if (!workload.warm || workload.queries.empty()) return {};
@@ -37,7 +37,7 @@ template <class Pair, class Tables>
     return pairs;
 }
 
-/// TracedTable: the same layout with a loader that tells a TraceSink.
+/// TracedTable: the same layout with a loader that reports to a TraceSink.
 template <class Algorithm, class Table, class TracedTable>
 class RunnerFor final : public TableRunner<Table> {
     using Base = TableRunner<Table>;

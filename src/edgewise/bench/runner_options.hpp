@@ -14,7 +14,7 @@
 namespace edgewise::bench {
 
 enum class Sharing : std::uint8_t {
-    as_scene,      ///< what the scene is about: shared, but for `pressure`
+    as_scene,      ///< as the scene needs it: shared, except for `pressure`
     shared,        ///< one table per body, instances point at it
     per_instance,  ///< a copy each, as in the paper
 };
@@ -38,7 +38,7 @@ struct RunnerOptions {
     double margin = usual_margin;  ///< of Needs::nearer, over the extent of the larger of a query's bodies
     bool batch = false;            ///< pairs in a row that differ are asked together
 
-    /// For a verdict alone queries end as soon as it is known.
+    /// Sets the needs; for a verdict alone queries end as soon as it is known.
     void set_needs(Needs wanted) {
         needs = wanted;
         query.verdict_only = wanted == Needs::verdict;

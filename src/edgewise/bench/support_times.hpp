@@ -15,14 +15,14 @@
 
 namespace edgewise::bench {
 
-/// Of each repetition the mean time of a support query, in ns.
+/// Mean time of a support query in each repetition, in ns.
 struct SupportTimes {
     std::vector<double> cold_ns;  ///< in a direction of its own, from the first vertex or the table's seed
     std::vector<double> warm_ns;  ///< a twentieth of a radian on, from the last one of this table
-    double heights = 0;           ///< their sum, which somebody must read
+    double heights = 0;           ///< sum of all heights; reading it keeps the queries in the compiled code
 };
 
-/// So many queries a repetition: of many tables four each.
+/// Number of queries in a repetition; with many tables, four for each.
 inline constexpr std::size_t least_supports = 1000, supports_of_table = 4;
 
 /// Unit vectors: each its own, or (`turn` > 0, rad) each so far from the one before.
@@ -44,8 +44,8 @@ template <class Scalar>
     return directions;
 }
 
-/// One pass; the sum of heights. Query i is of table i modulo their number, and queries of one table follow
-/// the directions in order. last: empty, for cold starts; or where each table's next query starts.
+/// Runs one pass; returns the sum of heights. Query i is of table i modulo their number, and queries of a
+/// table follow the directions in order. last: empty for cold starts, or each table's next start.
 template <class Table>
 [[nodiscard]] EDGEWISE_QUERY_LOOP double ask_supports(const std::vector<Table>& tables,
                                                       const std::vector<Vec3<ComputeOf<Table>>>& directions,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a runner knows of its tables whatever the algorithm: how they are built, and what they take.
+// The part of a runner that depends on its tables but not on the algorithm: builds and measures them.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace edgewise::bench {
 
-/// Of a body that the table can store, as Runner::build_times tells.
+/// Build times for a body that the table can store, as Runner::build_times defines them.
 template <class Table>
 [[nodiscard]] BuildTimes time_builds(const Polyhedron& body, Parts parts, int repetitions) {
     const Polyhedron larger = scene::scaled(body, 2);
@@ -37,7 +37,7 @@ template <class Table>
     return times;
 }
 
-/// Part of the tables' bytes that ever stood: all of it, but of lazy ones.
+/// Mean part of the tables' bytes that was ever made: 1 except for lazy tables.
 template <class Table>
 [[nodiscard]] double mean_materialised(const std::vector<Table>& tables) {
     double part = 1;
@@ -48,7 +48,7 @@ template <class Table>
     return part;
 }
 
-/// Of one table for each body; offsets from `base`.
+/// Maps of one table for each body; offsets from `base`.
 template <class Table>
 [[nodiscard]] std::vector<TableMap> maps_of(const std::vector<Table>& tables,
                                             const std::vector<const Polyhedron*>& bodies,
@@ -62,7 +62,7 @@ template <class Table>
     return maps;
 }
 
-/// Of tables that tell; offsets from `base`.
+/// Maps of the fields of tables that declare them; offsets from `base`.
 template <class Table>
 [[nodiscard]] std::vector<FieldMap> field_maps_of(const std::vector<Table>& tables, const std::byte* base) {
     std::vector<FieldMap> maps;
@@ -87,7 +87,7 @@ class TableRunner : public Runner {
         return field_maps_of(tables_, table_allocator().base());
     }
 
-    /// In memory that nobody used before, where the allocator has that.
+    /// Build times in memory that was not used before, where the allocator has such memory.
     [[nodiscard]] BuildTimes build_times(int repetitions) const override {
         const auto memory = make_allocator(options().tables.allocator);
         const TablesIn placed(*memory);

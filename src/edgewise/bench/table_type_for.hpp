@@ -24,7 +24,7 @@ concept HasPartsFor = Algorithm::parts == Parts::support || FeatureTable<Table>;
 template <class Algorithm, class Table>
 concept Serves = MeasuredTable<Table> && HasPartsFor<Algorithm, Table>;
 
-/// What is asked of the layout itself.
+/// Sets the entries that depend on the layout alone.
 template <class Table>
 void describe(TableType& type) {
     using P = typename Table::PrecisionType;
@@ -64,7 +64,7 @@ void for_each_served(Use use) {
         Algorithms{});
 }
 
-/// TracedTable: the same with a loader that tells a TraceSink.
+/// TracedTable: the same layout with a loader that reports to a TraceSink.
 template <class Table, class TracedTable>
 [[nodiscard]] TableType table_type_for() {
     TableType type;

@@ -18,11 +18,11 @@ class ThreadedPass {
     /// Pairs know nothing any more, as before the first frame.
     virtual void set_back() = 0;
 
-    /// Every query once, in at most so many threads, the caller's among them; returns when all are answered.
+    /// Answers every query once, in at most `threads` threads including the caller's; returns after the last.
     virtual void run(int threads) = 0;
 
-    /// Of the last run, distances added up in the order of the workload's queries, in the runner's unit: the
-    /// bits of a RangePass over all of them.
+    /// Sum of the last run's distances in the order of the workload's queries, in the runner's unit: the bits
+    /// of a RangePass over all of them.
     [[nodiscard]] virtual double sum() const = 0;
 
     /// Batches of a run.

@@ -61,7 +61,7 @@ template <class Scalar>
     return {t.rotation.template cast<Scalar>(), t.translation.template cast<Scalar>()};
 }
 
-/// How far R is from orthogonal: the largest entry of |R^T R - I|.
+/// Distance of R from orthogonal: the largest entry of |R^T R - I|.
 [[nodiscard]] inline double ortho_error(const Mat3d& r) {
     double worst = 0;
     for (int i = 0; i < 3; ++i) {

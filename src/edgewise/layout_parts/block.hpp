@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// One table, one aligned block of memory. A layout says which arrays it has and what each byte of an element
-// is for, and is asked three times: to size the block, to place the arrays in it, and whenever somebody wants
-// to see the pieces. So nothing is kept beside the block, the ledger is what was really allocated, and an
-// address inside the block is the same on every machine.
+// One table, one aligned block of memory. A layout names its arrays and the purpose of each byte of an
+// element. It is called three times: to size the block, to place the arrays in it, and to list the pieces. So
+// nothing is kept next to the block, the ledger is what was really allocated, and an address inside the block
+// is the same on every machine.
 #pragma once
 
 #include <algorithm>
@@ -21,35 +21,35 @@
 
 namespace edgewise {
 
-/// The next whole multiple of `to`.
+/// Rounds up to the next whole multiple of `to`.
 [[nodiscard]] constexpr std::size_t rounded_up(std::size_t bytes, std::size_t to) {
     return (bytes + to - 1) / to * to;
 }
 
-/// Arrays one after another, in the order in which they are named.
+/// Plans arrays one after another, in the order in which they are named.
 class BlockPlan {
   public:
     /// Arrays start on cache lines, so that how they share lines does not depend on their neighbours' sizes;
-    /// but one shorter than a line follows right behind the one before: of a small body these gaps would be
-    /// half of the table.
+    /// but an array shorter than a line follows directly: in a small body these gaps would be half of the
+    /// table.
     static constexpr std::size_t alignment = 64;
-    /// A block shorter than this is aligned for its elements alone, likewise.
+    /// A block shorter than this is aligned for its elements only, for the same reason.
     static constexpr std::size_t small = 4 * alignment;
 
-    /// Sizes only.
+    /// Computes sizes only.
     BlockPlan() = default;
     /// Places the arrays in a block of memory that starts here.
     explicit BlockPlan(std::byte* base) : base_(base) {}
 
-    /// When it places, begins the array and points `to` at it: its elements are there, without a value yet,
-    /// and no memory is written for it.
+    /// Adds an array. When it places, begins the array and points `to` at it: its elements exist, without a
+    /// value yet, and no memory is written for it.
     template <class Element>
     void array(Element*& to, std::size_t count, const Shares& shares) {
         const std::size_t start = array_at<Element>(count, shares);
         if (base_) to = reinterpret_cast<Element*>(base_ + start);
     }
 
-    /// The same for whoever keeps no pointer: where the array starts, in bytes from the block's start.
+    /// Adds an array without a pointer. Returns its start, in bytes from the block's start.
     template <class Element>
     std::uint32_t array_at(std::size_t count, const Shares& shares) {
         static_assert(std::is_trivially_destructible_v<Element> && alignof(Element) <= alignment);
@@ -62,7 +62,7 @@ class BlockPlan {
         std::size_t bytes, alignment;
     };
 
-    /// The same of records that no type describes: whoever asks reads and writes bytes there.
+    /// Adds records without a type: the caller reads and writes their bytes. Returns their start, in bytes.
     std::size_t records_at(const RecordSize& record, std::size_t count, const Shares& shares) {
         assert(record.alignment <= alignment && record.bytes % record.alignment == 0);
         const std::size_t to = count * record.bytes < alignment ? record.alignment : alignment;
@@ -73,8 +73,8 @@ class BlockPlan {
         return start;
     }
 
-    /// One element right behind what is there, of any size: for records of several lengths, which count on
-    /// lines. Returns where it starts.
+    /// Adds one element directly behind the last, of any size: for records of several lengths, which rely on
+    /// lines. Returns its start.
     std::size_t append(std::size_t bytes, const Shares& shares) {
         const std::size_t start = size_;
         element_alignment_ = alignment;
@@ -82,13 +82,13 @@ class BlockPlan {
         return start;
     }
 
-    /// Null when it does not place.
+    /// Start of the block; null when it only sizes.
     [[nodiscard]] std::byte* base() const { return base_; }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::size_t block_alignment() const {
         return size_ < small ? element_alignment_ : alignment;
     }
-    /// In memory order, without gaps; as they lie in a block that starts at `base` (null: nowhere yet).
+    /// Pieces in memory order, without gaps, in a block that starts at `base` (null: not placed yet).
     [[nodiscard]] std::vector<Piece> pieces(const std::byte* base) const {
         std::vector<Piece> placed = pieces_;
         std::size_t offset = 0;
@@ -117,12 +117,12 @@ class BlockPlan {
 };
 
 /// Memory of one owner, which alone gives it back, and of views that borrow it and must not outlive the
-/// owner. Nothing is written to memory that nobody asked to write: a page of planes that a lazy table never
-/// makes is never there.
+/// owner. Only requested writes touch the memory: a page of planes that a lazy table never makes is never
+/// resident.
 class Block {
   public:
     Block() = default;
-    /// Of what name_arrays(BlockPlan&) names, which is called twice: to size the block, and to place.
+    /// Allocates memory for the arrays of name_arrays(BlockPlan&), called twice: to size and to place.
     template <class NameArrays>
     explicit Block(const NameArrays& name_arrays) : Block() {
         BlockPlan sizes;
@@ -148,7 +148,7 @@ class Block {
         return *this;
     }
 
-    /// The same memory, borrowed.
+    /// Returns a view that borrows the same memory.
     [[nodiscard]] Block view() const {
         Block borrowed;
         borrowed.memory_ = memory_;
@@ -160,7 +160,7 @@ class Block {
     [[nodiscard]] std::size_t size() const { return extent_.bytes; }
 
   private:
-    /// In one word, so that a small table's object is one cache line.
+    /// Size and alignment in one word, so that a small table's object is one cache line.
     struct Extent {
         std::uint32_t bytes = 0, alignment = 1;
     };

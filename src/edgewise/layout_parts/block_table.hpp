@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What layouts have in common that keep a body in one block of memory: the block, the body's facts, and the
+// Common base of layouts that keep a body in one block of memory: the block, the body's facts, and the
 // loader. A layout derives from it, or from one of its derived classes (StoredTable, DerivedTable), and adds
-// what is its own: how vertices, edges and planes are stored and read.
+// how it stores and reads vertices, edges and planes.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@
 
 namespace edgewise {
 
-/// Strictness: the scalar whose rounding decides what is strictly convex, that of the stored planes, or that
-/// which computes where planes are derived.
+/// Strictness: the scalar that decides by its rounding what is strictly convex. It is the scalar of the
+/// stored planes, or the one that computes where planes are derived.
 template <Precision P, class Loader, class Strictness = typename P::Stored>
 class BlockTable {
   public:
@@ -40,7 +40,7 @@ class BlockTable {
     [[nodiscard]] std::uint32_t identity() const { return facts_.identity; }
     [[nodiscard]] const BodyFacts& facts() const { return facts_; }
 
-    /// The facts of a body of the same topology (write_geometry.hpp).
+    /// Takes over the facts of a body of the same topology (write_geometry.hpp).
     void note_facts(const Polyhedron& body) {
         facts_ = facts_.refitted(body, Tolerance<Strictness>::strict_turn);
     }
@@ -52,17 +52,17 @@ class BlockTable {
     BlockTable(const Polyhedron& body, Parts parts, Loader loader)
         : loader_(loader), facts_(body, parts, Tolerance<Strictness>::strict_turn) {}
 
-    /// The same memory seen through another loader: a view, which must not outlive the table.
+    /// A view of the same memory with another loader; it must not outlive the table.
     template <class OtherLoader>
     BlockTable(const BlockTable<P, OtherLoader, Strictness>& other, Loader loader)
         : loader_(loader), block_(other.block_.view()), facts_(other.facts_) {}
 
-    /// The block of these arrays, each of which names what it holds by place(plan, facts).
+    /// Makes the block of all arrays; each names its parts by place(plan, facts).
     template <class... Arrays>
     void make_block(Arrays&... arrays) {
         block_ = Block([&](BlockPlan& plan) { (arrays.place(plan, facts_), ...); });
     }
-    /// Of such a block, as they lie there.
+    /// Pieces of the block of all arrays, in memory order.
     template <class... Arrays>
     [[nodiscard]] std::vector<Piece> pieces_of(Arrays... nowhere) const {
         BlockPlan plan;
@@ -77,7 +77,7 @@ class BlockTable {
 
     [[no_unique_address]] Loader loader_;
     Block block_;
-    /// So that what a layout adds may begin in the padding at its end.
+    /// Last, so that members of a layout may begin in the padding at its end.
     [[no_unique_address]] BodyFacts facts_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which fields travel together: fields by number, cut into groups, each of which is one kind of record. With
-// it the seam by which a layout takes its groups at run time: a choice holds for tables that this thread
-// builds while it lives, as TablesIn does for memory.
+// Groups of fields that share a record: fields by number, cut into groups; each group is one kind of record.
+// A layout takes its groups from here at run time: a choice holds for tables that this thread builds while it
+// lives, as with TablesIn for memory.
 #pragma once
 
 #include <algorithm>
@@ -18,13 +18,13 @@
 
 namespace edgewise {
 
-/// Groups in memory order. Copied with every table, so it owns nothing.
+/// Groups in memory order. Copied with every table, so it owns no memory.
 class FieldGroups {
   public:
     static constexpr std::size_t most = 32;  ///< fields
 
     FieldGroups() = default;
-    /// Field: an enumeration of fields, by number.
+    /// Takes groups of fields; Field is an enumeration of fields, by number.
     template <class Field>
     FieldGroups(std::initializer_list<std::initializer_list<Field>> groups) {
         for (const auto& group : groups) {
@@ -43,7 +43,7 @@ class FieldGroups {
     }
 
     [[nodiscard]] std::size_t field_count() const { return count_; }
-    /// use(group) of each, a span of field numbers.
+    /// Calls use(group) for each group, a span of field numbers.
     template <class Use>
     void for_each(Use use) const {
         for (std::size_t first = 0; first < count_;) {
@@ -61,14 +61,14 @@ class FieldGroups {
     std::uint8_t count_ = 0;
 };
 
-/// The record of one group: its fields as they are given, each at its alignment, as a struct has them.
+/// The record of one group: its fields in the given order, each at its alignment, as in a struct.
 struct GroupRecord {
     std::array<std::uint8_t, FieldGroups::most> fields{};   ///< in memory order
-    std::array<std::uint32_t, FieldGroups::most> offset{};  ///< of each of them
+    std::array<std::uint32_t, FieldGroups::most> offset{};  ///< offset of each field
     std::size_t count = 0;
     BlockPlan::RecordSize size{0, 1};
 
-    /// sized: what there is to know of a field, by number.
+    /// `sized`: description of each field, by number.
     GroupRecord(std::span<const std::uint8_t> group, std::span<const RecordField> sized)
         : count(group.size()) {
         assert(count <= FieldGroups::most);
@@ -84,7 +84,7 @@ struct GroupRecord {
     }
 };
 
-/// What the bytes of a record are for, field by field in memory order.
+/// Purposes of the bytes of a record, field by field in memory order.
 class ShareRuns {
   public:
     void add(Component component, std::size_t bytes) {
@@ -112,9 +112,9 @@ class ShareRuns {
     std::size_t end_ = 0;
 };
 
-/// Names the records of all groups to a plan, in order. records(field): how many there are of it; 0 leaves it
-/// out of its group. shares(record): what its bytes are for. use(field, start, stride): where its values lie,
-/// in bytes from the block's start.
+/// Adds the records of all groups to a plan, in order. records(field): their number; 0 leaves the field out
+/// of its group. shares(record): the purposes of its bytes. use(field, start, stride): receives the places of
+/// its values, in bytes from the block's start.
 template <class Records, class SharesOf, class Use>
 void place_groups(BlockPlan& plan, const FieldGroups& groups, std::span<const RecordField> sized,
                   const Records& records, const SharesOf& shares, const Use& use) {
@@ -134,7 +134,7 @@ void place_groups(BlockPlan& plan, const FieldGroups& groups, std::span<const Re
     });
 }
 
-/// A choice of groups for tables whose fields have this enumeration's numbers, while it lives; choices nest.
+/// Chooses groups for tables with fields of this enumeration, while it lives; choices nest.
 template <class Field>
 class FieldsGroupedBy {
   public:
@@ -143,7 +143,7 @@ class FieldsGroupedBy {
     FieldsGroupedBy(const FieldsGroupedBy&) = delete;
     FieldsGroupedBy& operator=(const FieldsGroupedBy&) = delete;
 
-    /// What was chosen, or else these.
+    /// Returns the chosen groups, or else `usual`.
     [[nodiscard]] static const FieldGroups& chosen_or(const FieldGroups& usual) {
         return current() ? *current() : usual;
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Edges and rings of a table of half-edges. Edge e has the half-edges 2e, tail to head, and 2e + 1, as in the
-// canonical body. How half-edges are stored the table says, each number read through its loader:
+// canonical body. The table defines how half-edges are stored, each number read through its loader:
 //
 //     Index next(h), before(h), twin(h), origin(h), face_of(h)     around the face on the left; no_face
 //     Index leaving(v), first_of(f)                                the first half-edge of a ring
 //
-// Counter-clockwise around a vertex is to the twin of the half-edge before.
+// The next half-edge counter-clockwise around a vertex is the twin of the half-edge before.
 #pragma once
 
 #include <cassert>
@@ -19,7 +19,7 @@
 
 namespace edgewise {
 
-/// `under_way`: back at the first half-edge, the ring is done.
+/// Place in a ring. `under_way`: back at the first half-edge, the ring is done.
 struct HalfEdgePlace {
     Index half_edge;
     bool under_way;
@@ -67,7 +67,7 @@ class HalfEdgeTable : public BlockTable<P, Loader> {
 
     static RingEdge<Edge> ring_edge(Index h) { return {h >> 1, (h & 1) != 0}; }
 
-    /// Of the body's half-edge the next one around its face, or around the edge of a segment.
+    /// Returns for each half-edge of the body the next one around its face, or around the edge of a segment.
     [[nodiscard]] static std::vector<HalfEdge> successors(const Polyhedron& body) {
         std::vector<HalfEdge> next(2 * body.edge_count());
         for (HalfEdge h = 0; h < next.size(); ++h) next[h] = h ^ 1;
@@ -90,7 +90,7 @@ class HalfEdgeTable : public BlockTable<P, Loader> {
                 return Place{next(at.half_edge), true};
             });
     }
-    /// Empty around a point.
+    /// Range around a vertex; empty around a point.
     template <class Item>
     [[nodiscard]] auto around_vertex(Vertex v, Item item) const {
         assert(v < facts_.vertex_count);

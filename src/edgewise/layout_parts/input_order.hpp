@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which vertex of the user's list each vertex is: a permutation beside tables that number vertices in an
-// order of their own, for those who name features and no longer have the body. In 1, 2 or 4 bytes per vertex;
-// left out unless it is asked for, since neither distances nor points need it.
+// The index of each vertex in the user's list: a permutation in tables that order vertices in their own way,
+// for users that name features and no longer have the body. In 1, 2 or 4 bytes per vertex; left out unless it
+// is asked for, since neither distances nor points need it.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace edgewise {
 
 enum class InputOrder : bool { left_out, kept };
 
-/// Points (as DerivedTable asks for them) with their input indices behind them, if those are kept.
+/// Points (in the form that DerivedTable needs) with their input indices behind them, if these are kept.
 template <class Points>
 class WithInputOrder : public Points {
   public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A scan over coordinates that lie in lanes, with a best vertex per lane, so that no lane waits for another:
-// the farthest of all, the first of equals, every bit as a scan one by one finds it.
+// A scan over coordinates in lanes, with a best vertex per lane, so that no lane waits for another. It finds
+// the farthest of all, the first of equals, with every bit as a scan one by one.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 
 namespace edgewise {
 
-/// Of `groups` times `Lanes` vertices: read(k, group, lane) is coordinate k of one. Lanes that no vertex
-/// fills repeat the last one, which then never comes first.
+/// Farthest of `groups` times `Lanes` vertices: read(k, group, lane) is coordinate k of a vertex. Lanes that
+/// no vertex fills repeat the last vertex, which then never comes first.
 template <std::size_t Lanes, class Scalar, class Read>
 [[nodiscard]] [[gnu::always_inline]] inline Index farthest_in_lanes(std::size_t groups,
                                                                     const Vec3<Scalar>& direction,
                                                                     const Read& read) {
-    /// As wide as what it stands beside, so that both are chosen by one mask.
+    /// Has the width of Scalar, so that a single mask selects both.
     using Count = std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t>;
     const Scalar x = direction.x(), y = direction.y(), z = direction.z();
     std::array<Scalar, Lanes> best;

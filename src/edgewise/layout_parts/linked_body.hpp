@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// All nodes of a table of nodes and pointers. They are found again by following their own pointers, so
-// nothing is kept beside them.
+// All nodes of a table of nodes and pointers. Their own pointers lead to all of them, so no list of nodes is
+// kept.
 #pragma once
 
 #include <cassert>
@@ -20,8 +20,8 @@
 
 namespace edgewise {
 
-/// Of one owner; views borrow the nodes and must not outlive it. NodePlaces: where fields of nodes lie, as
-/// NodeStructs has it.
+/// The nodes of one owner; views borrow them and must not outlive it. NodePlaces: places of the fields in
+/// nodes, as in NodeStructs.
 template <class NodePlaces>
 class LinkedBody {
     using Nodes = typename NodePlaces::Nodes;
@@ -33,7 +33,7 @@ class LinkedBody {
     using FaceCone = typename Nodes::FaceCone;
 
   public:
-    /// Nothing yet. With features, spokes are vertex cones.
+    /// Has no nodes yet. With features, spokes are vertex cones.
     explicit LinkedBody(const BodyFacts& facts) : parts_(facts.parts), owner_(&table_memory()) {
         places_.prepare(facts, *owner_);
     }
@@ -58,7 +58,7 @@ class LinkedBody {
         return *this;
     }
 
-    /// The same nodes, borrowed.
+    /// Returns a view that borrows the same nodes.
     [[nodiscard]] LinkedBody view() const {
         LinkedBody borrowed;
         borrowed.parts_ = parts_;
@@ -68,19 +68,19 @@ class LinkedBody {
         return borrowed;
     }
 
-    /// A new node, its pointers null; whoever asks ties it to what is there before asking for the next.
+    /// A new node with null pointers; the caller links it before asking for the next one.
     template <class Node>
     [[nodiscard]] Node* make() {
         assert(owner_);
         return places_.template make<Node>(*owner_);
     }
 
-    /// The place of a node's field, read through this loader under that name where something leads there.
+    /// The place of a node's field. If a pointer leads there, the loader reads it under this name.
     template <NodeField field, class Loader, class Node>
     [[nodiscard]] auto& at(const Loader& loader, Node* node, Field name) const {
         return places_.template at<field>(loader, node, name);
     }
-    /// The same for those who build and write.
+    /// The place of a node's field for building and writing, without a loader.
     template <NodeField field, class Node>
     [[nodiscard]] auto& at(Node* node) const {
         return at<field>(Direct(), node, Field::edge_ends);
@@ -93,7 +93,7 @@ class LinkedBody {
         return all;
     }
 
-    /// Nodes are counted by kind, as they are visited.
+    /// Map of the fields; numbers nodes by kind, in the order of the visit.
     [[nodiscard]] FieldMap field_map(const std::byte* base) const {
         const auto sized = sized_node_fields<typename NodePlaces::Stored>();
         FieldMap map{{sized.begin(), sized.end()}, {}};
@@ -113,8 +113,8 @@ class LinkedBody {
         return map;
     }
 
-    Vertex* first_vertex = nullptr;  ///< of a list in the body's order
-    Face* first_face = nullptr;      ///< likewise
+    Vertex* first_vertex = nullptr;  ///< start of a list in the body's order
+    Face* first_face = nullptr;      ///< start of a list in the body's order
 
   private:
     LinkedBody() = default;
@@ -126,7 +126,7 @@ class LinkedBody {
         return of_kind && !(of_cone && std::is_same_v<Node, Spoke>);
     }
 
-    /// A node may be given back while it is visited.
+    /// Visits all nodes; `visit` may give a node back.
     template <class Visit>
     void for_each_node(Visit visit) const {
         for_each_in<NodeField::next_vertex>(first_vertex, [&](Vertex* vertex) {
@@ -139,7 +139,7 @@ class LinkedBody {
             visit(face);
         });
     }
-    /// With the edge whose tail is here.
+    /// Visits a spoke, and the edge if its tail is here.
     template <class Visit>
     void visit_spoke(Spoke* spoke, Visit visit) const {
         if (parts_ == Parts::support) return visit(spoke);
@@ -157,7 +157,7 @@ class LinkedBody {
         }
     }
 
-    /// So that the cone at an edge's head does not look at an edge that was given back.
+    /// Clears the edges of cones at heads, so that no cone refers to an edge that was given back.
     void leave_edges_to_their_tails() const {
         for_each_in<NodeField::next_vertex>(first_vertex, [this](Vertex* vertex) {
             for_each_in<NodeField::next_spoke>(at<NodeField::spokes>(vertex), [this](Spoke* spoke) {

@@ -11,8 +11,8 @@
 
 namespace edgewise {
 
-/// Asks for node after node: each vertex and its cone, then the edges, then each face and its cone; then ties
-/// edges to what was there before them. Numbers are left for the layout to write.
+/// Allocates node after node: each vertex and its cone, then the edges, then each face and its cone; then
+/// links edges to the nodes before them. The layout writes the numbers later.
 template <class NodePlaces>
 class LinkedBuilder {
     using Nodes = typename NodePlaces::Nodes;
@@ -75,7 +75,7 @@ class LinkedBuilder {
         cone = static_cast<VertexCone*>(spokes_[h]);
         at<F::vertex_edge>(cone) = edge;
     }
-    /// The half-edge from the tail has the left face.
+    /// Links both faces: the half-edge from the tail has the left face.
     void link_faces(Index e, Edge* node) {
         link_face(2 * e, node, at<F::left>(node), at<F::left_cone>(node));
         link_face(2 * e + 1, node, at<F::right>(node), at<F::right_cone>(node));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The nodes of the layout `linked`, field by field: what each is of, what its bytes are for, and its place in
-// a node that is a struct. Code that reads or writes nodes names a field and is given its place, so that a
-// layout may keep the fields of a node elsewhere (grouped_nodes.hpp).
+// The nodes of the layout `linked`, field by field: the node of each field, the purpose of its bytes, and its
+// place in a node that is a struct. Code that reads or writes nodes names a field and gets its place, so that
+// a layout may keep the fields of a node elsewhere (grouped_nodes.hpp).
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@
 
 namespace edgewise {
 
-/// A spoke is one way out of a vertex, and all that a support table knows of an edge; a vertex cone is a
-/// spoke with the plane of its edge there, a face cone the same in the list of a face.
+/// A spoke is one edge as seen from a vertex, and all that a support table knows of it; a vertex cone is a
+/// spoke with the plane of its edge there, a face cone the corresponding node in the list of a face.
 template <class Stored>
 struct LinkedNodes {
     struct Spoke;
@@ -30,7 +30,7 @@ struct LinkedNodes {
 
     struct Vertex {
         Vec3<Stored> point;
-        Index index;  // in the canonical body
+        Index index;  // index in the canonical body
         Spoke* spokes;
         Vertex* next;
     };
@@ -62,7 +62,7 @@ struct LinkedNodes {
     };
 };
 
-/// In the order of the structs.
+/// Fields in the order of the structs.
 enum class NodeField : std::uint8_t {
     point,
     index,
@@ -133,7 +133,7 @@ inline constexpr std::array<NodeFieldInfo, node_field_count> node_field_infos = 
     return node_field_infos[static_cast<std::size_t>(field)];
 }
 
-/// Of the structs, in the order of NodeField.
+/// Members of the structs, in the order of NodeField.
 template <class Stored, class N = LinkedNodes<Stored>>
 inline constexpr auto node_members =
     std::tuple{&N::Vertex::point,    &N::Vertex::index,    &N::Vertex::spokes,    &N::Vertex::next,
@@ -151,11 +151,11 @@ template <class Node, class Value>
 Value value_of(Value Node::*);
 }  // namespace detail
 
-/// What a field holds.
+/// Type of the value that a field holds.
 template <class Stored, NodeField field>
 using NodeValue = decltype(detail::value_of(node_member<Stored, field>));
 
-/// use(constant of the field) of each field in order.
+/// Calls use(constant of the field) for each field in order.
 template <class Use>
 constexpr void for_each_node_field(Use use) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -164,14 +164,14 @@ constexpr void for_each_node_field(Use use) {
     (std::make_index_sequence<node_field_count>());
 }
 
-/// By number.
+/// Descriptions of the fields, by number.
 template <class Stored>
 [[nodiscard]] std::array<RecordField, node_field_count> sized_node_fields() {
     std::array<RecordField, node_field_count> sized;
     for_each_node_field([&](auto field) {
         using Value = NodeValue<Stored, field()>;
         const NodeFieldInfo& info = info_of(field());
-        // Of a pointer it is the pointer that is held. NOLINTNEXTLINE(bugprone-sizeof-expression)
+        // A pointer field holds the pointer itself. NOLINTNEXTLINE(bugprone-sizeof-expression)
         constexpr std::uint32_t bytes = sizeof(Value);
         sized[static_cast<std::size_t>(field())] = {
             info.name, node_kind_names[static_cast<std::size_t>(info.kind)], bytes, alignof(Value)};

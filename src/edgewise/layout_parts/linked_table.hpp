@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A table of nodes and pointers: what it answers, wherever the fields of its nodes lie. Handles are pointers
-// to nodes.
+// A table of nodes and pointers: its answers, independent of the places of the nodes' fields. Handles are
+// pointers to nodes.
 #pragma once
 
 #include <cassert>
@@ -46,7 +46,7 @@ class LinkedTable {
         write_body(body);
     }
 
-    /// The same memory seen through another loader: a view, which must not outlive the table.
+    /// A view of the same memory with another loader; it must not outlive the table.
     template <class OtherLoader>
     LinkedTable(const LinkedTable<NodePlaces, P, OtherLoader>& other, Loader loader)
         : loader_(loader), facts_(other.facts_), nodes_(other.nodes_.view()) {}
@@ -60,7 +60,7 @@ class LinkedTable {
     [[nodiscard]] std::uint32_t identity() const { return facts_.identity; }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
     [[nodiscard]] std::vector<Piece> pieces() const { return nodes_.pieces(); }
-    /// Offsets from `base`.
+    /// Map of the fields by offset from `base`.
     [[nodiscard]] FieldMap field_map(const std::byte* base) const { return nodes_.field_map(base); }
 
     [[nodiscard]] auto all_vertices() const {
@@ -108,7 +108,7 @@ class LinkedTable {
                                                      : load<F::head_cone>(e, Field::edge_ends);
         return cast<Compute>(load<F::vertex_plane>(c, Field::voronoi_plane));
     }
-    /// Negative everywhere on a side without a face.
+    /// Edge-face plane; negative everywhere on a side without a face.
     [[nodiscard]] Plane<Compute> edge_face_plane(Edge e, Side side) const {
         const FaceCone* const c = side == Side::left ? load<F::left_cone>(e, Field::edge_ends)
                                                      : load<F::right_cone>(e, Field::edge_ends);
@@ -120,7 +120,7 @@ class LinkedTable {
         return cast<Compute>(load<F::face_plane>(f, Field::face_plane));
     }
 
-    /// The facts of a body of the same topology, and its numbers (write_geometry.hpp).
+    /// Takes over facts and numbers of a body of the same topology (write_geometry.hpp).
     void note_facts(const Polyhedron& body) {
         facts_ = facts_.refitted(body, Tolerance<Stored>::strict_turn);
     }
@@ -135,7 +135,7 @@ class LinkedTable {
         return loader_.load(nodes_.template at<field>(loader_, node, name), name);
     }
 
-    /// From this node on; `item` is what a node stands for.
+    /// List from this node on; `item` turns a node into its value.
     template <NodeField next, class Node, class Item>
     [[nodiscard]] auto list(const Node* first, Field name, Item item) const {
         return Chain(first, static_cast<const Node*>(nullptr), item, [this, name](const Node* node) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes a body's numbers into the nodes of a table of nodes and pointers, whose topology stands. Lists run
-// in the body's order, and an edge is met at its tail.
+// Writes a body's numbers into the nodes of a table of nodes and pointers with its topology complete. Lists
+// are in the body's order, and the writer meets an edge at its tail.
 #pragma once
 
 #include "edgewise/geometry/polyhedron.hpp"
@@ -47,7 +47,7 @@ class LinkedWriter {
             spoke = at<F::next_spoke>(spoke);
         }
     }
-    /// Its planes are kept in the cones.
+    /// Writes an edge without its planes: the cones keep them.
     void write_edge(typename Nodes::Edge* edge, const EdgeGeometry& g) const {
         at<F::direction>(edge) = cast<Stored>(g.direction);
         at<F::length>(edge) = static_cast<Stored>(g.length);

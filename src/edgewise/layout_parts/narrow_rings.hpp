@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Neighbour rings in as few bytes as the body's size allows: compressed rows of vertex indices of 8, 16 or 32
-// bits, and where each row starts, likewise. From 257 vertices on 16 bits, from 65 537 on 32.
+// bits, and the start of each row in 8, 16 or 32 bits. From 257 vertices on 16 bits, from 65 537 on 32.
 #pragma once
 
 #include <cassert>
@@ -15,13 +15,13 @@
 
 namespace edgewise {
 
-/// Whole numbers below some limit, each in 1, 2 or 4 bytes. Never the first of its block
+/// Whole numbers below some limit, each in 1, 2 or 4 bytes. Must not be the first array of its block
 /// (Loader::load_narrow).
 class NarrowArray {
   public:
     NarrowArray(std::byte* data, std::uint32_t width) : data_(data), width_(width) {}
 
-    /// Writes `count` numbers: make(i) at i.
+    /// Writes `count` numbers: make(i) at position i.
     template <class Make>
     void fill(std::size_t count, Make make) {
         for (std::size_t i = 0; i < count; ++i) write(i, make(static_cast<Index>(i)));
@@ -43,12 +43,12 @@ class NarrowArray {
     std::uint32_t width_;
 };
 
-/// Bytes for each of numbers up to this one.
+/// Number of bytes for a number up to this one.
 [[nodiscard]] inline std::uint8_t narrow_width(std::size_t largest) {
     return largest <= 0xff ? 1 : largest <= 0xffff ? 2 : 4;
 }
 
-/// Where such an array is in a block, without a pointer.
+/// Place of a NarrowArray in a block, without a pointer.
 struct NarrowPlace {
     std::uint32_t at = 0;
     std::uint8_t width = 1;
@@ -63,12 +63,12 @@ struct NarrowPlace {
     }
 };
 
-/// Steps within rings whose positions follow each other: Rings has first(loader, v), last(loader, v) and
-/// neighbour(loader, v, at), who stands at a position in the ring of v.
+/// Steps within rings with consecutive positions: Rings has first(loader, v), last(loader, v) and
+/// neighbour(loader, v, at), the neighbour at a position in the ring of v.
 template <class Rings>
 class RingSteps {
   public:
-    /// Where `wanted` stands in the ring of v; it must be there.
+    /// Position of `wanted` in the ring of v; it must be there.
     template <class Loader>
     [[nodiscard]] Index find(const Loader& loader, Index v, Index wanted) const {
         Index at = own().first(loader, v);
@@ -120,7 +120,7 @@ class NarrowRings : public RingSteps<NarrowRings> {
     NarrowArray offset_, neighbour_;
 };
 
-/// What a table keeps of its rings.
+/// The part of a table that holds its rings.
 class NarrowRingPlaces {
   public:
     void place(BlockPlan& plan, const BodyFacts& n) {

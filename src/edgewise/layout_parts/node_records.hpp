@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Nodes whose fields are grouped: the first group of a kind of node is the node, to which others point; each
+// Nodes with grouped fields: the first group of a kind of node is the node, to which others point; each
 // further group is a record of its own, and the node ends with a pointer to it.
 #pragma once
 
@@ -17,24 +17,24 @@
 
 namespace edgewise {
 
-/// Where a field lies: so many bytes into its record. Of a further record, where in the node the pointer to
-/// it is; 0 of the node itself, which begins with a field.
+/// Place of a field: its offset in its record, in bytes. `link`: for a further record the offset of the
+/// pointer to it in the node; 0 for the node itself, which begins with a field.
 struct NodeFieldPlace {
     std::uint16_t offset = 0, link = 0;
 };
 
 struct NodeRecord {
     NodeKind kind{};
-    std::uint16_t link = 0;  ///< as of its fields
+    std::uint16_t link = 0;  ///< the link of its fields
     BlockPlan::RecordSize size{0, 1};
 };
 
 struct NodeRecords {
     std::array<NodeFieldPlace, node_field_count> places{};
-    std::array<NodeRecord, node_field_count> records{};  ///< of a kind, the node first
+    std::array<NodeRecord, node_field_count> records{};  ///< records of a kind are adjacent, the node first
     std::size_t count = 0;
 
-    /// holds(field): whether the nodes have it; a table for support points does without planes.
+    /// holds(field): true if the nodes have it; a table for support points has no planes.
     template <class Holds>
     NodeRecords(const FieldGroups& groups, std::span<const RecordField> sized, const Holds& holds) {
         groups.for_each([&](std::span<const std::uint8_t> group) {
@@ -53,7 +53,7 @@ struct NodeRecords {
         return records[found];
     }
 
-    /// How many further records a node of this kind has.
+    /// Number of further records of a node of this kind.
     [[nodiscard]] std::size_t further(NodeKind kind) const {
         std::size_t all_of_kind = 0;
         for (const NodeRecord& record : all()) all_of_kind += record.kind == kind;
@@ -87,19 +87,19 @@ struct NodeRecords {
     }
 };
 
-/// Whether nodes of a table have the field.
+/// Returns true if nodes of a table have the field.
 [[nodiscard]] inline bool holds(NodeField field, Parts parts) {
     const NodeKind kind = info_of(field).kind;
     if (parts == Parts::features || kind == NodeKind::vertex) return true;
     return field == NodeField::neighbour || field == NodeField::next_spoke;
 }
 
-/// How many nodes of each kind a table has.
+/// Number of nodes of each kind in a table.
 [[nodiscard]] inline std::array<std::size_t, node_kind_count> node_counts(const BodyFacts& n) {
     return {n.vertex_count, n.neighbour_count, n.edge_count(), n.face_ring_count(), n.face_count};
 }
 
-/// What the bytes of a record are for.
+/// Purposes of the bytes of a record.
 template <class Holds>
 [[nodiscard]] Shares shares_of(const NodeRecord& record, const NodeRecords& records,
                                std::span<const RecordField> sized, const Holds& holds) {

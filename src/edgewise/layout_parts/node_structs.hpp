@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Nodes that are structs: each field in its place, each node asked for by itself, as `new` would.
+// Nodes that are structs: each field in its place, each node allocated by itself, as with `new`.
 #pragma once
 
 #include <cstddef>
@@ -21,17 +21,17 @@ struct NodeStructs {
     using Stored = StoredScalar;
     using Nodes = LinkedNodes<Stored>;
 
-    /// The field's place. What leads there is read through the loader under that name; here nothing does.
+    /// The field's place. A pointer on the way would be read by the loader under that name; here none is.
     template <NodeField field, class Loader, class Node>
     [[nodiscard]] static auto& at(const Loader& /*loader*/, Node* node, Field /*name*/) {
         return node->*node_member<Stored, field>;
     }
 
-    /// Before the first node is made, and after the last one was given back.
+    /// Called before the first node is made, and after the last one was given back.
     static void prepare(const BodyFacts& /*n*/, std::pmr::memory_resource& /*owner*/) {}
     static void release(std::pmr::memory_resource& /*owner*/) {}
 
-    /// Its pointers are null.
+    /// Makes a node with null pointers.
     template <class Node>
     [[nodiscard]] static Node* make(std::pmr::memory_resource& owner) {
         static_assert(std::is_trivially_destructible_v<Node>);
@@ -46,11 +46,11 @@ struct NodeStructs {
     static void add_piece(const Node* node, std::vector<Piece>& to) {
         to.push_back({reinterpret_cast<const std::byte*>(node), sizeof(Node), 1, shares<Node>()});
     }
-    /// What is kept beside the nodes.
+    /// Adds the pieces of memory other than the nodes: none here.
     static void add_further_pieces(std::vector<Piece>& /*to*/) {}
 
   private:
-    /// Runs of fields of one purpose, with what alignment leaves between them.
+    /// Shares of runs of fields of one purpose, with the padding between them.
     template <class Node>
     [[nodiscard]] static Shares shares() {
         static const Shares made = [] {

@@ -17,14 +17,14 @@
 
 namespace edgewise {
 
-/// The scalars of one thing, each in a row of its own; rows start `step` scalars apart.
+/// The scalars of one element, each in a row of its own; rows start `step` scalars apart.
 template <class Scalar>
 struct Strided {
     Scalar* first = nullptr;
     std::size_t step = 0;
 
     [[nodiscard]] Scalar& operator[](std::size_t row) const { return first[row * step]; }
-    /// From this row on, of the thing at this place of the rows.
+    /// Scalars from this row on, of the element at this place of the rows.
     [[nodiscard]] Strided from(std::size_t row, std::size_t at) const {
         return {first + row * step + at, step};
     }
@@ -69,7 +69,7 @@ void write_plane(const Strided<Stored>& to, const Plane<double>& p) {
     to[3] = static_cast<Stored>(p.offset);
 }
 
-/// An edge's ends, in the order of their rows.
+/// The four ends of an edge, in the order of their rows.
 inline constexpr std::array ends_in_order = {&PolyhedronEdge::tail, &PolyhedronEdge::head,
                                              &PolyhedronEdge::left, &PolyhedronEdge::right};
 
@@ -82,7 +82,7 @@ inline void write_ends(const Strided<Index>& to, const PolyhedronEdge& ends) {
     for (std::size_t k = 0; k < ends_in_order.size(); ++k) to[k] = end_at(ends, k);
 }
 
-/// All that a table stores of an edge's numbers, where its arrays have it; or as they write it themselves.
+/// Writes all numbers of an edge that a table stores, to the places of its arrays or by their write_edge.
 template <class Arrays>
 void store_edge(const Arrays& to, Index e, const EdgeGeometry& g) {
     if constexpr (requires { to.write_edge(e, g); }) {

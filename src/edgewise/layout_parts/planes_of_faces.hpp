@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The planes of an edge where directions and normals of faces are at hand and planes are not stored: through
-// a vertex, unit normals; as layout_parts/voronoi.hpp has them.
+// The planes of an edge for tables that store directions and normals of faces, but no planes: through a
+// vertex, with unit normals; as in layout_parts/voronoi.hpp.
 #pragma once
 
 #include "edgewise/layout_parts/derived/derived_planes.hpp"
@@ -9,14 +9,14 @@
 
 namespace edgewise {
 
-/// Across the edge, beyond that end, which is at `point`; `along` has unit length, tail to head.
+/// Vertex-edge plane, positive beyond that end, at `point`; `along` has unit length, tail to head.
 template <class Scalar>
 [[nodiscard]] AnchoredPlane<Scalar> plane_beyond(End end, const Vec3<Scalar>& along,
                                                  const Vec3<Scalar>& point) {
     return {end == End::head ? along : Vec3<Scalar>(-along), point};
 }
 
-/// Square to the face, through the edge, positive on the face's side.
+/// Edge-face plane: perpendicular to the face, through the edge, positive on the face's side.
 template <class Scalar>
 [[nodiscard]] AnchoredPlane<Scalar> plane_beside(Side side, const Vec3<Scalar>& along,
                                                  const Vec3<Scalar>& face_normal, const Vec3<Scalar>& tail) {
@@ -24,7 +24,7 @@ template <class Scalar>
     return {into / norm(into), tail};
 }
 
-/// Beside an edge without a face: negative everywhere.
+/// Edge-face plane of a side without a face: negative everywhere.
 template <class Scalar>
 [[nodiscard]] AnchoredPlane<Scalar> plane_beside_nothing(const Vec3<Scalar>& tail) {
     return {Vec3<Scalar>::Zero(), tail, -1};

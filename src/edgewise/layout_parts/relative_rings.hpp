@@ -2,9 +2,9 @@
 //
 // Neighbour rings of one byte an entry in bodies of more than 256 vertices: the difference between the
 // neighbour's number and the vertex's own. Where vertices are numbered for it (geometry/bandwidth_order.hpp)
-// all differences fit up to some 3 800 vertices. One that does not, as to a vertex of very many neighbours,
-// stands in a list of its own, searched by halves. Where plain indices are shorter, because nearly nothing
-// fits or a byte counts all vertices, the rings are those of narrow_rings.hpp.
+// all differences fit up to some 3 800 vertices. A difference that does not fit, as to a vertex of very many
+// neighbours, is in a list of its own, with binary search. Where plain indices are shorter, because nearly
+// nothing fits or a byte counts all vertices, the rings are those of narrow_rings.hpp.
 #pragma once
 
 #include <cassert>
@@ -16,7 +16,7 @@
 
 namespace edgewise {
 
-/// The byte that says that a difference stands in the list, and the largest that fits.
+/// The byte that marks a difference in the list, and the largest difference that fits.
 inline constexpr std::int8_t far_neighbour = -128;
 inline constexpr std::int64_t most_difference = 127;
 
@@ -27,12 +27,12 @@ inline constexpr std::int64_t most_difference = 127;
     return std::abs(difference) <= most_difference;
 }
 
-/// Where a table keeps its rings, in bytes from its block's start. Positions are those of narrow_rings.hpp.
+/// Places of a table's rings, in bytes from its block's start. Positions are those of narrow_rings.hpp.
 struct RelativeRingBlock {
     bool is_relative = false;  ///< else entries are plain indices
     std::uint8_t offset_width = 1, entry_width = 1, far_width = 1;
     std::uint32_t offset_at = 0, entry_at = 0;
-    /// Of neighbours whose differences do not fit: where they stand, who they are, and how many.
+    /// Neighbours with differences that do not fit: their positions, their indices, and their number.
     std::uint32_t position_at = 0, far_at = 0, far_count = 0;
 
     [[nodiscard]] NarrowArray offsets(std::byte* base) const { return {base + offset_at, offset_width}; }
@@ -45,13 +45,13 @@ struct RelativeRingBlock {
     }
     [[nodiscard]] NarrowArray far_neighbours(std::byte* base) const { return {base + far_at, far_width}; }
 
-    /// Of a difference that does not fit. Not inlined, and by value of two pointers: the way of nearly all
+    /// Reads a neighbour from the list. Not inlined, and by value of two pointers: the code for nearly all
     /// neighbours stays short.
     template <class Loader>
     [[nodiscard]] [[gnu::noinline]] static Index far_neighbour_at(const RelativeRingBlock& in,
                                                                   const Loader& loader, std::byte* base,
                                                                   Index at) {
-        Index low = 0, high = in.far_count;  // the wanted one stands from low on, before high
+        Index low = 0, high = in.far_count;  // the wanted position is in [low, high)
         while (high - low > 1) {
             const Index middle = low + (high - low) / 2;
             (in.far_positions(base).read(loader, middle, Field::neighbour) <= at ? low : high) = middle;
@@ -60,7 +60,7 @@ struct RelativeRingBlock {
     }
 };
 
-/// As they are read.
+/// Reads rings of either form.
 class RelativeRings : public RingSteps<RelativeRings> {
   public:
     RelativeRings(const RelativeRingBlock& in, std::byte* base) : in_(&in), base_(base) {}
@@ -111,10 +111,10 @@ class RelativeRings : public RingSteps<RelativeRings> {
     std::byte* base_;
 };
 
-/// What a table keeps of its rings.
+/// The part of a table that holds its rings.
 class RelativeRingPlaces {
   public:
-    /// Chooses the shorter of both forms.
+    /// Chooses the shorter of the two forms.
     void prepare(const Polyhedron& body) {
         std::size_t far = 0;
         for (const HalfEdge h : body.vertex_ring) far += !fits_a_byte(difference(body.tail(h), body.head(h)));

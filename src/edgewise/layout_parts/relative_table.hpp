@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A table that derives all features, as DerivedTable does, whose vertices are numbered so that neighbours are
-// one byte away (relative_rings.hpp). A body that is given in another order is held as well, in more bytes.
+// A table that derives all features, as DerivedTable does, with vertices numbered so that neighbours are one
+// byte away (relative_rings.hpp). It holds a body in another order as well, in more bytes.
 #pragma once
 
 #include "edgewise/geometry/vertex_order.hpp"
@@ -18,7 +18,7 @@ class RelativeTable : public DerivedTable<WithInputOrder<Points>, P, Loader, Rel
   public:
     using typename Base::Vertex;
 
-    /// Of the bodies that tables are built from (table/stored_body.hpp).
+    /// Order of the bodies that tables are built from (table/stored_body.hpp).
     static constexpr VertexOrder vertex_order = VertexOrder::rcm;
 
     RelativeTable(const Polyhedron& body, Parts parts, Loader loader = {},
@@ -28,7 +28,7 @@ class RelativeTable : public DerivedTable<WithInputOrder<Points>, P, Loader, Rel
     RelativeTable(const RelativeTable<Points, P, OtherLoader>& other, Loader loader) : Base(other, loader) {}
 
     [[nodiscard]] bool keeps_input_order() const { return this->points_.keeps_input_order(); }
-    /// Of a table that keeps it: the vertex's index in the list that the user gave.
+    /// Index of the vertex in the user's list, for a table that keeps it.
     [[nodiscard]] Index input_index(Vertex v) const {
         return this->points_.input_index(this->loader_, this->block_.base(), v);
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The rings of a body as compressed rows of 32-bit indices, for layouts that do not bring their own:
+// The rings of a body as compressed rows of 32-bit indices, for layouts without rings of their own:
 // neighbours of a vertex, edges around a vertex, edges around a face. An edge entry is twice the edge plus
-// one when flipped, as the Polyhedron's half-edges are, for both kinds of ring. RingsAt is how they are
-// written and read wherever their numbers lie; Rings are arrays of their own.
+// one when flipped, like the Polyhedron's half-edges, for both kinds of ring. RingsAt writes and reads them
+// at any place; Rings are arrays of their own.
 #pragma once
 
 #include <cassert>
@@ -17,7 +17,7 @@
 
 namespace edgewise {
 
-/// Places is the derived class, and says where the numbers lie:
+/// Places is the derived class, and gives the places of the numbers:
 ///
 ///     Index& vertex_offset_at(Index v) const;  // where the rows of a vertex start; one more at the end
 ///     Index& neighbour_at(Index at) const;
@@ -80,7 +80,7 @@ struct Rings : RingsAt<Rings> {
     Index* face_offset = nullptr;
     Index* face_ring = nullptr;
 
-    /// The arrays of edges and faces are empty when only support is asked.
+    /// Adds the arrays; those of edges and faces are empty in a table for support points.
     void place(BlockPlan& plan, const BodyFacts& n) {
         const Shares topology = {{Component::topology, sizeof(Index)}};
         const bool features = n.parts == Parts::features;

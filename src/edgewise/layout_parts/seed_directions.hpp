@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Sets of directions, and which of them is near any direction: where a table looks for a vertex to begin at
-// (seeds.hpp). Each is `count` directions, `direction(i)` of any length, and `place(direction)`, below
-// `count` for every direction there is, zero and infinite ones too. A lookup takes comparisons, and of a grid
-// on the cube one division; no root, no angle.
+// Sets of directions, with a fast search for one near any direction: there a table looks up its first vertex
+// (seeds.hpp). Each set has `count` directions, `direction(i)` of any length, and `place(direction)`, below
+// `count` for every direction, also zero and infinite ones. A lookup takes comparisons, and for a grid on the
+// cube one division; no square root, no angle.
 //
 //     CornerDirections      27: the axes, edges and corners of a cube (MuJoCo's "extrema"); the one in the
 //                           middle is for no direction
@@ -29,8 +29,8 @@ struct CornerDirections {
         return {at / 9 - 1.0, at / 3 % 3 - 1.0, at % 3 - 1.0};
     }
 
-    /// A component counts if it is beyond tan(pi / 8) of the longest, half way between an axis and a
-    /// diagonal.
+    /// Cell of a direction. A component counts if it is beyond tan(pi / 8) of the longest, half way between
+    /// an axis and a diagonal.
     template <class Scalar>
     [[nodiscard]] static Index place(const Vec3<Scalar>& direction) {
         const Scalar least = Scalar(0.41421356) * max_abs(direction);
@@ -42,8 +42,8 @@ struct CornerDirections {
     }
 };
 
-/// Both poles, then rings of latitude from south to north, as many degrees from each other as the 2 (Rings +
-/// 1) directions on each of them; the equator is one.
+/// Both poles, then rings of latitude from south to north. The 2 (Rings + 1) directions of a ring have the
+/// same angle between them as neighbouring rings; the equator is a ring.
 template <int Rings>
 class RingDirections {
     static_assert(Rings == 7 || Rings == 15);
@@ -80,10 +80,10 @@ class RingDirections {
     }
 
   private:
-    /// Steps from the equator to a pole, and from one quarter of a ring to the next.
+    /// Number of steps from the equator to a pole, and from one quarter of a ring to the next.
     static constexpr int quarter = (Rings + 1) / 2;
 
-    /// sin(k pi / 32).
+    /// Values of sin(k pi / 32).
     static constexpr SmallArray<double, 17> sines = {0,
                                                      0.098017140329560604,
                                                      0.19509032201612825,
@@ -104,20 +104,20 @@ class RingDirections {
     static constexpr int per_step = 16 / quarter;
 
     [[nodiscard]] static constexpr double sine(int steps) { return sines[steps * per_step]; }
-    /// Of this many steps around a ring, any number of turns.
+    /// Cosine of a turn of `steps` steps around a ring; any number of turns.
     [[nodiscard]] static double cosine_of_turn(int steps) {
         const int turn = steps % around,
                   back = turn > 2 * quarter ? around - turn : turn;  // 0 .. half a turn
         return back > quarter ? -sine(back - quarter) : sine(quarter - back);
     }
-    /// The slope half way between step k and the next.
+    /// The slope half way between step k and step k + 1.
     [[nodiscard]] static constexpr double limit(int k) {
         const int at = (2 * k + 1) * per_step / 2;
         return sines[at] / sines[16 - at];
     }
 };
 
-/// Middles of the cells of a Side x Side grid on each side of a cube.
+/// Directions to the middles of the cells of a Side x Side grid on each side of a cube.
 template <int Side>
 struct GridDirections {
     static constexpr std::size_t count = 6 * Side * Side;
@@ -141,7 +141,7 @@ struct GridDirections {
         const Scalar cells = Scalar(Side / 2) / std::abs(along);
         const auto cell = [cells](Scalar across) {
             const Scalar at = across * cells + Scalar(Side / 2);
-            // No number, of a direction of no length or none that is finite, is in the first cell.
+            // NaN, from a direction of zero or infinite length, goes to the first cell.
             return static_cast<Index>(at > 0 ? std::min(at, Scalar(Side - 1)) : Scalar(0));
         };
         const Index side = 2 * static_cast<Index>(axis) + (along < 0 ? 1 : 0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Where to begin: for each of a set of directions (seed_directions.hpp) the vertex farthest along it, in 1, 2
+// Start vertices: for each of a set of directions (seed_directions.hpp) the vertex farthest along it, in 1, 2
 // or 4 bytes. A cold climb or walk over some hundred vertices then starts a few steps from its end, and the
-// more directions, the fewer.
+// more directions, the fewer steps.
 #pragma once
 
 #include <cassert>
@@ -15,7 +15,7 @@
 
 namespace edgewise {
 
-/// Smaller bodies have no seeds: they are scanned in less time than a seed takes.
+/// Smaller bodies have no seeds: a scan of them takes less time than a seed.
 inline constexpr std::size_t seeds_from = 32;
 
 [[nodiscard]] inline Index farthest_vertex(const Polyhedron& body, const Vec3d& direction) {
@@ -26,7 +26,7 @@ inline constexpr std::size_t seeds_from = 32;
     return best;
 }
 
-/// Points (as DerivedTable asks for them) with seeds behind them.
+/// Points (in the form that DerivedTable needs) with seeds behind them.
 template <class Points, class Directions>
 class Seeded : public Points {
   public:
@@ -64,7 +64,7 @@ class TableWithSeeds : public DerivedTable<Points, P, Loader, RingPlaces> {
   public:
     using Base::Base;
 
-    /// Among the vertices far along the direction, of any length; not of bodies of less than 32.
+    /// Returns a vertex far along the direction (any length). Not for bodies of less than 32 vertices.
     [[nodiscard]] typename Base::Vertex seed(const Vec3<typename Base::Compute>& direction) const {
         assert(this->vertex_count() >= seeds_from);
         return this->points_.seed(this->loader_, this->block_.base(), direction);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The fields of a table that stores what it answers, by name: those of a vertex, an edge, a face, and of an
-// entry in either kind of ring; and where each lies.
+// The fields of a table that stores its answers, by name: those of a vertex, an edge, a face, and of an entry
+// in either kind of ring; and the place of each.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ inline constexpr std::size_t stored_field_count = static_cast<std::size_t>(Store
 
 struct StoredFieldInfo {
     std::string_view name, record;
-    std::uint8_t scalars, indices;  ///< what it holds: stored scalars, or 32-bit indices
+    std::uint8_t scalars, indices;  ///< contents: number of stored scalars, or of 32-bit indices
     Component component;
 
     template <class Stored>
@@ -76,7 +76,7 @@ inline constexpr std::array<StoredFieldInfo, stored_field_count> stored_field_in
     return stored_field_infos[static_cast<std::size_t>(field)];
 }
 
-/// By number.
+/// Descriptions of the fields, by number.
 template <class Stored>
 [[nodiscard]] std::array<RecordField, stored_field_count> sized_stored_fields() {
     std::array<RecordField, stored_field_count> sized;
@@ -84,7 +84,7 @@ template <class Stored>
     return sized;
 }
 
-/// How many records of a table have the field; 0: the table does without it.
+/// Number of records of a table with this field; 0: the table has no such field.
 [[nodiscard]] inline std::size_t record_count(StoredField field, const BodyFacts& n) {
     using enum StoredField;
     const bool features = n.parts == Parts::features;
@@ -109,12 +109,12 @@ class FieldMapper {
         return mapper;
     }
 
-    /// In one piece.
+    /// Notes a field that lies in one piece.
     template <class Value>
     void note(StoredField field, Index element, const Value& place) {
         add(field, element, &place, sizeof(Value), 0);
     }
-    /// Scalar by scalar.
+    /// Notes a field scalar by scalar.
     template <class Scalar>
     void note(StoredField field, Index element, const Strided<Scalar>& places) {
         const std::uint32_t bytes = map_.fields[static_cast<std::size_t>(field)].bytes;
@@ -136,7 +136,7 @@ class FieldMapper {
     FieldMap map_;
 };
 
-/// Of arrays and rings as StoredTable has them.
+/// Map of the fields of arrays and rings in the form that StoredTable needs.
 template <class Stored, class Arrays, class RingPlaces>
 [[nodiscard]] FieldMap map_of_fields(const Arrays& at, const RingPlaces& rings, const BodyFacts& n,
                                      const std::byte* base) {

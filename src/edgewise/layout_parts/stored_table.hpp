@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A table whose layout is a mapping: arrays that say where a vertex, an edge's planes, direction and ends,
-// and a face's plane are. Reading, writing and rings are the same for all of them, and are here.
+// A table with a mapping as its layout: arrays give the places of a vertex, of an edge's planes, direction
+// and ends, and of a face's plane. Reading, writing and rings are equal for all such layouts, and are here.
 //
 // Arrays has pointers into the block and is a handle of writable memory, as a span is: it may be const where
 // what it points to is not. Its members:
@@ -15,10 +15,10 @@
 //     ... ends(Index e) const;
 //     ... face_plane(Index f) const;
 //
-// A layout whose planes are in no one place reads them by functions of its own, and its arrays have, instead
-// of the places of planes and length, `void write_edge(Index e, const EdgeGeometry&) const`. What follows
-// from the topology alone, and is not an edge's ends, is written by `void link(const Polyhedron&) const`.
-// Arrays that hold the rings too derive from RingsAt.
+// A layout with planes that have no place of their own reads them by functions of its own. Its arrays then
+// have `void write_edge(Index e, const EdgeGeometry&) const` instead of the places of planes and length.
+// `void link(const Polyhedron&) const` writes data that follows from the topology alone, except an edge's
+// ends. Arrays that hold the rings too derive from RingsAt.
 #pragma once
 
 #include <cassert>
@@ -36,7 +36,7 @@
 
 namespace edgewise {
 
-/// Rings of arrays that hold them themselves.
+/// Empty rings for arrays that hold the rings themselves.
 struct NoRings {
     static void place(BlockPlan& /*plan*/, const BodyFacts& /*n*/) {}
 };
@@ -44,7 +44,7 @@ struct NoRings {
 template <class Arrays>
 inline constexpr bool brings_rings = std::is_base_of_v<RingsAt<Arrays>, Arrays>;
 
-/// Every field is in a place of its own.
+/// True if every field has a place of its own.
 template <class Arrays>
 concept PlacesEveryField = requires(const Arrays& at) {
     at.vertex_edge_plane(Index{}, End::tail);
@@ -87,7 +87,7 @@ class StoredTable : public BlockTable<P, Loader> {
 
     [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(at_, rings_); }
     [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
-    /// Offsets from `base`.
+    /// Map of the fields by offset from `base`.
     [[nodiscard]] FieldMap field_map(const std::byte* base) const requires PlacesEveryField<Arrays> {
         return map_of_fields<Stored>(at_, rings(), facts_, base);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The Voronoi planes of an edge, derived once in double from the canonical body; what storing layouts store.
+// The Voronoi planes of an edge, derived once in double from the canonical body, for layouts that store them.
 // Plane names follow Mirtich's V-Clip report (MERL TR-97-05, section 3.1), orientation table/contract.hpp.
 #pragma once
 
@@ -21,8 +21,8 @@ struct EdgeGeometry {
     return {normal, -dot(normal, point)};
 }
 
-/// Seen from outside, a face lies to the left of its edges as its own ring runs them: normal x along points
-/// into it. Beyond a side without a face there is nothing: its plane is negative everywhere.
+/// Edge-face plane. Seen from outside, a face lies to the left of its edges as its own ring runs them: normal
+/// x along points into it. On a side without a face the plane is negative everywhere.
 [[nodiscard]] inline Plane<double> edge_face_plane(const Polyhedron& body, Index face, const Vec3d& along,
                                                    const Vec3d& point) {
     if (face == no_face) return {Vec3d::Zero(), -1};

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// A body's numbers into a table whose topology stands: when it is built, and again when the body has been
-// deformed with its topology kept. A layout says where one vertex, edge or face goes, by
+// Writes a body's numbers into a table with its topology complete: when it is built, and again when the body
+// has been deformed with the same topology. A layout writes one vertex, edge or face by
 //
 //     void write_vertex(Index v, const Vec3d& point);
 //     void write_edge(Index e, const EdgeGeometry& edge);           // what it stores of an edge, if anything
 //     void write_face(Index f, const Plane<double>& plane);         // likewise
 //
-// with the canonical body's indices. A layout whose numbers depend on the whole body writes them all at once:
-// `void write_body(const Polyhedron&)`.
+// with the canonical body's indices. A layout with numbers that depend on the whole body writes them all at
+// once: `void write_body(const Polyhedron&)`.
 #pragma once
 
 #include <cassert>
@@ -19,8 +19,8 @@
 
 namespace edgewise {
 
-/// Whether edges are written when a table is built, or left to somebody who writes each when it is asked for
-/// (lazy.hpp).
+/// Edges are written when a table is built (`now`), or each when a query first asks for it (`when_asked`,
+/// lazy.hpp).
 enum class WriteEdges : bool { when_asked, now };
 
 template <class Table>
@@ -36,14 +36,14 @@ concept WritesBody = requires(Table& table, const Polyhedron& body) {
     table.write_body(body);
 };
 
-/// Whether a table of this layout can take another body's numbers in place.
+/// True if a table of this layout can take another body's numbers in place.
 template <class Table>
 concept Refittable = requires(Table& table, const Polyhedron& body) {
     table.note_facts(body);
     requires WritesBody<Table> || requires { table.write_vertex(Index{}, Vec3d{}); };
 };
 
-/// Everything the table stores of the body's numbers. The table's facts say how many edges and faces it has.
+/// Writes all of the body's numbers that the table stores, for the edges and faces in the table's facts.
 template <class Table>
 void write_geometry(Table& table, const Polyhedron& body, WriteEdges edges = WriteEdges::now) {
     if constexpr (WritesBody<Table>) {
@@ -62,9 +62,9 @@ void write_geometry(Table& table, const Polyhedron& body, WriteEdges edges = Wri
     }
 }
 
-/// The table of a body of the same topology with other numbers, in place: what a new table of that body would
-/// answer, bit by bit. Copies of a table and views through other loaders share its memory and not its facts:
-/// make them anew afterwards.
+/// Gives a table the numbers of a body of the same topology, in place: its answers are then those of a new
+/// table of that body, bit by bit. Copies of a table and views through other loaders share its memory and not
+/// its facts: make them again afterwards.
 template <Refittable Table>
 void refit(Table& table, const Polyhedron& body) {
     table.note_facts(body);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The contract between layouts and algorithms: everything that one side may know of the other.
+// The contract between layouts and algorithms: neither may know more of the other.
 //
 // A SupportTable gives its vertices; GJK needs no more, so an engine may pass a shape of its own. With
 // neighbours as well (ClimbingTable), queries climb to support points. A FeatureTable adds edges, faces,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A map from a table's memory to the fields of its records. A trace of addresses uses it to find which field
-// of which edge was read, and where it would have been if the fields had been grouped otherwise.
+// A map from a table's memory to the fields of its records. A trace of addresses uses it to find the field
+// and the edge of a read, and the address that the field would have in other groups.
 #pragma once
 
 #include <cstdint>

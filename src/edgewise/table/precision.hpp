@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A precision is a pair of scalars: one stores, one computes. The layout passes it to the algorithms as a
-// template parameter, so that one program measures all of them.
+// template parameter, so that one program measures every precision.
 #pragma once
 
 #include <concepts>

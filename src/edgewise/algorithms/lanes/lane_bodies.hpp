@@ -12,8 +12,8 @@
 
 namespace edgewise {
 
-/// One body per lane. A lane with fewer vertices than another has its first one again in place of the rest:
-/// that never comes first of equals.
+/// One body per lane. A lane with fewer vertices than another repeats its first vertex: a repeated vertex
+/// never comes first of equals.
 template <class Scalar, int n>
 class LaneBodies {
   public:
@@ -24,9 +24,9 @@ class LaneBodies {
         Vector point;
     };
 
-    /// Whether this lane's body is the one of this table.
+    /// Returns true if this lane holds the body of this table.
     [[nodiscard]] bool holds(int lane, const void* table) const { return tables_[lane] == table; }
-    /// Where this lane's body, of so many vertices, is to be written; then pad().
+    /// Place for this lane's body of `vertices` vertices; call pad() after writing them.
     [[nodiscard]] LaneVertices<Scalar> room(int lane, const void* table, int vertices) {
         assert(vertices >= 1 && vertices <= static_cast<int>(most_lane_vertices));
         for (; used_ < vertices; ++used_) vertices_[used_] = vertices_[0];
@@ -55,7 +55,7 @@ class LaneBodies {
     }
 
   private:
-    /// Each lane's vertex of this number, read once at the end: carrying it along costs a scan a third.
+    /// Each lane's vertex of this number, read once at the end: to carry it along costs a third of a scan.
     [[nodiscard]] [[gnu::always_inline]] Vector at(const Masks<Scalar, n>& vertex) const {
         Vector point;
 #pragma GCC unroll 8

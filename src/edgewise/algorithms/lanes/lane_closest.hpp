@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // GJK's sub-distance for several queries side by side: cofactors.hpp without its branches. All cofactors of
-// all lanes' simplices are computed; where a lane's signs choose no subset, or what they choose needs more
-// care than this (another point lies nearer, a thin triangle), the lane is not `sure`, and its query is asked
-// by itself.
+// all lanes' simplices are computed. Where a lane's signs choose no subset, or the chosen one needs more
+// care (another point lies nearer, a thin triangle), the lane is not `sure`, and its query is asked by
+// itself.
 #pragma once
 
 #include <bit>
@@ -17,8 +17,8 @@
 
 namespace edgewise {
 
-/// The closest points to the origin of n simplices, each of which is known to rest on its newest point: that
-/// is w[3], whatever comes before it.
+/// The closest points to the origin of n simplices. Each is known to rest on its newest point, w[3], whatever
+/// comes before it.
 template <class Scalar, int n>
 class LaneClosest {
   public:
@@ -28,7 +28,7 @@ class LaneClosest {
     using Vector = LaneVec<Scalar, n>;
     using Points = SmallArray<Vector, 4>;
 
-    /// older: how many points per lane there are beside the newest: the first of w, 0 to 3.
+    /// `older`: number of points per lane besides the newest: the first of w, 0 to 3.
     [[gnu::always_inline]] LaneClosest(const Points& w, const Mask& older) {
 #pragma GCC unroll 3
         for (int k = 0; k < 3; ++k) absent_[k] = older <= k;
@@ -42,7 +42,7 @@ class LaneClosest {
 
     [[nodiscard]] const Vector& point() const { return point_; }
     [[nodiscard]] const Number& weight(int k) const { return weight_[k]; }
-    /// Whether the closest point rests on point k.
+    /// Mask of the lanes where the closest point rests on point k.
     [[nodiscard]] [[gnu::always_inline]] Mask rests_on(int k) const {
         return (subset_ & (Mask{} + (Word{1} << k))) != 0;
     }
@@ -54,7 +54,7 @@ class LaneClosest {
     [[gnu::always_inline]] void add_cofactors(const Points& w) {
 #pragma GCC unroll 16
         for (int subset = 1; subset < whole; ++subset) {
-            if ((subset | newest) == whole && !(subset & newest)) continue;  // no asked one's are made of it
+            if ((subset | newest) == whole && !(subset & newest)) continue;  // no needed subset uses it
 #pragma GCC unroll 4
             for (int k = 0; k < 4; ++k) {
                 if (!(subset >> k & 1)) continue;
@@ -77,7 +77,7 @@ class LaneClosest {
         }
     }
 
-    /// The first subset that holds the newest point and passes by its signs, in Johnson's order.
+    /// Chooses the first subset that holds the newest point and passes by its signs, in Johnson's order.
     [[gnu::always_inline]] void choose() {
         subset_ = Mask{};
 #pragma GCC unroll 4
@@ -115,12 +115,12 @@ class LaneClosest {
         }
     }
 
-    /// With the newest point, two others.
+    /// Mask of the lanes that rest on the newest point and two others.
     [[nodiscard]] [[gnu::always_inline]] Mask is_triangle() const {
         return (subset_ == 11) | (subset_ == 13) | (subset_ == 14);
     }
 
-    /// As TriangleSides: the foot on the triangle's normal, where that is better known.
+    /// Takes the foot on the triangle's normal, as TriangleSides does, where it is more accurate.
     [[gnu::always_inline]] void find_foot(const Points& w) {
         const Vector lowest = select(subset_ == 14, w[1], w[0]);
         const Vector second = select(subset_ >= 13, w[2], w[1]);
@@ -138,7 +138,7 @@ class LaneClosest {
         sure_ &= ~(triangle & thin);
     }
 
-    /// No other point lies nearer along the direction of what was chosen.
+    /// Checks that no other point lies nearer along the direction of the chosen subset's closest point.
     [[gnu::always_inline]] void try_others(const Points& w) {
         Vector member = w[3];
 #pragma GCC unroll 4
@@ -150,7 +150,7 @@ class LaneClosest {
         }
     }
 
-    SmallArray<Mask, 3> absent_;  ///< of the older points
+    SmallArray<Mask, 3> absent_;  ///< mask of lanes without this older point
     SmallArray<SmallArray<Number, 4>, 15> of_;
     SmallArray<SmallArray<Mask, 4>, 16> positive_;
     SmallArray<Number, 4> weight_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Enhanced GJK for several pairs side by side: GjkRun (gjk.hpp), one query per lane, without a branch that
-// the lanes could disagree on. A lane whose query ends takes the next one, so that none waits for another.
-// Every query starts cold. What is rare (contact, a close or thin simplex) is not computed here: the query is
+// Enhanced GJK for several pairs side by side: GjkRun (gjk.hpp), one query per lane, without a branch on
+// which lanes could disagree. When its query ends, a lane takes the next one, so that none waits for another.
+// Every query starts cold. Rare cases (contact, a close or thin simplex) are not computed here: the query is
 // asked by itself, from its start. So every answer is to the bit that of a single query.
 #pragma once
 
@@ -28,16 +28,16 @@ class LaneGjk {
           gap_(static_cast<Scalar>(options.gap_tolerance)),
           verdict_only_(options.verdict_only) {}
 
-    /// All queries of the source.
+    /// Runs all queries of the source.
     [[gnu::always_inline]] void run() {
         for (int lane = 0; lane < n; ++lane) lanes_.load(lane, source_);
         while (any_lane(lanes_.is_active)) iterate();
     }
 
   private:
-    static constexpr int most_steps = 64;  ///< lanes are not for a query that takes more
+    static constexpr int most_steps = 64;  ///< a query that takes more is not for lanes
 
-    /// One support point further in every lane; a query's first lies along the line of the origins.
+    /// Adds one support point in every lane; a query's first lies along the line of the origins.
     [[gnu::always_inline]] void iterate() {
         lanes_.steps -= ~lanes_.starts;
         const Vector v = select(lanes_.starts, -lanes_.translation, lanes_.closest);
@@ -61,7 +61,7 @@ class LaneGjk {
     }
 
     struct Ends {
-        Mask ended, doubted;  ///< with nothing left to gain; to be asked by themselves
+        Mask ended, doubted;  ///< nothing left to gain; to be asked by themselves
     };
 
     [[nodiscard]] [[gnu::always_inline]] Ends ends(const Vector& v, const Number& squared,
@@ -77,7 +77,7 @@ class LaneGjk {
         return {none_left & ~doubted & ~lanes_.starts & lanes_.is_active, doubted};
     }
 
-    /// The answers of these lanes; what their next queries start from stays as it is until all step again.
+    /// Takes the answers of the ended lanes; the start of their next queries stays until all step again.
     [[gnu::always_inline]] void take(const Mask& ended) {
         for (int lane = 0; lane < n; ++lane) {
             if (!ended[lane]) continue;

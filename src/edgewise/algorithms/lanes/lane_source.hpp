@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the lanes' queries come from and their answers go: what is known of tables stays on that side, so
+// The source of the lanes' queries and the sink of their answers: knowledge of tables stays on that side, so
 // that the loop over lanes is compiled once, not per table type.
 #pragma once
 
@@ -16,12 +16,12 @@ namespace edgewise {
 /// Bodies with more vertices are not scanned side by side: they fill the first-level cache.
 inline constexpr std::size_t most_lane_vertices = 64;
 
-/// One query as a lane is given it, which starts cold.
+/// One query as a lane receives it; it starts cold.
 template <class Scalar>
 struct LaneQuery {
     Transform<Scalar> a_from_b;
-    /// The tables' addresses, and how many vertices they have. Vertices of a table that the lane holds
-    /// already are not written again.
+    /// The tables' addresses, and their numbers of vertices. Vertices of a table that the lane holds already
+    /// are not written again.
     const void *table_a = nullptr, *table_b = nullptr;
     int vertices_a = 0, vertices_b = 0;
 };
@@ -37,11 +37,11 @@ struct LaneAnswer {
     int steps = 0;
 };
 
-/// Where a body's vertices go: each coordinate lies beside those of the other lanes.
+/// Writes a body's vertices: each coordinate lies next to those of the other lanes.
 template <class Scalar>
 class LaneVertices {
   public:
-    /// At the first vertex's x of this lane, of so many.
+    /// Starts at the first vertex's x of this lane, of `lanes` lanes.
     LaneVertices(Scalar* first, std::ptrdiff_t lanes) : at_(first), lanes_(lanes) {}
 
     void push(const Vec3<Scalar>& point) {
@@ -66,12 +66,12 @@ class LaneSource {
 
     /// The lane's next query; false if none is left.
     [[nodiscard]] virtual bool next(int lane, LaneQuery<Scalar>& query) = 0;
-    /// The vertices of its body A, in order; of B.
+    /// Writes the vertices of the query's body A, in order; write_b those of B.
     virtual void write_a(int lane, LaneVertices<Scalar> vertices) = 0;
     virtual void write_b(int lane, LaneVertices<Scalar> vertices) = 0;
-    /// Of the lane's query, to the bit what it is asked by itself.
+    /// Takes the answer of the lane's query: to the bit the answer of the single query.
     virtual void take(int lane, const LaneAnswer<Scalar>& answer) = 0;
-    /// The lane's query needs more than lanes can do: contact, wider arithmetic, another start.
+    /// Called when the lane's query needs more than lanes can do: contact, wider arithmetic, another start.
     virtual void ask_singly(int lane) = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What GJK knows of the query in each lane: bodies, pose, simplex.
+// GJK's state of the query in each lane: bodies, pose, simplex.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct LaneState {
     LaneBodies<Scalar, n> a, b;
     SmallArray<Number, 9> rotation{};  ///< of a_from_b, row by row
     Vector translation{}, closest{};
-    /// The first `count`, up to three; the newest, while it is taken in, is the last.
+    /// Holds the first `count`, up to three; the newest, while it is added, is the last.
     SmallArray<Mask, 4> vertices{};  ///< A's and B's as one word
     SmallArray<Vector, 4> difference{};
     SmallArray<Number, 4> weight{};
@@ -31,7 +31,7 @@ struct LaneState {
     Mask starts{};     ///< without a point so far
     Mask is_active{};  ///< holds a query
 
-    /// The source's next query; without one the lane is idle.
+    /// Loads the source's next query; without one the lane is idle.
     void load(int lane, LaneSource<Scalar>& source) {
         LaneQuery<Scalar> query;
         is_active[lane] = 0;
@@ -85,15 +85,15 @@ struct LaneState {
         return held;
     }
 
-    /// A point more in every lane: the newest, whose place is the last of four.
+    /// Adds a point in every lane: the newest, in the last of four places.
     [[gnu::always_inline]] void push(const Mask& both, const Vector& of_difference) {
         vertices[3] = both;
         difference[3] = of_difference;
     }
 
-    /// As Simplex::keep: drops the points that the closest one (LaneClosest) does not rest on. A lane that
-    /// rests on all four is asked by itself, and its last point may be lost here. `size_now`: with the newest
-    /// points; `fresh`: lanes that hold no point yet.
+    /// Drops the points that the closest one (LaneClosest) does not rest on, as Simplex::keep does. A lane
+    /// that rests on all four is asked by itself, and its last point may be lost here. `size_now`: size with
+    /// the newest points; `fresh`: mask of lanes that hold no point yet.
     template <class Closest>
     [[gnu::always_inline]] void keep(const Closest& now, const Number& size_now, const Mask& fresh) {
         Mask kept{};

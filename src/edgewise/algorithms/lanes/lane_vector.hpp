@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Numbers of several queries side by side: lane i of every register belongs to query i. The compiler's own
-// vector types, so that one text makes SSE, AVX or NEON of it; every operation is that of the
-// scalar code, lane by lane, in the order of geometry/vec.hpp: the same bits.
+// vector types: the same source becomes SSE, AVX or NEON. Every operation is that of the scalar code, lane by
+// lane, in the order of geometry/vec.hpp: the same bits.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@
 
 namespace edgewise {
 
-/// Registers of n numbers, and what comparing two of them gives: all bits set where true. Whole numbers per
-/// lane have the masks' type.
+/// Registers of n numbers, and the results of comparing two of them: all bits set where true. Whole numbers
+/// per lane have the masks' type.
 template <class Scalar, int n>
 struct LaneTypes {
     using Word = std::conditional_t<sizeof(Scalar) == 8, std::int64_t, std::int32_t>;
@@ -25,7 +25,7 @@ using Numbers = typename LaneTypes<Scalar, n>::Numbers;
 template <class Scalar, int n>
 using Masks = typename LaneTypes<Scalar, n>::Masks;
 
-/// A vector per lane.
+/// A 3D vector per lane.
 template <class Scalar, int n>
 struct LaneVec {
     Numbers<Scalar, n> x, y, z;
@@ -65,7 +65,7 @@ template <class Scalar, int n>
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// a where the mask is set, else b; of numbers or of whole numbers.
+/// Returns a where the mask is set, else b; for numbers or whole numbers.
 template <class Mask, class Number>
 requires(sizeof(Mask) == sizeof(Number)) [[nodiscard]] [[gnu::always_inline]] inline Number
     select(const Mask& mask, const Number& a, const Number& b) {
@@ -78,7 +78,7 @@ template <class Mask, class Scalar, int n>
     return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 
-/// The larger of two, lane by lane, as std::max tells.
+/// The larger of two, lane by lane, as std::max chooses.
 template <class Number>
 [[nodiscard]] [[gnu::always_inline]] inline Number larger(const Number& a, const Number& b) {
     return select(a < b, b, a);
@@ -101,7 +101,7 @@ template <class Scalar, int n>
     return of;
 }
 
-/// Whether any lane's mask is set.
+/// Returns true if any lane's mask is set.
 template <class Mask>
 [[nodiscard]] [[gnu::always_inline]] inline bool any_lane(const Mask& mask) {
     constexpr int n = sizeof(Mask) / sizeof(mask[0]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The loop over lanes, compiled for each width of register, and chosen when the program runs: an installed
-// library carries no machine flags.
+// The loop over lanes, compiled for each width of register, and chosen at run time: an installed library
+// carries no machine flags.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace edgewise {
 /// Bits of a register; none: one query after the other.
 enum class LaneWidth : std::uint16_t { none = 0, bits_128 = 128, bits_256 = 256 };
 
-/// What pays on this processor: AVX2's width, or none. Measured on a Zen 4, time over that of single queries,
+/// The best width on this processor: AVX2's, or none. Measured on a Zen 4, time over that of single queries,
 /// cold, bodies of 8 vertices, f64 and f32: 128 bits 1.8 and 0.7 (SSE2 cannot compare whole numbers of 64
 /// bits), 256 bits 0.65 and 0.45. Registers of 512 bits took 0.8 of that where all of the program was
-/// compiled for them, and twice that in a library that was not. Others than x86 were not measured.
+/// compiled for them, and twice that in a library that was not. Only x86 was measured.
 [[nodiscard]] LaneWidth best_lanes();
 
 /// Answers all of the source's queries with GJK, side by side, at a width that the processor has.

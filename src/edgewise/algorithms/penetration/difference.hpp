@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The Minkowski difference A - B as EPA sees it: corners (a vertex of each body), and the farthest corner
-// along a direction. Tables are read and climbed in the precision that computes; the corners themselves are
-// handed on in double, where single points are exact. EPA is compiled once: it knows no table types, and a
-// call per support point is little beside the climb.
+// along a direction. Tables are read and climbed in the precision that computes; the corners are passed on in
+// double, where single points are exact. EPA is compiled once, without table types: a call per support point
+// costs little compared with the climb.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Corner {
     AnyVertex vertex_a, vertex_b;
     Vec3d on_a, on_b;  ///< both in A's frame
 
-    /// In the difference, times a power of two.
+    /// Point of the difference, times a power of two.
     [[nodiscard]] Vec3d point(double scale) const {
         Vec3d point = (on_a - on_b) * scale;
         for (int i = 0; i < 3; ++i) {
@@ -37,7 +37,7 @@ struct Corner {
         return point;
     }
 
-    /// Longest coordinate: what rounding noise is relative to.
+    /// Longest coordinate: rounding noise is relative to it.
     [[nodiscard]] double size() const { return std::max(max_abs(on_a), max_abs(on_b)); }
 };
 
@@ -50,11 +50,11 @@ class Difference {
 
     /// The farthest corner along a direction of length about 1, climbed to from another corner.
     [[nodiscard]] virtual Corner support(const Vec3d& direction, const Corner& from) const = 0;
-    /// Of the support products, relative to the size.
+    /// Rounding noise of the support products, relative to the size.
     [[nodiscard]] virtual double support_noise() const = 0;
 };
 
-/// (Of pointers too, whose size is seldom meant.)
+/// Bytes of a handle; by an array, because sizeof of a pointer type draws a warning.
 template <class Vertex>
 inline constexpr std::size_t vertex_bytes = sizeof(std::array<Vertex, 1>);
 
@@ -79,7 +79,7 @@ class DifferenceOf final : public Difference {
   public:
     using Scalar = ComputeOf<TableA>;
 
-    /// Keeps all three.
+    /// Keeps all three arguments.
     DifferenceOf(const TableA& a, const TableB& b, const Transform<Scalar>& a_from_b)
         : a_(a), b_(b), a_from_b_(a_from_b) {}
 

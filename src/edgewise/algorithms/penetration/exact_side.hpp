@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// On which side of a triangle's plane a point lies, without error: a filter in floating point, and where that
-// is in doubt the sum of all the terms of the determinant, kept exactly.
+// The side of a triangle's plane on which a point lies, without error: a filter in floating point, and in
+// doubtful cases the sum of all the terms of the determinant, kept exactly.
 //
 // Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997;
 // without the stages between his filter and the full sum, since few points are in doubt.
@@ -28,8 +28,8 @@ namespace edgewise::epa {
     return determinant.sign();
 }
 
-/// 1: the point is above the triangle (from there its corners run counter-clockwise), -1 below, 0 in its
-/// plane.
+/// Returns 1 if the point is above the triangle (from there its corners run counter-clockwise), -1 if below,
+/// 0 in its plane.
 [[nodiscard]] inline int side(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& point) {
     const Vec3d p = b - a, q = c - a, r = point - a;
     const double yz = p.y() * q.z(), zy = p.z() * q.y();

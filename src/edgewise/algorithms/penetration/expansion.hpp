@@ -57,14 +57,14 @@ class Expansion {
         }
     }
 
-    /// To a rounding step or two.
+    /// Value of the sum, to a rounding step or two.
     [[nodiscard]] double value() const {
         double sum = 0;
         for (int i = 0; i < count_; ++i) sum += term_[i];
         return sum;
     }
 
-    /// That of the largest term.
+    /// Sign of the sum: that of its largest term.
     [[nodiscard]] int sign() const {
         return count_ == 0 ? 0 : (term_[count_ - 1] > 0) - (term_[count_ - 1] < 0);
     }

@@ -3,11 +3,11 @@
 // The polytope that EPA expands: the convex hull of some points of the Minkowski difference, as triangles,
 // and a heap of them by their distance from the origin.
 //
-// A new point replaces all faces it lies strictly above, exactly decided. Exactness is what keeps the surface
-// closed: the faces strictly below a point are one patch whatever the points, an edge of its rim (the
-// horizon) is never in line with the point, and coplanar neighbours simply stay. So no face without area is
-// ever made, no hole opens, and the hull is that of the points as rounded, whose depth is off by no more than
-// they are.
+// A new point replaces all faces it lies strictly above, exactly decided. Exactness keeps the surface closed:
+// the faces strictly below a point are one patch whatever the points, an edge of its rim (the horizon) is
+// never in line with the point, and coplanar neighbours simply stay. So no face without area is ever made, no
+// hole opens, and the hull is that of the points as rounded. Its depth is off by no more than the rounding of
+// the points.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct Face {
     SmallArray<Id, 3> neighbour;  ///< across the edge from vertex[i] to the next
     Vec3d normal;                 ///< unit, outward
     double distance;              ///< of its plane from the origin; negative if the origin is outside
-    bool live = true;             ///< on the surface still
+    bool live = true;             ///< still on the surface
 };
 
 class Polytope {
@@ -45,7 +45,7 @@ class Polytope {
         rim_.reserve(faces);
     }
 
-    /// A tetrahedron whose fourth corner is below the triangle of the first three.
+    /// Starts with a tetrahedron that has its fourth corner below the triangle of the first three.
     void start(const SmallArray<Vec3d, 4>& corner) {
         assert(side(corner[0], corner[1], corner[2], corner[3]) < 0);
         constexpr std::array<SmallArray<Id, 3>, 4> vertex{{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
@@ -82,7 +82,7 @@ class Polytope {
         return heap_.front().face;
     }
 
-    /// Takes in a point above the face.
+    /// Adds a point above the face.
     void expand(const Vec3d& point, Id above) {
         const Id apex = static_cast<Id>(points_.size());
         points_.push_back(point);
@@ -104,7 +104,7 @@ class Polytope {
     }
 
   private:
-    /// Between a removed face, which has it in this direction, and one that stays.
+    /// An edge between a removed face, which has it in this direction, and one that stays.
     struct RimEdge {
         Id from, to;
         Id beyond;  ///< the face that stays
@@ -114,13 +114,13 @@ class Polytope {
         double distance;
         Id face;
 
-        /// Least on top; ties by age, so that the order is the same everywhere.
+        /// Least distance on top; ties by age, so that the order is the same everywhere.
         [[nodiscard]] bool operator<(const HeapEntry& other) const {
             return distance != other.distance ? distance > other.distance : face > other.face;
         }
     };
 
-    /// The faces the point is above, found outward from one of them; leaves their rim in rim_.
+    /// Removes the faces below the point, found outward from one of them; leaves their rim in rim_.
     void remove_patch(const Vec3d& point, Id above) {
         rim_.clear();
         faces_[above].live = false;
@@ -151,7 +151,7 @@ class Polytope {
         return id;
     }
 
-    /// Which edge of the face starts at the vertex.
+    /// Position of the face's edge that starts at the vertex.
     [[nodiscard]] int edge_from(Id face, Id vertex) const {
         const auto& ring = faces_[face].vertex;
         assert(ring[0] == vertex || ring[1] == vertex || ring[2] == vertex);
@@ -160,7 +160,7 @@ class Polytope {
 
     std::vector<Vec3d> points_;
     std::vector<Id> rim_face_;  ///< a vertex's new face while the rim is closed
-    std::vector<Face> faces_;   ///< dead ones too
+    std::vector<Face> faces_;   ///< includes removed faces
     std::vector<HeapEntry> heap_;
     std::vector<Id> patch_;
     std::vector<RimEdge> rim_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where EPA starts from, for either algorithm: what the last distance query of the pair left behind.
+// The start of EPA, for either algorithm: from the state that the last distance query of the pair left.
 #pragma once
 
 #include "edgewise/algorithms/gjk.hpp"

@@ -14,32 +14,32 @@ namespace edgewise::epa {
 
 class Tetrahedron {
   public:
-    /// Of one to four corners.
+    /// Starts from one to four corners.
     Tetrahedron(const Difference& difference, std::span<const Corner> given);
 
-    /// False: the whole difference is flat as far as its points can tell.
+    /// False if the whole difference is flat to within the precision of its points.
     [[nodiscard]] bool is_solid() const { return count_ == 4; }
     [[nodiscard]] int count() const { return count_; }
 
-    /// The fourth point is below the triangle of the first three.
+    /// Corners; the fourth point is below the triangle of the first three.
     [[nodiscard]] const SmallArray<Vec3d, 4>& points() const { return point_; }
     [[nodiscard]] const SmallArray<Corner, 4>& corners() const { return corner_; }
 
-    /// Power of two that brings the bodies to a size of about 1 (within some 2^100, which is all that exact
-    /// products ask for). Points are times this.
+    /// Power of two that brings the bodies to a size of about 1 (within some 2^100, which exact products
+    /// allow). Points are multiplied by it.
     [[nodiscard]] double scale() const { return scale_; }
 
-    /// A unit direction across the points, for a difference that is flat.
+    /// A unit direction normal to the points, for a difference that is flat.
     [[nodiscard]] Vec3d across() const { return across(0); }
 
   private:
-    /// The start may lie about both bodies' origin and tell nothing of their size, so the box is asked too.
+    /// The start may lie near both bodies' origin and not show their size, so the box is used too.
     void choose_scale(std::span<const Corner> given);
     [[nodiscard]] bool adds_dimension(const Corner& corner) const;
     void push(const Corner& corner);
     /// Adds the corner farthest across the points so far; false if there is none.
     bool grow();
-    /// One of the 4 - count directions at right angles to the points so far.
+    /// Returns one of the 4 - count directions at right angles to the points so far.
     [[nodiscard]] Vec3d across(int i) const;
 
     const Difference& difference_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The unit normal of a triangle, good to a few rounding steps also when the triangle is a sliver: there the
-// cross product of plain differences is noise. Parallel edges of both bodies make three corners that are
-// collinear but for the last digit, and now and then so nearly that a product in double the digits is noise
-// too; hence the exact one.
+// The unit normal of a triangle, accurate to a few rounding steps even for a sliver: there the cross product
+// of plain differences is noise. Parallel edges of both bodies make three corners that are collinear except
+// for the last digit. Sometimes they are so nearly collinear that a product in double the digits is noise
+// too; hence the exact product.
 #pragma once
 
 #include <cassert>
@@ -13,7 +13,7 @@
 
 namespace edgewise::epa {
 
-/// Rounded at the end; zero only if the corners lie on a line.
+/// Exact cross product, rounded at the end; zero only if the corners lie on a line.
 [[nodiscard]] [[gnu::noinline]] inline Vec3d exact_cross(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const DoubleDoubleVec p = exact_difference(b, a, 1), q = exact_difference(c, a, 1);
     const auto minor = [](const DoubleDouble& p1, const DoubleDouble& q2, const DoubleDouble& p2,
@@ -27,7 +27,7 @@ namespace edgewise::epa {
             minor(p.x(), q.y(), p.y(), q.x())};
 }
 
-/// Unit, for corners that are not on a line.
+/// Unit normal, for corners that are not on a line.
 [[nodiscard]] inline Vec3d triangle_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const Vec3d p = b - a, q = c - a;
     Vec3d normal = cross(p, q);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where on the polytope the foot of the origin lies, once the nearest plane is known. That plane may hold
+// Finds the place of the origin's foot on the polytope, once the nearest plane is known. That plane may hold
 // many triangles, and the foot need not be in the one that was found first.
 //
 // Not Johnson's sub-distance: its cofactors lose digits with the square of a triangle's thinness, and edges
@@ -30,7 +30,7 @@ class WitnessSearch {
 
     [[nodiscard]] const Witness& best() const { return best_; }
 
-    /// The point of the face closest to the foot, if that is closer than the best so far.
+    /// Takes the point of the face closest to the foot, if it is closer than the best so far.
     void consider(const Face& face) {
         const SmallArray<double, 3> area = corner_areas(face);
         const double sum = area[0] + area[1] + area[2];
@@ -50,7 +50,7 @@ class WitnessSearch {
     }
 
   private:
-    /// Of the triangles that the foot makes with the edge opposite each corner, seen along the normal.
+    /// Areas of the triangles of the foot with the edge opposite each corner, seen along the normal.
     [[nodiscard]] SmallArray<double, 3> corner_areas(const Face& face) const {
         SmallArray<DoubleDoubleVec, 3> spoke;
         for (int i = 0; i < 3; ++i) spoke[i] = exact_difference(polytope_.point(face.vertex[i]), foot_, 1);
@@ -73,8 +73,8 @@ class WitnessSearch {
     Witness best_;
 };
 
-/// The point of the polytope closest to the foot of the origin on the plane of its nearest face, sought among
-/// the faces whose own planes are not farther (but for noise): one of them holds it.
+/// The point of the polytope closest to the foot of the origin on the plane of its nearest face. Searches the
+/// faces with planes that are not farther (to within noise): one of them holds it.
 [[nodiscard]] inline Witness find_witness(const Polytope& polytope, const Face& nearest, double distance,
                                           double noise) {
     assert(noise >= 0 && nearest.live);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One of the two bodies as a V-Clip state sees it, and what a state can say.
+// One of the two bodies as a V-Clip state sees it, and the possible results of a state.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ enum class Step : std::uint8_t {
 template <FeatureTable Table>
 struct Body {
     const Table& table;
-    const Transform<ComputeOf<Table>>& from_other;  ///< the other body's points into this body's frame
+    const Transform<ComputeOf<Table>>& from_other;  ///< maps the other body's points into this body's frame
     Feature<Table> feature;
 
     using Scalar = ComputeOf<Table>;
@@ -35,28 +35,28 @@ struct Body {
     void move_to_face(typename Table::Face f) { feature = Feature<Table>::of_face(f); }
 };
 
-/// A number for each pair of kinds.
+/// Returns a different number for each pair of kinds.
 constexpr int pair_of(FeatureKind a, FeatureKind b) { return 3 * static_cast<int>(a) + static_cast<int>(b); }
 
-/// Planes are computed from corners when asked for.
+/// A table that computes planes from corners when asked for.
 template <class Table>
 concept DerivesPlanes = requires {
     Table::derives_planes;
 };
 
-/// What planes are rounded to: as they are stored, or, where they are derived, as what computes.
+/// Precision of a table's planes: that of storage, or, where they are derived, that of the arithmetic.
 template <class Table>
 using PlaneScalar =
     std::conditional_t<DerivesPlanes<Table>, ComputeOf<Table>, typename Table::PrecisionType::Stored>;
 
-/// Relative to the coordinates: a height over a plane, or a distance, whose sign rounding may have changed.
-/// Planes are only as good as they are stored.
+/// Relative to the coordinates: heights over a plane, or distances, up to this may have a sign that rounding
+/// changed. Planes are only as accurate as their storage.
 template <class Table>
 inline constexpr ComputeOf<Table> plane_noise =
     static_cast<ComputeOf<Table>>(Tolerance<PlaneScalar<Table>>::contact_noise);
 
-/// How far off its plane a face of this body may be: by rounding; or, of a body with corners so small beside
-/// it that the hull may have merged them, by what counts as flat.
+/// Largest distance of a face of this body from its plane: by rounding; or, for a body with corners so small
+/// that the hull may have merged them, by what counts as flat.
 template <class Table>
 [[nodiscard]] ComputeOf<Table> face_noise(const Table& table) {
     using Scalar = ComputeOf<Table>;
@@ -66,11 +66,11 @@ template <class Table>
     return relative * static_cast<Scalar>(table.reach());
 }
 
-/// Relative to the coordinates: a distance between points of the bodies that rounding alone may have left.
+/// Relative to the coordinates: distances between points of the bodies up to this may be rounding alone.
 template <class Table>
 inline constexpr double contact_noise{Tolerance<ComputeOf<Table>>::contact_noise};
 
-/// Planes stored rounder than the arithmetic: what lies on one side of them may lie on the other.
+/// True if planes are stored rounder than the arithmetic: a point on one side may lie on the other.
 template <class Table>
 inline constexpr bool rounded_planes = !std::is_same_v<PlaneScalar<Table>, ComputeOf<Table>>;
 
@@ -87,7 +87,7 @@ template <class Table>
     return {table.vertex(table.tail(e)), table.vertex(table.head(e))};
 }
 
-/// The edge in the frame of the body that looks at it.
+/// The edge in the frame of the viewing body.
 template <class Viewer, class Table>
 [[nodiscard]] Segment<ComputeOf<Table>> segment_seen_by(const Viewer& viewer, const Table& table,
                                                         typename Table::Edge e) {

@@ -16,7 +16,7 @@
 
 namespace edgewise::vclip {
 
-/// Closest first on the first, second on the second.
+/// A pair of points: on the first feature and on the second.
 template <class Scalar>
 using PointPair = std::pair<Vec3<Scalar>, Vec3<Scalar>>;
 
@@ -37,13 +37,13 @@ class CrossingLines {
         mu_ = dot(cross(between_tails(), along_a()), common_) * inverse;
     }
 
-    /// Across both; zero where they are parallel, and there are no numbers for where.
+    /// Direction perpendicular to both lines; zero where they are parallel, with no crossing then.
     [[nodiscard]] const Vec3<Scalar>& common() const { return common_; }
     [[nodiscard]] bool are_parallel() const { return !(squared_ > 0); }
     [[nodiscard]] Vec3<Scalar> between_tails() const { return b_.tail - a_.tail; }
     [[nodiscard]] Scalar lambda() const { return lambda_; }
 
-    /// At more than the angle where parameters are good, with both feet on the segments.
+    /// Returns true if they cross at an angle that keeps parameters accurate, with both feet on the segments.
     [[nodiscard]] bool cross_fairly_within() const {
         const bool inside = lambda_ >= 0 && lambda_ <= 1 && mu_ >= 0 && mu_ <= 1;
         const Scalar fair =
@@ -61,13 +61,13 @@ class CrossingLines {
     Scalar squared_, lambda_, mu_;
 };
 
-/// Edges that cross at a fair angle, with both feet inside, need one division; near-parallel or clamped ones
-/// are projected back and forth, which keeps the distance right where a parameter is only good to eps over
-/// the angle.
+/// Closest points of two segments. Edges that cross at a fair angle, with both feet inside, need one
+/// division; near-parallel or clamped ones are projected back and forth, which keeps the distance right where
+/// a parameter is only accurate to eps over the angle.
 template <class Scalar>
 [[nodiscard]] PointPair<Scalar> closest_on_segments(const Segment<Scalar>& a, const Segment<Scalar>& b) {
     const CrossingLines<Scalar> lines(a, b);
-    if (lines.are_parallel()) {  // any place will do to start from
+    if (lines.are_parallel()) {  // any start will do
         const Vec3<Scalar> on_b = closest_on_segment(b, a.tail);
         return {closest_on_segment(a, on_b), on_b};
     }
@@ -79,18 +79,18 @@ template <class Scalar>
 template <class Scalar>
 struct FaceFoot {
     Vec3<Scalar> point;
-    Vec3<Scalar> normal = Vec3<Scalar>::Zero();  ///< the face's, unit; zero where what is stored is rounder
+    Vec3<Scalar> normal = Vec3<Scalar>::Zero();  ///< the face's, unit; zero where the stored one is rounder
 };
 
-/// `plane`: of unit normal.
+/// Foot of a point on a plane of unit normal.
 template <class Plane, class Scalar>
 [[nodiscard]] FaceFoot<Scalar> foot_on_plane(const Plane& plane, const Vec3<Scalar>& point) {
     return {point - plane.distance(point) * plane.normal, plane.normal};
 }
 
-/// Foot of a point on a face's plane. Where planes are stored rounder than the arithmetic, the plane is
-/// derived anew from the face's vertices (Newell's normal), so that the answer is as good as the vertices
-/// are.
+/// Foot of a point on a face's plane. Where planes are stored with less precision than the arithmetic, the
+/// plane is derived again from the face's vertices (Newell's normal), so that the answer is as accurate as
+/// they are.
 template <class Table>
 [[nodiscard]] FaceFoot<ComputeOf<Table>> foot_on_face(const Table& table, typename Table::Face face,
                                                       const Vec3<ComputeOf<Table>>& point) {
@@ -112,11 +112,11 @@ template <class Table>
     }
 }
 
-/// In the frame of A.
+/// Closest points of two bodies, in the frame of A.
 template <class Scalar>
 struct ClosestPoints {
     Vec3<Scalar> on_a, on_b;
-    Vec3<Scalar> normal = Vec3<Scalar>::Zero();  ///< from A to B where a face knows it, else zero
+    Vec3<Scalar> normal = Vec3<Scalar>::Zero();  ///< from A to B where a face has it, else zero
 };
 
 /// Closest points of two features of a run that ended separated. Never face and face.

@@ -30,7 +30,7 @@ class EdgeClipping {
     [[nodiscard]] bool leave() { return leave_to_vertex() || leave_to_face(); }
 
   private:
-    /// What lies beyond a plane of this edge. Its handle is asked for only when it is moved to.
+    /// The feature beyond a plane of this edge. Its handle is read only when V-Clip moves to it.
     enum class Neighbour : std::uint8_t { tail, head, left, right };
 
     [[nodiscard]] bool leave_to_vertex() {
@@ -64,8 +64,8 @@ class EdgeClipping {
         return false;
     }
 
-    /// Nothing of the other edge is left between two planes. Two faces: it passes under this edge, and one of
-    /// them is nearer. A vertex and a face: the vertex if its derivative says so.
+    /// Called when nothing of the other edge is left between two planes. Two faces: it passes under this
+    /// edge, and one of them is nearer. A vertex and a face: the vertex if its derivative decides so.
     [[nodiscard]] bool leave_after_compound_exclusion() {
         assert(clip_.at_low && clip_.at_high);
         const bool low_is_nearer =
@@ -87,7 +87,7 @@ class EdgeClipping {
         return n == Neighbour::left ? mine_.table.left(edge_) : mine_.table.right(edge_);
     }
 
-    /// Derivative tests against a vertex: the distance falls until it is past.
+    /// Derivative tests against a vertex: the distance falls until the edge has passed it.
     [[nodiscard]] bool past_low_vertex() const { return slope_at(*clip_.at_low, clip_.low) > 0; }
     [[nodiscard]] bool past_high_vertex() const { return slope_at(*clip_.at_high, clip_.high) < 0; }
     [[nodiscard]] Scalar slope_at(Neighbour vertex, Scalar lambda) const {
@@ -118,7 +118,7 @@ class EdgeClipping {
     typename Mine::Edge edge_;
     Segment<Scalar> segment_;  // the other edge, in this body's frame
     Clip<Scalar, Neighbour> clip_;
-    Vec3<Scalar> end_normal_;  // of the vertex-edge planes, which are parallel
+    Vec3<Scalar> end_normal_;  // normal of the vertex-edge planes, which are parallel
 };
 
 template <class TableA, class TableB>

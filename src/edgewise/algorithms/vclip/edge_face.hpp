@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// State E-F (TR-97-05, Algorithm 8); it never ends but in penetration. The edge is clipped to the face's
-// prism. If nothing is left, the face's nearest edge takes over; if the face's plane is crossed inside, the
-// bodies overlap; else the end that comes nearer decides.
+// State E-F (TR-97-05, Algorithm 8); it ends only in penetration. The edge is clipped to the face's prism. If
+// nothing is left, the face's nearest edge takes over; if the face's plane is crossed inside, the bodies
+// overlap; else the end that comes nearer decides.
 //
 // Departure: the report walks the face's perimeter from a plane chosen by a heuristic, which after a compound
 // exclusion can end at an edge that hands the pair straight back (a two-cycle on 3 to 10 of 10 000 random
@@ -37,8 +37,8 @@ void move_to_nearest_edge(Body<Table>& body, const Segment<ComputeOf<Table>>& se
     body.feature = nearest;
 }
 
-/// An edge that crosses the face's plane inside its prism pierces it, as far as the planes can tell: beyond
-/// their noise at both ends of the clipped edge and, where they are rounded, on all sides of the piercing.
+/// Checks that an edge that crosses the face's plane inside its prism pierces it, to the planes' precision:
+/// beyond their noise at both ends of the clipped edge and, for rounded planes, on all sides of the piercing.
 template <class Theirs, class Clipped>
 [[nodiscard]] Step pierced(const Body<Theirs>& theirs, const Segment<ComputeOf<Theirs>>& segment,
                            const Clipped& clip) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What answers when a run comes back to a pair it has seen, or ends at one that rounding may have chosen: GJK
+// The fallback when a run comes back to a pair it has seen, or ends at one that rounding may have chosen: GJK
 // on the same tables, which needs no Voronoi planes, from the corners of the features where the run stopped.
 // Its simplex is turned back into features, so that the next query starts near.
 #pragma once
@@ -63,7 +63,7 @@ template <class TableA, class TableB>
     const auto of_b = simplex.vertices_b();
     a.feature = feature_spanning(a.table, std::span(of_a).first(count));
     b.feature = feature_spanning(b.table, std::span(of_b).first(count));
-    // Two faces are no state; one of them gives way to a vertex of the simplex.
+    // Two faces are no state; a vertex of the simplex replaces one of them.
     if (a.feature.kind() == FeatureKind::face && b.feature.kind() == FeatureKind::face)
         b.move_to_vertex(of_b[0]);
     return answer;

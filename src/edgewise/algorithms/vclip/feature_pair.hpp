@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a pair keeps of V-Clip from one query to the next: its last pair of closest features, in 8 bytes where
-// tables have numbers for them.
+// State of V-Clip that a pair keeps from one query to the next: its last pair of closest features, in 8 bytes
+// where tables have numbers for them.
 #pragma once
 
 #include <cassert>
@@ -19,7 +19,7 @@ struct Features {
     Feature<TableA> a;
     Feature<TableB> b;
 
-    /// Any will do for a cold start.
+    /// Features for a cold start; any would do.
     [[nodiscard]] static Features first_of(const TableA& table_a, const TableB& table_b) {
         return {Feature<TableA>::of_vertex(table_a.first_vertex()),
                 Feature<TableB>::of_vertex(table_b.first_vertex())};
@@ -74,8 +74,8 @@ class PackedFeatures {
     static constexpr std::uint64_t all_of_mark = (1U << mark_bits) - 1;
     static constexpr std::uint32_t all_of_name = (1U << feature_name_bits) - 1;
 
-    /// Never 0. Tables rebuilt up to 2^14 times differ from what they were; beyond that a number that is of
-    /// no feature is found out, and any feature is a right start.
+    /// Mark of both tables, never 0. After up to 2^14 rebuilds it differs from all earlier ones; beyond that
+    /// a number without a feature is detected, and any feature is a valid start.
     [[nodiscard]] static std::uint64_t mark_of(const TableA& table_a, const TableB& table_b) {
         const std::uint32_t mark = static_cast<std::uint32_t>(identity_of(table_a, table_b) & all_of_mark);
         return mark == 0 ? 1 : mark;
@@ -100,22 +100,22 @@ struct FeaturesFor<TableA, TableB> {
 template <FeatureTable TableA, FeatureTable TableB>
 class FeaturePair {
   public:
-    /// Cold.
+    /// Makes a cold pair.
     FeaturePair(const TableA& table_a, const TableB& table_b)
         : FeaturePair(table_a, table_b, Features<TableA, TableB>::first_of(table_a, table_b)) {}
     FeaturePair(const TableA& table_a, const TableB& table_b, const Features<TableA, TableB>& held)
         : held_(table_a, table_b, held) {}
 
-    /// False after a rebuild: the handles may lead anywhere, and no query follows them.
+    /// Returns false after a rebuild: the handles may lead anywhere, and no query follows them.
     [[nodiscard]] bool belongs_to(const TableA& table_a, const TableB& table_b) const {
         return held_.belongs_to(table_a, table_b);
     }
-    /// Where the next query of these tables starts.
+    /// Start of the next query of two tables.
     [[nodiscard]] Features<TableA, TableB> start(const TableA& table_a, const TableB& table_b) const {
         if (!belongs_to(table_a, table_b)) return Features<TableA, TableB>::first_of(table_a, table_b);
         return held_.in(table_a, table_b);
     }
-    /// The same features, of the same tables.
+    /// Compares the features and the tables' marks.
     [[nodiscard]] bool operator==(const FeaturePair&) const = default;
 
   private:

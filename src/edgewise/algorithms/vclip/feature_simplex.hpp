@@ -13,7 +13,7 @@
 
 namespace edgewise::vclip {
 
-/// Up to four vertices of a feature, all of it if it has no more; how many.
+/// Writes up to four vertices of a feature, all of them if it has no more; returns their number.
 template <FeatureTable Table>
 [[nodiscard]] std::uint32_t corners_of(const Table& table, const Feature<Table>& feature,
                                        std::array<typename Table::Vertex, 4>& corners) {
@@ -37,7 +37,7 @@ template <FeatureTable Table>
     return count;
 }
 
-/// The corners of two features, as many as a simplex takes.
+/// The corners of two features, up to the size of a simplex.
 template <FeatureTable TableA, FeatureTable TableB>
 [[nodiscard]] SimplexPair<TableA, TableB> feature_simplex(const TableA& a, const Feature<TableA>& feature_a,
                                                           const TableB& b, const Feature<TableB>& feature_b) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A start nearer than the features at hand: the vertices that face each other along the line between the
-// origins. V-Clip walks from wherever it stands, one feature a step, so a cold start or a large turn costs a
-// walk over the body. Scans and climbs find these vertices at a fraction of a state's cost per vertex, from a
-// seed (layout_parts/seeds.hpp) in a few steps. Departure: the report starts anywhere.
+// A start nearer than the present features: the vertices that face each other along the line between the
+// origins. V-Clip walks from its start, one feature a step, so a cold start or a large turn costs a walk over
+// the body. Scans and climbs find these vertices at a fraction of a state's cost per vertex, from a seed
+// (layout_parts/seeds.hpp) in a few steps. Departure: the report starts anywhere.
 #pragma once
 
 #include "edgewise/algorithms/support.hpp"
@@ -12,20 +12,20 @@
 
 namespace edgewise::vclip {
 
-/// A warm run over tables with seeds that has not ended by this step is taken to have started far off. Time
-/// of lean_seeds_f64 over that with 4, a Zen 3 beside other work, 0.1 / 1 rad per step / in any pose: 0.98 /
-/// 1.03 / 1.03 at 386 vertices; with 8 0.92 / 1.17 / 1.14. Without seeds a climb from far off costs too much
-/// of what is gained: aos_f64 at 0.1 rad took 1.14.
+/// A warm run over tables with seeds that has not ended by this step counts as started far off. Time of
+/// lean_seeds_f64 over that with 4, a Zen 3 with other load, 0.1 / 1 rad per step / in any pose: 0.98 / 1.03
+/// / 1.03 at 386 vertices; with 8 0.92 / 1.17 / 1.14. Without seeds a climb from far off costs too much of
+/// the gain: aos_f64 at 0.1 rad took 1.14.
 inline constexpr int steps_before_seeds = 5;
 
 template <class TableA, class TableB>
 inline constexpr bool have_seeds = SeededTable<TableA>&& SeededTable<TableB>;
 
-/// Tables of which support points can be asked.
+/// True if both tables can find support points.
 template <class TableA, class TableB>
 inline constexpr bool may_start_nearer = ClimbingTable<TableA>&& ClimbingTable<TableB>;
 
-/// As a cold pair starts, and as good as never another.
+/// Returns true if the features are those of a cold start; a warm pair almost never has them.
 template <class TableA, class TableB>
 [[nodiscard]] bool start_is_cold(const Body<TableA>& a, const Body<TableB>& b) {
     return a.feature == Feature<TableA>::of_vertex(a.table.first_vertex()) &&
@@ -34,7 +34,7 @@ template <class TableA, class TableB>
 
 /// Moves both bodies to the vertices that face each other. Time over that of a walk from the first vertices,
 /// cold, 8 / 38 / 386 vertices: aos_f64 0.71 / 0.50 / 0.33, lean_f64 0.61 / 0.43 / 0.26. A second round,
-/// along the line between the vertices found, took 1.2 of it, also of bodies a seventh as thick as wide.
+/// along the line between the vertices found, took 1.2 of it, also for bodies a seventh as thick as wide.
 /// False, and nothing moved, if the present features' vertices are nearer.
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] bool start_nearer(Body<TableA>& a, Body<TableB>& b) {
@@ -52,8 +52,8 @@ template <class TableA, class TableB>
     return true;
 }
 
-/// Moves a pair that starts cold to a nearer start. The step before which its run looks for one later; 0:
-/// never.
+/// Moves a pair that starts cold to a nearer start. Returns the step before which its run looks for a start
+/// later; 0: never.
 template <class TableA, class TableB>
 [[nodiscard]] int start_nearer_if_cold([[maybe_unused]] Body<TableA>& a, [[maybe_unused]] Body<TableB>& b) {
     if constexpr (may_start_nearer<TableA, TableB>) {

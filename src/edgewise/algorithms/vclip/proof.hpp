@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether an answer holds, by what needs no Voronoi planes: the planes through the two witness points, across
-// the line between them, must have one body on either side. Asked only of bodies with flat edges or vertices
-// in the middle of a side (geometry/strictly_convex.hpp): the Voronoi region of such a feature continues
-// under the surface, and a point deep inside the body, or behind it, looks as if it were closest to that
+// Proves an answer without Voronoi planes: the planes through the two witness points, across the line
+// between them, must have one body on either side. Used only for bodies with flat edges or vertices in the
+// middle of a side (geometry/strictly_convex.hpp): the Voronoi region of such a feature continues under
+// the surface, and a point deep inside the body, or behind it, looks as if it were closest to that
 // feature.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace edgewise::vclip {
 
-/// Some vertex of the feature: where to look for one that lies farther.
+/// Returns a vertex of the feature: the start of the search for a vertex that lies farther.
 template <class Table>
 [[nodiscard]] typename Table::Vertex vertex_on(const Body<Table>& body) {
     switch (body.feature.kind()) {
@@ -29,11 +29,11 @@ template <class Table>
     return body.table.tail((*body.table.ring_of_face(body.feature.face()).begin()).edge);
 }
 
-/// No vertex lies farther along the direction (any length) than the point; both in the body's frame. The
-/// direction is a difference of rounded points, so the noise is that of a point times the size, however short
-/// the direction; a feature that holds from the wrong side fails by the direction's length times the size.
-/// How planes are stored does not matter here: none is asked.
-/// Of a face whose state found the other body's vertex above it, the body lies below.
+/// Returns true if no vertex lies farther along the direction (any length) than the point; both in the body's
+/// frame. The direction is a difference of rounded points, so the noise is that of a point times the size,
+/// however short the direction; a feature that holds from the wrong side fails by the direction's length
+/// times the size. The storage of planes does not matter here: none is read. A face needs no check: its state
+/// found the other body's vertex above it, so the body lies below.
 template <class Table>
 [[nodiscard]] bool ends_at(const Body<Table>& body, const Vec3<ComputeOf<Table>>& point,
                            const Vec3<ComputeOf<Table>>& direction) {
@@ -45,7 +45,7 @@ template <class Table>
            Tolerance<Scalar>::contact_noise * size * size;
 }
 
-/// True when the bodies are separated by as much as the answer says. Witness points are in A's frame.
+/// Returns true if the bodies are separated by the answer's distance. Witness points are in A's frame.
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] bool is_proven(const Distance& result, const Body<TableA>& a,
                                                const Body<TableB>& b) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether two features hold the closest points, by the corners next to them alone. Where planes are not
+// Proves that two features hold the closest points, by the corners next to them alone. Where planes are not
 // stored, deriving a state's planes costs more than this proof, and most coherent queries end where they
 // start or a step or two from there.
 //
 // Two points, one of either body, are closest when no corner lies beyond the planes through them across the
-// line between them; of a convex body only the corners next to the feature need asking, as in a climb
-// (optimality conditions of a convex problem: Boyd, Vandenberghe, Convex Optimization, 2004, 5.5.3). V-Clip's
-// planes say the same: a point near an edge lies beyond an edge-face plane just when the third corner of
-// that face lies beyond the plane through the edge. Departure: the report always asks Voronoi planes. Here
-// they are asked where this proves nothing: when the bodies have moved on, at rounding, in contact.
+// line between them. On a convex body only the corners next to the feature matter, as in a climb (optimality
+// conditions of a convex problem: Boyd, Vandenberghe, Convex Optimization, 2004, 5.5.3). V-Clip's planes say
+// the same: a point near an edge lies beyond an edge-face plane just when the third corner of that face lies
+// beyond the plane through the edge. Departure: the report always uses Voronoi planes. Here they are used
+// where this proves nothing: when the bodies have moved on, at rounding, in contact.
 #pragma once
 
 #include <algorithm>
@@ -21,26 +21,26 @@
 
 namespace edgewise::vclip {
 
-/// Knows of a feature whether the body ends at it along a direction, of any length, which is off by the
-/// rounding of numbers as large as `size`.
+/// A table that can check that the body ends at a feature along a direction of any length, which is off by
+/// the rounding of numbers as large as `size`.
 template <class Table>
 concept EndsAtFeatures = requires(const Table& table, typename Table::Vertex v, typename Table::Edge e,
                                   typename Table::Face f, Vec3<ComputeOf<Table>> direction,
                                   ComputeOf<Table> size) {
-    /// Whether corners next to a feature speak for all corners.
+    /// true if the corners next to a feature suffice as a check of all corners
     { table.neighbours_decide() } -> std::same_as<bool>;
     { table.ends_at_vertex(v, direction, size) } -> std::same_as<bool>;
-    /// Of a direction across the edge.
+    /// for a direction normal to the edge
     { table.ends_at_edge(e, direction, size) } -> std::same_as<bool>;
-    /// The face's plane, its normal of any length, if the point lies above it within the face's prism.
+    /// the face's plane, its normal of any length, if the point lies above it within the face's prism
     {*table.plane_below(f, direction)};
 };
 
-/// What is proven, in A's frame; nothing where nothing is.
+/// Proven closest points, in A's frame; nothing where nothing is proven.
 template <class Scalar>
 using Proven = std::optional<ClosestPoints<Scalar>>;
 
-/// From a point of A to one of B, as B's frame has it, backwards: along it B must end.
+/// Vector from a point of A to one of B, reversed, in B's frame: B must end along it.
 template <class TableA, class TableB>
 [[nodiscard]] Vec3<ComputeOf<TableB>> backwards_in_b(const Body<TableB>& b,
                                                      const Vec3<ComputeOf<TableA>>& between) {
@@ -90,8 +90,8 @@ template <class TableA, class TableB>
     return ClosestPoints<Scalar>{on_a, *on_b};
 }
 
-/// Only of edges that cross at a fair angle: the normal of both is then known to full precision, however
-/// close they are.
+/// Proves a pair of edges, only if they cross at a fair angle: the normal of both is then known to full
+/// precision, however close they are.
 template <class TableA, class TableB>
 [[nodiscard]] Proven<ComputeOf<TableA>> prove_edges(const Body<TableA>& a, const Body<TableB>& b) {
     using Scalar = ComputeOf<TableA>;
@@ -138,8 +138,8 @@ template <class TableA, class TableB>
     return ClosestPoints<ComputeOf<TableA>>{on_a, a.from_other.point(foot->point), towards_b};
 }
 
-/// The closest points of the bodies, if both features hold them and this proves it. Of two vertices it never
-/// does: their state asks rings alone, and is this proof.
+/// The closest points of the bodies, if both features hold them and this proves it; never for two vertices:
+/// their state reads only rings, and is the same proof.
 template <EndsAtFeatures TableA, EndsAtFeatures TableB>
 [[nodiscard]] Proven<ComputeOf<TableA>> still_closest(const Body<TableA>& a, const Body<TableB>& b) {
     using enum FeatureKind;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// How far the answer of a run is believed: what rounding may have got wrong in it, and what answers instead.
+// Decides how far a run's answer is trusted: how rounding may have changed it, and what answers instead.
 //
 // The line between the closest points is a difference of two points, each rounded: its direction is off by
-// that rounding over its length. Where an edge of each body lies almost along the other's, or a face along an
-// edge, whole valleys of feature pairs have almost the same distance, and V-Clip may stop anywhere in them.
-// A vertex over a face, and edges that cross at a fair angle, are safe: there a plane or a cross product says
+// the rounding over its length. Where an edge of each body lies almost along the other's, or a face along an
+// edge, whole valleys of feature pairs have almost the same distance, and V-Clip may stop anywhere. A vertex
+// over a face, and edges that cross at a fair angle, are safe: a plane or cross product decides.
 // which way is out, whatever the distance.
 #pragma once
 
@@ -22,11 +22,11 @@
 
 namespace edgewise::vclip {
 
-/// What becomes of the answer of a run that ended without a cycle.
+/// Decision about the answer of a run that ended without a cycle.
 enum class Trust : std::uint8_t {
-    sound,    ///< it stands
+    sound,    ///< it is kept
     doubted,  ///< not proven: the fallback answers, from the run's last features
-    close,    ///< right but for rounding, which may be all of it: likewise, as a refinement
+    close,    ///< right up to rounding, which may exceed it: the fallback answers, as a refinement
 };
 
 /// Times the size: below this distance the direction between closest points cannot be trusted.
@@ -44,7 +44,7 @@ template <class Table>
     return std::max(double{Tolerance<ComputeOf<Table>>::hardly_apart}, sloppy_steps * error);
 }
 
-/// Which way is out, from A to B, where the pair's own geometry says it in full precision: a face's normal,
+/// Outward direction, from A to B, where the pair's own geometry has it in full precision: a face's normal,
 /// which the answer has by now, or that of two edges that cross at a fair angle. Nothing where the pair may
 /// slide.
 template <class TableA, class TableB>
@@ -64,9 +64,9 @@ template <class TableA, class TableB>
     return dot(normal, result.normal) < 0 ? Vec3d(-normal) : normal;
 }
 
-/// Of an answer below `untrusted`. Features that meet to within rounding are in contact: each point is one of
-/// its body. (Edges that cross in the middle of deeply overlapping boxes look like closest features at
-/// distance 1e-16.) Of rounded planes that is not so: the foot on one may be as far off as they are.
+/// Decides about an answer below `untrusted`. Features that meet to within rounding are in contact: each
+/// point is one of its body. (Edges that cross in the middle of deeply overlapping boxes look like closest
+/// features at distance 1e-16.) This fails for rounded planes: a foot on one may be as far off as the plane.
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Trust trust_close(Distance& result, double size, const Body<TableA>& a,
                                                   const Body<TableB>& b) {
@@ -83,9 +83,9 @@ template <class TableA, class TableB>
     return Trust::sound;
 }
 
-/// On a body that is not strictly convex the region of a feature continues under the surface, and nothing is
-/// believed until it is proven: `proven`, by the corners next to the features, or here, which is as good as
-/// the direction between the points, so not a close one.
+/// Decides about any answer. On a body that is not strictly convex a feature's region continues under the
+/// surface, and nothing is trusted without proof: `proven`, by the corners next to the features, or here.
+/// This proof is as accurate as the direction between the points, so no proof for close ones.
 template <class TableA, class TableB>
 [[nodiscard]] Trust trust(Distance& result, const Body<TableA>& a, const Body<TableB>& b, bool proven) {
     if (result.status == Status::overlapping) return Trust::sound;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// State V-E (TR-97-05, Algorithm 5). First the vertex against the edge's four planes, vertex-edge planes
-// before edge-face planes; then the edge clipped to the vertex's region, and the derivative test at what is
-// left of it.
+// State V-E (TR-97-05, Algorithm 5). Tests first the vertex against the edge's four planes, vertex-edge
+// planes before edge-face planes; then clips the edge to the vertex's region, with the derivative test at the
+// rest of the edge.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace edgewise::vclip {
 
-/// Moves `body` from its edge to the neighbour on whose side the point lies; false if in the edge's region.
+/// Moves `body` from its edge to the neighbour on the point's side; false if inside the edge's region.
 template <class Table>
 [[nodiscard]] bool leave_edge_region(Body<Table>& body, const Vec3<ComputeOf<Table>>& point) {
     const Table& table = body.table;
@@ -35,7 +35,7 @@ template <class Table>
     return true;
 }
 
-/// What clips at a vertex: the plane between its region and that of an edge.
+/// A boundary at a vertex: the plane between its region and that of an edge.
 template <class Table>
 struct VertexSide {
     typename RingNameOf<Table>::Type edge;
@@ -45,7 +45,7 @@ struct VertexSide {
 /// The other body's edge, clipped to the region of a vertex.
 template <class Table>
 struct ClippedByVertex {
-    std::optional<VertexSide<Table>> excluding;  ///< nothing is left on this side of it
+    std::optional<VertexSide<Table>> excluding;  ///< set if nothing is left on this side of it
     Clip<ComputeOf<Table>, VertexSide<Table>> rest;
 };
 
@@ -80,7 +80,7 @@ template <class Mine, class Theirs>
     assert((clip.low <= clip.high || (clip.at_low && clip.at_high)) && "two planes leave nothing, not one");
 
     const Vec3<Scalar> vertex = mine.table.vertex(name), along = segment.head - segment.tail;
-    if (clip.low > clip.high) {  // nothing is left: it must go, to the worse side
+    if (clip.low > clip.high) {  // nothing is left: it must move, to the worse side
         const Scalar closest = projection(segment.tail, along, vertex);
         return move_to(clip.low - closest >= closest - clip.high ? *clip.at_low : *clip.at_high);
     }

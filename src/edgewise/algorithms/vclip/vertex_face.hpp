@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// State V-F (TR-97-05, Algorithms 6 and 3). The vertex must lie in the face's prism, no edge of it may lead
-// towards the face's plane, and it must lie above; below, the search is in a local minimum and escapes over
-// all faces.
+// State V-F (TR-97-05, Algorithms 6 and 3). The vertex must lie in the face's prism, none of its edges may
+// lead towards the face's plane, and it must lie above; below, the search is in a local minimum and escapes
+// over all faces.
 //
 // Departures: the report's test |D(V)| > |D(V')| is wrong for a vertex above and a neighbour farther below;
 // signed slopes are compared instead. The steepest edge is taken, and only if it is steeper than rounding
@@ -31,8 +31,8 @@ template <class Table>
     return true;
 }
 
-/// The face whose plane the point is highest above (TR-97-05, Algorithm 3): either a better face to
-/// continue with, or proof that the point lies inside.
+/// Finds the face with the plane that the point is highest above (TR-97-05, Algorithm 3): either a better
+/// face to continue with, or proof that the point lies inside.
 template <class Table>
 [[nodiscard]] [[gnu::noinline]] Step escape_local_minimum(Body<Table>& body,
                                                           const Vec3<ComputeOf<Table>>& point) {

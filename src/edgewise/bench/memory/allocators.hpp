@@ -17,7 +17,7 @@ namespace edgewise::bench {
 enum class AllocatorKind : std::uint8_t { arena, jemalloc, libc, file, memfd };
 
 [[nodiscard]] std::string_view to_string(AllocatorKind kind);
-/// Nothing for an unknown name.
+/// Returns the kind with this name; nothing for an unknown name.
 [[nodiscard]] std::optional<AllocatorKind> allocator_from(std::string_view name);
 
 /// Name and one line for each.
@@ -32,15 +32,15 @@ class TableAllocator : public std::pmr::memory_resource {
     [[nodiscard]] std::size_t requested() const { return requested_; }
     /// Bytes that these take: size classes, headers and gaps included.
     [[nodiscard]] std::size_t taken() const { return taken_; }
-    /// Bytes of pages really in memory; nothing where that cannot be told from other memory.
+    /// Bytes of pages really in memory; nothing where they cannot be separated from other memory.
     [[nodiscard]] virtual std::optional<std::size_t> resident() const { return std::nullopt; }
     /// The allocator's own count of what it has given out, where it keeps one.
     [[nodiscard]] virtual std::optional<std::size_t> by_its_statistics() const { return std::nullopt; }
-    /// Where its memory starts, if it is one stretch: offsets from there are the same in every run.
+    /// Start of its memory, if it is contiguous: offsets from there are the same in every run.
     [[nodiscard]] virtual const std::byte* base() const { return nullptr; }
     /// Drops its pages from memory, their content kept; false where it cannot.
     [[nodiscard]] virtual bool evict() const { return false; }
-    /// Whether pages are thrown out by when they were last used.
+    /// Returns true if the system evicts the least recently used pages first.
     [[nodiscard]] virtual bool keeps_recency() const { return true; }
 
   protected:

@@ -53,9 +53,9 @@ bool is_in_memory(int file) {
     return fstatfs(file, &system) != 0 || system.f_type == TMPFS_MAGIC || system.f_type == RAMFS_MAGIC;
 }
 
-/// While it lives, files opened on the folder's device have no read-ahead, for as long as they are open: if
-/// the system lets us, which it tells. The setting is the whole device's, so it is held under a lock, for as
-/// long as opening a file takes.
+/// While it lives, files opened on the folder's device have no read-ahead, for as long as they are open, if
+/// the system allows it: see off(). The setting is for the whole device, so a lock protects it, for as long
+/// as opening a file takes.
 class NoReadAhead {
   public:
     explicit NoReadAhead(const char* folder) {

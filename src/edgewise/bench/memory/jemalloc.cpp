@@ -25,7 +25,7 @@ Value control(const std::string& name, Value value = {}, bool write = false) {
     return value;
 }
 
-/// An arena of its own, so that its statistics are of these tables alone.
+/// An arena for the tables only, so that its statistics count nothing else.
 class JemallocAllocator final : public TableAllocator {
   public:
     JemallocAllocator() : arena_(control<unsigned>("arenas.create")) {}

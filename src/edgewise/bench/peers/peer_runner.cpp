@@ -12,7 +12,7 @@ namespace edgewise::bench {
 
 namespace {
 
-/// Of glibc's allocator, which libraries get their memory from: bytes in use, headers and size classes
+/// Bytes in use of glibc's allocator, which gives libraries their memory; headers and size classes
 /// included.
 std::size_t heap_in_use() {
     const auto info = mallinfo2();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A peer as a runner: same bodies, same poses, same clock and same judge as a table type of Edgewise. What a
-// table type tells beyond that (traces, pieces of memory) a library does not.
+// A peer as a runner: same bodies, same poses, same clock and same checks as a table type of Edgewise. It has
+// no traces and no pieces of memory, because a library does not report them.
 #pragma once
 
 #include <memory>
@@ -30,12 +30,12 @@ class PeerRunner final : public Runner {
     /// pairs' caches.
     [[nodiscard]] RangePass prepared_range() const override;
 
-    /// None: what a library reads cannot be told from outside.
+    /// Traces nothing: the reads of a library cannot be observed from outside.
     PassSum trace(const TraceExtent& extent, measure::TraceListener& listener,
                   Distance* answers) const override;
 
-    /// What a shape of the first body allocates beside its object, all of it as vertex coordinates: a library
-    /// does not tell what for.
+    /// Allocations of a shape of the first body besides its object, all booked as vertex coordinates: a
+    /// library does not report their purpose.
     [[nodiscard]] Ledger ledger() const override;
     [[nodiscard]] std::size_t object_bytes() const override { return bench_->object_bytes(); }
     [[nodiscard]] std::size_t pair_bytes() const override { return bench_->cache_bytes(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the second body of a pair stands while it turns, step by step.
+// Place of the second body of a pair while it turns, step by step.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace edgewise::bench {
 
-/// The place turned about its z axis by an angle whose sine grows by 0.025 per step. Out of the query loops,
-/// whose flags let the compiler fuse this product's multiplications and additions.
+/// The place turned about its z axis by an angle with a sine that grows by 0.025 per step. Outside the query
+/// loops, which have flags that let the compiler fuse this product's multiplications and additions.
 [[nodiscard]] Transform<double> turned_place(const Transform<double>& place, std::size_t step);
 
 }  // namespace edgewise::bench

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// One table at many scales beside a table for each: what GJK takes over views that stretch a shared table
-// (table/scaled_table.hpp) and over tables of the stretched bodies, what both take of memory, and what it
-// takes to build or to refit such a table instead. Both are asked the same queries of the same points, so
-// that each answer of one is held against the other's, and some against exact ones.
+// Compares one table at many scales with a table for each scale: GJK's time over views that stretch a shared
+// table (table/scaled_table.hpp) and over tables of the stretched bodies, the memory of both, and the time to
+// build or refit a table instead. Both get the same queries of the same points, so that each answer of one is
+// compared with the other's, and some with exact ones.
 #pragma once
 
 #include <algorithm>
@@ -55,7 +55,7 @@ inline constexpr bool measured_at_scales = requires {
     return scales;
 }
 
-/// Instance i beside the next one, which turns before it: warm pairs, some of them in contact.
+/// Queries of instance i and the next one, which turns before it: warm pairs, some of them in contact.
 template <class Table>
 class ScalePass {
   public:
@@ -76,7 +76,7 @@ class ScalePass {
         return turned_place(places_[i], step);
     }
 
-    /// From cold pairs; ns per query.
+    /// Runs the queries from cold pairs; returns ns per query.
     [[nodiscard]] EDGEWISE_QUERY_LOOP double run(std::vector<double>& distances) {
         for (std::size_t i = 0; i < shapes_.size(); ++i) pairs_[i] = {shapes_[i], next(i)};
         distances.clear();
@@ -94,7 +94,7 @@ class ScalePass {
     std::vector<SimplexPair<Table, Table>> pairs_;
 };
 
-/// Of a body that the table can store.
+/// Study of one body that the table can store.
 template <class Table>
 class ScaleStudy {
     using View = ScaledTable<Table>;

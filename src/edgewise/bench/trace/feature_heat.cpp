@@ -12,7 +12,7 @@ namespace {
 
 constexpr FeatureKind all_kinds[] = {FeatureKind::vertex, FeatureKind::edge, FeatureKind::face};
 
-/// What the byte at this place of an element is for.
+/// Purpose of the byte at this place of an element.
 Component component_at(const MappedPiece& piece, std::size_t place) {
     for (const Share& share : piece.shares) {
         if (place < share.bytes) return share.component;

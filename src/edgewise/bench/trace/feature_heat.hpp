@@ -18,7 +18,7 @@ namespace edgewise::bench {
 
 class FeatureHeat final : public measure::TraceListener {
   public:
-    /// Of tables of one body, of which the trace tells addresses as these maps do.
+    /// Takes maps of tables of one body, at the addresses that the trace reports.
     explicit FeatureHeat(std::span<const TableMap> maps);
 
     void on_access(const measure::TracedAccess& access) override;
@@ -32,7 +32,7 @@ class FeatureHeat final : public measure::TraceListener {
     }
 
   private:
-    /// A piece of a table, and the kinds of which it tells the features.
+    /// A piece of a table, and the kinds of the features that it identifies.
     struct Stretch {
         std::uint64_t from = 0;
         const MappedPiece* piece = nullptr;

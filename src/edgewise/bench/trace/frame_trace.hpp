@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Frames of a workload as its queries come by: the broad phase of each once more, told to a trace's listener
-// before the frame's first query, and the frame's end after its last. What the broad phase finds is the
-// scene's own list of queries; here only what it reads and writes matters.
+// Frames of a workload in the order of its queries: the broad phase of each frame runs again and reports to a
+// trace's listener before the frame's first query, and the frame's end follows its last one. The scene's own
+// list of queries holds the pairs found; here only reads and writes matter.
 #pragma once
 
 #include <optional>

@@ -40,7 +40,7 @@ bool serves(const MappedPiece& piece, FeatureKind kind) {
            });
 }
 
-/// Marks the features whose elements in the piece were touched: element i is of feature i mod n.
+/// Marks the features with touched elements in the piece: element i belongs to feature i mod n.
 void mark(const MappedPiece& piece, const measure::TouchedBytes& touched, std::vector<bool>& features) {
     for (std::size_t i = 0; i < piece.count; ++i) {
         if (touched.count(piece.offset + i * piece.stride, piece.stride) > 0)

@@ -16,9 +16,9 @@ namespace edgewise::bench {
 
 struct TraceExtent {
     std::size_t
-        counted;  ///< until so many queries have counted (those that start warm where pairs are followed)
-    std::size_t steps = 0;        ///< nor before so many steps are whole, where the scene has that many
-    std::size_t pair_stride = 1;  ///< of pairs by their slots, every so many-th is followed
+        counted;  ///< ends after this many counted queries (those that start warm where pairs are followed)
+    std::size_t steps = 0;        ///< nor before this number of whole steps, where the scene has that many
+    std::size_t pair_stride = 1;  ///< follows one of this number of pairs, by their slots
 
     // NOLINTNEXTLINE(google-explicit-constructor): a number of queries is an extent.
     TraceExtent(std::size_t queries, std::size_t whole_steps = 0, std::size_t stride = 1)
@@ -36,7 +36,7 @@ struct TraceExtent {
 /// Steps that a trace of a scene in time order takes at least.
 inline constexpr std::size_t least_traced_steps = 50;
 
-/// About so many queries, from that many steps or more: of as many pairs as that leaves.
+/// An extent of about `queries` queries, from the least number of steps or more, with the pairs that fit.
 [[nodiscard]] inline TraceExtent sampled_extent(const scene::Workload& workload, std::size_t queries) {
     TraceExtent extent(queries, least_traced_steps);
     const std::size_t within = extent.end_of_steps(workload);

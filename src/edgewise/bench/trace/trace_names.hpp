@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the numbers of a trace mean: fields of tables (table/loader.hpp), then of what a scene keeps beside
-// its tables; and steps of algorithms.
+// Names of the numbers of a trace: fields of tables (table/loader.hpp), then of a scene's data besides its
+// tables; and steps of algorithms.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ enum class TraceStep : std::uint8_t {
     broad_phase,
 };
 
-/// The state of V-Clip on features of these kinds, in either order. What follows the last state (points,
-/// proofs) counts as it.
+/// The state of V-Clip on features of two kinds, in either order. Work after the last state (points, proofs)
+/// counts as part of it.
 [[nodiscard]] constexpr TraceStep step_of(FeatureKind a, FeatureKind b) {
     if (a > b) return step_of(b, a);
     if (a == FeatureKind::vertex) {
@@ -44,7 +44,7 @@ enum class TraceStep : std::uint8_t {
     return b == FeatureKind::edge ? TraceStep::edge_edge : TraceStep::edge_face;
 }
 
-/// By number.
+/// Names of the fields, by number.
 [[nodiscard]] inline std::span<const std::string_view> field_names() {
     static constexpr std::array<std::string_view, broad_phase_field + broad_phase_arrays> names = {
         "vertex",    "voronoi_plane", "edge_direction", "edge_ends", "face_plane", "vertex_ring",

@@ -19,7 +19,7 @@ struct TracePlaces {
     std::array<std::uint64_t, broad_phase_arrays> broad_phase{};
 
     TracePlaces() = default;
-    /// table_bytes: from the base to the last table's end. So many pairs have a cache of so many bytes each.
+    /// table_bytes: from the base to the last table's end. Each pair has a cache of bytes_a_pair bytes.
     TracePlaces(const void* tables, std::uint64_t table_bytes, std::uint32_t bytes_a_pair,
                 std::uint64_t pair_count, std::uint64_t body_count)
         : base(tables), pair_caches(page_after(table_bytes)), pair_bytes(bytes_a_pair) {
@@ -30,11 +30,11 @@ struct TracePlaces {
         }
     }
 
-    /// Of the broad phase's arrays: boxes, three orders, pairs.
+    /// Element sizes of the broad phase's arrays: boxes, three orders, pairs.
     static constexpr std::array<std::uint32_t, broad_phase_arrays> element_bytes = {
         sizeof(Aabb), sizeof(std::uint32_t), sizeof(std::uint32_t), sizeof(std::uint32_t), sizeof(BodyPair)};
 
-    /// Where what follows so many bytes starts.
+    /// Start of the first page after the first `at` bytes.
     [[nodiscard]] static std::uint64_t page_after(std::uint64_t at) { return (at + page - 1) / page * page; }
 
   private:

@@ -116,7 +116,7 @@ double CacheOrder::identity() const {
         add(print, machine.caches);
         add(print, machine.tlbs);
     }
-    // A figure is a double: as many bits as it holds exactly.
+    // A figure is a double: takes only the bits that it holds exactly.
     return static_cast<double>(print.value() >> 12);
 }
 

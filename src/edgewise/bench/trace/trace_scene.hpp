@@ -8,7 +8,7 @@
 
 namespace edgewise::bench {
 
-/// Of a runner that the workload was loaded into. The last known machine but `host` is modelled under the
+/// Trace of a runner with the workload loaded. The last known machine except `host` is modelled under the
 /// other replacement policies too.
 [[nodiscard]] measure::SceneTrace trace_scene(const Runner& runner, const scene::Workload& workload,
                                               const CacheOrder& order);

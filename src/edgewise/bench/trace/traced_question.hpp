@@ -16,8 +16,8 @@
 
 namespace edgewise::bench {
 
-/// Sets the step that reads are booked under, and tells the listener where each begins: of V-Clip the state,
-/// of GJK the iterations.
+/// Sets the step that reads are booked under, and notifies the listener where each begins: states of V-Clip,
+/// iterations of GJK.
 struct StepMarks {
     measure::TraceSink &a, &b;
     measure::TraceListener& listener;
@@ -32,8 +32,8 @@ struct StepMarks {
     }
 };
 
-/// Views of two tables, and their pair's cache. TracedTable: the table's layout with a loader that tells a
-/// TraceSink.
+/// Views of two tables, and their pair's cache. TracedTable: the table's layout with a loader that reports to
+/// a TraceSink.
 template <class Algorithm, class TracedTable>
 struct TracedPair {
     using AlgorithmType = Algorithm;
@@ -66,7 +66,7 @@ struct TracedQuestion {
     const QueryOptions& options;
     const NearMargins* near = nullptr;  ///< null: what is asked is more than nearness
 
-    /// A pair's cache is read first and written last, all of it unless its bounds tell.
+    /// A pair's cache is read first and written last, completely unless its bounds decide.
     template <class Traced>
     [[nodiscard]] Distance ask(const scene::Query& query, Traced& traced, const StepMarks& marks,
                                const PairTouch& touch) const {

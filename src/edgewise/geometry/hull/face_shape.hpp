@@ -10,8 +10,8 @@
 
 namespace edgewise {
 
-/// How far a vertex of this body may be off a plane or a line it should be on: planarity x extent, plus the
-/// rounding of a plane's offset.
+/// Largest allowed distance of a vertex of this body from a plane or a line it should be on: planarity x
+/// extent, plus the rounding of a plane's offset.
 [[nodiscard]] double shape_tolerance(const Polyhedron& body, double planarity);
 
 /// Name of a face by the input's vertices: "face 0-1-3-2". Canonical face numbers mean nothing to the user.

@@ -19,11 +19,11 @@ namespace edgewise {
 /// Longest side of the box around the points.
 [[nodiscard]] double widest_extent(std::span<const Vec3d> points);
 
-/// For each point the lowest index that has the same coordinates.
+/// Returns for each point the lowest index that has the same coordinates.
 [[nodiscard]] std::vector<Index> first_of_equals(std::span<const Vec3d> points);
 
-/// One index for each distinct point, in the order of their coordinates (so that a hull does not depend on
-/// the order of the input).
+/// Returns one index for each distinct point, in the order of their coordinates (so that a hull does not
+/// depend on the order of the input).
 [[nodiscard]] std::vector<Index> distinct_points(std::span<const Vec3d> points);
 
 /// The power of two that takes a positive size to [1/2, 1); 1 for size 0.

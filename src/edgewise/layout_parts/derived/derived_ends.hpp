@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether a body ends at a feature along a direction, of a table that stores no feature: each corner next to
-// the feature is read once, and no plane is made but a face's own (vclip/still_closest.hpp).
+// Checks that a body ends at a feature along a direction, for a table that stores no feature: each corner
+// next to the feature is read once, and no plane is made except a face's own (vclip/still_closest.hpp).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace edgewise {
 
-/// Points and RingPlaces: as of DerivedPlanes.
+/// Points and RingPlaces: as in DerivedPlanes.
 template <class Points, Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
 class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     using Base = DerivedPlanes<Points, P, Loader, RingPlaces>;
@@ -26,11 +26,11 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     using Base::Base;
     using Base::vertex;
 
-    /// Of a body whose edges all turn outwards: where one corner is no higher than the next, none behind it
-    /// is.
+    /// True if all edges of the body turn outwards: then no corner lies higher behind a neighbour that is not
+    /// higher.
     [[nodiscard]] bool neighbours_decide() const { return facts_.climbable && facts_.face_count > 0; }
 
-    /// No neighbour lies farther along the direction, which is off by the rounding of `size`.
+    /// Returns true if no neighbour lies farther along the direction, which is off by the rounding of `size`.
     [[nodiscard]] bool ends_at_vertex(Vertex v, const Vec3<Compute>& direction, Compute size) const {
         const Vec3<Compute> base = vertex(v);
         const Compute level = highest_allowed(direction, size);
@@ -42,8 +42,8 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
         return !rises;
     }
 
-    /// No corner beside the edge, in the ring where its place is known, lies farther along the direction,
-    /// which is across the edge: one of either face, whose other corners lie in the plane of these three.
+    /// Returns true if no corner next to the edge (one of either face; faces are plane), in the ring that
+    /// knows the edge's place, lies farther along the direction, which is normal to the edge.
     [[nodiscard]] bool ends_at_edge(const Edge& e, const Vec3<Compute>& direction, Compute size) const {
         const HalfEdgeAt h = this->half_edge_of(e);
         const Vec3<Compute> base = vertex(h.vertex);
@@ -55,7 +55,7 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     }
 
     /// The plane of the face, unscaled, if the point lies above it and within the face's prism, and the plane
-    /// is known to full precision.
+    /// is known to full precision; else nothing.
     [[nodiscard]] std::optional<AnchoredPlane<Compute>> plane_below(const Face& f,
                                                                     const Vec3<Compute>& point) const {
         if (!this->all_triangles()) return polygon_below(f, point);
@@ -75,33 +75,33 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     using Base::rings;
 
   private:
-    /// Of a face that is proven: boxes have 4, hulls with merged faces seldom more than 6.
+    /// Limit for a face that is tried: boxes have 4 corners, hulls with merged faces rarely more than 6.
     static constexpr std::size_t most_corners = 8;
 
-    /// Over a corner along a direction.
+    /// Height of a corner over `base` along a direction.
     [[nodiscard]] Compute height_of(Vertex v, const Vec3<Compute>& base,
                                     const Vec3<Compute>& direction) const {
         return dot(Vec3<Compute>(vertex(v) - base), direction);
     }
-    /// What no neighbour's height may exceed. A direction that is a little off turns what lies behind a fair
-    /// corner by as much, behind a thin one by that over its sine; and where edges hardly turn, the body may
-    /// go on behind a neighbour that is as high (support.hpp). There it must be lower, by more than rounding;
-    /// and so it must along a short direction, which is off by the rounding of the points that it is between
-    /// over its length: closest points further along a level edge are nearer by that times the edge. Short is
-    /// what single precision calls close, in any.
+    /// Highest level that a neighbour may reach. A small error of the direction turns the body behind a fair
+    /// corner by as much, behind a thin one by the error over its sine. Where edges hardly turn, the body may
+    /// go on behind a neighbour that is as high (support.hpp). There the neighbour must be lower, by more
+    /// than rounding. The same holds along a short direction, which is off by the rounding of its points over
+    /// its length: closest points further along a level edge are nearer by that times the edge. Short means
+    /// `close` in single.
     [[nodiscard]] Compute highest_allowed(const Vec3<Compute>& direction, Compute size) const {
         const bool is_short = max_abs(direction) < static_cast<Compute>(Tolerance<float>::close) * size;
         const bool level_decides = facts_.strictly_convex && !facts_.thin_corners && !is_short;
         const Compute rounding = Tolerance<Compute>::level * static_cast<Compute>(facts_.reach) * size;
         return level_decides ? Compute(0) : -rounding;
     }
-    /// Whether the normal of two sides of a face is as good as they are.
+    /// Returns true if the normal of two sides of a face is as accurate as the sides.
     [[nodiscard]] bool is_fair(const Vec3<Compute>& p, const Vec3<Compute>& q,
                                const Vec3<Compute>& normal) const {
         const Compute fair = Tolerance<Compute>::fair_corner * squared_norm(p) * squared_norm(q);
         return !facts_.thin_corners || squared_norm(normal) > fair;
     }
-    /// Outside of the side from one corner of a face to the next.
+    /// Returns true if the point is outside of the side from one corner of a face to the next.
     [[nodiscard]] static bool is_beside(const Vec3<Compute>& normal, const Vec3<Compute>& from,
                                         const Vec3<Compute>& to, const Vec3<Compute>& point) {
         return dot(cross(normal, Vec3<Compute>(to - from)), Vec3<Compute>(point - from)) < 0;
@@ -120,8 +120,8 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
         }
         return AnchoredPlane<Compute>{normal, corners[0]};
     }
-    /// All corners of a face in order, from its first; none if it has too many. The ring of the first knows
-    /// the last: the way around ends there.
+    /// Reads all corners of a face in order, from its first; none if it has too many. The ring of the first
+    /// corner knows the last one: the way around ends there.
     [[nodiscard]] std::size_t read_corners(const Face& f,
                                            std::array<Vec3<Compute>, most_corners>& corners) const {
         const Index last = this->corners_of(f).third;

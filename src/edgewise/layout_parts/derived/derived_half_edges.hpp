@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Half-edges of a table that stores no feature: a vertex and a place in its ring each. What is next around a
-// face, which face corner is beside an edge, and where the same edge stands in the other end's ring.
+// Half-edges of a table that stores no feature: a vertex and a place in its ring each. Finds the next one
+// around a face, the face corner next to an edge, and the place of the same edge in the other end's ring.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace edgewise {
 
-/// RingPlaces: where rings are in the block, by place(plan, facts) and in(base), whose result reads them.
+/// RingPlaces: places of the rings in the block, by place(plan, facts) and in(base), which returns a reader.
 template <Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
 class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
     using Base = BlockTable<P, Loader, typename P::Compute>;
@@ -39,7 +39,7 @@ class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
 
     [[nodiscard]] auto rings() const { return ring_places_.in(block_.base()); }
 
-    /// Half-edges of a face in order, from its first, each turned into an item.
+    /// Range of the half-edges of a face in order, from its first, each turned into an item.
     template <class Item>
     [[nodiscard]] auto around(const Face& f, Item item) const {
         using Place = DerivedRingPlace;
@@ -61,7 +61,7 @@ class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
     [[nodiscard]] HalfEdgeAt from_head(const Edge& e) const {
         return {e.head, e.from_head ? e.at : rings().find(loader_, e.head, e.tail)};
     }
-    /// From the end in whose ring its place is known.
+    /// The half-edge from the end that knows the edge's place in its ring.
     [[nodiscard]] HalfEdgeAt half_edge_of(const Edge& e) const {
         return e.from_head ? HalfEdgeAt{e.head, e.at} : from_tail(e);
     }
@@ -69,12 +69,12 @@ class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
         return {std::min(v, other), std::max(v, other), Edge::nowhere, false};
     }
 
-    /// Then the third corner of a face is the same from either end of an edge, and no ring is searched for
-    /// it.
+    /// True if all faces are triangles. Then the third corner of a face is the same from either end of an
+    /// edge, and no ring is searched for it.
     [[nodiscard]] bool all_triangles() const { return 3 * facts_.face_count == facts_.neighbour_count; }
 
-    /// The third corner of the face on this side, as the ring of the end at hand has it: the tail's, but
-    /// either's where all faces are triangles.
+    /// The third corner of the face on this side. The tail's ring gives it, or, where all faces are
+    /// triangles, the ring of the end that knows the edge's place.
     [[nodiscard]] Index third_corner(const Edge& e, Side side) const {
         const bool from_head = e.from_head && all_triangles();
         const HalfEdgeAt h = from_head ? HalfEdgeAt{e.head, e.at} : from_tail(e);
@@ -83,8 +83,8 @@ class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
         return rings().neighbour(loader_, h.vertex, at);
     }
 
-    /// The corners of a triangle, counter-clockwise from where a half-edge of it starts, and where the third
-    /// stands in the ring of the first.
+    /// The corners of a triangle, counter-clockwise from the start of one of its half-edges, and the place of
+    /// the third in the ring of the first.
     struct Corners {
         Index first, second, third, third_at;
     };
@@ -94,7 +94,7 @@ class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
                 rings().neighbour(loader_, h.vertex, third_at), third_at};
     }
 
-    /// The next half-edge around the face on the left: at its far end, clockwise from where it came.
+    /// The next half-edge around the face on the left: at its far end, clockwise from the way back.
     [[nodiscard]] HalfEdgeAt next(const HalfEdgeAt& h) const {
         const Index to = rings().neighbour(loader_, h.vertex, h.at);
         return {to, rings().before(loader_, to, rings().find(loader_, to, h.vertex))};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A table that stores no feature: neighbour rings and vertex coordinates are all there is, and every
-// edge, face and plane is computed from them when it is asked for. For layouts that differ in how they keep
+// A table that stores no feature: it has only neighbour rings and vertex coordinates, and computes every
+// edge, face and plane from them when it is asked for. For layouts that differ in how they keep
 // coordinates.
 //
 // The neighbour before and the one after an edge in a ring (derived_rings.hpp) are the third corners of its
@@ -19,20 +19,20 @@
 
 namespace edgewise {
 
-/// The plane through `anchor`; its normal has any length.
+/// The plane through `anchor`; the length of its normal is arbitrary.
 template <class Scalar>
 struct AnchoredPlane {
     Vec3<Scalar> normal, anchor;
     Scalar offset = 0;
 
-    /// In units of |normal|.
+    /// Signed distance, in units of |normal|.
     [[nodiscard]] Scalar distance(const Vec3<Scalar>& p) const {
         return dot(normal, Vec3<Scalar>(p - anchor)) + offset;
     }
 };
 
-/// Points: how coordinates are kept, from the block's start on, by place(plan, facts), write(base, body) and
-/// read(loader, base, v).
+/// Points: storage of the coordinates, from the block's start on, by place(plan, facts), write(base, body)
+/// and read(loader, base, v).
 template <class Points, Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
 class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
     using Base = DerivedRings<P, Loader, RingPlaces>;
@@ -47,7 +47,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
     static constexpr std::string_view derives = "edges, faces and every plane";
     static constexpr bool derives_planes = true;
 
-    /// RingPlaces or Points that depend on more of the body than its facts learn it by `prepare(body)`.
+    /// Calls `prepare(body)` of RingPlaces or Points that depend on more of the body than its facts.
     DerivedPlanes(const Polyhedron& body, Parts parts, Loader loader = {}, Points points = {})
         : Base(body, parts, loader), points_(points) {
         if constexpr (requires { this->ring_places_.prepare(body); }) this->ring_places_.prepare(body);
@@ -85,7 +85,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
         return {to - from, to};
     }
 
-    /// Perpendicular to the edge, within the face: that part of another side of the face which is.
+    /// Plane normal to the face through the edge: its normal is another side's part normal to the edge.
     [[nodiscard]] AnchoredPlane<Compute> edge_face_plane(const Edge& e, Side side) const {
         const Vec3<Compute> base = vertex(e.tail);
         if (facts_.face_count == 0) return {Vec3<Compute>::Zero(), base, -1};
@@ -93,7 +93,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
         return across(base, vertex(e.head), vertex(third));
     }
 
-    /// Unit normal: of the whole ring, since a corner of a long side and a short one would turn it.
+    /// Face plane of unit normal, from the whole ring: a corner of a long and a short side would turn it.
     [[nodiscard]] AnchoredPlane<Compute> face_plane(const Face& f) const {
         const auto plane = unscaled_face_plane(f);
         return {plane.normal / norm(plane.normal), plane.anchor};
@@ -127,7 +127,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
         return {normal, base};
     }
 
-    /// As polygon_plane, of any face: in the next wider arithmetic where that is needed.
+    /// Computes polygon_plane of any face, in the next wider arithmetic where that is needed.
     [[nodiscard]] [[gnu::noinline]] AnchoredPlane<Compute> plane_of_thin_face(const Face& f) const {
         const Vec3<Compute> base = vertex(f.vertex);
         const auto corners = this->around(f, [&](const HalfEdgeAt& h) { return vertex(h.vertex); });
@@ -139,7 +139,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
         return {cast<Compute>(wide.normal()), base};
     }
 
-    /// Perpendicular to the edge from base to end, towards the other corner.
+    /// Plane through the edge from base to end, perpendicular to it, positive towards the other corner.
     [[nodiscard]] AnchoredPlane<Compute> across(const Vec3<Compute>& base, const Vec3<Compute>& end,
                                                 const Vec3<Compute>& other) const {
         if (facts_.thin_corners) [[unlikely]]
@@ -147,7 +147,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
         const Vec3<Compute> along = end - base, aside = other - base;
         return {squared_norm(along) * aside - dot(along, aside) * along, base};
     }
-    /// The same between two corners of a triangle, seen from the smaller one.
+    /// Computes `across` between two corners of a triangle, from the smaller one.
     [[nodiscard]] AnchoredPlane<Compute> side_plane(bool rising, const Vec3<Compute>& from,
                                                     const Vec3<Compute>& to,
                                                     const Vec3<Compute>& other) const {

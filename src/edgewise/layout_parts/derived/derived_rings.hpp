@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The topology of a table that stores no feature: neighbour rings are all there is of it, and every edge and
-// face is found from them when it is asked for.
+// The topology of a table that stores no feature: it has only neighbour rings, and finds every edge and face
+// from them when it is asked for.
 //
-// An edge is its two vertices and where one stands in the other's ring; a face is its first half-edge.
+// An edge is its two vertices and the place of one in the other's ring; a face is its first half-edge.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace edgewise {
 
-/// RingPlaces: as of DerivedHalfEdges.
+/// RingPlaces: as in DerivedHalfEdges.
 template <Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
 class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
     using Base = DerivedHalfEdges<P, Loader, RingPlaces>;
@@ -26,7 +26,7 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
     using typename Base::Edge;
     using typename Base::Face;
     using typename Base::Vertex;
-    /// Names an edge in the ring of a vertex: its place.
+    /// Name of an edge in the ring of a vertex: its place.
     using RingName = Index;
 
     static constexpr Face no_face = {0xffffffff, 0xffffffff};
@@ -64,7 +64,7 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
             from({0, 0}), Face{vertices, 0}, [](const Face& f) { return f; }, after);
     }
 
-    /// An edge's number is that of its half-edge in whose ring it was found, a face's that of its first.
+    /// Number of an edge: that of its half-edge with the known place; of a face: that of its first half-edge.
     [[nodiscard]] std::uint32_t edge_name(const Edge& e) const { return face_name(half_edge_of(e)); }
     [[nodiscard]] std::uint32_t face_name(const Face& f) const {
         const int bits = place_bits();
@@ -112,12 +112,12 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
         return face_of({here.vertex, rings().before(loader_, here.vertex, here.at)});
     }
 
-    /// The face on the left of a half-edge: its smallest half-edge, as in the body.
+    /// The face on the left of a half-edge, by its smallest half-edge, as in the body.
     [[nodiscard]] Face face_of(const HalfEdgeAt& h) const {
         return all_triangles() ? triangle_of(corners_of(h), h) : polygon_of(h);
     }
-    /// Of any face. Not inlined, like all ways around a whole face: in a run of V-Clip, which inlines what it
-    /// may, each of their dozens of places would be hundreds of instructions.
+    /// The face on the left, for any face. Not inlined, like all ways around a whole face: a run of V-Clip
+    /// inlines what it may, and each of their dozens of places would be hundreds of instructions.
     [[nodiscard]] [[gnu::noinline]] Face polygon_of(const HalfEdgeAt& h) const {
         return first_of_face(
             h, [this](const HalfEdgeAt& at) { return rings().neighbour(loader_, at.vertex, at.at); },
@@ -138,19 +138,19 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
     }
 
   private:
-    /// Set in the number of a half-edge whose vertex and place in its ring do not fit: its place among all of
-    /// them follows, and its vertex is searched for.
+    /// Bit that is set in the number of a half-edge if its vertex and its place in the ring do not fit: its
+    /// place among all half-edges follows, and its vertex is searched for.
     static constexpr std::uint32_t by_place = 1U << (feature_name_bits - 1);
     static_assert(2 * most_edges < by_place, "a half-edge's place needs bits of its own");
 
-    /// What a vertex leaves of a number for the place in its ring.
+    /// Number of bits that a vertex leaves for the place in its ring.
     [[nodiscard]] int place_bits() const {
         return feature_name_bits - 1 - static_cast<int>(std::bit_width(facts_.vertex_count - 1));
     }
 
     [[nodiscard]] std::optional<HalfEdgeAt> at_place(Index at) const {
         if (at >= facts_.neighbour_count) return std::nullopt;
-        Index low = 0, high = facts_.vertex_count;  // whose rings begin there or before, and after
+        Index low = 0, high = facts_.vertex_count;  // `low`'s ring begins there or before, `high`'s after
         while (high - low > 1) {
             const Index middle = low + (high - low) / 2;
             (rings().first(loader_, middle) <= at ? low : high) = middle;

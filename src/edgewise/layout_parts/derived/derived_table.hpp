@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A feature table that stores no feature, and answers questions about whole rings (table/ring_questions.hpp)
-// in one pass: each vertex is read once, no square root is taken, and where all faces are triangles no ring
-// is searched for a place that the question knows.
+// in one pass: each vertex is read once, no square root is computed, and where all faces are triangles no
+// ring is searched for a known place.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace edgewise {
 
-/// Points and RingPlaces: as of DerivedPlanes.
+/// Points and RingPlaces: as in DerivedPlanes.
 template <class Points, Precision P, class Loader, class RingPlaces = NarrowRingPlaces>
 class DerivedTable : public DerivedEnds<Points, P, Loader, RingPlaces> {
     using Base = DerivedEnds<Points, P, Loader, RingPlaces>;
@@ -51,7 +51,7 @@ class DerivedTable : public DerivedEnds<Points, P, Loader, RingPlaces> {
     [[nodiscard]] Compute slope_along(const Edge& e, const Vec3<Compute>& normal) const {
         return slope_of(Vec3<Compute>(vertex(e.head) - vertex(e.tail)), normal);
     }
-    /// First whether any edge descends at all, without a division: where V-Clip ends, none does.
+    /// First checks without a division that an edge descends at all: where V-Clip ends, none does.
     [[nodiscard]] Descent<Edge, Compute> steepest_descent(Vertex v, const Vec3<Compute>& normal) const {
         const Vec3<Compute> base = vertex(v);
         const Index first = rings().first(loader_, v), last = rings().last(loader_, v);

@@ -10,7 +10,7 @@
 namespace edgewise {
 
 /// `at` is the head's place in the ring of the tail, or, seen from the head, the tail's place in its ring; or
-/// nowhere: then it is looked for when it is needed.
+/// `nowhere`: then it is searched when it is needed.
 struct DerivedEdge {
     static constexpr Index nowhere = 0xffffffff;
 
@@ -28,11 +28,11 @@ struct HalfEdgeAt {
     [[nodiscard]] bool operator==(const HalfEdgeAt&) const = default;
 };
 
-/// The first half-edge of its ring.
+/// A face, by the first half-edge of its ring.
 using DerivedFace = HalfEdgeAt;
 
-/// The smallest half-edge of a face, by edges and then tail first, from any of them on: head(h) is where a
-/// half-edge ends, next(h) the next around the face.
+/// The smallest half-edge of a face, by edges and then tail first, from any of them: head(h) is the end of a
+/// half-edge, next(h) the next half-edge around the face.
 template <class Head, class Next>
 [[nodiscard]] DerivedFace first_of_face(const HalfEdgeAt& start, Head head, Next next) {
     DerivedFace best = start;
@@ -51,8 +51,8 @@ template <class Head, class Next>
     return best;
 }
 
-/// The first half-edge from here on that is wanted, at vertices below this number; last(v) is where the ring
-/// of v ends, and the places of all rings follow each other. Past the last: that number, place 0.
+/// The first wanted half-edge from here on, at vertices below `vertices`; last(v) is the end of v's ring, and
+/// the places of all rings follow each other. If there is none: vertex `vertices`, place 0.
 template <class Last, class Wanted>
 [[nodiscard]] HalfEdgeAt next_half_edge(HalfEdgeAt h, Index vertices, Last last, Wanted wanted) {
     for (; h.vertex < vertices; ++h.vertex) {
@@ -63,7 +63,7 @@ template <class Last, class Wanted>
     return {vertices, 0};
 }
 
-/// Under way around a face: back at its first half-edge, it is done.
+/// A step on the way around a face: back at its first half-edge, the ring is done.
 struct DerivedRingPlace {
     HalfEdgeAt at;
     bool under_way;

@@ -2,12 +2,12 @@
 //
 // Planes of faces with thin corners, where nothing but corners is stored.
 //
-// A cross product of two sides is off by a rounding step of the product of their lengths: of its own length,
-// by that over the sine of the angle. A face whose corners lie within 1e-12 of a line has a plane, and sides
-// perpendicular to it, that are off by 1e-4 rad when they are derived plainly; a point a thousandth outside
-// of the body is then called inside. Where planes are stored, they were computed in wider arithmetic once
-// (geometry/polyhedron_builder.cpp); where they are derived, here, and only where a corner is thin: so they
-// are as good as stored ones.
+// A cross product of two sides is off by a rounding step of the product of their lengths: relative to its own
+// length, by that over the sine of the angle. A face with corners within 1e-12 of a line has a plane, and
+// sides perpendicular to it, that are off by 1e-4 rad in plain arithmetic; a point a thousandth outside of
+// the body is then called inside. Stored planes were computed in wider arithmetic once
+// (geometry/polyhedron_builder.cpp). Derived planes use wider arithmetic here, only where a corner is thin,
+// and are then as accurate as stored ones.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class NewellSum {
     Vec3<Scalar> normal_ = Vec3<Scalar>::Zero(), before_ = Vec3<Scalar>::Zero();
 };
 
-/// The same in plain arithmetic, knowing how good it is.
+/// Newell's sum in plain arithmetic, with a measure of its accuracy.
 template <class Scalar>
 class PlainNewellSum : public NewellSum<Scalar> {
   public:
@@ -41,7 +41,7 @@ class PlainNewellSum : public NewellSum<Scalar> {
         largest_ = std::max(largest_, squared_norm(this->before_) * squared_norm(corner));
         NewellSum<Scalar>::add(corner);
     }
-    /// Whether it keeps all but four binary digits; no where products vanish.
+    /// Returns true if it keeps all but four binary digits; false where products vanish.
     [[nodiscard]] bool is_fair() const {
         return squared_norm(this->normal_) > Tolerance<Scalar>::fair_corner * largest_;
     }
@@ -59,8 +59,8 @@ template <class Scalar>
         return exact_difference(a, b, 1);
 }
 
-/// That part of `base` to `other` which is perpendicular to `base` to `end`, times the square of the latter:
-/// plainly at a fair corner, else in the next wider arithmetic, and rounded at the end.
+/// The part of `base` to `other` that is perpendicular to `base` to `end`, times the square of the latter: in
+/// plain arithmetic at a fair corner, else in the next wider one, and rounded at the end.
 template <class Scalar>
 [[nodiscard]] [[gnu::noinline]] Vec3<Scalar> perpendicular_at(const Vec3<Scalar>& base,
                                                               const Vec3<Scalar>& end,
@@ -77,9 +77,9 @@ template <class Scalar>
     return cast<Scalar>(perpendicular(wide_difference(end, base), wide_difference(other, base)));
 }
 
-/// Whether a plane that is derived plainly in this scalar may be off by more than four binary digits: where
-/// two sides of a face meet, or where a face is seen from a corner, at a sine below 1/16; or where a side is
-/// so short that rounding the body to this scalar may have made it so. `reach`: its largest coordinate.
+/// Returns true if a plane that plain arithmetic of this scalar derives may be off by more than four binary
+/// digits: two sides of a face meet, or a face is seen from a corner, at a sine below 1/16; or a side is so
+/// short that rounding the body to this scalar may have made it so. `reach`: its largest coordinate.
 template <class Scalar>
 [[nodiscard]] bool has_thin_corners(const Polyhedron& body, double reach) {
     const double shortest = double{Tolerance<Scalar>::rounded_side} * reach;
