@@ -9,7 +9,7 @@ add_custom_target(edgewise_build_info BYPRODUCTS ${build_info}
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TEMPLATE=${PROJECT_SOURCE_DIR}/cmake/build_info.cpp.in
             -D OUTPUT=${build_info} -D "COMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
             -D "FLAGS=${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} -ffp-contract=off -fno-tree-slp-vectorize"
-            -D BUILD_TYPE=${CMAKE_BUILD_TYPE} -D CHARTS=${EDGEWISE_CHARTS_DIR}
+            -D BUILD_TYPE=${CMAKE_BUILD_TYPE} -D VERSION=${PROJECT_VERSION} -D CHARTS=${EDGEWISE_CHARTS_DIR}
             -P ${PROJECT_SOURCE_DIR}/cmake/write_build_info.cmake)
 
 set(store_schema ${PROJECT_SOURCE_DIR}/src/edgewise/store/schema.sql)

@@ -242,6 +242,13 @@ TEST(Help, HidesWhatOnlyOtherCommandsCall) {
 }
 
 /// A slip must not leave a store behind that the next command would take for a sweep's.
+TEST(Usage, VersionRevisionAndCompilerAreOneLine) {
+    const Outcome outcome = run({"--version"}, Folder());
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.out, testing::MatchesRegex("edgewise [0-9]+[.][0-9]+[.][0-9]+, revision .+, .+\n"));
+    EXPECT_EQ(outcome.err, "");
+}
+
 TEST(Usage, LeavesNothingBehind) {
     for (const Arguments& slip :
          {Arguments{"sweep", "--scenes", "nope"}, Arguments{"sweep", "--shapes", "nope"},

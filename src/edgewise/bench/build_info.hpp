@@ -10,6 +10,9 @@ namespace edgewise::bench {
 /// Revision, compiler and flags are fixed at build time; the machine is read now.
 [[nodiscard]] store::BuildRow this_build();
 
+/// Version of the project, as "0.1.0".
+[[nodiscard]] const char* project_version();
+
 /// Folder where the set-up left the chart bundles.
 [[nodiscard]] const char* charts_folder();
 

@@ -19,6 +19,7 @@
 #include <string>
 #include <system_error>
 
+#include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/usage/examples.hpp"
 #include "edgewise/cli/usage/slips.hpp"
@@ -66,11 +67,18 @@ std::string memory_text() {
         limited, use.ru_maxrss >> 10);
 }
 
+std::string version_text() {
+    const edgewise::store::BuildRow build = edgewise::bench::this_build();
+    return fmt::format("edgewise {}, revision {}, {}", edgewise::bench::project_version(), build.git_revision,
+                       build.compiler);
+}
+
 /// The exit code; `problem` is what to say on stderr, if there is something.
 int run(int argc, char** argv, std::string& problem) {
     CLI::App app{"Edgewise: memory- and cache-focused profiling of convex collision detection"};
     app.require_subcommand(1);
     app.set_help_all_flag("--help-all", "Help of all commands");
+    app.set_version_flag("--version", version_text, "Version, revision and compiler");
     app.failure_message(one_line);
     bool parse_only = false;
     app.add_flag("--parse-only", parse_only, "reads the command line and does nothing")->group("");
