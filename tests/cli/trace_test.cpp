@@ -48,7 +48,9 @@ TEST(Traces, OfLackeyLeaveFetchesOutUntilAsked) {
     EXPECT_EQ(plain["distinct_lines"], 2);
     // The store is over two lines of 64 bytes: two accesses, two misses. All else is there by then.
     const json level = plain["machines"][0]["levels"][0];
-    EXPECT_EQ(level, (json{{"level", "L1D"}, {"accesses", 5}, {"misses", 2}, {"write_backs", 0}}));
+    EXPECT_EQ(
+        level,
+        (json{{"level", "L1D"}, {"accesses", 5}, {"misses", 2}, {"miss_part", 0.4}, {"write_backs", 0}}));
     const json all = caches_of({"--trace", "t.txt", "--fetches"}, folder);
     EXPECT_EQ(all["distinct_lines"], 3);
     EXPECT_EQ(all["machines"][0]["levels"][0]["misses"], 3);
