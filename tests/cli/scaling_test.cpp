@@ -59,7 +59,7 @@ TEST(Scaling, PrintsATable) {
     const Folder folder;
     const Outcome outcome = scaling({"--threads", "1"}, folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(lines_of(outcome.out).size(), 5U) << outcome.out;
+    EXPECT_EQ(lines_of(outcome.out).size(), 7U) << outcome.out;
     for (const char* word : {"aos_f64", "pressure", "speed-up", "efficiency", "contention", "2 rounds"})
         EXPECT_THAT(outcome.out, HasSubstr(word));
 }
