@@ -18,14 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of this process, and of no other pass of it.
+/// Returns a file name for this pass; no other pass of this process has the same.
 fs::path output_file() {
     static std::atomic<int> number = 0;
     return fs::temp_directory_path() / fmt::format("edgewise-callgrind-{}-{}", getpid(), number++);
 }
 
-/// What `parse` makes of the output of the command that writes it to a file of ours, which is gone
-/// afterwards.
+/// Runs the command, which writes to a file of ours, and returns what `parse` makes of that file. The file
+/// is removed afterwards.
 template <class MakeCommand, class Parse>
 auto read_output(const MakeCommand& command, const Parse& parse) {
     const fs::path file = output_file();
@@ -33,7 +33,7 @@ auto read_output(const MakeCommand& command, const Parse& parse) {
     std::ifstream output(file);
     using Answer = decltype(parse(output));
     std::error_code ignored;
-    fs::remove(file, ignored);  // what is open can still be read
+    fs::remove(file, ignored);  // an open file can still be read
     if (!outcome.value) return Answer::none(outcome.reason, "install valgrind");
     if (outcome.value->exit_code != 0) {
         const std::string& err = outcome.value->err;

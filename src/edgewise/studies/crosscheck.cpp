@@ -51,7 +51,7 @@ class ModelListener final : public measure::TraceListener {
     std::uint64_t query_ = 0;
 };
 
-/// How perf is asked for an event: by its raw code, or by its own name of the few that have one.
+/// Returns the name that perf takes for an event: its raw code, or perf's own name if it has one.
 std::optional<std::string> perf_name(const measure::ChosenEvent& event) {
     if (event.code.type == PERF_TYPE_RAW) return fmt::format("r{:x}", event.code.config);
     if (event.code.type != PERF_TYPE_HARDWARE) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<std::string> perf_name(const measure::ChosenEvent& event) {
     return std::nullopt;
 }
 
-/// The count in one line of `perf stat -x,`: value, unit, event, time, part of the time in per cent.
+/// Reads the count of one line of `perf stat -x,`: value, unit, event, time, part of the time in per cent.
 Count perf_count(const std::string& output, const std::string& event) {
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A cell's modelled misses beside those that outside tools count of the same queries: Callgrind, which
-// simulates the whole program, and `perf stat`, which asks the processor. The model knows tables and pair
-// caches; a pass also reads its queries' poses, one after the other, which can be added to the model. What is
-// left (the stack, answers) only the tools see, and that residual is reported.
+// Compares a cell's modelled misses with those that outside tools count for the same queries: Callgrind,
+// which simulates the whole program, and `perf stat`, which reads the processor's counters. The model knows
+// tables and pair caches; a pass also reads its queries' poses in order, which can be added to the model.
+// Only the tools see the rest (the stack, answers); that residual is reported.
 #pragma once
 
 #include <optional>
@@ -16,26 +16,26 @@
 
 namespace edgewise::studies {
 
-/// One pass over the cell's queries, after another one; it knows no instructions. with_poses: the list of
-/// queries is memory too.
+/// Models one pass over the cell's queries, after another one; it counts no instructions. with_poses: the
+/// list of queries is memory too.
 [[nodiscard]] measure::CallgrindCounts model_pass(const SingleCell& cell,
                                                   const measure::CacheGeometry& geometry, bool with_poses);
 
-/// The geometry less the ways of the first level's sets that the stack and constants may keep for themselves:
-/// two, or one where sets have but two. By inclusion of least-recently-used caches, whatever lies in those
-/// ways, the tables' lines miss no more often than in this one. Unknown: the sets have one way.
+/// Returns the geometry with fewer ways per set of the first level, which the stack and constants may take:
+/// two fewer, or one if sets have only two. By inclusion of least-recently-used caches, whatever lies in
+/// these ways, the tables' lines miss no more often than in this cache. Unknown if sets have one way.
 [[nodiscard]] measure::Expected<measure::CacheGeometry> without_ways_of_the_stack(
     measure::CacheGeometry geometry);
 
-/// An event as `perf stat` counts it over one pass in user mode: the difference of many passes and one, so
-/// that all else falls out.
+/// An event as `perf stat` counts it over one pass in user mode: the difference between many passes and one,
+/// so that everything outside a pass cancels.
 struct PerfCount {
     std::string event, encoding;
     std::optional<std::string> level;  ///< what it counts here
     measure::Expected<double> count;
 };
-/// Instructions and misses by level, by the encodings that `edgewise machine` tells; unknown where this
-/// machine does not count them, or perf does not all the time.
+/// Counts instructions and misses by level, by the encodings that `edgewise machine` prints; unknown if this
+/// machine does not count an event, or perf does not count it all the time.
 [[nodiscard]] std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program,
                                                const measure::Cpu& cpu);
 

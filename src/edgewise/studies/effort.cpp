@@ -18,7 +18,7 @@ namespace {
 using Count = measure::Expected<double>;
 using Counts = measure::Expected<measure::CallgrindCounts>;
 
-/// Bytes of a vertex's coordinates: of a lossy layout, which is no simple number, by its ledger.
+/// Returns the bytes of a vertex's coordinates; a lossy layout has no simple number, so its ledger decides.
 double vertex_bytes(const SingleCell& cell, const Ledger& ledger) {
     const std::string& storage = cell.type().storage;
     if (storage == "double") return 3 * sizeof(double);
@@ -118,7 +118,7 @@ Effort examine(const CellChoice& choice) {
         type.is_peer ? Count::none("a library does not tell its steps") : Count{cell.prepared().mean_steps()};
     const double bytes_of_vertex = vertex_bytes(cell, ledger);
     take_trace(cell, bytes_of_vertex, effort);
-    // Whether a library knows neighbours it does not tell: the lower floor of the two.
+    // A library may know neighbours that it does not expose: the lower of the two floors.
     const bool knows_neighbours = type.is_peer || ledger[Component::topology] > 0;
     effort.floor =
         proof_floor(cell.workload(), cell.runner().stored_bodies(), {knows_neighbours, bytes_of_vertex});

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the work of one cell's queries goes, of a table type of ours or of another library: instructions,
-// mispredicted branches and cache misses that Callgrind counts, beside what traces tell of steps, support
-// points, vertices and lines, and beside a floor (proof_floor.hpp). Counts and models: nothing is timed.
+// The work of one cell's queries, on a table type of ours or in another library: instructions,
+// mispredicted branches and cache misses that Callgrind counts, next to steps, support points, vertices and
+// lines from traces, and next to a floor (proof_floor.hpp). Counts and models: nothing is timed.
 //
-// Counted are passes, as the difference of two runs of different numbers of passes divided by that many
-// passes and queries: what a program does before its first pass and after its last falls out. A pass sets
-// pairs back, which is counted; poses are in a library's own type before. Branches are those of Callgrind's
-// predictor, not of a processor's; misses those of two levels of least-recently-used caches.
+// Passes are counted as the difference of two runs with different numbers of passes, divided by the
+// difference and by the queries: work before the first pass and after the last cancels. A pass resets
+// pairs, which is counted; poses are converted to a library's own type before. Branches are mispredicted by
+// Callgrind's predictor, not by a processor; misses are of two levels of least-recently-used caches.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@
 
 namespace edgewise::studies {
 
-/// Of the two runs whose difference is counted.
+/// Passes of the two runs; their difference is counted.
 inline constexpr int few_passes = 1, many_passes = 3;
 
 /// Means per query over all queries of the scene.
@@ -37,28 +37,28 @@ struct Effort {
     measure::Expected<ProofFloor> floor;
 };
 
-/// One pass of two runs' counts: of `many` passes and of `few`, divided by the passes and queries between
-/// them. Unknown where a run of more passes counted less.
+/// Counts of one query: those of `many` passes less those of `few`, divided by the difference in passes and
+/// by the queries. Unknown if the run of more passes counted less.
 [[nodiscard]] measure::Expected<measure::CallgrindCounts> counts_per_query(
     const measure::CallgrindCounts& few, const measure::CallgrindCounts& many, int passes, double queries);
 
-/// What is wrong with what the pass of another program printed; empty: it gave this sum, to the last bit of
-/// ours; of a peer, whose adapter's arithmetic is compiled for another processor there, as far as answers of
-/// single precision are right.
+/// Returns what is wrong with the sums that another program's pass printed; empty if they match this sum.
+/// Our tables must match to the last bit. A peer's adapter is compiled for another processor there, so its
+/// sums must match only as far as answers of single precision are right.
 [[nodiscard]] std::string compare_passes(const std::string& printed, const bench::PassSum& expected,
                                          bool is_peer);
 
-/// All but `counted`. Nothing else may allocate meanwhile: what a library's shapes take is seen on the heap.
-/// Throws std::invalid_argument for a cell that cannot be made.
+/// Fills in everything except `counted`. Nothing else may allocate at the same time, because the heap shows
+/// how much a library's shapes take. Throws std::invalid_argument for a cell that cannot be made.
 [[nodiscard]] Effort examine(const CellChoice& choice);
 
-/// What is wrong with the passes of a program for Valgrind, which is run once; empty: they are those that
-/// were checked.
+/// Runs a program for Valgrind once; returns what is wrong with its passes, empty if they equal the checked
+/// passes.
 [[nodiscard]] std::string check_program(const CellChoice& choice, const Effort& effort,
                                         const std::string& program);
 
-/// The rest, of an effort that was examined, in processes of their own. `program`: as program_for_valgrind
-/// says.
+/// Counts an effort that was examined, in processes of their own. `program`: as program_for_valgrind
+/// returns it.
 [[nodiscard]] measure::Expected<measure::CallgrindCounts> count_effort(
     const CellChoice& choice, const Effort& effort, const measure::Expected<measure::CacheGeometry>& geometry,
     const measure::Expected<std::string>& program);

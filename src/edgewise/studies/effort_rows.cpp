@@ -19,7 +19,7 @@ namespace {
 
 using Number = measure::Expected<double>;
 
-/// The quotient, or the reason of whichever is missing.
+/// Returns the quotient, or the reason of the missing number.
 Number over(const Number& above, const Number& below) {
     if (!above.value) return above;
     if (!below.value) return below;
@@ -39,7 +39,7 @@ Number mispredictions_of(const measure::Expected<measure::CallgrindCounts>& coun
     return {*counted.value->mispredictions};
 }
 
-/// A row on its way: examined, or why it cannot be.
+/// A row in progress: examined, or with the reason why it cannot be.
 struct Examined {
     std::size_t place;
     const EffortContender* contender;

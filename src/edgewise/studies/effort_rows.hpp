@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The effort run: what the queries of one scene and shape take (effort.hpp), of several table types,
+// The effort run: the work of the queries of one scene and shape (effort.hpp), for several table types,
 // algorithms and peers, as rows of the store under a scene called `effort` and the kind of
 // the scene.
 #pragma once
@@ -19,12 +19,12 @@
 
 namespace edgewise::studies {
 
-/// What the scene names of these rows begin with.
+/// Scene names of these rows begin with `effort` (store::Run::effort).
 
-/// Whose first two levels Callgrind simulates when nobody says otherwise.
+/// Default machine: Callgrind simulates its first two levels.
 inline constexpr const char* effort_machine = "skylake_sp";
 
-/// What is asked when nobody says otherwise: pairs that turn as in a simulation, large enough to climb on.
+/// Default cell: pairs that turn as in a simulation, with bodies large enough to climb on.
 inline const CellChoice effort_cell = {.scene = "tumble",
                                        .shape = "sphere386",
                                        .parameters = {{"rotation_step", 0.1}},
@@ -44,33 +44,33 @@ struct EffortRow {
     std::vector<store::FigureRow> figures;
 };
 
-/// What a row is of, and how it is asked for.
+/// Table type and algorithm, or peer, of a row, and the choice that runs it.
 struct EffortContender {
     const bench::TableType* type;
     CellChoice choice;
 };
 
-/// In the order of the rows: table types that serve an algorithm, then peers.
+/// Returns the contenders in the order of the rows: table types with their algorithms, then peers.
 [[nodiscard]] std::vector<EffortContender> contenders(const EffortPlan& plan);
 
-/// The machine's first two levels as Callgrind simulates them, or why it cannot.
+/// Returns the machine's first two levels as Callgrind simulates them, or why it cannot.
 [[nodiscard]] measure::Expected<measure::CacheGeometry> geometry_of(const measure::MachineChoice& choice);
 
-/// How many rows a plan makes: table types that serve an algorithm, then peers.
+/// Returns how many rows a plan makes: table types that support an algorithm, then peers.
 [[nodiscard]] std::size_t effort_rows(const EffortPlan& plan);
 
-/// Every figure is a number or none with a reason. `machine`: its name, for figures of caches.
+/// Returns figures, each a number or the reason for none. `machine`: its name, for figures of caches.
 [[nodiscard]] std::vector<store::FigureRow> effort_figures(const Effort& effort, const std::string& machine);
 
-/// Rows of which `wanted` is true, examined one after the other, then counted several at a time. `on_row` is
-/// notified of each with its place in the plan's order, one at a time. False when it was stopped before the
-/// last.
+/// Examines rows for which `wanted` is true one after the other, then counts several at a time. Calls
+/// `on_row` for each, one at a time, with its place in the plan's order. Returns false if it was stopped
+/// before the last row.
 [[nodiscard]] bool run_effort(const EffortPlan& plan,
                               const std::function<bool(const store::CellRow&)>& wanted,
                               const std::function<void(std::size_t place, const EffortRow&)>& on_row,
                               const std::atomic<bool>& stop);
 
-/// Into the store, but for rows that are counted there already. Otherwise as above.
+/// Runs as run_effort and writes to the store; skips rows that are already counted there.
 [[nodiscard]] bool store_effort(const EffortPlan& plan, const std::string& build, store::Store& store,
                                 const std::function<void(std::size_t place, const EffortRow&)>& on_row,
                                 const std::atomic<bool>& stop);

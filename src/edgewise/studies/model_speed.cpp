@@ -35,7 +35,7 @@ Trace trace_of(const SingleCell& cell) {
     return recorder.take();
 }
 
-/// Reads of 8 bytes, aligned, anywhere below so many bytes.
+/// Returns aligned reads of 8 bytes at random addresses below `bytes`.
 Trace scattered(std::uint64_t bytes) {
     scene::Rng rng(1);
     Trace trace(500'000, {0, 8, measure::AccessKind::read, 0, 0, measure::TraceSide::table_a});
@@ -43,7 +43,7 @@ Trace scattered(std::uint64_t bytes) {
     return trace;
 }
 
-/// `pass` once, then timed.
+/// Runs `pass` once, then times it.
 ModelSpeed timed(const std::string& what, const std::string& name, const Trace& trace, int repetitions,
                  const std::function<void(const Trace&)>& pass) {
     pass(trace);

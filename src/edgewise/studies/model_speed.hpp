@@ -16,8 +16,8 @@ struct ModelSpeed {
     double per_second = 0;  ///< median of the repetitions
 };
 
-/// Over a cell's own trace, kept in memory, and over made-up ones: all in the first level, and at random over
-/// 64 MiB. Three levels: those of zen5.
+/// Measures a cell's own trace, kept in memory, and synthetic ones: all in the first level, and random over
+/// 64 MiB. The model has the three levels of zen5.
 [[nodiscard]] std::vector<ModelSpeed> model_speeds(const SingleCell& cell, int repetitions);
 
 }  // namespace edgewise::studies

@@ -33,7 +33,7 @@ class Pipe {
     Pipe(const Pipe&) = delete;
     Pipe& operator=(const Pipe&) = delete;
 
-    /// Whoever reads then sees the end, once nobody else can write.
+    /// Closes the write end: the reader sees the end of the pipe after the last writer has closed it.
     void close_writing() const {
         if (ends_[1] >= 0) close(ends_[1]);
         ends_[1] = -1;
@@ -45,7 +45,7 @@ class Pipe {
         while (write(ends_[1], &value, sizeof value) < 0 && errno == EINTR) continue;
     }
 
-    /// Nothing when the other side ended without a word.
+    /// Returns nothing if the other side ended without writing.
     template <class Value>
     [[nodiscard]] std::optional<Value> receive() const {
         static_assert(std::is_trivially_copyable_v<Value>);
@@ -60,7 +60,7 @@ class Pipe {
     mutable int ends_[2] = {-1, -1};
 };
 
-/// What the process under the limit tells.
+/// Counts that the process under the limit sends.
 struct Counted {
     std::uint64_t major = 0;
     double ns = 0;
@@ -86,7 +86,7 @@ constexpr int counted_passes = 3;
     _exit(0);
 }
 
-/// The last child's end is waited for whatever happens.
+/// Waits for the end of the child in every case.
 class Child {
   public:
     Child(const std::function<bench::PassSum()>& pass, const Pipe& to_child, const Pipe& to_parent)
@@ -105,7 +105,7 @@ class Child {
     pid_t id_;
 };
 
-/// One pass of the child: counts it and looks at what the tables hold after it. False when the child is gone.
+/// Counts one pass of the child and which table pages are held after it. False if the child is gone.
 bool count_pass_of(const Pipe& to_child, const Pipe& to_parent, const bench::TableAllocator& tables,
                    const measure::PageReuse& reuse, PagingRow& row) {
     to_child.send('g');
@@ -120,7 +120,7 @@ bool count_pass_of(const Pipe& to_child, const Pipe& to_parent, const bench::Tab
     return true;
 }
 
-/// Means over passes of `queries` queries.
+/// Fills in means over passes of `queries` queries.
 void take_means(PagingRow& row, std::uint64_t queries) {
     row.table_pages_held = *row.table_pages_held / counted_passes;
     row.predicted_at_held /= counted_passes;
@@ -128,7 +128,7 @@ void take_means(PagingRow& row, std::uint64_t queries) {
     row.ns_per_query /= counted_passes * static_cast<double>(queries);
 }
 
-/// Empty, or why there is no measurement.
+/// Returns "", or why there is no measurement.
 std::string measure_under(const measure::MemoryLimit& group, const bench::Runner& runner,
                           const std::function<bench::PassSum()>& pass, const measure::PageReuse& reuse,
                           PagingRow& row) {
@@ -149,7 +149,7 @@ std::string measure_under(const measure::MemoryLimit& group, const bench::Runner
     return error;
 }
 
-/// Two passes, as the process under the limit runs them; the second counts.
+/// Traces two passes, as the process under the limit runs them; the second counts.
 void trace_pages(const bench::Runner& runner, measure::PageReuse& reuse) {
     const bench::TraceExtent all = bench::TraceExtent::everything();
     runner.trace(all, reuse);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What happens when memory is too small for a scene's tables: real major page faults of its queries under
-// memory limits, beside what the page-granular reuse distance predicts. Tables stand in a file-backed mapping
-// without read-ahead, so that pages are thrown out and come back one by one, without any swap; each limit is
+// Major page faults of a scene's queries when memory is too small for its tables: real faults under memory
+// limits, next to the prediction by page-granular reuse distance. Tables lie in a file-backed mapping
+// without read-ahead, so that pages are evicted and read one by one, without any swap; each limit is
 // a process of its own in a memory control group.
 #pragma once
 
@@ -19,11 +19,11 @@
 
 namespace edgewise::studies {
 
-/// One limit.
+/// Result under one limit.
 struct PagingRow {
     std::uint64_t limit_bytes = 0;
-    /// Faults per query by reuse distance, were all of the limit for the tables; of all queries and by their
-    /// start.
+    /// Faults per query by reuse distance, if all of the limit were for the tables; of all queries and by
+    /// their start.
     measure::ByStart<std::optional<double>> predicted_at_limit;
     std::optional<std::uint64_t> table_pages_held;  ///< in memory after a pass: what the limit left them
     double predicted_at_held = 0;                   ///< the same prediction in that memory
@@ -40,15 +40,15 @@ struct PagingResult {
     std::string reason;  ///< why there are none
 };
 
-/// Of a page of this system.
+/// Returns the size of a page of this system.
 [[nodiscard]] std::uint64_t page_bytes();
 
-/// Limits in bytes, for tables of which so many bytes are touched; 0: none.
+/// Returns limits in bytes for tables of which `touched_bytes` are touched; 0: no limit.
 using PagingLimits = std::function<std::vector<std::uint64_t>(std::uint64_t touched_bytes)>;
 
-/// The workload's tables, one for each instance, of one type. Each limit runs one pass over the workload to
-/// fill memory, then three that are counted; figures are their means. `stop` is looked at between limits; the
-/// rest of the rows is missing then.
+/// Measures one table per instance of the workload, of one type. Each limit runs one pass to fill memory,
+/// then three that are counted; figures are their means. `stop` is checked between limits; the rows after
+/// it are then missing.
 [[nodiscard]] PagingResult measure_paging(const bench::TableType& type, const std::string& algorithm,
                                           const scene::Workload& workload, const PagingLimits& limits,
                                           const std::atomic<bool>& stop);

@@ -24,8 +24,8 @@ constexpr PagedCell paged_cells[] = {{"sphere386", "vclip", "aos_f64"},
                                      {"sphere386", "gjk", "aos_f64"},
                                      {"sphere38", "vclip", "aos_f64"}};
 
-/// Parts of the touched bytes, but for what a process itself needs. Nearer to all of them a prediction is as
-/// good as the knowledge of what the limit leaves the tables, to some 100 KiB.
+/// Returns parts of the touched bytes, at least what the process itself needs. Closer to all touched bytes,
+/// prediction depends on how much memory the limit leaves for the tables, known to some 100 KiB.
 std::vector<std::uint64_t> limits_for(std::uint64_t touched) {
     constexpr std::uint64_t least = 2 << 20;
     constexpr double parts[] = {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 1.125, 1.5};
@@ -75,7 +75,7 @@ store::CellRow row_of(const PagedCell& cell, const PagingPlan& plan, const Polyh
     return row;
 }
 
-/// Of limit i.
+/// Adds the figures of limit i.
 void add_limit(const PagingRow& limit, std::size_t i, std::vector<store::FigureRow>& figures) {
     const auto add = [&](const store::FigureName& name, double value, bool measured) {
         const bool there = !measured || limit.reason.empty();

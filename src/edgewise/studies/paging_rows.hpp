@@ -13,7 +13,7 @@
 
 namespace edgewise::studies {
 
-/// The scene name of these rows.
+/// Parameters of the paging run.
 
 struct PagingPlan {
     std::size_t bodies = 600;
@@ -22,14 +22,14 @@ struct PagingPlan {
     std::uint64_t seed = 1;
 };
 
-/// What the paper ran, V-Clip on its own layout, beside GJK, a lean layout and a smaller body, as far as this
-/// program has them. Rows already stored for the build are kept. `on_row` is notified of each. False when it
-/// was stopped before the last.
+/// Runs the paper's cell, V-Clip on its own layout, and GJK, a lean layout and a smaller body, as far as this
+/// program has them. Rows already stored for the build are kept. Calls `on_row` for each row. Returns false
+/// if it was stopped before the last.
 [[nodiscard]] bool run_paging(const PagingPlan& plan, const std::string& build, store::Store& store,
                               const std::function<void(const store::CellRow&)>& on_row,
                               const std::atomic<bool>& stop);
 
-/// How many rows that makes.
+/// Returns how many rows the paging run has.
 [[nodiscard]] std::size_t paging_rows();
 
 }  // namespace edgewise::studies

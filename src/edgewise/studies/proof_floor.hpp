@@ -4,7 +4,7 @@
 // answer as a hint and nothing sought.
 //
 // Of separated bodies: that no vertex of A reaches farther along the answer's direction, and none of B
-// farther against it. On a body known to be convex, whose neighbours of a vertex are known, a vertex that is
+// farther against it. If a body is known to be convex, and a vertex's neighbours are known, a vertex that is
 // no lower than its neighbours is the highest; so one vertex of the nearest feature is read, that of the
 // fewest neighbours, and these. A table that stores no neighbours is read whole. Each vertex read takes one
 // dot product of 5 flops; the direction into B's frame 15; the offset of the frames along it, and the sum of
@@ -14,10 +14,10 @@
 // theorem), and in general position needed, with their weights as the hint: 3 (2 x 5 - 2) flops for the two
 // weighted sums and 18 for B's into A's frame.
 //
-// Lines: as many lines of 64 bytes as the coordinates of these vertices fill at least, table by table,
+// Lines: the fewest lines of 64 bytes that the coordinates of these vertices can fill, table by table,
 // however a layout places them. Not counted are neighbours' numbers, poses, pair caches.
 //
-// What it is not: a bound on every proof. A table that stores planes proves the side of a face by its plane
+// The floor does not bound every proof. A table that stores planes proves the side of a face by its plane
 // alone; and to find the answer is not to prove it. It is the floor of proofs by heights of vertices, to
 // which all contenders are compared.
 #pragma once
@@ -45,7 +45,7 @@ struct ProofReads {
 [[nodiscard]] std::size_t proof_vertices(const Polyhedron& body, const Vec3d& direction,
                                          bool knows_neighbours);
 
-/// Over all queries of the workload, of these bodies in place of its own. Unknown: without queries.
+/// Computes the floor over all queries of the workload, with these bodies. Unknown: without queries.
 [[nodiscard]] measure::Expected<ProofFloor> proof_floor(const scene::Workload& workload,
                                                         std::span<const Polyhedron> bodies,
                                                         const ProofReads& reads);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the queries of a trace read: vertices, lines, and how often GJK seeks a support point. All queries
-// count, those that start cold too, since whole passes are what Callgrind counts.
+// Counts the reads of a trace's queries: vertices, lines, and how often GJK seeks a support point. All
+// queries count, those that start cold too, since whole passes are what Callgrind counts.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +36,8 @@ class ReadCounter final : public measure::TraceListener {
     /// Sums over the queries.
     [[nodiscard]] std::uint64_t vertex_bytes() const { return vertex_bytes_; }
     [[nodiscard]] std::uint64_t lines() const { return lines_.sums().all.lines; }
-    /// Of GJK: its iterations seek points on A and on B in turn, so each change of side is a search; and a
-    /// cold query starts at a point of each.
+    /// Returns GJK's support searches: its iterations seek points on A and on B in turn, so each change of
+    /// side is a search; a cold query starts at a point of each.
     [[nodiscard]] std::uint64_t supports() const { return supports_; }
 
   private:

@@ -24,7 +24,7 @@ const bench::TableType& type_of(const CellChoice& choice) {
     return *found.front();
 }
 
-/// A peer has one, of its own name.
+/// Returns the algorithm; a peer has only one, with its own name.
 std::string algorithm_of(const CellChoice& choice, const bench::TableType& type) {
     const std::string names[] = {choice.algorithm};
     std::string algorithm = type.is_peer ? type.algorithms.front() : bench::select_algorithms(names).front();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One cell made ready outside any sweep: for commands that look at one closely.
+// Prepares one cell outside any sweep, for commands that examine a single cell.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ struct CellChoice {
     Needs needs = Needs::witnesses;                                 ///< what is asked of every answer
     std::optional<double> margin = {};                              ///< of Needs::nearer; else the usual one
     SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;  ///< GJK's
-    std::string peer = {};    ///< another library, as for select_peer_types: in place of table and algorithm
+    std::string peer = {};    ///< another library, as for select_peer_types, instead of table and algorithm
     std::size_t checked = 0;  ///< answers to be compared with exact ones
 };
 
@@ -33,7 +33,7 @@ class SingleCell {
     [[nodiscard]] const scene::Workload& workload() const { return shared_->workload(); }
     [[nodiscard]] const std::string& algorithm() const { return algorithm_; }
     [[nodiscard]] const bench::Runner& runner() const { return cell_.runner(); }
-    /// With its answers checked where the choice asks for that.
+    /// Returns the prepared cell, with its answers checked if the choice asks for it.
     [[nodiscard]] const sweep::PreparedCell& prepared() const { return cell_; }
 
   private:
@@ -42,7 +42,7 @@ class SingleCell {
     sweep::PreparedCell cell_;
 };
 
-/// The row that such a run has of such a cell, named; its status is the run's to say.
+/// Returns the named row of this cell in this run; the run sets its status.
 [[nodiscard]] store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, store::Run run);
 
 }  // namespace edgewise::studies

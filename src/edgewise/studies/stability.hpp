@@ -18,12 +18,12 @@
 
 namespace edgewise::studies {
 
-/// The scene name of these rows.
+/// Rows are stored as store::Run::stability.
 
 /// The family of real hulls, the one that asks for mesh files.
 inline constexpr const char* real_family = "real_hulls_at_gaps";
 
-/// Whose V-Clip is judged raw.
+/// Table type on which V-Clip is also checked raw.
 inline constexpr const char* raw_type = "aos_f64";
 
 struct StabilityRow {
@@ -34,13 +34,13 @@ struct StabilityRow {
 struct StabilityPlan {
     std::vector<std::string> families;  ///< empty: all
     std::size_t count = 200;            ///< poses per family
-    std::size_t proofs = 200;           ///< of these with depth, certificate and time, at most
+    std::size_t proofs = 200;           ///< poses with depth, certificate and time, at most
     std::uint64_t seed = 1;
     std::vector<const bench::TableType*> types;
     std::vector<std::string> algorithms;
     bool raw = false;              ///< V-Clip without its fallback too, on table type raw_type
     std::vector<Polyhedron> real;  ///< for the family of real hulls; without any its rows are unavailable
-    /// The row of that hash that an earlier run left, which need not be measured again; may be empty.
+    /// Returns the row of that hash from an earlier run, which is not measured again; may be empty.
     std::function<std::optional<StabilityRow>(const std::string& hash)> stored = {};
 };
 
@@ -55,7 +55,7 @@ StabilitySummary run_stability(const StabilityPlan& plan,
                                const std::function<void(const StabilityRow&)>& on_row,
                                const std::atomic<bool>& stop);
 
-/// How many rows that makes.
+/// Returns the number of rows of a plan.
 [[nodiscard]] std::size_t stability_rows(const StabilityPlan& plan);
 
 }  // namespace edgewise::studies

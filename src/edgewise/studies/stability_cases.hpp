@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The cases of one hard family for one kind of storage, and their exact answers. Tables that store alike hold
-// the same bodies, so one exact answer serves all of them.
+// The cases of one hard family for one kind of storage, and their exact answers. Tables that store the same
+// values hold the same bodies, so one exact answer serves all of them.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace edgewise::studies {
 
-/// Two bodies that could be built, and their poses: of a warm family in time order, else all pairs of these
-/// bodies that came in a row.
+/// Two bodies that could be built, and their poses. In a warm family the poses are in time order; else they
+/// are all pairs of these bodies that came in a row.
 struct StabilityCase {
     Polyhedron a, b;
     std::vector<std::pair<Pose, Pose>> poses;
@@ -35,13 +35,13 @@ class StabilityCases {
     [[nodiscard]] std::size_t refused() const { return refused_; }
     [[nodiscard]] const std::string& first_refusal() const { return first_refusal_; }
 
-    /// The exact answers of a pose between the two bodies that the tables hold: as given, or rounded to
-    /// single.
+    /// Returns the exact answers for a pose between the two bodies that the tables hold: as given, or rounded
+    /// to single.
     [[nodiscard]] truth::KnownPair& known(StabilityPose at) { return truth_of(at).pair; }
     [[nodiscard]] truth::PlacedBodies placed(StabilityPose at, std::span<const Polyhedron> stored) const {
         return {stored[0].vertices, poses_of(at).first, stored[1].vertices, poses_of(at).second};
     }
-    /// The paper's control, in double on the same bodies; nothing where a body is flat.
+    /// Returns the paper's control, in double on the same bodies; nothing where a body is flat.
     [[nodiscard]] std::optional<bool> control(StabilityPose at, std::span<const Polyhedron> stored);
 
   private:

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int timed_rounds = 5;
 
-/// Signed gap over scale -> its bin: "0" near contact, else the lower edge, negative for overlaps.
+/// Returns the bin of a signed gap over scale: "0" near contact, else the lower edge, negative for overlaps.
 std::string bin_of(double gap) {
     double edge = 0;
     for (const double e : stability_gaps) {
@@ -112,7 +112,7 @@ void StabilitySubject::prove_pose(StabilityPose at, StabilityTally& tally) {
     tally.add(proof);
 }
 
-/// The queries of the first cases, by gap; one workload each.
+/// Returns the queries of the first cases by gap, one workload per gap.
 std::map<std::string, scene::Workload> StabilitySubject::by_gap() {
     std::map<std::string, scene::Workload> bins;
     std::size_t taken = 0;
@@ -139,7 +139,7 @@ std::map<std::string, scene::Workload> StabilitySubject::by_gap() {
     return bins;
 }
 
-/// Cold queries of the first cases, gap by gap.
+/// Times cold queries of the first cases, gap by gap.
 void StabilitySubject::time(StabilityTally& tally) {
     const std::map<std::string, scene::Workload> bins = by_gap();
     const double clock = measure::calibrate();

@@ -73,7 +73,7 @@ void StabilityTally::count_answer(const Distance& answer) {
     max_steps_ = std::max(max_steps_, answer.steps);
 }
 
-/// The paper's robustness metric, with the exact referee beside it.
+/// Updates the paper's robustness metric, and compares the control with the exact answer too.
 void StabilityTally::compare_with_control(const StabilityAnswer& asked) {
     const truth::CheckedAnswer& checked = asked.checked;
     if (!checked.control_disagrees) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What was seen of one algorithm on one table type over the cases of one family.
+// Counts and errors of one algorithm on one table type over the cases of one family.
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ struct StabilityProof {
     double depth_error = 0;  ///< over scale, beyond the band; 0 unless in contact
     bool depth_wrong = false;
     double certificate_width = 0;  ///< over scale; of the stored bodies
-    /// Of the stored or of the given bodies: it does not hold the exact distance, or the answer contradicts
-    /// it; or there was none.
+    /// True if the certificate, for the stored or for the given bodies, does not hold the exact distance, if
+    /// the answer contradicts it, or if there was none.
     bool certificate_missed = false;
     bool depth_cut_short = false;  ///< EPA reached its face limit: the depth is an upper bound
 };
@@ -48,7 +48,7 @@ class StabilityTally {
     void add(const StabilityAnswer& asked);
     void add(const StabilityProof& proof);
     void add_refusal(std::size_t poses, const std::string& reason);
-    /// Of one bin of gaps, e.g. "-1e-03"; or why there is none.
+    /// Adds the time of one bin of gaps, e.g. "-1e-03", or the reason why there is none.
     void add_time(const std::string& bin, std::optional<double> ns, const std::string& none);
 
     [[nodiscard]] std::vector<measure::Figure> figures() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What one table costs beside its own bytes: in each allocator, in pages, and in cache lines that queries
-// touch. Measured on tables that are really built, each allocator's in turn.
+// Memory cost of one table besides its own bytes: in each allocator, in pages, and in cache lines that
+// queries touch. Measured on tables that are really built, each allocator's in turn.
 #pragma once
 
 #include <optional>
@@ -18,22 +18,22 @@ struct AllocatorCost {
     std::string allocator;
     std::optional<std::size_t> taken;          ///< bytes; nothing: see `reason`
     std::optional<std::size_t> by_statistics;  ///< by the allocator's own count, where it keeps one
-    std::optional<std::size_t> resident;       ///< bytes of pages in memory, where it can be told
+    std::optional<std::size_t> resident;       ///< bytes of pages in memory, if known
     std::string reason;
 };
 
-/// Of a table with these parts of a body that it can store.
+/// Returns the costs of a table with those of these parts of a body that it can store.
 [[nodiscard]] std::vector<AllocatorCost> allocator_costs(const bench::TableType& type, const Polyhedron& body,
                                                          Parts parts);
 
-/// What this algorithm's queries read in the scene `tumble` at 0.1 rad per step, bodies of this shape: the
-/// first warm ones. Fails where the scene does: for bodies without a volume.
+/// Returns the lines that this algorithm's first warm queries read in the scene `tumble` at 0.1 rad per
+/// step, with bodies of this shape. Fails if the scene does: for bodies without a volume.
 [[nodiscard]] Result<measure::LinesTouched> lines_in_tumble(const bench::TableType& type,
                                                             const std::string& algorithm,
                                                             const Polyhedron& body);
 
-/// Bytes of a whole table per additional edge, over bodies whose rings take indices of these widths in the
-/// narrowest form.
+/// Bytes of a whole table per additional edge, over bodies whose rings take indices of a certain width in
+/// the narrowest form.
 struct WidthSlope {
     int offset_bits, neighbour_bits;
     std::size_t least_vertices, most_vertices;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What queries of a body take: time, bytes of its table, lines. Cold pairs of two such bodies, all bodies
-// timed in turn in rounds, the shortest of each.
+// Cost of the queries of a body: time, bytes of its table, lines. Queries are of cold pairs of two equal
+// bodies. All bodies are timed in turn in rounds; the shortest time of each body counts.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ struct BodyCost {
     double ns = 0, table_bytes = 0, lines = 0;  ///< ns and lines per query
 };
 
-/// In the bodies' order. Throws std::invalid_argument where a table cannot hold one.
+/// Returns the costs in the bodies' order. Throws std::invalid_argument where a table cannot hold a body.
 [[nodiscard]] std::vector<BodyCost> costs_of(std::span<const Polyhedron> bodies, const bench::TableType& type,
                                              const std::string& algorithm);
 

@@ -24,17 +24,17 @@ struct CaseAsked {
     std::uint64_t seed = 1;
 };
 
-/// The scene `tumble`, frame after frame as an engine asks, of so many bodies that turn by so much per step
-/// (rad).
+/// Returns the scene `tumble` with this number of bodies, frame after frame as an engine asks; each body
+/// turns by `rotation_step` rad per step.
 [[nodiscard]] sweep::SceneChoice tumbling(std::size_t bodies, double rotation_step);
 
-/// Whether its kind of scene knows a shared table and a table each.
+/// Returns true if the kind of scene can be run both with a shared table and with a table for each body.
 [[nodiscard]] bool can_share(const CaseAsked& asked);
 
-/// With the tables as asked.
+/// Returns the scene with the tables shared as asked.
 [[nodiscard]] sweep::SceneChoice scene_of(const CaseAsked& asked);
 
-/// "tumble, bodies 300, 386 vertices (sphere386), a table each, distance, error <= 1e-06".
+/// Returns "tumble, bodies 300, 386 vertices (sphere386), a table each, distance, error <= 1e-06".
 [[nodiscard]] std::string sentence_of(const CaseAsked& asked);
 
 }  // namespace edgewise::studies::advise

@@ -9,7 +9,7 @@ namespace edgewise::studies::advise {
 
 namespace {
 
-/// The fastest cell then, and what becomes of the recommended one.
+/// Names the fastest cell with the other sharing, and says what becomes of the recommended cell.
 std::string other_sharing(const CaseAsked& asked, const std::vector<ScreenedCell>& other_tables,
                           const Taken& taken) {
     const ScreenedCell& best = other_tables.front();

@@ -17,8 +17,8 @@ struct Taken {
     double bytes_per_edge = 0, error = 0;
 };
 
-/// A sentence each. `other_tables`: those that are in with the tables shared the other way, fastest first;
-/// none: that was not looked at.
+/// Returns one sentence per change. `other_tables`: cells that pass with the tables shared the other way,
+/// fastest first; null: the other sharing was not looked at.
 [[nodiscard]] std::vector<std::string> what_would_change(const CaseAsked& asked, const Screen& screen,
                                                          const std::vector<ScreenedCell>& other_tables,
                                                          const Taken& taken);

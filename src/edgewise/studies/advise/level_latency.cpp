@@ -11,10 +11,10 @@ namespace edgewise::studies::advise {
 namespace {
 
 constexpr std::uint64_t line_bytes = 64, loads = 100000;
-constexpr double memory_over_last = 4;  ///< times the last level: seldom answered by it
+constexpr double memory_over_last = 4;  ///< times the last level: rarely answered by it
 constexpr std::uint64_t most_bytes = 1 << 28;
 
-/// ns per load over so many bytes, in the shortest of three passes after one that fills.
+/// Returns ns per load over this many bytes: the shortest of three passes after one that fills the caches.
 double load_ns(std::uint64_t bytes) {
     measure::RandomChase chase(std::clamp(bytes, line_bytes, most_bytes));
     chase.run(2 * chase.lines());

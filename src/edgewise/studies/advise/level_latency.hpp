@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a load takes here that is answered by each level: loads that depend on each other, over memory that
-// the level holds and the one above does not.
+// Latency of a load that each cache level answers on this machine: loads that depend on each other, over
+// memory that fits the level but not the level above it.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace edgewise::studies::advise {
 
-/// ns beyond a load that the first level answers: of each further level of the machine, then of memory; some
-/// milliseconds each, of memory up to a second. Zero at least.
+/// Returns ns beyond a load that the first level answers, for each further level and then for memory; at
+/// least zero. A level takes some milliseconds to measure, memory up to a second.
 [[nodiscard]] std::vector<double> latencies_beyond_first(const measure::CacheMachine& host);
 
 }  // namespace edgewise::studies::advise

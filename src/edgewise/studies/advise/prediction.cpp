@@ -7,7 +7,7 @@ namespace edgewise::studies::advise {
 
 namespace {
 
-/// Of misses level by level, what the levels that answer them take.
+/// Returns the time that the levels take to answer these misses, given level by level.
 double waiting_ns(const std::vector<double>& misses, std::span<const double> latencies_ns) {
     double sum = 0;
     for (std::size_t level = 0; level < misses.size(); ++level) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a query should take by the misses that were modelled, beside what was measured.
+// Predicts the time of a query from its modelled misses, to be shown next to the measured time.
 #pragma once
 
 #include <map>
@@ -11,10 +11,10 @@
 
 namespace edgewise::studies::advise {
 
-/// This machine among those whose caches are modelled.
+/// Name of this machine among the machines with modelled caches.
 inline constexpr const char* this_machine = "host";
 
-/// What caches cost one cell.
+/// Cost of cache misses for one cell.
 struct CacheCost {
     std::optional<double> in_cache_ns;  ///< per query, few bodies with one table; null: no time was left
     /// Modelled misses per query, by machine, level by level from the first on.
@@ -22,9 +22,9 @@ struct CacheCost {
     std::map<std::string, double> predicted_ns;  ///< per query, by machine
 };
 
-/// For each machine with modelled misses: the time in cache, and each miss as long as the level takes that
-/// answers it, nothing overlapping. `latencies_ns`: here, of each level beyond the first, memory last; those
-/// of a machine's own levels are not known, and these stand in for them.
+/// Predicts for each machine with modelled misses: the time in cache, plus for each miss the latency of the
+/// level that answers it, without overlap. `latencies_ns`: of this machine, for each level beyond the first,
+/// memory last; they also replace the unknown latencies of other machines.
 void predict(CacheCost& cost, std::span<const double> latencies_ns);
 
 }  // namespace edgewise::studies::advise

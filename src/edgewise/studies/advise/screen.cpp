@@ -18,7 +18,7 @@ void drop(ScreenedCell& cell, DroppedFor dropped_for, std::string why) {
     cell.dropped = std::move(why);
 }
 
-/// Bytes of one table, and whether the answers are right and exact enough; then the shortest of some passes.
+/// Finds the bytes of one table, and whether answers are right and exact enough; then the shortest pass.
 void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& options,
              sweep::SharedQueries& shared, double clock_cost_ns) {
     const measure::Stopwatch watch;
@@ -45,8 +45,8 @@ void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& op
     }
 }
 
-/// The order of the first look, whose end a limit of time may cut off: the baseline, layouts of their own,
-/// and those that hardly differ from another.
+/// Returns the cells in the order of the first look, which a time limit may cut short: the baseline, layouts
+/// of their own, and layouts that hardly differ from another.
 std::vector<ScreenedCell> cells_to_look_at() {
     std::vector<ScreenedCell> cells;
     for (const bench::TableType& type : bench::table_types()) {

@@ -15,10 +15,10 @@ class TimeLimit {
     /// `clock`: seconds since any moment; `end`: when it has to be over, by that clock.
     TimeLimit(std::function<double()> clock, double end) : clock_(std::move(clock)), end_(end) {}
 
-    /// To be called before each piece, which lasts until the next call. Whether there is time for it.
+    /// Call it before each piece, which lasts until the next call. Returns true if there is time for one.
     [[nodiscard]] bool begin_piece();
 
-    /// Seconds; negative where it is over.
+    /// Returns the seconds left; negative after the end.
     [[nodiscard]] double left() const { return end_ - clock_(); }
 
   private:

@@ -18,13 +18,13 @@ double distance_from_hull(const Vec3d& point, std::span<const Vec3d> subset) {
     return truth::exact_distance(std::span(&point, 1), {}, subset, {}).or_throw().distance;
 }
 
-/// The point for which `size` is largest, the first of equals.
+/// Returns the point for which `size` is largest, the first among equals.
 template <class Size>
 const Vec3d& largest(const std::vector<Vec3d>& points, const Size& size) {
     return *std::ranges::max_element(points, {}, size);
 }
 
-/// Vertices that span a solid: a cube's farthest four in turn may lie in one plane.
+/// Returns vertices that span a solid: a cube's farthest four in turn may lie in one plane.
 std::vector<Vec3d> spanning_four(const std::vector<Vec3d>& points) {
     const auto from = [&](const Vec3d& end) {
         return [&](const Vec3d& point) { return squared_norm(point - end); };
@@ -53,8 +53,8 @@ class FarthestFirst {
         }
     }
 
-    /// Adds the farthest; false where none is left outside. Distances only shrink as points are added, so an
-    /// old one is an upper bound, and the top of the queue is the farthest once it is a new one.
+    /// Adds the farthest vertex; returns false if none is left outside. Distances only shrink as points are
+    /// added, so an old one is an upper bound, and the queue's top is the farthest once it is up to date.
     bool add() {
         std::size_t fresh_at_top = 0;
         while (!bounds_.empty()) {
@@ -91,7 +91,7 @@ bool is_solid(const std::vector<Vec3d>& points) {
     return flatness_error(points, distinct_points(points)).empty();
 }
 
-/// Whether every point lies within the tolerance of the subset's hull.
+/// Returns true if every point lies within the tolerance of the subset's hull.
 bool holds(const std::vector<Vec3d>& points, const std::vector<Vec3d>& subset, double tolerance) {
     return std::ranges::all_of(
         points, [&](const Vec3d& point) { return distance_from_hull(point, subset) <= tolerance; });
@@ -132,7 +132,7 @@ SmallerBody within_tolerance(const Polyhedron& body, double tolerance) {
         if (!order.add()) break;
     }
     std::vector<Vec3d> subset = order.chosen();
-    // The last that were added are the most needed.
+    // The vertices that were added last are the most needed.
     for (std::size_t i = 0; i < subset.size() && subset.size() > fewest;) {
         std::vector<Vec3d> fewer = subset;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));

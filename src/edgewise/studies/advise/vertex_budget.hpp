@@ -14,10 +14,10 @@
 // So h, the directed Hausdorff distance from P to Q, is the worst error of a distance. Vertices of Q have
 // distance 0; the largest over the others is computed in exact arithmetic (truth/exact_distance).
 //
-// Which vertices: first four that span a solid (far ends, the farthest from their line, the farthest from the
-// plane of these three), then the farthest from what is there (Gonzalez 1985, clustering to minimise the
-// maximum intercluster distance); then, for a tolerance, those are taken out that it does without. Greedy:
-// fewer vertices may do.
+// Choice of vertices: first four that span a solid (far ends, the farthest from their line, the farthest from
+// the plane through these three), then the farthest from the chosen ones (Gonzalez 1985, clustering to
+// minimise the maximum intercluster distance); for a tolerance, vertices that it does not need are taken out
+// again. The choice is greedy: fewer vertices may be enough.
 #pragma once
 
 #include <cstddef>
@@ -33,17 +33,17 @@ struct SmallerBody {
         0;  ///< exact: of any distance to it, in the body's unit; never too short, at most so long
 };
 
-/// One for each count that the body has more vertices than, ascending from 4. The body must be a solid.
+/// Returns one body for each count below the body's own, ascending from 4. The body must be a solid.
 [[nodiscard]] std::vector<SmallerBody> smaller_bodies(const Polyhedron& body,
                                                       const std::vector<std::size_t>& counts);
 
-/// With so many vertices at most; fewer where these are all that matter.
+/// Returns a body with at most `most` vertices; fewer if these already give the whole body.
 [[nodiscard]] SmallerBody within_count(const Polyhedron& body, std::size_t most);
 
-/// With as few vertices as are found whose worst error is at most the tolerance; a solid.
+/// Returns a solid of few vertices with a worst error of at most the tolerance.
 [[nodiscard]] SmallerBody within_tolerance(const Polyhedron& body, double tolerance);
 
-/// The largest exact distance of any of the points from the hull of the subset.
+/// Returns the largest exact distance of any of the points from the hull of the subset.
 [[nodiscard]] double worst_error_of(const std::vector<Vec3d>& points, const std::vector<Vec3d>& subset);
 
 }  // namespace edgewise::studies::advise

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One block of pairs through every cell: asked, proven, tallied. Every pair is asked twice: cold, and warm,
-// in time order, with the pair's cache kept from pose to pose.
+// Runs one block of pairs through every cell: asks, proves and tallies. Every pair is asked twice: cold, and
+// warm, in time order, with the pair's cache kept from pose to pose.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ struct Failure {
     std::string cell, family, what;
 };
 
-/// The bodies that some cells hold alike, and what is known of their pairs.
+/// Bodies that some cells store with equal values, and the exact answers known for their pairs.
 struct BlockStorage {
     std::span<const Polyhedron> bodies;
     truth::StoredPair pair;
@@ -40,7 +40,7 @@ class BlockRun {
     /// Keeps the cells.
     explicit BlockRun(std::span<const Cell> cells);
 
-    /// Adds the first `count` pairs of a block to the tally; tells of every wrong answer.
+    /// Adds the first `count` pairs of a block to the tally; reports every wrong answer.
     void run(const PairSource& source, std::uint64_t block, std::uint64_t count, Tally& tally,
              const std::function<void(const Failure&)>& on_failure);
 

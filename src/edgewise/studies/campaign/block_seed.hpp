@@ -9,7 +9,7 @@
 
 namespace edgewise::studies::campaign {
 
-/// Child `number` of a seed: neighbours in number have unrelated children.
+/// Returns child `number` of a seed; children of neighbouring numbers are unrelated.
 [[nodiscard]] constexpr std::uint64_t child_seed(std::uint64_t seed, std::uint64_t number) {
     std::uint64_t state = seed ^ (number * 0xd1342543de82ef95);
     const std::uint64_t first = split_mix(state);

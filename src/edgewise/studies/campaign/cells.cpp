@@ -39,7 +39,7 @@ class RunnerAsker final : public Asker {
 
 void add(bench::Fingerprint& print, const Vec3d& v) { print.add(v.x()).add(v.y()).add(v.z()); }
 
-constexpr std::uint64_t class_seed = 20010168;  ///< of the pairs that tell classes from each other
+constexpr std::uint64_t class_seed = 20010168;  ///< of the pairs that distinguish the classes
 constexpr std::uint64_t class_pairs = 200;      ///< of each family
 
 std::vector<Block> class_blocks() {

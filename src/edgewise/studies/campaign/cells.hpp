@@ -2,8 +2,8 @@
 //
 // The cells of a campaign: an algorithm on a table type, one of each class of equal answers, and GJK also
 // with Johnson's sub-distance search and for the verdict alone. Most table types give the same bits as
-// another (shared arithmetic, other memory); the program's own answers, over pairs of every family, tell
-// which do.
+// another (shared arithmetic, other memory); the program compares its own answers, over pairs of every
+// family, to find which do.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@
 
 namespace edgewise::studies::campaign {
 
-/// What a cell answers with. The tests ask one that lies.
+/// Answers the queries of a cell. The tests have one that gives wrong answers on purpose.
 class Asker {
   public:
     Asker() = default;
@@ -27,7 +27,7 @@ class Asker {
     Asker& operator=(const Asker&) = delete;
     virtual ~Asker() = default;
 
-    /// An error line where the bodies cannot be stored. The workload must stay.
+    /// Returns an error line if the bodies cannot be stored, else "". The workload must outlive the queries.
     [[nodiscard]] virtual std::string load(const scene::Workload& workload) = 0;
     /// Answers every query of the workload: from cold, or warm where the workload says so.
     [[nodiscard]] virtual std::vector<Distance> answer() = 0;
@@ -40,22 +40,22 @@ struct Cell {
     double error_allowed = 0;   ///< over scale, beyond the band
     bool verdict_only = false;  ///< its distances are bounds, and not checked
     std::function<std::unique_ptr<Asker>()> make_asker;
-    std::vector<std::string> as_well{};  ///< cells that answer alike
+    std::vector<std::string> as_well{};  ///< cells with the same answers
 };
 
-/// Every algorithm on every table type that serves it; GJK in each of its three ways.
+/// Returns every algorithm on every table type that supports it; GJK in each of its three ways.
 [[nodiscard]] std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
                                          std::span<const std::string> algorithms);
 
-/// The first of each class of equal answers (status, distance, witness points, normal).
+/// Returns the first cell of each class of equal answers (status, distance, witness points, normal).
 [[nodiscard]] std::vector<Cell> one_of_each_class(std::vector<Cell> cells);
 
-/// The check of an answer that there is.
+/// Checks an answer against the exact one.
 [[nodiscard]] truth::CheckedAnswer check_answer(const Distance& answer, const Cell& cell,
                                                 const truth::StoredPair& stored,
                                                 const truth::PosesOfPair& poses, truth::ProvenPair& known);
 
-/// Empty where the answer is right.
+/// Returns what is wrong with the answer; empty if it is right.
 [[nodiscard]] std::string what_is_wrong(const truth::CheckedAnswer& checked, const Distance& answer,
                                         const truth::StoredPair& stored, const truth::PosesOfPair& poses,
                                         truth::ProvenPair& known);

@@ -14,7 +14,7 @@ namespace edgewise::studies::campaign {
 
 namespace {
 
-/// "wrong_distance_of_vclip_aos_f32_in_grazing"
+/// Returns an identifier like "wrong_distance_of_vclip_aos_f32_in_grazing".
 std::string id_of(const Failure& failure) {
     std::string id =
         failure.what.substr(0, failure.what.find(':')) + " of " + failure.cell + " in " + failure.family;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A wrong answer as a line of a case file: what the corpus takes, and `edgewise query` answers.
+// Writes a wrong answer as a line of a case file, which the corpus takes and `edgewise query` answers.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace edgewise::studies::campaign {
 
-/// The pair as its source made it.
+/// Returns the pair as its source made it.
 [[nodiscard]] scene::Case case_of(const PairSource& source, std::uint64_t pair);
 
-/// Why the cell's answer to the case is wrong; empty: it is right, or there is none.
+/// Returns why the cell's answer to the case is wrong; empty if it is right or there is none.
 [[nodiscard]] std::string what_is_wrong(const scene::Case& of, const Cell& cell);
 
-/// The failing pair, minimised, as a line that says what was wrong with which answer to which pair.
+/// Minimises the failing pair; returns a line that says which answer to which pair was wrong, and how.
 [[nodiscard]] std::string failing_line(const PairSource& source, const Failure& failure, const Cell& cell);
 
 }  // namespace edgewise::studies::campaign

@@ -55,7 +55,7 @@ class NearPoses {
         return known.separation;
     }
 
-    /// Along the shortest connection; of bodies in contact, somewhere out by as little.
+    /// Moves B along the shortest connection; if the bodies touch, out by as little in some direction.
     void move_to_gap(Maker& maker, std::size_t of, Pose& pose_b) {
         const double gap = maker.either_sign(size_ * maker.spread(-54, 0));
         const auto& found = separation(of);
@@ -65,7 +65,7 @@ class NearPoses {
             pose_b.translation += maker.rng.on_sphere() * gap;
     }
 
-    /// About a coordinate axis or any.
+    /// Tilts B about a coordinate axis or about any axis.
     static void tilt(Maker& maker, Pose& pose_b) {
         const double angle = maker.either_sign(maker.spread(-54, -3));
         const Vec3d axis = maker.rng.below(2) == 0
@@ -74,7 +74,7 @@ class NearPoses {
         pose_b.rotation = multiply(Maker::turn(axis, angle), pose_b.rotation);
     }
 
-    /// The whole scene by a quarter turn, which rounds nothing, and to another place, which may.
+    /// Turns the whole scene by a quarter turn, which rounds nothing, and moves it away, which may round.
     void carry_off(Maker& maker, std::pair<Pose, Pose>& poses) const {
         const Mat3d turn = maker.quarter_turn();
         const Vec3d shift =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Poses near those that a hard family made: hard cases come in neighbourhoods, and the next one may be a
-// rounding step away from the one that was thought of.
+// rounding step away from the known case.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace edgewise::studies::campaign {
 
-/// `made`, then poses near them in turn, up to `count`.
+/// Returns `made`, then poses near each of them in turn, up to `count`.
 [[nodiscard]] std::vector<std::pair<Pose, Pose>> near_poses(const Polyhedron& a, const Polyhedron& b,
                                                             const std::vector<std::pair<Pose, Pose>>& made,
                                                             std::uint64_t seed, std::uint64_t count);

@@ -22,8 +22,8 @@ namespace {
 constexpr const char* random_family = "random";
 constexpr const char* real_family = "real_hulls_at_gaps";  // needs meshes, which others may not have
 
-/// Every second block the shape itself; else stretched by factors of 24 bits, which leaves a body that single
-/// precision rounds.
+/// Returns the shape itself in every second block; else the shape stretched by factors of 24 bits, so that
+/// single precision has to round the body.
 std::vector<Vec3d> stretched(const Polyhedron& shape, scene::Rng& rng, bool stretches) {
     std::vector<Vec3d> points = shape.vertices;
     if (!stretches) return points;
@@ -44,7 +44,7 @@ void set_bodies(Block& block) {
     block.b = *b;
 }
 
-/// Poses must be finite, which extreme numbers are not always.
+/// Returns what is wrong with the poses: they must be finite, and extreme numbers are not always.
 std::string wrong_poses(const Block& block, const std::vector<std::pair<Pose, Pose>>& made) {
     for (const auto& [pose_a, pose_b] : made) {
         std::string error = truth::pair_error(block.a.vertices, pose_a, block.b.vertices, pose_b);

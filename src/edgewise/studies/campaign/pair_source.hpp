@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the pairs of a campaign come from: any of 10^9 again from the seed and its number alone.
+// Source of a campaign's pairs: each of 10^9 pairs can be made again from the seed and its number alone.
 //
 // Pairs come in blocks of one pair of bodies, since a body is a hull and a table per layout, and a pose is a
 // few dozen multiplications. Families take turns, a block each. Two kinds:
@@ -25,7 +25,7 @@ namespace edgewise::studies::campaign {
 
 inline constexpr std::uint64_t pairs_per_block = 4096;
 
-/// Where a pair stands in the campaign.
+/// Position of a pair in the campaign.
 struct PairPlace {
     std::uint64_t block = 0, number = 0;  ///< the number in its block
 
@@ -54,7 +54,7 @@ class PairSource {
     /// Names in the order in which they take turns: "random cube8", "grazing".
     [[nodiscard]] const std::vector<std::string>& families() const { return names_; }
 
-    /// The first `count` pairs of a block.
+    /// Returns the first `count` pairs of a block.
     [[nodiscard]] Block block(std::uint64_t number, std::uint64_t count = pairs_per_block) const;
 
   private:
@@ -66,7 +66,7 @@ class PairSource {
     std::map<std::string, const scene::HardFamily*> hard_;  ///< by the family's name
 };
 
-/// "random" and the hard families that need no meshes.
+/// Returns "random" and the hard families that need no meshes.
 [[nodiscard]] std::vector<std::string> campaign_families();
 
 }  // namespace edgewise::studies::campaign

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How far a campaign is: what was asked for, the next block, and the tally. A JSON file of some kilobytes,
-// however many pairs; written beside itself and renamed, so that it is whole at any moment.
+// How far a campaign is: its question, the next block, and the tally. A JSON file of some kilobytes for any
+// number of pairs. It is written to a temporary file and renamed, so that it is whole at any moment.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace edgewise::studies::campaign {
 
-/// What decides which pairs are asked of whom. Parts of one campaign have all but the shard in common.
+/// Decides the pairs and the cells of a campaign. Parts of one campaign differ only in the shard.
 struct Question {
     std::uint64_t seed = 1, pairs = 0;
     std::vector<std::string> families;  ///< in turn
@@ -21,7 +21,7 @@ struct Question {
     sweep::Shard shard;
 
     [[nodiscard]] std::uint64_t blocks() const;
-    /// Of the last block fewer may be asked.
+    /// Returns how many pairs of a block are asked; the last block may have fewer.
     [[nodiscard]] std::uint64_t pairs_of(std::uint64_t block) const;
     [[nodiscard]] bool is_part_of_same(const Question& other) const;
     [[nodiscard]] bool operator==(const Question&) const = default;
@@ -34,13 +34,13 @@ struct CampaignProgress {
     Tally tally;
 
     [[nodiscard]] bool is_done() const { return next_block >= question.shard.last_of(question.blocks()); }
-    /// Asked so far.
+    /// Returns the number of pairs asked so far.
     [[nodiscard]] std::uint64_t pairs() const;
 };
 
 void write_progress(const CampaignProgress& progress, const std::string& path);
 
-/// Nothing where there is no such file; throws std::invalid_argument, one line, where it is none of these.
+/// Returns nothing if there is no file; throws std::invalid_argument, one line, if it is no progress file.
 [[nodiscard]] std::optional<CampaignProgress> read_progress(const std::string& path);
 
 [[nodiscard]] nlohmann::json to_json(const CampaignProgress& progress);

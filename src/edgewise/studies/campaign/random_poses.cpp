@@ -18,7 +18,7 @@ constexpr std::uint64_t group = 64;
 
 enum class Relation { generic, nearly_parallel, parallel, lattice };
 
-/// Rotations without rounding.
+/// Returns a rotation that rounds nothing.
 Mat3d quarter_turns(scene::Rng& rng) {
     Mat3d turn = Mat3d::Zero();
     const auto first = static_cast<int>(rng.below(3));
@@ -27,7 +27,7 @@ Mat3d quarter_turns(scene::Rng& rng) {
     return turn;
 }
 
-/// 2^-low to 2^-high, each octave alike.
+/// Returns a number from 2^-high to 2^-low, each octave with equal probability.
 double power(scene::Rng& rng, int low, int high) {
     const auto exponent = low + static_cast<int>(rng.below(static_cast<std::uint64_t>(high - low)));
     return std::ldexp(rng.uniform(0.5, 1), -exponent);
@@ -57,7 +57,7 @@ class RandomPoses {
         base_.first = {scene::rotation_matrix(of_a_), rng.in_cube(4)};
         base_.second = {scene::rotation_matrix(of_b_), base_.first.translation};
         towards_b_ = rng.on_sphere();
-        // Far off, nearest points are nearly always vertices; just clear of each other, edges and faces too.
+        // Far apart, closest points are nearly always vertices; at small gaps, edges and faces too.
         const bool starts_far = group_number % 3 == 0;
         const double offset = starts_far ? 4 * size_ : reach_along(towards_b_) + size_ / 50;
         base_.second.translation += towards_b_ * offset;
@@ -66,7 +66,7 @@ class RandomPoses {
         if (found) towards_b_ = found->towards_b;
     }
 
-    /// How far both bodies together reach along a direction.
+    /// Returns how far both bodies together reach along a direction.
     double reach_along(const Vec3d& direction) {
         const Vec3d in_a = multiply_transposed(base_.first.rotation, direction);
         const Vec3d in_b = multiply_transposed(base_.second.rotation, direction);

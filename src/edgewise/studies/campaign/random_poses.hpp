@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Poses of two bodies at random, in the regimes that matter: free ones, and groups of poses that share their
-// orientation, or nearly, at gaps from three sizes to 2^-36 of one and depths likewise; two in ten groups
-// nearly parallel, one parallel, one on a lattice.
+// Random poses of two bodies in the regimes that matter: free poses, and groups of poses that share their
+// orientation, or nearly. Gaps and depths range from three sizes to 2^-36 of one. Of ten groups, two are
+// nearly parallel, one is parallel, one is on a lattice.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace edgewise::studies::campaign {
 
-/// The first `count` poses of a block with this seed.
+/// Returns the first `count` poses of a block with this seed.
 [[nodiscard]] std::vector<std::pair<Pose, Pose>> random_poses(const Polyhedron& a, const Polyhedron& b,
                                                               std::uint64_t seed, std::uint64_t count);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A campaign: as many pairs as wanted, block after block, from where its file says that it was left.
+// Runs a campaign of any number of pairs, block after block, from the place where its file says it stopped.
 #pragma once
 
 #include <atomic>
@@ -17,12 +17,12 @@ struct CampaignHooks {
     std::function<void(const Failure&)> on_failure = [](const Failure&) {};
 };
 
-/// Goes on until the shard is done or `stop` is set; false if that came first.
+/// Goes on until the shard is done or `stop` is set; returns false if `stop` came first.
 bool run_campaign(const PairSource& source, std::span<const Cell> cells, CampaignProgress& progress,
                   const CampaignHooks& hooks, const std::atomic<bool>& stop);
 
-/// Parts of one campaign as one. Throws std::invalid_argument, one line, for parts of different campaigns and
-/// for a shard that comes twice.
+/// Adds up parts of one campaign. Throws std::invalid_argument, one line, for parts of different campaigns
+/// and for a shard that comes twice.
 [[nodiscard]] CampaignProgress added_up(std::span<const CampaignProgress> parts);
 
 }  // namespace edgewise::studies::campaign

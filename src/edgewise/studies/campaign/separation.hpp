@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The shortest connection of two posed bodies about as double finds it: what poses are moved along.
+// The shortest connection of two posed bodies as double computes it; poses are moved along it.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct Separation {
     Vec3d towards_b;  ///< unit, in the world
 };
 
-/// Nothing of bodies in contact, or of numbers that double cannot take.
+/// Returns nothing for bodies in contact, or for numbers that double cannot represent.
 [[nodiscard]] inline std::optional<Separation> separation_of(truth::ScannedBody& a, truth::ScannedBody& b,
                                                              const std::pair<Pose, Pose>& poses) {
     const double as_good_as_it_gets = Tolerance<double>::eps * (a.extent() + b.extent());

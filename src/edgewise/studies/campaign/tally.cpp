@@ -51,7 +51,7 @@ void FamilyTally::add(const FamilyTally& other) {
     most_vertices = std::max(most_vertices, other.most_vertices);
 }
 
-/// Worst errors that are not numbers are worse than any; of two alike the first pair's stands.
+/// Adds sums. NaN counts as the worst error; of two equal worst errors the first pair is kept.
 void CellTally::add(const CellTally& other) {
     for (const auto& [name, member] : cell_sums) this->*member += other.*member;
     const auto rank = [](double error) {

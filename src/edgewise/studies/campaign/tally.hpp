@@ -12,8 +12,8 @@
 
 namespace edgewise::studies::campaign {
 
-/// Of one family. Pairs are counted once, proofs once for each storage that holds other bodies, answers once
-/// for each cell.
+/// Tally of one family. Pairs are counted once, proofs once for each storage that holds other bodies,
+/// answers once for each cell.
 struct FamilyTally {
     std::uint64_t blocks = 0, pairs = 0;
     std::uint64_t refused_pairs = 0;                      ///< of bodies that no table holds
@@ -22,7 +22,7 @@ struct FamilyTally {
     std::uint64_t separated = 0, touching = 0, overlapping = 0, grazing = 0;
     std::uint64_t double_proofs = 0, wide_proofs = 0, exact_proofs = 0;
     std::uint64_t answers = 0, refused = 0, in_band = 0;
-    std::uint64_t exact_answers = 0;  ///< of these: those that needed exact arithmetic
+    std::uint64_t exact_answers = 0;  ///< answers that needed exact arithmetic
     std::uint64_t wrong = 0;
     double making_s = 0, asking_s = 0, proving_s = 0;  ///< processor time
 
@@ -46,7 +46,7 @@ struct Tally {
 };
 
 [[nodiscard]] nlohmann::json to_json(const Tally& tally);
-/// Throws nlohmann::json::exception of what is no tally.
+/// Reads a tally. Throws nlohmann::json::exception if the JSON is not one.
 [[nodiscard]] Tally tally_of(const nlohmann::json& json);
 
 }  // namespace edgewise::studies::campaign

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A block's pairs as queries of one pair, in time order, each from cold.
+// Turns a block's pairs into queries of one pair, in time order, each from cold.
 #pragma once
 
 #include "edgewise/scene/workload.hpp"

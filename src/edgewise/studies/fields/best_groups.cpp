@@ -16,7 +16,7 @@ namespace {
 
 using Fields = std::vector<std::uint8_t>;
 
-/// What groups are compared by, the first difference deciding.
+/// Cost by which groups are compared; the first difference decides.
 struct GroupCost {
     std::uint64_t lines = 0, bytes = 0, groups = 0;
 
@@ -26,7 +26,7 @@ struct GroupCost {
     }
 };
 
-/// What one query read of one of its tables: fields, as bits, of one record.
+/// Fields, as bits, of one record that one query read from one of its tables.
 struct RecordRead {
     std::uint32_t element, fields;
 };
@@ -42,7 +42,7 @@ class KindReads {
         collect(trace);
     }
 
-    /// Fields that somebody reads.
+    /// Returns the fields that any query reads.
     [[nodiscard]] std::uint32_t read() const { return read_; }
 
     [[nodiscard]] GroupCost cost(const Fields& group) {
@@ -93,10 +93,10 @@ class KindReads {
     const std::vector<RecordField>& sized_;
     std::uint32_t of_kind_ = 0, read_ = 0, records_ = 0;
     std::vector<TableReads> reads_;
-    std::vector<std::uint32_t> seen_;  ///< by line: who read it last
+    std::vector<std::uint32_t> seen_;  ///< by line: its last reader
 };
 
-/// The fields of which the set has a bit, by place in the list.
+/// Returns the fields with a bit in the set, by place in the list.
 Fields members(const Fields& fields, std::uint32_t set) {
     Fields chosen;
     for (std::size_t i = 0; i < fields.size(); ++i)
@@ -104,7 +104,7 @@ Fields members(const Fields& fields, std::uint32_t set) {
     return chosen;
 }
 
-/// The best parts of these fields.
+/// Returns the partition of these fields with the lowest cost.
 std::vector<Fields> best_parts(KindReads& reads, const Fields& fields) {
     const std::uint32_t sets = std::uint32_t{1} << fields.size();
     std::vector<GroupCost> alone(sets), best(sets);
@@ -114,8 +114,8 @@ std::vector<Fields> best_parts(KindReads& reads, const Fields& fields) {
         best[set] = alone[set];
         first_part[set] = set;
         const std::uint32_t lowest = set & -set, others = set & ~lowest;
-        // Of each way to part it, the part that holds the lowest field: a proper subset of the others with
-        // it.
+        // For each partition in two, the part with the lowest field: a proper subset of the other fields
+        // plus it.
         for (std::uint32_t with = others; with != 0;) {
             with = (with - 1) & others;
             const std::uint32_t part = with | lowest;
@@ -165,7 +165,7 @@ void add_kind(const FieldTrace& trace, const Fields& of_kind, FieldGroups& group
     groups.add(unread);
 }
 
-/// Fields by kind of record, in the order of their numbers.
+/// Returns the fields by kind of record, in the order of their numbers.
 std::vector<Fields> kinds_of(const std::vector<RecordField>& fields) {
     std::vector<Fields> kinds;
     std::map<std::string_view, std::size_t> places;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The groups of fields of which a trace's queries read the fewest lines: an exact search, not a rule of
-// thumb. A group is an array of records, and arrays begin on lines of their own, so what one group costs does
+// Finds the groups of fields for which a trace's queries read the fewest lines: an exact search, not a rule
+// of thumb. A group is an array of records, and arrays begin on lines of their own, so one group's cost does
 // not depend on the others; the best way to part n fields into groups then follows from the cost of each of
 // their 2^n - 1 sets (dynamic programming over sets). Only the order of fields within a group, where it
 // decides which of them share a line, is found by exchanging two at a time.
@@ -20,11 +20,11 @@ namespace edgewise::studies {
 /// Queries that the search looks at: the first ones.
 inline constexpr std::uint64_t searched_queries = 2000;
 
-/// Fields that nobody reads are a group of their own, one for each kind of record. Among equal numbers of
-/// lines fewer bytes are taken, then fewer groups.
+/// Returns the best groups. Fields that no query reads form a group of their own, one for each kind of
+/// record. Among equal numbers of lines fewer bytes win, then fewer groups.
 [[nodiscard]] FieldGroups best_groups(const FieldTrace& trace);
 
-/// The groups that a table has now; nothing where fields of its records do not follow each other at one
+/// Returns the groups that a table has now; nothing if fields of its records do not follow each other at one
 /// distance, or are scattered scalar by scalar.
 [[nodiscard]] std::optional<FieldGroups> groups_of(const FieldMap& map);
 

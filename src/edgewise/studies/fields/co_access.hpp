@@ -21,12 +21,12 @@ struct CoAccess {
     FieldCounts by_record;                 ///< records in steps; 0 for fields of different records
     std::uint64_t queries = 0, steps = 0;  ///< steps: those that read of a table
 
-    /// Of all that read a or b, the part that read both (Jaccard); 0 where nobody reads either.
+    /// Returns the share of the reads of a or b that read both (Jaccard); 0 if neither is read.
     [[nodiscard]] static double overlap(const FieldCounts& counts, std::size_t a, std::size_t b);
 };
 
-/// Reads before a query's first step are a step of their own. The two tables of a pair are not told apart by
-/// fields, and never share a record.
+/// Counts which fields are read together. Reads before a query's first step form a step of their own. Fields
+/// of a pair's two tables count as the same fields, but never share a record.
 [[nodiscard]] CoAccess co_access(const FieldTrace& trace);
 
 }  // namespace edgewise::studies

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A trace told again as if its tables' fields lay elsewhere, access by access in the same order: what the
-// queries would read of a table with other records. Computed, from the groups alone; what a table that was
-// built so really reads is traced beside it.
+// Replays a trace as if its tables' fields lay elsewhere, access by access in the same order: the reads of
+// the same queries on a table with other records. They are computed from the groups alone; the reads of a
+// table that was really built this way are traced separately.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class GroupedPlaces {
   public:
     GroupedPlaces(const std::vector<TableFields>& tables, const FieldGroups& groups);
 
-    /// Where the field lies.
+    /// Returns the address of the field.
     [[nodiscard]] std::uint64_t address(const FieldAccess& field) const {
         const Column& column = columns_[field.table][field.field];
         return column.first + field.element * column.stride + field.part;
@@ -36,7 +36,7 @@ class GroupedPlaces {
     std::uint64_t taken_ = 0;
 };
 
-/// What lies behind the tables (pairs' caches, the broad phase) moves with their end.
+/// Replays the trace. Everything behind the tables (pairs' caches, the broad phase) moves with their end.
 void replay(const FieldTrace& trace, const GroupedPlaces& places, measure::TraceListener& listener);
 
 }  // namespace edgewise::studies

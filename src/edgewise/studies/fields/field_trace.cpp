@@ -13,7 +13,7 @@ namespace edgewise::studies {
 
 namespace {
 
-/// From an address to the field that is there.
+/// Finds the field at an address.
 class FieldDictionary {
   public:
     explicit FieldDictionary(const std::vector<FieldMap>& maps) {
@@ -23,7 +23,7 @@ class FieldDictionary {
                                  Entry{{table, place.element, place.field, place.part}, place.bytes});
     }
 
-    /// Null where no field of so many bytes is.
+    /// Returns null if no field of this many bytes lies there.
     [[nodiscard]] const FieldAccess* find(std::uint64_t address, std::uint32_t bytes) const {
         const auto found = entries_.find(address);
         if (found == entries_.end() || found->second.bytes != bytes) return nullptr;
@@ -64,7 +64,7 @@ class FieldRecorder final : public measure::TraceListener {
     void on_frame_end() override { events_.push_back({.kind = FieldEvent::Kind::frame_end}); }
 
     [[nodiscard]] std::vector<FieldEvent> take() { return std::move(events_); }
-    /// The first read of a table that is of no field.
+    /// Returns the first read of a table that reads no field.
     [[nodiscard]] const std::optional<measure::TracedAccess>& unknown() const { return unknown_; }
 
   private:
@@ -80,7 +80,7 @@ TableFields fields_of(const FieldMap& map) {
     return table;
 }
 
-/// False for nodes: their records hold other fields.
+/// Returns false for nodes: their records hold other fields.
 bool holds_stored_fields(const FieldMap& map) {
     return std::ranges::equal(map.fields, stored_field_infos, {}, &RecordField::name, &StoredFieldInfo::name);
 }

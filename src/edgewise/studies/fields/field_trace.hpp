@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A trace whose accesses to tables are told as fields of records, not as addresses: what was read of which
-// edge. So it can be told again as if the fields lay elsewhere (field_places.hpp).
+// A trace that keeps accesses to tables as fields of records, not as addresses: the field and the
+// edge that were read. It can be replayed as if the fields lay elsewhere (field_places.hpp).
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct FieldAccess {
     [[nodiscard]] bool operator==(const FieldAccess&) const = default;
 };
 
-/// What a trace is made of.
+/// One event of a trace.
 struct FieldEvent {
     enum class Kind : std::uint8_t { query_start, step_start, field, other, query_end, frame_end };
 
@@ -36,7 +36,7 @@ struct FieldEvent {
     measure::TracedAccess access{};  ///< of an access: as it was; of a step's start, its step
 };
 
-/// What a table's records are: their fields, and how many records have each.
+/// Fields of a table's records, and how many records have each.
 struct TableFields {
     std::vector<RecordField> fields;
     std::vector<std::uint32_t> records;  ///< by field
@@ -54,8 +54,8 @@ struct FieldTrace {
     [[nodiscard]] const std::vector<RecordField>& fields() const { return tables.front().fields; }
 };
 
-/// Of a runner that a workload was loaded into. Throws std::invalid_argument where its layout does not say
-/// where its fields lie, or reads what is none.
+/// Traces a runner with a loaded workload. Throws std::invalid_argument if its layout does not say where its
+/// fields lie, or if the runner reads memory that is no field.
 [[nodiscard]] FieldTrace trace_fields(const bench::Runner& runner, const bench::TraceExtent& extent,
                                       const std::string& table);
 

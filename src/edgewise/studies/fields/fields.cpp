@@ -19,13 +19,13 @@ namespace {
 
 using Role = FieldsContender::Role;
 
-/// A contender on its way: with its cell.
+/// A contender in progress, with its cell.
 struct Standing {
     FieldsContender contender;
     std::unique_ptr<SingleCell> cell;
 };
 
-/// Fewer lines by hand than the table that is asked about: what it would be compared with.
+/// Returns the layout made by hand, with fewer lines than the given table, that it is usually compared with.
 std::string usual_beside(const bench::TableType& type) {
     const std::string name = "hot_cold_" + type.precision;
     return type.layout == "hot_cold" || !has_table_type(name) ? "" : name;
@@ -99,7 +99,7 @@ class FieldsRun {
         look_at_unseen(trace.queries);
     }
 
-    /// The groups of the table, if such records give it again: as many lines and bytes.
+    /// Returns the table's groups if records of these groups reproduce it: the same lines and bytes.
     [[nodiscard]] std::optional<FieldGroups> own_groups(const FieldTrace& trace) const {
         const std::optional<FieldGroups> groups = groups_of(trace.maps.front());
         if (!groups) return std::nullopt;
@@ -113,7 +113,7 @@ class FieldsRun {
         return cost_of([&](measure::TraceListener& listener) { replay(trace, places, listener); }, machines_);
     }
 
-    /// The scene from another seed.
+    /// Traces the scene from another seed.
     void look_at_unseen(std::uint64_t queries) {
         CellChoice choice = plan_.cell;
         ++choice.seed;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Advice on a layout's records, and what became of it. From a trace of one cell: which fields are read
-// together, and the groups of which its queries read the fewest lines (predicted, by telling the trace again
-// with the fields where they would be). Then the advised table is built, its answers are verified, its lines
+// Advice on a layout's records, and its outcome. From a trace of one cell: which fields are read
+// together, and the groups for which its queries read the fewest lines (predicted by replaying the trace
+// with the fields at their new places). Then the advised table is built, its answers are verified, its lines
 // are counted and its queries timed: advice of this kind is often right about lines and wrong about time.
 //
-// Who is timed, in interleaved rounds: the table that was asked about; its own groups in the layout that
-// takes groups at run time, which is what the advice is compared with, since both pay for that; the same
-// once more, whose ratio to itself is the noise; the advised groups; and a layout made by hand.
+// Interleaved rounds time these tables: the table that was asked about; its own groups in the layout that
+// takes groups at run time, the baseline of the advice, since both pay for run-time groups; that baseline
+// once more: its ratio to itself is the noise; the advised groups; and a layout made by hand.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@
 
 namespace edgewise::studies {
 
-/// What is asked when nobody says otherwise.
+/// Default cell.
 inline const CellChoice fields_cell = {
     .parameters = {{"rotation_step", 0.1}}, .queries = 2000, .checked = 200};
 
@@ -30,7 +30,7 @@ struct FieldsPlan {
     CellChoice cell = fields_cell;
     std::vector<std::string> machines = {"pentium3_coppermine", "zen5"};  ///< not the host: misses repeat
     std::string beside;       ///< a table type made by hand; empty: the usual one, or none
-    std::string groups_file;  ///< groups to try in place of advised ones
+    std::string groups_file;  ///< groups to try instead of the advised ones
     int rounds = 25;
 };
 
@@ -55,7 +55,7 @@ struct TimeRatio {
     double low = 0, middle = 0, high = 0;
 };
 
-/// Whether advice held.
+/// Outcome of an advice.
 enum class Held {
     yes,
     no,
@@ -70,31 +70,31 @@ struct FieldsAdvice {
     std::optional<FieldGroups> own;  ///< nothing: no records by groups give this table
     FieldGroups advised;
     TraceCost predicted;  ///< of the advised groups, before they were built
-    /// Lines per query of other queries of the same scene, which the advice never saw: before and after.
+    /// Lines per query for unseen queries of the same scene, which the advice did not use: before and after.
     double unseen_lines = 0, unseen_lines_advised = 0;
     std::vector<FieldsContender> contenders;
 
     [[nodiscard]] const FieldsContender* find(FieldsContender::Role role) const;
-    /// The first contender over the second; nothing where either is not there.
+    /// Returns the time of the first contender over the second; nothing if either is missing.
     [[nodiscard]] std::optional<TimeRatio> ratio(FieldsContender::Role above,
                                                  FieldsContender::Role below) const;
-    /// What the advice is compared with: its own groups, or else the table itself.
+    /// Returns the role that the advice is compared with: its own groups, or else the table itself.
     [[nodiscard]] FieldsContender::Role baseline() const;
 
     [[nodiscard]] bool all_right() const;
-    /// As many lines as predicted, to the last one; and fewer than before.
+    /// Held if the lines equal the prediction exactly and are fewer than before.
     [[nodiscard]] Held lines_held() const;
-    /// Faster than the baseline by more than the noise.
+    /// Held if the advised table is faster than the baseline by more than the noise.
     [[nodiscard]] Held time_held() const;
 };
 
 [[nodiscard]] bool has_table_type(const std::string& name);
 
-/// The table type that builds what is advised for this one.
+/// Returns the table type that builds the groups advised for this one.
 [[nodiscard]] std::string builder_of(const bench::TableType& type);
 
-/// on_round is called after each round. Throws std::invalid_argument for a cell that cannot be made, a layout
-/// without places of fields, or a program that was built without what takes groups.
+/// Calls on_round after each round. Throws std::invalid_argument for a cell that cannot be made, a layout
+/// without places of fields, or a program that was built without a layout that takes groups.
 [[nodiscard]] FieldsAdvice advise_fields(const FieldsPlan& plan, const std::function<void()>& on_round);
 
 }  // namespace edgewise::studies

@@ -15,15 +15,15 @@
 
 namespace edgewise::studies {
 
-/// Cells that a plan asks about: the paper's record by both algorithms; those that this program can build
-/// otherwise.
+/// Returns the cells that a plan asks about: the paper's record by both algorithms, if this program can
+/// build it in other groups.
 [[nodiscard]] std::vector<CellChoice> fields_cells(std::size_t queries, std::uint64_t seed);
 
 [[nodiscard]] store::CellRow fields_row(const CellChoice& choice);
 [[nodiscard]] std::vector<store::FigureRow> fields_figures(const FieldsAdvice& advice);
 
-/// Into the store, but for rows that are there already. on_row is notified of each. False when it was stopped
-/// before the last.
+/// Writes the rows that are not yet in the store, and calls on_row for each. Returns false if it was stopped
+/// before the last row.
 [[nodiscard]] bool store_fields(const std::vector<CellChoice>& cells, const std::string& build,
                                 store::Store& store, const std::function<void(const store::CellRow&)>& on_row,
                                 const std::atomic<bool>& stop);

@@ -16,8 +16,8 @@ namespace edgewise::studies {
 [[nodiscard]] std::string groups_text(const FieldGroups& groups, std::span<const RecordField> fields);
 [[nodiscard]] nlohmann::json groups_json(const FieldGroups& groups, std::span<const RecordField> fields);
 
-/// Of a file as groups_json writes it, with every field once and fields of one kind of record in a group.
-/// Throws std::invalid_argument: file, what is wrong, what is wanted.
+/// Reads a file in the format of groups_json, with every field once and one kind of record per group.
+/// Throws std::invalid_argument: file, what is wrong, which groups are expected.
 [[nodiscard]] FieldGroups read_groups(const std::string& file, std::span<const RecordField> fields);
 
 }  // namespace edgewise::studies

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a trace costs: distinct lines of tables per query, and the modelled misses of several machines in
-// their steady state. One way of counting for traces of tables that stand and of tables that are only
-// thought of.
+// Cost of a trace: distinct lines of tables per query, and the modelled misses of several machines in
+// their steady state. Traces of tables that were built and of predicted tables are counted in the same
+// way.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace edgewise::studies {
 
-/// Per query of all queries.
+/// Misses of a level, per query of all queries.
 struct LevelMissesPerQuery {
     std::string machine, level;
     double misses = 0;
@@ -38,7 +38,7 @@ struct TraceCost {
 /// A pass over all queries of a trace, as often as it is called.
 using TracePass = std::function<void(measure::TraceListener& listener)>;
 
-/// Asks for two passes: the first fills caches and counts lines, the second counts misses.
+/// Runs two passes: the first fills caches and counts lines, the second counts misses.
 [[nodiscard]] TraceCost cost_of(const TracePass& pass, std::span<const measure::CacheMachine> machines);
 
 }  // namespace edgewise::studies

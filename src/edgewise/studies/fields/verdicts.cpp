@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether advice on fields held.
+// Decides whether advice on fields held.
 #include <algorithm>
 
 #include "edgewise/measure/statistics.hpp"

@@ -35,7 +35,7 @@ struct GateCellChoice {
     std::string algorithm, axes;
 };
 
-/// The reference first, and once.
+/// Returns the plan's cells with the reference first; it is listed once.
 std::vector<GateCellChoice> cells_of(const GatePlan& plan, const GateScene& scene) {
     std::vector<GateCellChoice> cells = {{&reference_type(), reference_algorithm, ""}};
     for (const bench::TableType* type : plan.types) {

@@ -25,14 +25,14 @@ struct GateScene {
 
 class GateGroup {
   public:
-    /// Makes every cell and checks its answers; what is wrong with some goes to `wrong`. Throws as run_gate.
+    /// Makes every cell and checks its answers; errors go to `wrong`. Throws like run_gate.
     GateGroup(const GatePlan& plan, const GateScene& scene, const std::string& shape,
               std::vector<std::string>& wrong);
 
     /// Times every cell and the kernel once, in an order drawn for this round.
     void time_round(int number, const GateKernel& kernel, double clock_cost_ns);
 
-    /// From all rounds. Throws std::invalid_argument where they are too few.
+    /// Returns the rows over all rounds. Throws std::invalid_argument if there are too few rounds.
     [[nodiscard]] std::vector<measure::RecordRow> rows() const;
 
   private:

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t node_count = 2048;  // 128 KiB
 constexpr int walk_steps = 8192, products = 24'576;
 
-/// Each product waits for the last. The factors are each other's inverse, so that no value runs away.
+/// Multiplies in a chain; each product waits for the last. The factors are inverses, so no value overflows.
 double chain_of_products(double start) {
     double value = start;
     for (int i = 0; i < products / 2; ++i) value = value * 1.25 * 0.8;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A measure of this machine's mood that no change of algorithms or layouts touches: a chain of dependent
-// multiplications, which goes as the clock goes, and a walk along pointers through a buffer larger than a
-// first-level cache and smaller than a second, which goes as caches go. About half of its time each.
+// Measures the speed of this machine independently of algorithms and layouts, about half of the time each: a
+// chain of dependent multiplications, timed by the clock, and a walk along pointers through a
+// buffer larger than a first-level and smaller than a second-level cache, timed by the caches.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class GateKernel {
     [[nodiscard]] double time_ns() const;
 
   private:
-    /// One to a cache line.
+    /// One node per cache line.
     struct alignas(64) Node {
         const Node* next = nullptr;
     };

@@ -32,7 +32,7 @@ bool is_asked_for(const GatePlan& plan, const std::string& group) {
            std::find(plan.groups.begin(), plan.groups.end(), group) != plan.groups.end();
 }
 
-/// False when it was stopped.
+/// Returns false if it was stopped.
 bool add_group(const GatePlan& plan, const GateScene& scene, const std::string& shape,
                const std::atomic<bool>& stop, GateRun& run) {
     const GateKernel kernel;

@@ -29,11 +29,11 @@ struct GateRun {
     std::vector<std::string> wrong;
 };
 
-/// Every scene on every body: "cold cube8".
+/// Returns every scene on every body: "cold cube8".
 [[nodiscard]] std::vector<std::string> gate_groups();
 
-/// Nothing when `stop` was set. Throws std::invalid_argument when the program lacks the reference's table
-/// type, or for rounds and queries too few to tell a ratio by.
+/// Returns nothing if `stop` was set. Throws std::invalid_argument when the program lacks the reference's
+/// table type, or if there are too few rounds or queries for a ratio.
 [[nodiscard]] std::optional<GateRun> run_gate(const GatePlan& plan,
                                               const std::function<void(const std::string& group)>& on_group,
                                               const std::atomic<bool>& stop);

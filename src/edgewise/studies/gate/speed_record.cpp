@@ -43,7 +43,7 @@ std::optional<RecordRow> gate_row(std::string cell, std::string figure, std::spa
     const auto middle = measure::median(ratios);
     const auto interval = measure::bootstrap_median(ratios);
     if (!middle || !interval) return std::nullopt;
-    // The bootstrap's ends may miss the median of a sample of few values.
+    // The interval of a bootstrap may miss the median of a sample of few values.
     return RecordRow{std::move(cell),
                      std::move(figure),
                      *middle,

@@ -15,34 +15,34 @@ namespace edgewise::studies {
 
 inline constexpr const char* speed_kind = "speed";
 
-/// What a cell's time is divided by: V-Clip on the paper's record, of the same scene and shape.
+/// Figure of a cell's time over V-Clip's on the paper's record, for the same scene and shape.
 inline constexpr const char* over_reference = "time over reference";
-/// Work that no change of the algorithms touches: the reference itself is divided by it.
+/// Figure of the reference's own time over that of work that no change of the algorithms touches.
 inline constexpr const char* over_kernel = "time over kernel";
 
 /// Cells that are measured in the same rounds, and divided by one reference: "cold cube8".
 [[nodiscard]] std::string gate_group_name(const std::string& scene, const std::string& shape);
-/// Group of the cell "gjk lean_f64 cold cube8 batch=yes".
+/// Returns the group of the cell "gjk lean_f64 cold cube8 batch=yes".
 [[nodiscard]] std::string gate_group_of(const std::string& cell);
-/// Its table type.
+/// Returns the table type of a cell.
 [[nodiscard]] std::string gate_table_of(const std::string& cell);
 
-/// Median of the times' ratios, round by round, with its interval. Null for fewer rounds than an interval
-/// takes (measure::least_sample), or where a time is not positive.
+/// Returns the median of the times' ratios, round by round, with its interval. Null for fewer rounds than an
+/// interval takes (measure::least_sample), or if a time is not positive.
 [[nodiscard]] std::optional<measure::RecordRow> gate_row(std::string cell, std::string figure,
                                                          std::span<const double> times,
                                                          std::span<const double> beside);
 
-/// Runs are held to the baseline's medians: its intervals decide nothing. A reference that changed has a
-/// note.
+/// Compares a run with the baseline's medians; the baseline's intervals decide nothing. A reference that
+/// changed gets a note.
 [[nodiscard]] measure::RecordComparison compare_speed(measure::FigureRecord baseline,
                                                       const measure::FigureRecord& now);
 
-/// Groups with a row that is worse, each once, in the comparison's order.
+/// Returns the groups with a row that is worse, each once, in the comparison's order.
 [[nodiscard]] std::vector<std::string> suspect_groups(const measure::RecordComparison& found);
 
-/// Rows that are worse in `found` take the ratio of `again` where that one's interval begins lower; the
-/// others keep theirs, so that a second look can acquit and never accuse.
+/// Replaces rows that are worse in `found` by those of `again` if their interval begins lower; others stay,
+/// so a second measurement can only clear a row.
 void look_again(measure::FigureRecord& now, const measure::RecordComparison& found,
                 const measure::FigureRecord& again);
 

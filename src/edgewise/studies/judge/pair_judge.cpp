@@ -22,7 +22,7 @@ truth::PlacedBodies placed(const scene::Case& pair) {
     return {pair.a.vertices, pair.pose_a, pair.b.vertices, pair.pose_b};
 }
 
-/// A library may also be wrong by what it aims at by itself. Its depths are not asked for.
+/// Returns the allowed errors; for a library they include its own tolerance. Its depths are not asked for.
 truth::AllowedErrors allowed_errors_of(const Respondent& respondent) {
     truth::AllowedErrors allowed = allowed_errors(*respondent.type, respondent.algorithm);
     if (respondent.type->is_peer) allowed.distance = std::max(allowed.distance, judged_error_peer);
@@ -74,7 +74,7 @@ std::vector<Polyhedron> bodies_of(const scene::Case& pair) {
     return {scene::body_from_case(pair.a).or_throw(), scene::body_from_case(pair.b).or_throw()};
 }
 
-/// V-Clip in double on the first table type that stores bodies as they are, for its proof.
+/// Adds the certificate of V-Clip in double on the first table type that stores bodies exactly.
 void add_certificate(const scene::Case& pair, PairTruth& truth) {
     const auto is_exact = [](const bench::TableType& type) {
         return type.serves("vclip") && type.storage == "double" && !type.single_storage;

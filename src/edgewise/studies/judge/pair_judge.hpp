@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One pair, and what everybody answers to it: every algorithm on every table type, other libraries, and what
-// somebody reports; each beside exact arithmetic.
+// One pair, and all answers to it: of every algorithm on every table type, of other libraries, and answers
+// that users report; each is compared with exact arithmetic.
 #pragma once
 
 #include <optional>
@@ -18,17 +18,17 @@
 
 namespace edgewise::studies {
 
-/// Of the bodies as given.
+/// Exact answers for the bodies as given.
 struct PairTruth {
     truth::ExactDistance exact;
     std::optional<double> depth;  ///< in contact
     truth::AccuracyBand band;     ///< of double precision
-    /// That V-Clip in double proved; none where that has no answer.
+    /// Proof by V-Clip in double; none if it has no answer.
     std::optional<truth::Certificate> certificate;
     std::string no_certificate;  ///< why
 };
 
-/// Who is asked. Of another library the algorithm is its own.
+/// An algorithm on a table type, or another library with its own algorithm.
 struct Respondent {
     const bench::TableType* type;
     std::string algorithm;
@@ -49,7 +49,7 @@ enum class AnswerIs {
 
 struct JudgedResponse {
     std::string who;
-    std::vector<std::string> same;  ///< others whose answer is the same to the bit
+    std::vector<std::string> same;  ///< others with an answer equal to the last bit
     std::string status;  ///< separated, touching, overlapping, failed; of a library contact is touching
     std::optional<double> distance, depth;
     double error = 0;     ///< of the distance (in contact: of the depth), from the bodies that it holds
@@ -64,24 +64,24 @@ struct JudgedResponse {
     }
 };
 
-/// Fails where the bodies are none, or no exact answer is to be had: one line.
+/// Computes the exact answers. Fails with one line for invalid bodies or if no exact answer can be computed.
 [[nodiscard]] Result<PairTruth> truth_of(const scene::Case& pair);
-/// Likewise without a certificate, for those who ask often.
+/// Computes the exact answers without a certificate, for callers with many pairs.
 [[nodiscard]] Result<PairTruth> exact_truth_of(const scene::Case& pair);
 
-/// The tables are built for this.
+/// Builds the tables, asks the respondent and checks its answer.
 [[nodiscard]] JudgedResponse ask(const Respondent& respondent, const scene::Case& pair,
                                  const PairTruth& truth);
 
-/// An answer that was printed elsewhere.
+/// Checks an answer that was printed elsewhere.
 [[nodiscard]] JudgedResponse judge_reported(const scene::ReportedAnswer& reported, const scene::Case& pair,
                                             const PairTruth& truth);
 
-/// All of them, those of one answer together: the first of each, in the order of the respondents.
+/// Asks all respondents and groups equal answers: returns the first of each, in the respondents' order.
 [[nodiscard]] std::vector<JudgedResponse> ask_all(std::span<const Respondent> respondents,
                                                   const scene::Case& pair, const PairTruth& truth);
 
-/// Every algorithm on every one of these types, then the peers.
+/// Returns every algorithm on each of these types, then the peers.
 [[nodiscard]] std::vector<Respondent> respondents_of(std::span<const bench::TableType* const> types,
                                                      std::span<const std::string> algorithms,
                                                      std::span<const bench::TableType* const> peers);

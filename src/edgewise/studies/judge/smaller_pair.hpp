@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A smaller pair to which the same respondent is still wrong in the same way.
+// Finds a smaller pair for which the same respondent is still wrong in the same way.
 #pragma once
 
 #include "edgewise/scene/minimise.hpp"
@@ -14,8 +14,8 @@ struct SmallerPair {
     JudgedResponse answer;  ///< to the smaller pair
 };
 
-/// Solids stay solids. What was wrong stays wrong by as much of the scale at least, up to a factor of ten, so
-/// that no other failure takes its place. Empty where the respondent is not wrong when it is asked.
+/// Solids stay solids. The error over the scale stays at least a tenth of the original, so that no
+/// other failure takes its place. Empty if the respondent is not wrong when it is asked.
 [[nodiscard]] std::optional<SmallerPair> smaller_pair(const Respondent& respondent, const scene::Case& pair);
 
 }  // namespace edgewise::studies

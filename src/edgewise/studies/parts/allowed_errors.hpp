@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The errors that a cell is allowed on hard and foreign pairs. A sweep's own scenes are held to what computes
-// alone (sweep/prepared_cell.hpp).
+// Errors allowed for a cell on hard and foreign pairs. The limits of a sweep's own scenes follow from the
+// arithmetic alone (sweep/prepared_cell.hpp).
 #pragma once
 
 #include <string_view>

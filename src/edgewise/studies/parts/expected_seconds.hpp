@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the runs beside a sweep are expected to take where no store remembers it: s on two cores of one
-// machine. Progress and the weights of shards are of these, and nothing else is; a sweep's own groups:
+// Expected time of the runs besides the sweep if no store has it: seconds on two cores of one
+// machine. Only progress and the weights of shards use these numbers; those of a sweep's own groups are in
 // sweep/expected_work.hpp.
 #pragma once
 

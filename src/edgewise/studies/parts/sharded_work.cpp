@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Without an earlier run a unit costs what its progress is expected to take. Costs decide how even shards
-// are, and nothing else.
+// Without an earlier run a unit costs the seconds that progress expects for it. Costs decide only how even
+// shards are.
 #include "edgewise/studies/parts/sharded_work.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::vector<std::string> families_of(const std::vector<std::string>& chosen) {
     return all;
 }
 
-/// Every unit of the work, in the order in which keep_shard takes them.
+/// Returns every unit of the work, in the order in which keep_shard takes them.
 std::vector<sweep::ShardUnit> units_of(const sweep::SweepWork& work) {
     std::vector<sweep::ShardUnit> units;
     for (const sweep::SceneWork& scene : work.scenes) {

@@ -13,20 +13,20 @@
 
 namespace edgewise::studies {
 
-/// Names of runs, in a store's seconds too (store::took_key).
+/// Names of runs, also used for a store's seconds (store::took_key).
 inline constexpr const char *paging_unit = "paging", *thrash_unit = "thrash", *effort_unit = "effort",
                             *fields_unit = "fields";
 [[nodiscard]] std::string stability_unit(const std::string& family);
 
-/// Leaves in the work what is dealt to the shard; seconds: of an earlier run, or none.
+/// Keeps only the shard's part of the work. seconds: of an earlier run, or none.
 void keep_shard(sweep::SweepWork& work, const sweep::Shard& shard,
                 const std::map<std::string, double>& seconds);
 
-/// Likewise of a stability run; false where no family is dealt to it.
+/// Keeps only the shard's families of a stability run; returns false if it has none.
 [[nodiscard]] bool keep_shard(StabilityPlan& plan, const sweep::Shard& shard,
                               const std::map<std::string, double>& seconds);
 
-/// The seconds that a store's runs took, by unit.
+/// Returns the seconds that a store's runs took, by unit.
 [[nodiscard]] std::map<std::string, double> seconds_in(const std::string& store);
 
 }  // namespace edgewise::studies

@@ -41,7 +41,7 @@ class Divider {
     }
 
   private:
-    /// What its calls say of a function.
+    /// Answer for a function, derived from its calls.
     struct Answer {
         std::string_view phase;
         double in_steps = 0;
@@ -62,7 +62,7 @@ class Divider {
         return answer_of(line.function).in_steps;
     }
 
-    /// Of one that calls itself, without those calls.
+    /// Returns the answer for a function; calls of the function by itself do not count.
     [[nodiscard]] const Answer& answer_of(std::size_t function) {
         std::optional<Answer>& known = known_[function];
         if (known) return *known;
@@ -90,7 +90,7 @@ class Divider {
     std::vector<std::optional<Answer>> known_;
 };
 
-/// One run of so many passes, and its phases.
+/// One run of `passes` passes, and its phases.
 struct CountedRun {
     measure::InstructionCost total;
     PhaseCounts counts;

@@ -16,12 +16,12 @@
 
 namespace edgewise::studies {
 
-// What Callgrind counted of some passes, divided by phase (phases.hpp). Nothing is dropped: what no rule
+// Callgrind's counts of some passes, divided by phase (phases.hpp). Nothing is dropped: code that no rule
 // knows is `other`, so the phases add up to the run's total.
 //
-// A function that is called, not inlined, and whose frames leave a question open is answered by its calls:
-// its phase is that of all who call it, where they agree; and it runs once or each step in the proportion of
-// the instructions that its calls of either kind cost in the end.
+// If the frames of a called, not inlined, function leave a question open, its calls decide: its phase is
+// that of all its callers, if they agree; it runs once or in each step in the proportion of the
+// instructions that its calls of either kind cost.
 
 /// Arithmetic in functions that several phases call, and code of the C library.
 inline constexpr std::string_view arithmetic_phase = "arithmetic, shared", library_phase = "C library";
@@ -36,15 +36,15 @@ struct PhaseCounts {
     std::map<std::string, std::uint64_t> others;  ///< instructions of `other`, by file or function
 };
 
-/// Addresses of what was counted in this object, each once.
+/// Returns the addresses of the counted instructions of this object, each once.
 [[nodiscard]] std::vector<std::uint64_t> addresses_in(const measure::CallgrindLines& lines,
                                                       const std::string& object);
 
-/// `program`: the object that the frames are of; all others are libraries.
+/// `program`: the object that the frames are of; all other objects are libraries.
 [[nodiscard]] PhaseCounts divide_by_phase(const measure::CallgrindLines& lines,
                                           const measure::InlineFrames& frames, const std::string& program);
 
-/// Empty, or how the phases' sum differs from the run's own total.
+/// Returns "", or how the phases' sum differs from the run's own total.
 [[nodiscard]] std::string check_sum(const PhaseCounts& counts, const measure::InstructionCost& total);
 
 /// Means per query over all queries of the scene.
@@ -61,15 +61,15 @@ struct EffortByPhase {
     double steps = 0;                 ///< V-Clip states or GJK iterations per query
     std::vector<PhaseEffort> phases;  ///< those that take most instructions first; empty: `reason`
     std::vector<std::string> others;  ///< the files and functions that take most of `other`, up to three
-    PhaseEffort total;                ///< as Callgrind has it, not added up; of `in_steps` the sum
+    PhaseEffort total;                ///< as Callgrind counts it, not added up; its `in_steps` is the sum
 };
 
-/// One pass of two runs' phases, of `few` and of `many` passes, divided by the passes and queries between
-/// them.
+/// Returns one pass of two runs' phases: `many` less `few`, divided by the difference in passes and by the
+/// queries.
 [[nodiscard]] std::vector<PhaseEffort> phases_per_query(const PhaseCounts& few, const PhaseCounts& many,
                                                         int passes, double queries);
 
-/// Of our table types in the plan, in its order; its peers are left out. Throws as `examine` does.
+/// Counts the plan's own table types in its order, without its peers. Throws like `examine`.
 [[nodiscard]] std::vector<EffortByPhase> effort_by_phase(const EffortPlan& plan);
 
 }  // namespace edgewise::studies

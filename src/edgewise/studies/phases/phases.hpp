@@ -2,7 +2,7 @@
 //
 // The phases of a query, in the words of GJK (Gilbert, Johnson, Keerthi 1988; Cameron 1997) and V-Clip
 // (Mirtich, TR-97-05), and which functions of the source belong to which. Arithmetic and helpers belong to
-// whoever they were inlined into: a dot product in a climb is the climb's, in a state the state's.
+// the function that they are inlined into: a dot product in a climb is the climb's, in a state the state's.
 #pragma once
 
 #include <optional>
@@ -14,21 +14,21 @@
 
 namespace edgewise::studies {
 
-/// What no rule knows: our source files that are not in the table, and code without line tables.
+/// Phase of code that no rule knows: our source files that are not in the table, or without line tables.
 inline constexpr std::string_view other_phase = "other";
 
 /// How often code runs.
 enum class Recurrence { once, step };  ///< per query, or per V-Clip state or GJK iteration
 
-/// What the frames of one instruction say; nothing where they leave it to whoever calls.
+/// Phase and recurrence by the frames of one instruction; nothing if they leave it to the caller.
 struct PhaseOfFrames {
     std::optional<std::string_view> phase;
     std::optional<Recurrence> recurrence;
     std::string place;  ///< of `other`: the file that is not in the table, or a function without one
 };
 
-/// From the innermost frame outwards, the first that has a phase, and the first that is known to run once or
-/// each step.
+/// Searches from the innermost frame outwards for the first with a phase, and for the first that is known
+/// to run once or each step.
 [[nodiscard]] PhaseOfFrames phase_of(const std::vector<measure::InlineFrame>& frames);
 
 }  // namespace edgewise::studies

@@ -29,7 +29,7 @@ constexpr CalibratedFigure calibrated[] = {
     {4, "cube8", 3e4, 0, 1.5}, {6, "cube8", 7e4, 12.57, 0}, {7, "sphere38", 1e5, 7, 0}};
 /// Bodies of the scenes that calibrate: those of figures 4, 6 and 7 here.
 constexpr std::size_t calibrating_bodies = 200;
-/// Nobody moves farther in a step in the paper's scenes.
+/// No body moves farther in a step in the paper's scenes.
 constexpr double most_way_in_dimensions = 0.5;
 
 /// The scenes of all settings, in one order: that of the loops here.
@@ -144,7 +144,7 @@ void calibrate(const Levels& levels, const MemorySizes& sizes, Factorial& result
     }
 }
 
-/// Of a table of the first layout: its median time over that of a read of a standing pair's query.
+/// Measures builds of a table of the first layout: median time over that of a read of a resting pair.
 void measure_builds(const Levels& levels, Factorial& result) {
     constexpr int repetitions = 21;
     constexpr double angle = 1.0 / 60;
@@ -182,7 +182,7 @@ const Calibration& calibration_of(const Factorial& result, std::size_t machine, 
     });
 }
 
-/// Scores settings; where in the levels each of them is stands beside it.
+/// Scores settings; keeps the position of each in the levels.
 class Scorer {
   public:
     Scorer(const Levels& levels, const MemorySizes& sizes, TracedScenes& scenes, Factorial& result)
@@ -199,7 +199,7 @@ class Scorer {
 
   private:
     void score_memories(const TracedScenes::Key& key, const std::pair<Mechanism, double>& mechanism) {
-        // A shared table cannot stand in the world once for each body.
+        // A shared table cannot be in world space for each body.
         if (mechanism.first == Mechanism::whole_table_transform && levels_.shared[key.shared]) return;
         for (std::size_t machine = 0; machine < result_.machines.size(); ++machine)
             for (const std::uint64_t memory : levels_.memories_mib)

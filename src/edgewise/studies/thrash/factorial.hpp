@@ -2,8 +2,8 @@
 //
 // What could have made figure 8: every combination of what the paper leaves open, each scored against the
 // four facts that the figure states (figure_8_facts.hpp). Demands are traced once (memory_demand.hpp); the
-// rest is arithmetic (memory_demand.hpp), so that it is the same on every machine, but for what building a
-// table costs, which is measured here.
+// rest is arithmetic (memory_demand.hpp), so it is the same on every machine, except the cost of building a
+// table, which is measured here.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@
 
 namespace edgewise::studies::thrash {
 
-/// What happens beside the queries.
+/// Work that happens besides the queries.
 enum class Mechanism : std::uint8_t {
     queries_alone,
     whole_table_transform,  ///< every body's V-Clip table is brought to world space in every step
@@ -30,7 +30,7 @@ enum class Mechanism : std::uint8_t {
 inline constexpr std::string_view mechanism_names[] = {
     "queries_alone", "whole_table_transform", "builds", "builds_of_vclip", "capped_cycles", "first_touches"};
 
-/// One combination, but for what is summed over: algorithm, size and speed.
+/// One combination of levels, except algorithm, size and speed, which are summed over.
 struct Setting {
     Mechanism mechanism = Mechanism::queries_alone;
     double intensity = 0;
@@ -79,7 +79,7 @@ struct Calibration {
     std::vector<CalibrationPoint> points;
 };
 
-/// What building a table takes, in reads' worth of time, measured on this machine.
+/// Cost of building a table, in reads' worth of time, measured on this machine.
 struct BuildCost {
     std::string algorithm, shape;
     double reads = 0;
@@ -98,7 +98,7 @@ struct Factorial {
 [[nodiscard]] Factorial run_factorial(const Levels& levels, const std::function<void()>& on_trace,
                                       const std::atomic<bool>& stop);
 
-/// How many scenes that traces.
+/// Returns how many scenes the factorial traces.
 [[nodiscard]] std::size_t scenes_to_trace(const Levels& levels);
 
 }  // namespace edgewise::studies::thrash

@@ -14,7 +14,7 @@ namespace edgewise::studies::thrash {
 /// The axis of speed of figures 7 and 8, rad per second.
 inline constexpr std::array<double, 7> speeds = {1, 2, 3, 4, 5, 6, 7};
 
-/// ns per query at each of these speeds.
+/// ns per query at each of the speeds.
 using SpeedCurve = std::array<double, speeds.size()>;
 
 struct Figure8 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What one scene's queries ask of memories of any size: a trace in time order through exact reuse distances
+// Memory demand of one scene's queries for any memory size: a trace in time order through reuse distances
 // (reuse_distance.hpp), of lines of 32 bytes as the processors of the paper's time had them, and of pages of
 // 4 KiB. Everything counts that a step reads and writes: tables, the caches of pairs, the broad phase's
 // arrays. Some steps fill the memory, those after them count.
@@ -57,13 +57,13 @@ struct MemoryDemand {
                                         const scene::Workload& workload, bench::Sharing sharing,
                                         const MemorySizes& sizes, std::size_t filling);
 
-// What a query takes on a processor of the paper's time with too little memory:
+// Time of a query on a processor of the paper's time with too little memory:
 //
 //     t = reads x k + sum over levels of misses x latency + TLB misses x walk + faults x c
 //
 // k is the processor's time for each read of a field, everything in its first cache: one number per machine
 // and time step, such that the tops of figures 4, 6 and 7 (no thrash there, says the paper) are met on
-// average. Reads stand for the processor's work: unlike instructions they can be counted in every cell. The
+// average. Reads measure the processor's work: unlike instructions they can be counted in every cell. The
 // caches are fully associative LRU here: exact for any size, a little kind to the real ones.
 
 /// One of measure/machines with lines of 32 bytes and two levels.
@@ -83,7 +83,7 @@ class OldMachine {
     /// A page walk reads two tables, as 32-bit processors have them: from the second level, assumed.
     [[nodiscard]] double walk_ns() const { return 2 * second_level_ns(); }
 
-    /// Of so many misses of the first level, the second and the TLB.
+    /// Returns the time of these misses of the first level, the second and the TLB.
     [[nodiscard]] double memory_time_ns(double first, double second, double tlb) const {
         return (first - second) * second_level_ns() + second * memory_ns() + tlb * walk_ns();
     }
@@ -95,7 +95,7 @@ class OldMachine {
 /// Those of the factorial, of measure/machines: the text was written in 2000 or 2001 of experiments before.
 [[nodiscard]] std::vector<OldMachine> old_machines();
 
-/// The caches' and TLBs' sizes, and memories of so many bytes.
+/// Returns the sizes of the caches and TLBs, and of memories of these bytes.
 [[nodiscard]] MemorySizes sizes_for(const std::vector<OldMachine>& machines,
                                     const std::vector<std::uint64_t>& memories);
 

@@ -11,8 +11,8 @@ namespace {
 /// misses none.
 double swept_misses(double units, double memory_units) { return units > memory_units ? units : 0; }
 
-/// Of the queries of a step after such a sweep: the memory holds the sweep's last units, so of the distinct
-/// ones of a step this part misses on average.
+/// Returns the misses of a step's queries after a sweep: the memory holds the sweep's last units, so this
+/// part of the step's distinct units misses on average.
 double misses_after_sweep(double distinct, double units, double memory_units) {
     return distinct * std::max(0.0, 1 - memory_units / units);
 }

@@ -54,7 +54,7 @@ PredictedFaults faults_of(const PagesUsed& used, std::size_t first, std::size_t 
     return faults;
 }
 
-/// As many queries from `first` on as wait no longer than that.
+/// Returns the end of the longest run of queries from `first` that waits no longer than the limit.
 std::size_t end_within(const PagesUsed& used, std::size_t first, std::size_t last,
                        measure::SegmentedLru memory, double faults_allowed) {
     double faults = 0;
@@ -65,8 +65,8 @@ std::size_t end_within(const PagesUsed& used, std::size_t first, std::size_t las
     return last;
 }
 
-/// As many pages are mapped as a TLB of the time had entries: hardly a page is used unseen, so that what goes
-/// is what was not used for longest.
+/// Mapped pages: the number of entries of a TLB of the time. Hardly a page is used unseen, so the pages that
+/// are evicted are those not used for longest.
 constexpr std::size_t most_mapped = 64;
 
 measure::SegmentedLru memory_of(std::size_t pages, std::uint64_t bytes) {

@@ -2,7 +2,7 @@
 //
 // A cell of the factorial made real: figure 8 itself, time against speed, both algorithms, 38 and 386
 // vertices, on this machine with its tables in a memory of the cell's size, where a page that is not held
-// comes after the cell's cost (fault_pager.hpp). Beside each time stands its prediction: the same queries
+// comes after the cell's cost (fault_pager.hpp). Each time has a prediction: the same queries
 // without the pager, and the faults that the same policy has on the pages of a trace.
 #pragma once
 
@@ -35,12 +35,12 @@ struct RealisedCell {
     std::vector<RealisedCurve> curves;
     std::string reason, remedy;  ///< why there are none
 
-    /// Of all points, the largest quotient of measured and predicted, whichever is larger.
+    /// Returns the largest quotient, over all points, of measured and predicted time, in either direction.
     [[nodiscard]] double worst_ratio() const;
 };
 
-/// What to make real: of each cost of a fault the one of the queries alone that holds most of the facts
-/// and among these rises nearest to the paper's 12 (on the first machine); of them the best three.
+/// Returns the outcomes to make real. For each cost of a fault, of the queries alone: the one with most facts
+/// that rises nearest to the paper's 12 (on the first machine); of these outcomes the best three.
 [[nodiscard]] std::vector<Outcome> outcomes_to_realise(const Factorial& factorial, std::size_t count);
 
 /// `budget_ns`: of waiting, for each point; where that is less than all counted steps, fewer queries are

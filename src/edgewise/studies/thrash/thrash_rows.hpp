@@ -27,13 +27,13 @@ struct OutcomeGroup {
 
     [[nodiscard]] std::size_t with(Fact fact) const;
     [[nodiscard]] std::size_t with_all() const;
-    /// The one with most facts, of these the one that rises nearest to 12.
+    /// Returns the outcome with most facts; among equals the one that rises nearest to 12.
     [[nodiscard]] const Outcome& best() const;
 };
 
 [[nodiscard]] std::vector<OutcomeGroup> groups_of(const Factorial& factorial);
 
-/// Whether this program has the table types of the levels.
+/// Returns true if this program has the table types of the levels.
 [[nodiscard]] bool has_tables(const Levels& levels);
 
 /// Traces, scores, makes the best cells real and stores all of it, unless the build's rows are there.

@@ -3,7 +3,7 @@
 // How queries scale over threads, in two ways of sharing. Shared: all threads ask one set of tables, each
 // frame's batch divided among them (algorithms/parallel_batch.hpp); what does not scale is the handing out,
 // the wait for a frame's last part, and the caches. Apart: each thread asks tables, pairs and poses of its
-// own, and waits for nobody; what one loses there to the others is the cache and the memory that they share,
+// own, and never waits; a thread still loses time to the others in the cache and the memory that they share,
 // and a clock that falls when more cores work. Threads go where the system puts them, and with simultaneous
 // multithreading two may be on one core.
 //
@@ -42,14 +42,14 @@ struct TimedPass {
     double sum = 0;  ///< as ThreadedPass::sum
 };
 
-/// One pass of this one in so many threads, after one that fills caches.
+/// Times one pass with this number of threads, after one that fills caches.
 [[nodiscard]] TimedPass time_shared(bench::ThreadedPass& pass, int threads);
 
-/// One pass of each copy, in as many threads. Nobody's is timed before all have made one, and who is done
-/// goes on until all are: the others are at work from its beginning to its end.
+/// Times one pass of each copy, one thread per copy. Timing starts after all threads have made one pass, and
+/// a thread that is done goes on until all are: the others are busy during the whole of a timed pass.
 [[nodiscard]] std::vector<TimedPass> time_apart(std::span<const CellCopy> copies);
 
-/// What is asked when nobody says otherwise: a table for each of 600 bodies, more than a second cache holds.
+/// Default cell: a table for each of 600 bodies, more than a second-level cache holds.
 inline const CellChoice scaling_cell = {.table = "lean_f64",
                                         .algorithm = "vclip",
                                         .scene = "pressure",
@@ -73,7 +73,7 @@ struct WayOfSharing {
 struct ScalingRow {
     int threads = 1;
     WayOfSharing shared, apart;
-    double contention = 0;  ///< apart: a thread's time for its pass beside the others, over one alone
+    double contention = 0;  ///< apart: a thread's time for its pass with the others running, over one alone
 };
 
 struct Scaling {
@@ -81,7 +81,7 @@ struct Scaling {
     std::size_t queries = 0, frames = 0;  ///< of a pass
     double table_bytes = 0;               ///< of all tables of one set
     std::size_t checked = 0;              ///< answers held against exact ones
-    std::size_t passes = 0;               ///< whose sums were held against that of single queries
+    std::size_t passes = 0;               ///< passes with a sum that was compared with that of single queries
     std::string wrong;                    ///< empty: all are right
     std::vector<ScalingRow> rows;         ///< in the plan's order; none where something is wrong
 };
@@ -89,12 +89,12 @@ struct Scaling {
 /// Cores that this process may use.
 [[nodiscard]] int usable_cores();
 
-/// What is measured: 1 and those asked for, once each and in order; if none are, 1, 2, 4, ... and all
-/// cores. Throws std::invalid_argument for more than there are: they would take turns, which is no scaling.
+/// Returns the thread counts to measure: 1 and those asked for, once each and in order; else 1, 2, 4, ... and
+/// all cores. Throws std::invalid_argument for more than there are: those would take turns, not scale.
 [[nodiscard]] std::vector<int> scaling_threads(std::span<const int> asked, int cores);
 
-/// Empty, or what is wrong with a pass of so many threads that do this: to the bit its sum is that of single
-/// queries.
+/// Returns "", or what is wrong with a pass of this many threads: its sum must equal that of single queries
+/// to the last bit.
 [[nodiscard]] std::string compare_sums(double sum, double single, int threads, const char* that_do);
 
 /// on_round is called after each round. Rows are of the rounds that were done when `stop` was seen, if any.
