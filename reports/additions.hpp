@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What folders below reports/ add to the report and to the program, each with one line in its CMakeLists.txt
+// Additions of folders below reports/ to the report and the program, each with one line in its CMakeLists.txt
 // (edgewise_addition): nothing else names such a folder, and deleting it deletes what it adds.
 #pragma once
 
@@ -15,23 +15,23 @@
 namespace edgewise::reports {
 
 struct Addition {
-    /// All that have something to draw; those with a section stand in the chapter.
+    /// Returns all charts that have something to draw; the chapter shows those with a section.
     std::vector<Chart> (*charts)(const ReportData& data);
-    /// They stand after the chapter on hard cases. `charts`: all of the report's.
+    /// Returns the chapters that follow the one on hard cases. `charts`: all charts of the report.
     std::vector<Chapter> (*chapters)(const ReportData& data, const std::vector<Chart>& charts);
 
-    const char *command, *command_does;  ///< a command that reads a store, and what --help says of it
-    /// What the command prints.
+    const char *command, *command_does;  ///< a command that reads a store, and its line in --help
+    /// Returns the output of the command.
     std::string (*command_text)(const ReportData& data, bool json);
-    /// What it compares of two stores, with --diff.
+    /// Returns the figures that the command compares between two stores, with --diff.
     measure::FigureRecord (*command_record)(const ReportData& data);
 
-    const char* bytes_key;  ///< what stands under this key in what `edgewise bytes --json` prints
+    const char* bytes_key;  ///< the key of this addition in the output of `edgewise bytes --json`
     nlohmann::json (*bytes_json)();
-    std::string (*bytes_text)();  ///< the same below its tables
+    std::string (*bytes_text)();  ///< the same numbers as text, printed below the tables
 };
 
-/// In the order of CMake's lists; generated.
+/// Returns all additions in the order of CMake's lists; generated.
 [[nodiscard]] std::span<const Addition> additions();
 
 }  // namespace edgewise::reports

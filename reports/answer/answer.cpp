@@ -14,7 +14,7 @@ namespace edgewise::reports {
 
 namespace {
 
-/// Of one scene by shape.
+/// Cells of one scene by shape.
 using ByShape = std::map<std::string, std::vector<const ReportCell*>>;
 
 struct StoredScenes {
@@ -34,7 +34,7 @@ StoredScenes scenes_of(const ReportData& data) {
     return scenes;
 }
 
-/// The shape that a scene answers for; null where it has none of that name.
+/// Returns the cells of the shape that a scene answers for; null if it has no shape of that name.
 const std::vector<const ReportCell*>* chosen_shape(const ByShape& shapes, const Question& question,
                                                    const std::string& reference) {
     const auto found = shapes.find(question.shape.value_or(reference));
@@ -56,7 +56,7 @@ CellCounts counts_of(const ReportData& data) {
     return counts;
 }
 
-/// Of one table type over all scenes.
+/// Results of one table type over all scenes.
 struct Tally {
     std::size_t losses = 0, ties = 0, choices = 0;
     double bytes = std::numeric_limits<double>::infinity();

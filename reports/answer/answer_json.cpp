@@ -16,11 +16,11 @@ namespace {
 
 using AnswerJson = nlohmann::json;
 
-constexpr std::size_t runners_up = 2;  ///< named after those that tie
+constexpr std::size_t runners_up = 2;  ///< number of cells named after the tied ones
 
 AnswerJson or_null(const std::optional<double>& value) { return value ? AnswerJson(*value) : AnswerJson(); }
 
-/// Of the noisiest scene, and of how many it is known.
+/// Returns the variation in the noisiest scene, and the number of scenes where it is known.
 AnswerJson noise_json(const Answer& answer) {
     OwnVariation widest;
     std::size_t cells = 0;
@@ -53,7 +53,7 @@ AnswerJson scene_json(const SceneRanking& scene) {
     return json;
 }
 
-/// The scene by which `take` is shown: where it ties with the smallest ratio.
+/// Returns the scene that represents `take`: the one where it ties with the smallest ratio.
 const SceneRanking& shown_scene(const Recommendation& take) {
     const RankedCell* example = &take.example();
     return *std::ranges::find(take.scenes, example, &Recommendation::InScene::cell)->scene;
@@ -82,7 +82,7 @@ AnswerJson dropped_json(const SceneRanking& scene) {
     return dropped;
 }
 
-/// Who would win under a larger limit: the fastest of the dropped cells, if it is faster than the winner.
+/// Adds the winner under a larger limit: the fastest of the dropped cells, if it is faster than the winner.
 void add_larger_limit(const std::vector<SceneRanking>& scenes, const SceneRanking& scene,
                       std::vector<std::string>& changes) {
     for (const RankedCell& one : scene.cells) {
@@ -101,7 +101,7 @@ void add_larger_limit(const std::vector<SceneRanking>& scenes, const SceneRankin
     }
 }
 
-/// Below which limit the recommended cell is dropped.
+/// Adds the limit below which the recommended cell is dropped.
 void add_smaller_limit(const Recommendation& take, std::vector<std::string>& changes) {
     if (take.worst_error && *take.worst_error > 0)
         changes.push_back(fmt::format("an error below {} asked for: {} is dropped",

@@ -10,20 +10,20 @@
 
 namespace edgewise::reports {
 
-/// "take" is for the tables asked about; where both were asked, for a shared table if scenes of it were
-/// measured, and "own_tables" says so. "next" are the others that tie, then those that follow; "dropped"
-/// those over the error limit; "changes_it" sentences; "held" is null: no prediction stands beside the
-/// measurement here. "scenes" has every scene with its ranked cells. Numbers that were not measured are null.
+/// Returns the answer as JSON. "take" is for the tables in question; if the question allows both kinds, for a
+/// shared table if such scenes were measured, and "own_tables" says so. "next": tied cells, then slower ones;
+/// "dropped": cells over the error limit; "changes_it": sentences; "held": null, since nothing was predicted
+/// here. "scenes": every scene with its ranked cells. Numbers that were not measured are null.
 [[nodiscard]] nlohmann::json answer_json(const Answer& answer);
 
-/// algorithm, table, ns, time_ratio [low, mid, high], bytes_per_edge, lines_per_query, error.
+/// Returns algorithm, table, ns, time_ratio [low, mid, high], bytes_per_edge, lines_per_query, error.
 [[nodiscard]] nlohmann::json ranked_json(const RankedCell& cell);
 
-/// What would change the answer of `scenes`: another error limit, or the other kind of tables.
+/// Returns what would change the answer of `scenes`: another error limit, or the other kind of tables.
 [[nodiscard]] std::vector<std::string> what_changes_it(const Answer& answer,
                                                        const std::vector<SceneRanking>& scenes);
 
-/// `edgewise advise` with the options that ask the same; for one kind of tables where it is given.
+/// Returns the `edgewise advise` command of this question; for one kind of tables if `own_tables` is given.
 [[nodiscard]] std::string advise_command(const Answer& answer, std::optional<bool> own_tables = {});
 
 }  // namespace edgewise::reports

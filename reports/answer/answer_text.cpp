@@ -13,7 +13,7 @@ namespace edgewise::reports {
 
 namespace {
 
-/// Smallest and largest of what some scenes have.
+/// Smallest and largest value over some scenes.
 struct Range {
     std::optional<double> low, high;
 
@@ -31,7 +31,7 @@ std::string condition_of(bool own_tables) {
     return own_tables ? "If every body has a table of its own" : "If your bodies share a table";
 }
 
-/// "139 bytes per edge instead of 234, worst error 2e-7"
+/// Returns "139 bytes per edge instead of 234, worst error 2e-7".
 std::string costs(const Recommendation& take) {
     const RankedCell& cell = take.example();
     const RankedCell* baseline = take.scenes.front().scene->baseline();
@@ -45,7 +45,7 @@ std::string costs(const Recommendation& take) {
     return text;
 }
 
-/// How the best GJK does beside the choice, over the scenes of the take.
+/// Compares the best GJK with the choice, over the scenes of the take.
 std::string gjk_sentence(const Recommendation& take) {
     if (take.algorithm == "gjk") return {};
     Range range;
@@ -57,7 +57,7 @@ std::string gjk_sentence(const Recommendation& take) {
     return fmt::format(" The best GJK within the error takes {} times as long.", range.text());
 }
 
-/// "600 tables take 5.8 MiB instead of 154 MiB"
+/// Returns "600 tables take 5.8 MiB instead of 154 MiB".
 std::string memory_sentence(const Recommendation& take) {
     const RankedCell* most = nullptr;
     const RankedCell* beside = nullptr;
@@ -73,7 +73,7 @@ std::string memory_sentence(const Recommendation& take) {
     return text + ".";
 }
 
-/// Scenes where something else wins.
+/// Names the scenes where another cell wins.
 std::string exceptions(const Recommendation& take) {
     std::string text;
     for (const Recommendation::InScene& one : take.scenes) {
@@ -87,7 +87,7 @@ std::string exceptions(const Recommendation& take) {
     return text.empty() ? text : " Elsewhere: " + text + ".";
 }
 
-/// Scenes in which the winner's own interval tells next to nothing.
+/// Names the scenes in which the winner's own interval is too wide to decide.
 std::string noisy_sentence(const std::vector<SceneRanking>& scenes) {
     std::string names;
     for (const SceneRanking& scene : scenes)
@@ -101,7 +101,7 @@ std::string noisy_sentence(const std::vector<SceneRanking>& scenes) {
 
 std::string scene_count(std::size_t count) { return plural(count, "scene"); }
 
-/// Where the choice beats the baseline, by how much; where not, that nothing does.
+/// Says where the choice beats the baseline and by how much, or that nothing beats it.
 std::string ratios_sentence(const Recommendation& take) {
     Range faster;
     std::size_t wins = 0, tied = 0;
@@ -144,7 +144,7 @@ AdviceText take_winner(const Recommendation& take, bool own_tables) {
             (cost.empty() ? "" : "It has " + cost + ".") + ratios_sentence(take)};
 }
 
-/// What was not measured in scenes that therefore recommend nothing, and how to measure it.
+/// Says what was not measured in scenes that recommend nothing for that reason, and how to measure it.
 std::string missing_sentence(const std::vector<SceneRanking>& scenes, const Answer& answer) {
     std::string missing;
     for (const SceneRanking& scene : scenes) {

@@ -10,7 +10,7 @@
 
 namespace edgewise::reports {
 
-/// What to take, and what that rests on.
+/// A recommendation and its reasons.
 struct AdviceText {
     std::string lead, rest;
 };
@@ -24,41 +24,41 @@ struct AnswerText {
 
 [[nodiscard]] AnswerText answer_text(const Answer& answer, const ReportData& data);
 
-/// All of it as one paragraph.
+/// Returns all sentences as one paragraph.
 [[nodiscard]] std::string answer_paragraph(const Answer& answer, const ReportData& data);
-/// That paragraph, and a line for the tie set of each scene.
+/// Returns the paragraph, and a line for the tie set of each scene.
 [[nodiscard]] std::string terminal_text(const Answer& answer, const ReportData& data);
 
-/// "keep V-Clip on aos_f64" and so on, of one group of scenes; null where none has a winner.
+/// Returns "keep V-Clip on aos_f64" and so on for one group of scenes; null if none has a winner.
 [[nodiscard]] std::optional<AdviceText> advice_of(const std::vector<SceneRanking>& scenes,
                                                   const Answer& answer);
 
-/// Whether every planned cell is there: "1281 of 1281 planned cells verified, 0 failed", or that the sweep
+/// Says that every planned cell is there, "1281 of 1281 planned cells verified, 0 failed", or that the sweep
 /// was stopped and how many are missing.
 [[nodiscard]] std::string cells_sentence(const Answer& answer);
-/// "31213 of 171554 figures were not measured".
+/// Returns "31213 of 171554 figures were not measured".
 [[nodiscard]] std::string gaps_sentence(const Answer& answer);
-/// The baseline's own variation in one scene: "0.2 %"; empty where it was not measured.
+/// Returns the baseline's own variation in one scene, "0.2 %"; empty if it was not measured.
 [[nodiscard]] std::string own_variation_text(const SceneRanking& scene);
-/// The baseline's own variation, in the quietest scene and in the noisiest: "0.2 % (cold) to 19 %
-/// (pressure)"; empty where it was not measured.
+/// Returns the baseline's own variation in the quietest and in the noisiest scene, "0.2 % (cold) to 19 %
+/// (pressure)"; empty if it was not measured.
 [[nodiscard]] std::string noise_text(const Answer& answer);
 
 /// Explains the time of a cell next to another by steps, lines and the cost of a step.
 [[nodiscard]] std::string why_sentence(const RankedCell& cell, const RankedCell& beside);
 
-/// "1e-6"
+/// Returns "1e-6".
 [[nodiscard]] std::string limit_text(double limit);
-/// "0.72 [0.69, 0.83]", with two decimals: more would promise what another process does not hold.
+/// Returns "0.72 [0.69, 0.83]"; two decimals, because a further one would not repeat in another process.
 [[nodiscard]] std::string ratio_text(const RankedCell& cell);
-/// The tie set of a scene as every output names it, the winner first: "alone: V-Clip on lean_f32 0.72 [0.70,
+/// Returns the tie set of a scene, the winner first, as every output: "alone: V-Clip on lean_f32 0.72 [0.70,
 /// 0.74]", "2 tie: A 0.72 [0.70, 0.74]; B 0.75 [0.73, 0.77]", or that nothing is within the error.
 [[nodiscard]] std::string tie_set_text(const SceneRanking& scene);
-/// "5.8 MiB"
+/// Returns "5.8 MiB".
 [[nodiscard]] std::string size_text(double bytes);
-/// The processor's name, or that the store does not name it.
+/// Returns the processor's name, or says that the store does not name it.
 [[nodiscard]] std::string processor_text(const ReportData& data);
-/// Processor, data caches and what the program was compiled for: "AMD EPYC, 32 KiB / 1 MiB / 32 MiB of cache,
+/// Returns processor, data caches and compiler target: "AMD EPYC, 32 KiB / 1 MiB / 32 MiB of cache,
 /// compiled for this processor (-march=native)".
 [[nodiscard]] std::string machine_text(const ReportData& data);
 

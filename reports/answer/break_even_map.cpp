@@ -31,7 +31,7 @@ std::optional<MapPlace> place_of(const ReportCell& cell) {
 
 std::string scene_key(const ReportCell& cell) { return cell.scene + '\n' + cell.scene_parameters; }
 
-/// The bodies of which anything was timed, fewest vertices first; of too many those of the most scenes.
+/// Returns the bodies with timed cells, fewest vertices first; if there are too many, those with most scenes.
 std::vector<MapColumn> columns_of_data(const ReportData& data, BreakEvenMap& map) {
     std::map<std::pair<std::int64_t, std::string>, std::set<std::string>> scenes;
     for (const ReportCell* cell : data.swept()) {
@@ -50,7 +50,7 @@ std::vector<MapColumn> columns_of_data(const ReportData& data, BreakEvenMap& map
     return kept;
 }
 
-/// Of two scenes at one place the one that is nearer to what stands for it; then those that come along, then
+/// Orders two scenes of one place: first the one nearer to the value of the place, then built-in scenes, then
 /// the shorter name.
 auto preference(const SceneRanking& scene, const MapPlace& place) {
     const ReportCell& cell = *scene.cells.front().cell;
@@ -58,7 +58,7 @@ auto preference(const SceneRanking& scene, const MapPlace& place) {
                            scene.label.size(), scene.label);
 }
 
-/// The scenes of one column at their places.
+/// Returns the scenes of one column at their places.
 std::map<MapPlace, MapCell> map_cells_of(const Answer& answer) {
     std::map<MapPlace, MapCell> cells;
     for (const SceneRanking* scene : answer.scenes()) {
@@ -95,7 +95,7 @@ PlacedCells placed_cells(const ReportData& data) {
     return placed;
 }
 
-/// Why there is nothing at a place: what the store says of a cell of it, else that it has none.
+/// Says why a place has no result: the store's reason for one of its cells, else that it has no cell.
 std::string why_nothing(const PlacedCells& placed, const MapPlace& place, const std::string& shape) {
     const auto [first, last] = placed.cells.equal_range(place);
     for (auto at = first; at != last; ++at) {
@@ -107,7 +107,7 @@ std::string why_nothing(const PlacedCells& placed, const MapPlace& place, const 
     return "no scene of this store is of such bodies there";
 }
 
-/// Those of the map's bodies.
+/// Returns the places of the map's bodies.
 std::set<MapPlace> places_of(const PlacedCells& placed, const std::vector<MapColumn>& columns) {
     std::set<MapPlace> places;
     for (const auto& [place, cell] : placed.cells)

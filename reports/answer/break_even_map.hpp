@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Which algorithm and layout is fastest within the error, by vertices, coherence and number of tables: the
-// ranked scenes of all bodies of a store, each put in its place. A place of which nothing was measured says
-// so.
+// ranked scenes of all bodies of a store, each put in its place. A place without measurements says so in its
+// text.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +15,16 @@
 namespace edgewise::reports {
 
 struct MapCell {
-    const SceneRanking* scene = nullptr;  ///< the one that stands here; null: none
-    std::size_t further_scenes = 0;       ///< of the same place, which are not shown
-    std::string why = {};                 ///< of a place without a winner
+    const SceneRanking* scene = nullptr;  ///< the scene shown here; null: none
+    std::size_t further_scenes = 0;       ///< number of other scenes of the same place, which are not shown
+    std::string why = {};                 ///< reason, of a place without a winner
 
     [[nodiscard]] const RankedCell* winner() const { return scene ? scene->winner() : nullptr; }
-    /// The fastest cell of another algorithm within the error; null: none.
+    /// Returns the fastest cell of another algorithm within the error; null if there is none.
     [[nodiscard]] const RankedCell* best_of_others() const;
-    /// Algorithms and layouts that tie with the winner's; another precision of it is none.
+    /// Returns algorithms and layouts that tie with the winner's; another precision of it does not count.
     [[nodiscard]] std::vector<std::string> tied_layouts() const;
-    /// One algorithm and layout is ahead of all others.
+    /// Returns true if one algorithm and layout is ahead of all others.
     [[nodiscard]] bool is_won() const { return winner() && tied_layouts().empty() && !scene->too_noisy; }
 };
 
@@ -42,7 +42,7 @@ struct MapPanel {
     std::string tables;        ///< "one shared table", "100 to 999 tables"
     std::vector<MapRow> rows;  ///< the most coherent first
 
-    /// "V-Clip", where no other algorithm was timed in any of its cells; else empty.
+    /// Returns "V-Clip" if no other algorithm was timed in any of its cells; else empty.
     [[nodiscard]] std::string only_algorithm() const;
 };
 
@@ -54,19 +54,19 @@ struct BreakEvenMap {
     std::vector<Answer> answers;     ///< one for each column
     std::vector<MapColumn> columns;  ///< fewest vertices first
     std::vector<MapPanel> panels;    ///< fewest tables first
-    /// Too many bodies; bodies of which nothing was timed; scenes that have no place.
+    /// Number of bodies beyond the limit, of bodies without timed cells, and of scenes that have no place.
     std::size_t columns_left_out = 0, bodies_not_timed = 0, scenes_left_out = 0;
 
     [[nodiscard]] std::size_t measured() const;  ///< cells with a scene
 };
 
-/// The most bodies that a map has room for; those of the most scenes stay.
+/// The largest number of bodies in a map; the bodies with most scenes stay.
 inline constexpr std::size_t most_map_columns = 12;
 
-/// The data must outlive the map.
+/// Returns the map for one error limit. The data must outlive the map.
 [[nodiscard]] BreakEvenMap break_even_map(const ReportData& data, double error_limit);
 
-/// "V-Clip on lean": without the precision, which seldom decides.
+/// Returns "V-Clip on lean": without the precision, which rarely decides.
 [[nodiscard]] std::string layout_name(const RankedCell& cell);
 
 }  // namespace edgewise::reports

@@ -21,7 +21,7 @@ void each_cell(const BreakEvenMap& map, const Use& use) {
             for (std::size_t i = 0; i < row.cells.size(); ++i) use(row.cells[i], i);
 }
 
-/// The answer at a place, short enough to be compared with its neighbour.
+/// Returns the answer at a place, short enough to be compared with its neighbour.
 std::string answer_at(const MapCell& cell) {
     if (!cell.winner()) return "nothing within the error";
     if (cell.scene->too_noisy) return "too noisy to tell";
@@ -33,7 +33,7 @@ std::string answer_at(const MapCell& cell) {
     return text + " (a tie)";
 }
 
-/// "up to 8 vertices GJK on lean; 38: ...; from 386 on V-Clip on aos"
+/// Returns "up to 8 vertices GJK on lean; 38: ...; from 386 on V-Clip on aos".
 std::string map_line_of(const MapRow& row, const std::vector<MapColumn>& columns) {
     struct Stretch {
         std::int64_t from, to;
@@ -63,7 +63,7 @@ std::string map_line_of(const MapRow& row, const std::vector<MapColumn>& columns
     return text;
 }
 
-/// The columns of which the most was measured, in the map's order.
+/// Returns the columns with most measured cells, in the map's order.
 std::vector<std::size_t> fullest_columns(const BreakEvenMap& map, std::size_t most) {
     std::vector<std::size_t> counts(map.columns.size()), columns(map.columns.size());
     each_cell(map, [&](const MapCell& cell, std::size_t i) { counts[i] += cell.scene != nullptr; });

@@ -12,18 +12,18 @@
 
 namespace edgewise::reports {
 
-/// How many places were measured, how many one algorithm and layout wins, and which of them how often; empty
-/// where nothing was measured.
+/// Says how many places were measured, how many have a single winner, and how often each layout wins; empty
+/// if nothing was measured.
 [[nodiscard]] std::string break_even_sentence(const BreakEvenMap& map);
 
-/// A line for each row of the map with two sizes of bodies or more: from how many vertices on who wins.
+/// Returns a line for each row of the map with two or more sizes of bodies: which cell wins at which sizes.
 [[nodiscard]] std::vector<std::string> break_even_lines(const BreakEvenMap& map);
 
-/// The tie set of the place's scene and what is beside it; or why there is nothing.
+/// Returns the tie set of the place's scene with notes, or the reason why there is no result.
 [[nodiscard]] std::string cell_text(const MapCell& cell);
 
-/// A row per coherence and number of tables, a column per body, at most `most_columns` of those of which the
-/// most was measured; what is not measured with its reason.
+/// Returns a row per coherence and number of tables and a column per body, at most `most_columns`, the ones
+/// with most measured cells; places that were not measured have a reason.
 [[nodiscard]] TextGrid break_even_grid(const BreakEvenMap& map, std::size_t most_columns = most_map_columns);
 
 }  // namespace edgewise::reports

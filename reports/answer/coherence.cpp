@@ -15,7 +15,7 @@ namespace {
 
 constexpr double classes_per_decade = 2;
 
-/// The nearest power of the root of ten: 0.001, 0.0032, 0.01 ...
+/// Returns the nearest power of the root of ten: 0.001, 0.0032, 0.01 ...
 double class_of(double turn) {
     return std::pow(10, std::round(classes_per_decade * std::log10(turn)) / classes_per_decade);
 }

@@ -26,7 +26,7 @@ std::ptrdiff_t types_of(const SceneRanking& scene, const char* algorithm) {
                                  [&](const RankedCell& one) { return one.cell->algorithm == algorithm; });
 }
 
-/// Those that are fast in a scene with the most table types.
+/// Returns the fast layouts in a scene with the most table types.
 Known fast_ones(const std::vector<SceneRanking>& scenes) {
     Known fast;
     for (const char* const algorithm : both_algorithms) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether a scene holds enough to recommend anything. A layout wins against those that were measured beside
-// it: where GJK, or every small layout, is missing, the winner is the best of too few. So V-Clip and GJK must
+// Checks that a scene holds enough to recommend anything. A layout wins only against measured layouts: if GJK
+// or every small layout is missing, the winner is the best of too few. V-Clip and GJK must therefore
 // each have been measured on a small and on a fast layout; one layout may be both.
 #pragma once
 
@@ -21,7 +21,7 @@ inline constexpr double fast_ratio = 1.25;
 /// Sets `not_measured` of each: "GJK on a small layout", "V-Clip on a fast layout".
 void check_contests(std::vector<SceneRanking>& scenes);
 
-/// The rule in one sentence.
+/// Returns the rule in one sentence.
 [[nodiscard]] std::string contest_rule();
 
 }  // namespace edgewise::reports

@@ -17,7 +17,7 @@ constexpr std::size_t gaps_named = 3;
 
 double percent_less(double now, double before) { return 100 * (1 - now / before); }
 
-/// What the choice of one scene saves of the baseline's time and bytes; nothing where it is the baseline.
+/// Returns how much time and bytes the choice saves in one scene; empty if it is the baseline itself.
 std::string saving_of(const SceneRanking& scene) {
     const RankedCell *choice = scene.choice(), *baseline = scene.baseline();
     if (!choice || !baseline || choice == baseline || !scene.recommends()) return {};
@@ -31,7 +31,7 @@ std::string saving_of(const SceneRanking& scene) {
                        saved, why_sentence(*choice, *baseline));
 }
 
-/// How much a finding saves, for the order.
+/// Returns how much a finding saves; findings are ordered by it.
 double weight_of(const SceneRanking& scene) {
     const RankedCell* choice = scene.choice();
     return choice ? (scene.beats_baseline ? 1 - choice->ratio : 0) : -1;

@@ -10,7 +10,7 @@
 
 namespace edgewise::reports {
 
-/// Largest savings first, then what would change the answer, then what was not measured and how to get it.
+/// Returns the findings: largest savings, then changes of the answer, then missing figures and a remedy.
 [[nodiscard]] std::vector<std::string> what_to_look_at(const Answer& answer);
 
 [[nodiscard]] std::vector<std::string> what_passed(const Answer& answer);

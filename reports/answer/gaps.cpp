@@ -12,7 +12,7 @@ namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// "3 cases at 1e-6" -> "# cases at #e-#": the same reason of other numbers.
+/// Returns "# cases at #e-#" for "3 cases at 1e-6", so that reasons that differ in numbers are equal.
 std::string without_numbers(const std::string& text) {
     std::string out;
     for (const char c : text) {

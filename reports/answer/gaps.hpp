@@ -13,7 +13,7 @@ namespace edgewise::reports {
 
 struct Gap {
     std::string reason, remedy;
-    std::vector<std::string> probes;  ///< whose figures, in order
+    std::vector<std::string> probes;  ///< the probes of these figures, in order
     std::size_t figures = 0;
 };
 
@@ -24,7 +24,7 @@ struct Gaps {
     [[nodiscard]] std::size_t figures() const { return measured + missing; }
 };
 
-/// Of every cell and row of the store. Reasons that differ in numbers alone are one, with # for each number.
+/// Counts the gaps of a store's cells and rows. Reasons that differ in numbers only are one, each number a #.
 [[nodiscard]] Gaps gaps_of(const ReportData& data);
 
 }  // namespace edgewise::reports

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a reader of the report wants to know: which layout to take, for which bodies and how exact.
+// The reader's question to the report: which layout to take, for which bodies, and how exact.
 #pragma once
 
 #include <optional>

@@ -77,7 +77,7 @@ struct Baseline {
 
 /// The cells of one scene and shape, ranked.
 struct SceneRanking {
-    std::string label;     ///< name, with what tells it from its namesakes
+    std::string label;     ///< name, with the parameters that distinguish it from scenes of the same name
     std::string sentence;  ///< "100 bodies drift and turn by 0.1 rad per step, one shared table"
     std::string shape;
     std::int64_t vertices = 0;

@@ -10,7 +10,7 @@ namespace edgewise::reports {
 
 namespace {
 
-/// "12 bodies", where the scene says how many.
+/// Returns "12 bodies" if the scene says how many.
 std::string bodies_of(const ReportCell& cell) {
     const auto bodies = parameter_of(cell, "bodies");
     return bodies ? plural(static_cast<std::size_t>(*bodies), "body", "bodies") : "bodies";

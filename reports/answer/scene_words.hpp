@@ -9,13 +9,13 @@
 
 namespace edgewise::reports {
 
-/// Of a scene file its kind of scene, else the scene itself.
+/// Returns the kind of scene of a scene file, else the scene itself.
 [[nodiscard]] std::string scene_kind(const ReportCell& cell);
 
-/// Whether every body has a table of its own; else they share one.
+/// Returns true if every body has a table of its own, false if all share one.
 [[nodiscard]] bool has_own_tables(const ReportCell& cell);
 
-/// "100 bodies drift and turn by 0.1 rad per step, followed from step to step; one shared table".
+/// Returns "100 bodies drift and turn by 0.1 rad per step, followed from step to step; one shared table".
 [[nodiscard]] std::string scene_sentence(const ReportCell& cell);
 
 }  // namespace edgewise::reports

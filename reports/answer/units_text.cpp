@@ -37,7 +37,7 @@ std::vector<std::string> data_caches(const UnitsJson& machine) {
     return sizes;
 }
 
-/// What the stored compiler flags say of the processor.
+/// Says for which processor the program was compiled, from the stored compiler flags.
 std::string tuning_text(const std::string& flags) {
     constexpr std::string_view option = "-march=";
     const std::size_t at = flags.rfind(option);

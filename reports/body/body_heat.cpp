@@ -20,7 +20,7 @@ namespace {
 
 using HeatJson = nlohmann::json;
 
-/// All members of a list as numbers; null where one is none.
+/// Returns all members of a list as numbers; null if a member is not a number.
 template <class Number>
 std::optional<std::vector<Number>> numbers_of(const HeatJson& list) {
     if (!list.is_array()) return std::nullopt;
@@ -58,7 +58,7 @@ std::optional<HeatBody> heat_body(const std::string& text) {
     return body;
 }
 
-/// Sets the reads of `count` features per query; false where the store has something else.
+/// Sets the reads of `count` features per query; false if the store has something else.
 bool take_reads(const HeatJson& json, const char* kind, double queries, std::size_t count, FeatureReads& to) {
     const HeatJson list = json.value(kind, HeatJson());
     if (list.is_null()) return true;
@@ -91,7 +91,7 @@ std::string reads_text(const char* one, const char* many, const FeatureReads& re
                        plural(reads->size(), one, many), most - reads->begin(), number_text(*most));
 }
 
-/// The reference shape's baseline first.
+/// Returns cells with stored reads, the reference shape's baseline first.
 std::vector<const ReportCell*> cells_with_heat(const ReportData& data) {
     const std::string reference = reference_shape(data);
     const Baseline baseline = baseline_of(data);

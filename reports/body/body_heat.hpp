@@ -21,16 +21,16 @@ struct HeatBody {
     std::vector<std::vector<std::uint32_t>> faces;    ///< counter-clockwise from outside
 };
 
-/// Reads of each feature of a kind per query; null where the layout stores nothing for these alone.
+/// Reads of each feature of a kind per query; null if the layout stores no data for these features.
 using FeatureReads = std::optional<std::vector<double>>;
 
 struct BodyHeat {
     const ReportCell* cell = nullptr;
     FeatureReads vertices, edges, faces;
 
-    /// "V-Clip on aos_f64, tumble (rotation_step 1), sphere386"
+    /// Returns "V-Clip on aos_f64, tumble (rotation_step 1), sphere386".
     [[nodiscard]] std::string title() const;
-    /// Of each kind how many were read at all, and how often the hottest.
+    /// Says for each kind of feature how many were read at all, and how often the hottest.
     [[nodiscard]] std::string sentence() const;
 };
 
@@ -39,13 +39,13 @@ struct HeatOnBodies {
     std::vector<BodyHeat> heats;  ///< of bodies that are there; the reference shape's baseline first
 };
 
-/// The most heats that a page carries.
+/// The largest number of heats in a page.
 inline constexpr std::size_t most_heats = 24;
 
-/// What is no such body or heat, or does not fit its body, is left out. The data must outlive it.
+/// Reads all heats of a store; leaves out malformed bodies and unfitting heats. The data must outlive it.
 [[nodiscard]] HeatOnBodies heat_on_bodies(const ReportData& data);
 
-/// From 0, never read, to 5, logarithmic up to the hottest of its kind.
+/// Number of levels, from 0, never read, to 5; logarithmic up to the hottest feature of its kind.
 inline constexpr std::size_t heat_levels = 6;
 [[nodiscard]] std::size_t heat_level(double reads, double most);
 

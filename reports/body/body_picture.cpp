@@ -21,7 +21,7 @@ struct BodyPoint {
     double x = 0, y = 0;
 };
 
-/// Seen along the negative z axis after both turns; y downwards, as in a picture.
+/// Returns the points seen along the negative z axis after both turns; y downwards, as in a picture.
 std::vector<BodyPoint> seen_points(const HeatBody& body) {
     std::array<double, 3> middle = {};
     for (const auto& v : body.vertices)
@@ -41,7 +41,7 @@ std::vector<BodyPoint> seen_points(const HeatBody& body) {
     return points;
 }
 
-/// Whether its ring runs counter-clockwise in the picture, that is clockwise with y downwards.
+/// Returns true if a ring runs counter-clockwise in the picture, that is clockwise with y downwards.
 bool faces_us(const std::vector<std::uint32_t>& ring, const std::vector<BodyPoint>& points) {
     double area = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -51,7 +51,7 @@ bool faces_us(const std::vector<std::uint32_t>& ring, const std::vector<BodyPoin
     return area < 0;
 }
 
-/// What is in sight: faces, and the edges and vertices of their rings.
+/// Visible features: faces, and the edges and vertices of their rings.
 struct Sight {
     std::vector<bool> faces, vertices;
     std::set<std::array<std::uint32_t, 2>> edges;  ///< the smaller end first
@@ -71,7 +71,7 @@ struct Sight {
     }
 };
 
-/// A path for each level, of features of one kind; `paths`: theirs, empty of those out of sight.
+/// Returns a path for each level, of one kind of feature; `paths`: one per feature, empty if it is hidden.
 std::string level_paths(const std::vector<std::string>& paths, const FeatureReads& reads, const char* kind) {
     std::array<std::string, heat_levels> levels;
     const double most = reads && !reads->empty() ? std::ranges::max(*reads) : 0;
