@@ -30,7 +30,7 @@ struct StepCosts {
 
 /// Costs of a scene in time order with boxes and poses in its frames; other scenes get only the reason.
 /// Medians of a few passes over all steps; the first step of a population, where nothing is known from
-/// before, is run not counted.
+/// before, is run and not counted.
 [[nodiscard]] StepCosts step_costs(const bench::Runner& runner, const scene::Workload& workload);
 
 class cost {
