@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a table costs to make: preprocessing, from the canonical body with its face planes, hull and planes
+// Cost of making a table: preprocessing, from the canonical body with its face planes, hull and planes
 // not counted; and again after a deformation that keeps the topology, refitted in place where the layout can.
 // Both are timed alternately, so that their ratio means more than either.
 #pragma once

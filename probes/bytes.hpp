@@ -62,7 +62,7 @@ class bytes {
         return result;
     }
 
-    /// Of another library: what a shape allocates, its object and a pair's cache. What for it does not tell.
+    /// Bytes of another library: a shape's allocations, its object, a pair's cache. It does not say what for.
     [[nodiscard]] static std::vector<measure::Figure> of_peer(std::size_t edges,
                                                               const bench::Runner& runner) {
         const std::uint64_t allocated = runner.ledger().total();

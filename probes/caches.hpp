@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Modelled caches: what the scene's first queries (as many as the plan traces) miss in the caches of each
-// chosen machine, and why. Emptied: caches are emptied before each query, tables alone. Two passes over the
-// same queries: the first starts with every cache empty and fills them as the scene goes, the steady one
-// comes after it and finds what it left. Misses of queries that start cold and warm are counted apart by
-// name, in the same pass: cold ones fill the caches for warm ones. That the first pass did start empty is
-// checked: every first touch of a line must have missed in every level, so that cold_verified is 1.
+// Modelled caches: misses of the scene's first queries (the number that the plan traces) in the caches of
+// each chosen machine, and their causes. Emptied: caches are emptied before each query, tables alone. Two
+// passes over the same queries: the first starts with every cache empty and fills them as the scene goes, the
+// steady pass comes after it and finds what it left. Misses of queries that start cold and warm are counted
+// apart by name, in the same pass: cold ones fill the caches for warm ones. That the first pass did start
+// empty is checked: every first touch of a line must have missed in every level, so that cold_verified is 1.
 #pragma once
 
 #include <algorithm>

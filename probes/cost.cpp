@@ -29,7 +29,7 @@ class StepWatch {
         while (steps_ < whole && (steps_ < fewest_steps || end_of(steps_ - 1) < enough_queries)) ++steps_;
     }
 
-    /// One pass over all steps, with these parts of each; ns of those that count.
+    /// Runs one pass over all steps with the given parts of each; returns the ns of the steps that count.
     double pass(StepParts parts) {
         double ns = 0;
         for (std::size_t i = 0; i < steps_; ++i) {
@@ -95,7 +95,7 @@ class StepWatch {
     std::optional<SweepAndPrune> broad_phase_;
     std::vector<Aabb> boxes_;
     std::size_t steps_ = 0;           ///< of a pass
-    volatile std::size_t found_ = 0;  ///< what nobody reads might not be computed
+    volatile std::size_t found_ = 0;  ///< results must be stored somewhere, or they might not be computed
     volatile double sum_ = 0;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What a step of the scene costs, as the paper's cost functions split it (section 1): N_v tests of bounding
+// Cost of a step of the scene, as the paper's cost functions split it (section 1): N_v tests of bounding
 // volumes at C_v each, N_p tests of primitives at C_p, N_u updates of bounding volumes at C_u.
 //     equation 1: T = N_v C_v + N_p C_p        equation 2: the same + N_u C_u
-// Beside these sums stands the time that the whole step really took. Times are medians of a few passes, each
+// Next to these sums it gives the time that the whole step took. Times are medians of a few passes, each
 // part timed alone; what a sum misses is what the parts do to each other's caches.
 #pragma once
 
@@ -28,9 +28,9 @@ struct StepCosts {
     [[nodiscard]] double equation_2() const { return equation_1() + bodies * update_ns; }
 };
 
-/// Of a scene in time order whose frames have boxes and poses; of any other only the reason. Medians of a few
-/// passes over all steps; the first step of a population, where nothing is known from before, is taken and
-/// not counted.
+/// Costs of a scene in time order with boxes and poses in its frames; other scenes get only the reason.
+/// Medians of a few passes over all steps; the first step of a population, where nothing is known from
+/// before, is run and not counted.
 [[nodiscard]] StepCosts step_costs(const bench::Runner& runner, const scene::Workload& workload);
 
 class cost {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Counters: what the processor counted of a pass in the steady state, in small groups, a pass each, less what
-// an empty batch costs; and what the kernel counted: page faults, context switches, migrations. What each
-// event is and counts, on this machine, is in the build's record, as `edgewise machine` tells it.
+// Counters: processor counts of a pass in the steady state, in small groups, a pass each, less those of
+// an empty batch; and kernel counts: page faults, context switches, migrations. The build's record says
+// what each event is and counts on this machine, as `edgewise machine` shows it.
 #pragma once
 
 #include "edgewise/bench/probe.hpp"

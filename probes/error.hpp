@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Error: the answers beside the exact ones. Two separate errors: against the exact answer of the bodies
+// Error: the answers against the exact ones. Two separate errors: against the exact answer of the bodies
 // that the table holds (the algorithm's own error) and of the bodies as given (with the rounding of storage
 // on top). Verdicts are wrong only outside the band where rounding decides; cases inside it are counted and
 // shown separately.
@@ -96,7 +96,7 @@ class error {
         }
     }
 
-    /// How often the paper's control disagrees: of checked answers, and of these outside the band.
+    /// How often the paper's control disagrees: over checked answers, and over those outside the band.
     static void add_control(Answers answers, std::vector<measure::Figure>& all) {
         double asked = 0, disagrees = 0, outside = 0;
         for (const truth::CheckedAnswer& answer : answers) {

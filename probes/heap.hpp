@@ -12,8 +12,8 @@ struct heap {
     static constexpr std::string_view summary =
         "one table, pair caches, broad phase in jemalloc: requested, size classes, slack, resident";
 
-    /// One table of the first body, built anew; and blocks of the sizes that the caches of a scene's pairs
-    /// and the arrays of its broad phase have.
+    /// Heap use of one newly built table of the first body, and of blocks with the sizes of the pairs' caches
+    /// and of the broad phase's arrays.
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell);
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Cache lines: how many distinct lines of 64 bytes a query reads of both tables, and what of their bytes it
-// asked for; of queries that start cold and warm apart. Over the first queries of the scene; where it is
-// asked step after step, over as many pairs, followed through fifty steps or more. Padding may lower the
+// Cache lines: the number of distinct lines of 64 bytes that a query reads of both tables, and the share of
+// their bytes that it accessed; cold and warm starts apart. Over the first queries of the scene. In a scene
+// in time order, over the same number of pairs, followed through fifty steps or more. Padding may lower the
 // first and raise the table's size: a cache pays for lines.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Memory of a whole scene: what all its tables ask for, what that takes in the allocator, how many pages are
-// really there, and how much of the tables ever stood (less than all in lazy ones).
+// really there, and how much of the tables was ever made (less than all in lazy ones).
 #pragma once
 
 #include "edgewise/bench/probe.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What it costs to keep a pair: an engine that asks pairs as they come finds each pair's cache in a hash map,
+// Cost of keeping a pair: an engine that queries pairs as they come finds each pair's cache in a hash map,
 // and makes its entry at the first query, as the libraries of the paper's time did. Edgewise's own loops find
 // it by its number. Measured by itself, with entries of this cell's size, so that a time per query can be
 // read with and without: std::unordered_map, a node for each entry, as theirs had.
@@ -39,7 +39,7 @@ class pairs {
         std::size_t found = 0;                     ///< by all repetitions
     };
 
-    /// Entries of so many bytes, up to the next power of two.
+    /// Times a map with entries of `bytes` bytes, rounded up to the next power of two.
     [[nodiscard]] static Times timed(std::size_t bytes, const std::vector<std::uint64_t>& keys) {
         if (bytes <= 8) return timed_of<8>(keys);
         if (bytes <= 16) return timed_of<16>(keys);
@@ -48,7 +48,7 @@ class pairs {
         return timed_of<128>(keys);
     }
 
-    /// As two bodies' addresses would give them: in no order (Knuth's multiplicative hashing).
+    /// Keys in no order, as two bodies' addresses would give them (Knuth's multiplicative hashing).
     [[nodiscard]] static std::vector<std::uint64_t> keys_of(std::size_t count) {
         constexpr std::uint64_t golden_ratio = 0x9e3779b97f4a7c15;
         std::vector<std::uint64_t> keys;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// One table at many scales beside a table for each: what sharing saves in bytes and costs in time, with what
-// it takes to build or to refit a table instead (bench/scales/scale_study.hpp). The scene gives the body
-// alone: its poses and scales are of that study.
+// One table at many scales compared with one table per scale: bytes saved, time lost, and the time
+// to build or to refit a table instead (bench/scales/scale_study.hpp). The scene gives the body
+// alone; its poses and scales come from that study.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ class scale {
         return {figures(times)};
     }
 
-    /// Of what was measured.
+    /// Figures of the measured times.
     [[nodiscard]] static std::vector<measure::Figure> figures(const bench::ScaleTimes& times) {
         const std::vector<double> ratios = measure::paired_ratios(times.shared_ns, times.own_ns);
         const auto interval = measure::bootstrap_median(ratios);

@@ -2,8 +2,8 @@
 //
 // Time: nanoseconds per query, of separated pairs and of pairs in contact; medians over the interleaved
 // rounds with a bootstrap interval; and the headline, the median ratio to the baseline cell timed in the same
-// round. All of these are of queries that start warm where pairs are followed: what a pair's first query
-// costs stands apart, by name (time.query_ns).
+// round. Where pairs are followed, all of them are of queries that start warm; a pair's first query has a
+// figure of its own (time.query_ns).
 #pragma once
 
 #include "edgewise/bench/probe.hpp"

@@ -64,7 +64,7 @@ static_assert(ClimbingTable<WatchedBody>);
 using Pair = SimplexPair<WatchedBody, WatchedBody>;
 
 constexpr std::size_t most_queries = 10000;  ///< looked at; a share of them is known to a hundredth
-constexpr std::size_t most_compared = 500;   ///< beside V-Clip's features, each from a cold start
+constexpr std::size_t most_compared = 500;   ///< compared with V-Clip's features, each from a cold start
 
 /// Is notified which subset every sub-distance accepted, and so how many were tried before it.
 class SubsetWatch {
@@ -99,7 +99,7 @@ class SubsetWatch {
     bool is_first_;
 };
 
-/// How many of the simplex's vertices on one body were in the last one, or beside it.
+/// Counts the simplex's vertices on one body that were in the last simplex, or are neighbours of one there.
 void compare_vertices(const WatchedBody& body, std::span<const Index> now, std::span<const Index> before,
                       AlgorithmWork& work) {
     for (const Index v : now) {
@@ -139,8 +139,8 @@ class GjkWatch {
     }
 
   private:
-    /// Of the vertices looked at, those of the cached simplex are no climb's; each climb ends with a round
-    /// that finds nothing higher.
+    /// Books climbs. Visits to vertices of the cached simplex belong to no climb; each climb ends with a
+    /// round that finds nothing higher.
     void book_climbs(const ClimbCounts& before, std::uint32_t cached) {
         const std::uint64_t rounds = counts_.rounds - before.rounds;
         const std::uint64_t supports = counts_.supports - before.supports;
@@ -157,7 +157,7 @@ class GjkWatch {
     std::vector<Pair> pairs_;
 };
 
-/// Whether two of a face's vertices, in ring order, are ends of one of its edges.
+/// Returns true if two of a face's vertices, in ring order, are ends of one of its edges.
 bool side_by_side(const NamedFeature& face, Index v, Index w) {
     for (std::size_t i = 0; i < face.vertices.size(); ++i) {
         const Index tail = face.vertices[i], head = face.vertices[(i + 1) % face.vertices.size()];
@@ -166,8 +166,8 @@ bool side_by_side(const NamedFeature& face, Index v, Index w) {
     return false;
 }
 
-/// Whether a feature is the smallest that holds a simplex: on a face of more than three vertices the simplex
-/// is three of them, or a diagonal.
+/// Returns true if a feature is the smallest that holds a simplex: on a face of more than three vertices the
+/// simplex is three of them, or a diagonal.
 bool rests_on(const NamedFeature& simplex, const NamedFeature& feature) {
     const auto& all = feature.vertices;
     const auto holds = [&](Index v) { return std::find(all.begin(), all.end(), v) != all.end(); };
@@ -177,7 +177,7 @@ bool rests_on(const NamedFeature& simplex, const NamedFeature& feature) {
            (simplex.vertices.size() == 2 && !side_by_side(feature, simplex.vertices[0], simplex.vertices[1]));
 }
 
-/// Of checked queries that are separated: does GJK's simplex rest on the features that V-Clip ends on?
+/// Counts checked, separated queries where GJK's simplex rests on the features that V-Clip ends on.
 void compare_features(const bench::TableType& type, const scene::Workload& workload,
                       std::span<const std::size_t> positions, AlgorithmWork& work) {
     const auto gjk = type.make_runner("gjk"), vclip = type.make_runner("vclip");

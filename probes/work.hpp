@@ -14,17 +14,17 @@
 
 namespace edgewise::probes {
 
-/// What Enhanced GJK does inside, whatever the layout: how its support points move, how its sub-distance
-/// algorithm ends, and where it ends beside V-Clip.
+/// Inner work of Enhanced GJK, whatever the layout: how its support points move, how its sub-distance
+/// algorithm ends, and where it ends compared with V-Clip.
 struct AlgorithmWork {
     std::uint64_t queries = 0;  ///< observed; 0: none
     std::uint64_t supports = 0, hops = 0,
                   vertices = 0;  ///< calls that climbed; edges climbed; vertices visited
-    /// Of warm queries, vertices of the last simplex: all; in the one before; beside one of it.
+    /// Warm queries' vertices of the last simplex: all; in the one before; neighbours of one there.
     std::uint64_t kept_of = 0, kept = 0, near = 0;
     std::uint64_t sub_distances = 0, subsets_tried = 0;
     std::array<std::uint64_t, 4> accepted{};        ///< sub-distances by the size of the subset that held
-    std::uint64_t compared = 0, same_features = 0;  ///< answers beside V-Clip's
+    std::uint64_t compared = 0, same_features = 0;  ///< compared with V-Clip's
     std::string reason = "not observed", remedy;    ///< where queries is 0
 };
 
@@ -68,7 +68,7 @@ class work {
     }
 
   private:
-    /// Of warm queries: ended where they started, or were told by bounds and so started nowhere.
+    /// Figures of warm queries: ended where they started, or decided by bounds and so without a start.
     [[nodiscard]] static std::vector<measure::Figure> of_warm(const measure::AnswerCounts& counts,
                                                               Needs needs) {
         const char* const cold = "no query starts warm";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A value, or why there is none and what to do about it. What cannot be measured or read is said so; it never
-// becomes a 0.
+// A value, or why there is none and what to do about it. A value that cannot be measured or read is reported
+// as missing; it never becomes a 0.
 #pragma once
 
 #include <optional>

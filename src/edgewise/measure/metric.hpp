@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the processor's counters are asked for, by names that mean the same on every processor. Which event
-// of which processor answers is in event_table.hpp.
+// Metrics counted by the processor, by names that mean the same on every processor. The event of each
+// processor that answers a metric is in event_table.hpp.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One timed repetition of a cell, with the baseline cell timed beside it in the same round.
+// One timed repetition of a cell, with the baseline cell timed in the same round.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace edgewise::measure {
 struct Timing {
     std::uint64_t separated_queries = 0, overlapping_queries = 0;
     double separated_ns = 0, overlapping_ns = 0;  ///< total time of those queries, clock cost subtracted
-    /// Queries whose answers do not tell whether the bodies are in contact: of either kind.
+    /// Queries of either kind: their answers do not say whether the bodies are in contact.
     std::uint64_t either_queries = 0;
     double either_ns = 0;
     /// First queries of followed pairs, which start cold: apart of all of the above, each timed by itself.
@@ -32,7 +32,7 @@ struct Timing {
                          separated_queries + overlapping_queries + either_queries);
     }
 
-    /// The same by how queries start; `warm_scene`: pairs are followed. `all` are those of both starts.
+    /// Nanoseconds per query by how queries start; `warm_scene`: pairs are followed. `all` is both starts.
     [[nodiscard]] ByStart<std::optional<double>> by_start(bool warm_scene) const {
         const std::uint64_t steady = separated_queries + overlapping_queries + either_queries;
         const double steady_ns = separated_ns + overlapping_ns + either_ns;

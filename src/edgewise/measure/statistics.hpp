@@ -36,7 +36,7 @@ struct Interval {
 
 struct Bootstrap {
     double confidence = 0.95;
-    int resamples = 2000;  ///< enough that the ends land on, or beside, their final order statistics
+    int resamples = 2000;  ///< enough that the ends land on, or next to, their final order statistics
     std::uint64_t seed = 0x2001'0168;  ///< fixed: the same sample gives the same interval, to the bit
 };
 

@@ -31,7 +31,7 @@ class Stopwatch {
     Clock::time_point start_;
 };
 
-/// What a stopwatch shows, in ns, when nothing was done between start and stop: the median of many, since
+/// Reading of a stopwatch, in ns, when nothing was done between start and stop: the median of many, since
 /// single readings are spoilt by interrupts. Measured where and when it is used: it changes with the
 /// machine's clock source.
 [[nodiscard]] inline double calibrate(std::size_t readings = 10'001) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Another library beside Edgewise: what its adapter offers, and how the program finds it.
+// Another library to compare with Edgewise: what its adapter offers, and how the program finds it.
 //
 // An adapter is a module of its own, opened while the program runs: libraries that come in two precisions
-// have the same symbols twice, each wants its own flags, and a program without them still runs. A module
+// have the same symbols twice, each needs its own flags, and a program without them still runs. A module
 // takes nothing from the program; this header, and what it includes, is all that the two share.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace edgewise::peers {
 
-/// A query as a peer takes it: which shapes, where, and whose cache.
+/// A query as a peer takes it: the shapes, their poses, and the pair's cache.
 struct PeerQuery {
     std::uint32_t shape_a, shape_b;  ///< in the order of the bodies that shapes were made of
     std::uint32_t pair;              ///< queries of one pair follow each other in time
@@ -40,7 +40,7 @@ class PeerBench {
     PeerBench& operator=(const PeerBench&) = delete;
     virtual ~PeerBench() = default;
 
-    /// One shape for each body, in place of those there are.
+    /// Makes one shape for each body, and replaces the earlier shapes.
     virtual void make_shapes(std::span<const Polyhedron* const> bodies) = 0;
     /// Poses in the library's type. `pairs`: how many caches are kept from query to query; 0: every query
     /// starts cold.
@@ -56,7 +56,7 @@ class PeerBench {
     [[nodiscard]] virtual std::size_t cache_bytes() const = 0;
 };
 
-/// What a module says of its library.
+/// A module's description of its library.
 struct PeerInfo {
     const char* name;       ///< the adapter's stem: "bullet_epa2"
     const char* precision;  ///< what it stores and computes in: "f64", "f32", or "mixed", stored in single

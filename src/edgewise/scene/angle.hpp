@@ -3,7 +3,7 @@
 // Sine and cosine of an angle without libm, whose last bits differ from machine to machine.
 //
 // The angle x is reduced by whole turns to [-pi, pi]; with t = tan(x/4), |t| <= 1, two half-angle steps give
-//     tan(x/2) -> cos(x/2) = (1 - t^2)/(1 + t^2), sin(x/2) = 2t/(1 + t^2), and from those the turn itself.
+//     tan(x/2) -> cos(x/2) = (1 - t^2)/(1 + t^2), sin(x/2) = 2t/(1 + t^2), and from them the turn itself.
 // t comes from Lambert's continued fraction tan y = y/(1 - y^2/(3 - y^2/(5 - ...))), evaluated from the tail;
 // at |y| <= pi/4 ten levels leave a remainder far below the rounding step. Only + - * / and floor are used.
 //
@@ -41,7 +41,7 @@ struct SineCosine {
     return y / tail;
 }
 
-/// Of half the angle: what a quaternion is made of. A whole turn may flip both signs (the same rotation).
+/// Sine and cosine of half the angle, for a quaternion. A whole turn may flip both signs (same rotation).
 [[nodiscard]] inline SineCosine half_angle_sine_cosine(double angle) {
     const double t = small_tangent(reduce_angle(angle) / 4);
     const double scale = 1 + t * t;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What truth is given to check: the claim that an answer makes, and the bodies of its query.
+// Input of the checks in truth: the claim that an answer makes, and the bodies of its query.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON by nlohmann-json; this file checks what stands in it. Inside, the first fault is thrown as a Fault and
-// caught once, at the line: checks then read as plain statements.
+// Parses JSON with nlohmann-json and checks its content. Inside, the first fault is thrown as a Fault and
+// caught once per line, so that checks read as plain statements.
 #include "edgewise/scene/case_file.hpp"
 
 #include <fmt/core.h>
@@ -71,7 +71,7 @@ void refuse_unknown_members(const Json& line) {
     for (const char* pose : {"pose_a", "pose_b"}) refuse_unknown(member(line, pose), pose, of_pose);
 }
 
-/// All that a line lacks, so that it need not be mended member by member.
+/// Reports all members that a line lacks at once, so that the user need not fix them one by one.
 void check_members(const Json& line) {
     std::vector<std::string> missing;
     if (member(line, "id").is_null()) missing.emplace_back("id");
@@ -181,7 +181,7 @@ Mat3d matrix_of(const Json& list, const std::string& field) {
     return matrix;
 }
 
-/// The identity for what is left out. `note` tells if the matrix is not taken as written.
+/// Pose of a body; members that are left out are the identity. `note` says if the matrix was replaced.
 Pose pose_of(const Json& line, const char* key, std::string& note) {
     const std::string name = key;
     if (member(line, key).is_null()) return {};
@@ -205,7 +205,7 @@ std::string id_of(const Json& line) {
     throw Fault{"id is neither a string nor a whole number"};
 }
 
-/// What a text is that begins as JSON and is no case line: a part of a longer one, or a list of cases.
+/// Names text that begins as JSON but is no case line: a part of a longer text, or a list of cases.
 std::string other_json(std::string_view text) {
     const bool opens = text.starts_with('{') || text.starts_with('[');
     if (!opens || !input::ends_inside(text)) return {};

@@ -3,10 +3,10 @@
 // Case files: pairs of bodies with poses, one JSON object per line:
 //   {"id", "a": {"vertices": [[x,y,z]...], "faces": [[i,j,k...]...]?}, "b": {...},
 //    "pose_a": {"R": [9, row-major] or [[3],[3],[3]], "t": [3]}?, "pose_b": {...}?}
-// What is left out of a pose (or is null) is the identity; faces, when present, are taken as given. A matrix
-// that is nearly a rotation is replaced by the nearest one, any other is refused (nearest_rotation.hpp).
-// `source`, `note`, `expect` and some others may stand beside them; unknown members are refused. Line by
-// line, so that one bad line does not lose the rest; each error names file, line and field.
+// Members of a pose that are left out (or null) are the identity; faces, when present, are taken as given. A
+// matrix that is nearly a rotation is replaced by the nearest one; others are refused (nearest_rotation.hpp).
+// `source`, `note`, `expect` and some others may be present too; unknown members are refused. Reading goes
+// line by line, so that one bad line does not lose the rest; each error names file, line and field.
 #pragma once
 
 #include <cstddef>
@@ -66,7 +66,7 @@ class CaseReader {
     std::size_t line_ = 0, replaced_ = 0;  ///< replaced_: lines with such a matrix
 };
 
-/// The hull of the vertices, or the faces as given; an error opens with where the body stands.
+/// Returns the hull of the vertices, or the faces as given. An error begins with the body's place.
 [[nodiscard]] Result<Polyhedron> body_from_case(const CaseBody& body);
 
 }  // namespace edgewise::scene

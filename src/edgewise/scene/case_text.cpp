@@ -30,7 +30,7 @@ LineJson pose_json(const Pose& pose) {
     return {{"R", entries}, {"t", {pose.translation.x(), pose.translation.y(), pose.translation.z()}}};
 }
 
-/// Of "(1, 2, 3)", in few enough digits to be read.
+/// Text of a point, such as "(1, 2, 3)", with few enough digits to be readable.
 std::string point_text(const Vec3d& p) {
     return fmt::format("({:.10g}, {:.10g}, {:.10g})", p.x(), p.y(), p.z());
 }

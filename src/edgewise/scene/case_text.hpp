@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A pair as text that others can use: a case line of ours, and C++ for FCL and Bullet, where numbers are the
-// shortest that read back the same; and a pair in words, for a user who checks that it was read as meant.
+// A pair as text that others can use: a case line of ours, and C++ for FCL and Bullet. Numbers are the
+// shortest that read back the same. Also a pair in words, so that a user can check that it was read as meant.
 #pragma once
 
 #include <optional>
@@ -42,11 +42,11 @@ struct ExpectedAnswer {
 [[nodiscard]] std::string case_line(const Case& pair, const std::string& source,
                                     const std::optional<ExpectedAnswer>& expected = std::nullopt);
 
-/// A test of googletest for FCL's default solver, with the hulls' faces. Fails for flat bodies, of which FCL
-/// has none.
+/// Returns a googletest test for FCL's default solver, with the hulls' faces. Fails for flat bodies, because
+/// FCL has none.
 [[nodiscard]] Result<std::string> fcl_test(const Case& pair, const ExpectedAnswer& expected);
 
-/// The same for Bullet's btGjkPairDetector.
+/// Returns a test for Bullet's btGjkPairDetector.
 [[nodiscard]] std::string bullet_test(const Case& pair, const ExpectedAnswer& expected);
 
 }  // namespace edgewise::scene

@@ -20,7 +20,7 @@ double with_digits(double value, int digits) {
     return std::strtod(text, nullptr);
 }
 
-/// Of the shortest text that reads back the same.
+/// Number of significant digits of the shortest text that reads back the same.
 std::size_t significant_digits(double value) {
     char text[40];
     const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;
@@ -29,7 +29,7 @@ std::size_t significant_digits(double value) {
     return value == 0 ? 0 : digits;
 }
 
-/// Of rotations none: what is rounded there is no rotation any more.
+/// Visits the numbers that may be rounded. Rotations are left out: a rounded one is no rotation any more.
 template <class Use>
 void each_number(Case& pair, const Use& use) {
     for (CaseBody* body : {&pair.a, &pair.b}) {
@@ -69,7 +69,7 @@ class Search {
         return true;
     }
 
-    /// Hulls in place of given faces: these name vertices that are to go.
+    /// Tries hulls instead of the given faces, because faces name vertices that are to be removed.
     bool without_faces() {
         if (!best_.a.faces && !best_.b.faces) return false;
         Case candidate = best_;

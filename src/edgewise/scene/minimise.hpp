@@ -13,8 +13,8 @@
 
 namespace edgewise::scene {
 
-/// Whether the failure is still there. It must hold of the case that is given; whatever bodies it refuses
-/// (flat ones, say) it is asked about all the same, and may say no.
+/// Returns true if the case still fails. It must be true for the given case. It is also called for bodies
+/// that a test refuses (flat ones, for example), and may return false for them.
 using StillFails = std::function<bool(const Case&)>;
 
 struct Minimised {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Coherent motion: a body drifts with constant velocity, turns by the same angle every step, about its own
-// axis (which stands still, or turns itself by the same angle every step), and is reflected by the walls of a
-// box. Bodies do not know of each other: they overlap and pass through one another, since what is measured is
+// axis (which is fixed, or turns itself by the same angle every step), and is reflected by the walls of a
+// box. Bodies ignore each other: they overlap and pass through one another, because the scene measures
 // detection, not response.
 //
 // Walls act on the centre (the mean of the vertices, a point inside every body), so a body may stick out.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Matrices that users write for rotations: in case files, in messages of other programs, on the command line.
-// They have as many digits as were printed. A matrix that is nearly a rotation is replaced by the nearest
+// They have only the digits that were printed. A matrix that is nearly a rotation is replaced by the nearest
 // one, so that everything after it (answers, exact answers, certificates) is about the same bodies. A scale,
 // a mirror image or a typing error is refused: no answer about another matrix would be the user's.
 #pragma once
@@ -29,7 +29,7 @@ inline double determinant(const Mat3d& r) {
 
 inline constexpr int shown_digits = 6;
 
-/// What the columns are beyond their lengths.
+/// A matrix as the lengths of its columns and their directions.
 struct Directions {
     std::array<double, 3> lengths{};
     Mat3d unit = Mat3d::Zero();
@@ -62,7 +62,7 @@ inline std::string scale_text(const Directions& of) {
                    mirrors ? ": scale and mirror the vertices instead" : ": scale the vertices instead");
 }
 
-/// Of a matrix that is too far from a rotation.
+/// Says why a matrix is refused that is too far from a rotation.
 inline std::string what_it_is(const Mat3d& r) {
     const double largest = r.cwiseAbs().maxCoeff();
     if (largest == 0) return "is zero, and wants a rotation";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON by nlohmann-json; this file checks what stands in it. Inside, the first fault is thrown as a Fault and
-// caught once: checks then read as plain statements.
+// Parses JSON with nlohmann-json and checks its content. Inside, the first fault is thrown as a Fault and
+// caught once, so that checks read as plain statements.
 #include "edgewise/scene/scene_file.hpp"
 
 #include <fmt/format.h>
@@ -40,14 +40,14 @@ constexpr double largest_margin = 1e6;        ///< extents of the larger body
 constexpr std::size_t most_varied = 1000, most_points = 10'000;
 
 // Velocities in the units of scenes, which know steps alone: rad per step, and body sizes per step.
-constexpr std::string_view random_turn = "random";  ///< in place of a number
+constexpr std::string_view random_turn = "random";  ///< instead of a number
 
 struct MotionUnits {
     double time_step;  ///< s
     double size;       ///< of the body, m
 };
 
-/// Whether a parameter says how fast bodies turn.
+/// Returns true if a parameter says how fast bodies turn.
 bool is_turn(std::string_view name) { return name == "angular_velocity" || name == "rotation_step"; }
 
 /// A parameter as scenes know it: angular_velocity (rad/s) as rotation_step, linear_velocity (m/s) as
@@ -152,7 +152,7 @@ ScenePoint make_point(const Json& json, const SceneFile& file, const NamedShape&
     return {shape.name, *complete};
 }
 
-/// A built-in body, or that of a mesh file beside the scene file.
+/// A built-in body, or the body of a mesh file in the scene file's folder.
 NamedShape shape_called(const std::string& name, const SceneFileContext& context, std::string& warning) {
     if (!names_mesh_file(name)) {
         auto body = make_shape(name);
@@ -193,7 +193,7 @@ Needs needs_of(const Json& json) {
     return *needs;
 }
 
-/// Of needs = nearer; 0 where none is given.
+/// Margin for needs = nearer; 0 if none is given.
 double margin_of(const Json& json, Needs needs) {
     if (!json.contains("margin")) return 0;
     if (needs != Needs::nearer) throw Fault{"margin is of needs = nearer: leave it out, or write both"};

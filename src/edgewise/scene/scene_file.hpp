@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene as a small JSON file that users can write: which kind of scene, of which bodies, how they move, and
-// what is asked of every answer. One number may be varied: each of its values is a point of the scene.
+// A scene as a small JSON file that users can write: the kind of scene, its bodies, how they move, and
+// what each answer must contain. One number may be varied: each of its values is a point of the scene.
 //
 //     {"scene": "tumble", "shapes": ["sphere386"], "time_step": 0.0166667,
 //      "needs": "distance", "sharing": "per_instance",
 //      "parameters": {"bodies": 200, "occupancy": 0.1, "angular_velocity": 1.0},
 //      "vary": {"angular_velocity": [0.5, 1, 2, 4, "random"]}, "queries": 30000, "note": "what it is for"}
 //
-// Only what detection needs is modelled: no gravity, no contact response, no solver. Parameters are the
-// kind's own (`edgewise list scenes`), and of scenes that move bodies these, which the time step turns into
-// the kind's: angular_velocity (rad/s), linear_velocity (m/s). "random" as a turn: every body turned at
-// random in every step, where no coherence is left. With "needs": "nearer" a "margin" may be named, over the
-// larger body's extent. A shape with a dot in its name is a mesh file, found from where the scene file lies
+// Only the inputs of detection are modelled: no gravity, no contact response, no solver. Parameters are the
+// kind's own (`edgewise list scenes`). Scenes that move bodies also take these two, which the time step turns
+// into the kind's: angular_velocity (rad/s), linear_velocity (m/s). "random" as a turn: every body is turned
+// at random in every step, which leaves no coherence. "needs": "nearer" allows a "margin", relative to the
+// larger body's extent. A shape with a dot in its name is a mesh file, searched from the scene file's folder
 // ("shapes": ["my_link.stl"]); its body is called after it (my_link).
 #pragma once
 
@@ -50,17 +50,17 @@ struct SceneFile {
     std::string text;                ///< the file as JSON in one line, for the store
 };
 
-/// What a file's text does not say.
+/// Settings of a scene file that its text does not contain.
 struct SceneFileContext {
     std::filesystem::path folder = {};    ///< where the file lies; empty: the working folder
-    std::vector<NamedShape> bodies = {};  ///< in place of the file's own shapes; none: its own
+    std::vector<NamedShape> bodies = {};  ///< replace the file's own shapes; none: its own
     bool as_stored = false;               ///< of its mesh files (MeshReading)
 };
 
 /// Fails with one line: the file, the place in it, what is allowed there. The warning is about its meshes.
 /// The folder of the context is that of the path.
 [[nodiscard]] Result<SceneFile> read_scene_file(const std::string& path, SceneFileContext context = {});
-/// Likewise from its text, under a name.
+/// Reads a scene from its text and a name; fails like read_scene_file.
 [[nodiscard]] Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text,
                                                  const SceneFileContext& context = {});
 
@@ -76,7 +76,7 @@ struct SceneText {
 /// kinds of scenes.
 [[nodiscard]] std::span<const SceneText> scene_texts();
 
-/// Whether a scene of that name is a file: one that comes along, or a path that ends in .json.
+/// Returns true if the name is that of a supplied scene file, or a path that ends in .json.
 [[nodiscard]] bool is_scene_file(const std::string& name_or_path);
 
 /// The scene file of that name, or at that path if it ends in .json; nothing for any other name.

@@ -34,7 +34,7 @@ struct NamedShape {
 /// An unknown name is an error that lists the known ones; a sphere of a size between two members names both.
 [[nodiscard]] Result<Polyhedron> make_shape(std::string_view name);
 
-/// The same body at another size. Exact for vertices as long as the factor has few bits (3/4, 5/4 ...); face
+/// Returns the body at another size. Exact for vertices if the factor has few bits (3/4, 5/4 ...); face
 /// normals stay, plane offsets scale.
 [[nodiscard]] Polyhedron scaled(const Polyhedron& body, double factor);
 

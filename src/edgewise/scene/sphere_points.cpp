@@ -31,7 +31,7 @@ std::vector<Vec3d> octahedral_nodes(int k) {
     return nodes;
 }
 
-/// To the nearest point whose coordinates are whole multiples of 2^-21.
+/// Rounds each coordinate to the nearest multiple of 2^-21.
 Vec3d on_grid(const Vec3d& point) {
     const auto to_grid = [](double x) { return std::floor(x * 0x1p21 + 0.5) * 0x1p-21; };
     return {to_grid(point.x()), to_grid(point.y()), to_grid(point.z())};

@@ -8,7 +8,7 @@
 //
 // On the exact sphere many quads of neighbours are coplanar, and a hull would have faces of more than three
 // sides. So every radius is moved by a seeded amount of at most 1/16 of the squared grid spacing. A vertex
-// stands about half the squared spacing above the plane of its neighbours: all stay extreme, no quad stays
+// lies about half the squared spacing above the plane of its neighbours: all stay extreme, no quad stays
 // flat (the flattest edge of sphere386 folds by 6e-5 rad, that of sphere24578 by 3e-7).
 //
 // Coordinates are whole multiples of 2^-21 below 1.25, and still exact in single precision after

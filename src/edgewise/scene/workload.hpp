@@ -28,7 +28,7 @@ struct Frame {
     std::size_t first_query = 0;   ///< its queries go on to the next frame's first
     bool starts_anew = false;      ///< other bodies than before: the broad phase knows nothing of them
     std::vector<Aabb> boxes;       ///< what the broad phase is given; empty: the scene has none
-    std::vector<Pose> poses = {};  ///< of the instances in whose boxes they stand; as many
+    std::vector<Pose> poses = {};  ///< poses of the instances, one for each box
     double margin = 0;             ///< by which a box is larger than its body, on all sides
 };
 
@@ -36,7 +36,7 @@ struct Workload {
     std::vector<Polyhedron> bodies;
     std::vector<Query> queries;  ///< a pair's in time order
     std::vector<Frame> frames;   ///< of a scene in time order; empty: pair after pair, or one query each
-    std::vector<std::uint32_t> instances;  ///< what stands in the scene: which body each is
+    std::vector<std::uint32_t> instances;  ///< instances in the scene: the index of each one's body
     std::uint32_t pair_count = 0;
     bool warm = false;        ///< keep a pair's cache from query to query; else every query starts cold
     bool table_each = false;  ///< the scene is about a table for each instance; else instances share

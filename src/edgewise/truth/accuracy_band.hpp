@@ -39,7 +39,7 @@ struct BodySize {
     double reach = 0, extent = 0;
 };
 
-/// The same of bodies that were measured before, at many poses. ortho_error: of the worse rotation.
+/// Band of two bodies whose sizes are known, at any poses. ortho_error: of the worse rotation.
 [[nodiscard]] AccuracyBand accuracy_band(const BodySize& a, const BodySize& b, double offset,
                                          double ortho_error, double eps);
 

@@ -25,8 +25,8 @@ struct Certificate {
     [[nodiscard]] double width() const { return upper - lower; }
 };
 
-/// Where an answer says that its closest point on a body is. Indices the body does not have are passed over;
-/// if none is left, vertex 0 stands in.
+/// The place on a body where an answer says that its closest point is. Indices outside the body are skipped;
+/// if none is left, vertex 0 is used.
 struct WitnessClaim {
     std::span<const std::uint32_t> vertices;  ///< of the feature, or of the simplex
     /// One per vertex, divided exactly by their sum; what is not finite and positive counts as 0. Empty: the
@@ -35,9 +35,9 @@ struct WitnessClaim {
 };
 
 /// With weights on both sides the answer's own two points give the upper bound. Else the best two points of
-/// the vertices named do, found exactly, and the direction between them is tried as well: the best that these
-/// features can prove; for a common point (0) it proves one. The direction points along the answer, either
-/// way; zero or NaN stands for none. Fails on an empty set, NaN or infinity in the bodies.
+/// the vertices named do, found exactly, and the direction between them is tried as well: this is the best
+/// that these features can prove; a common point proves distance 0. The direction points along the answer,
+/// either way; zero or NaN means none. Fails on an empty set, NaN or infinity in the bodies.
 [[nodiscard]] Result<Certificate> certify(std::span<const Vec3d> a, const Pose& pose_a,
                                           std::span<const Vec3d> b, const Pose& pose_b,
                                           const WitnessClaim& on_a, const WitnessClaim& on_b,

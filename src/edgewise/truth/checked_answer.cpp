@@ -18,7 +18,7 @@ double given_away(double gap_tolerance, double distance) {
     return gap_tolerance / (1 - gap_tolerance) * distance;
 }
 
-/// Signed distance beyond the contact tolerance; nothing for an overlap whose depth is not needed.
+/// Signed distance beyond the contact tolerance; no value for an overlap if its depth is not needed.
 std::optional<double> signed_gap(const ExactDistance& exact, const PlacedBodies& bodies, KnownPair& known,
                                  bool needs_depth, double tolerance) {
     if (exact.verdict != ExactVerdict::overlapping) return exact.distance - tolerance;

@@ -12,7 +12,7 @@
 
 namespace edgewise::truth {
 
-/// What an answer says, as far as it is checked. In contact the distance is not.
+/// The checked parts of an answer. In contact the distance is not checked.
 struct Claim {
     bool separated = false;
     double distance = 0;
@@ -36,8 +36,8 @@ struct AllowedErrors {
             single ? verified_error_single : verified_depth_error_double};
 }
 
-/// Tolerances that a query was given. Bodies within the contact tolerance are in contact, and distances are
-/// told beyond it; a distance may be too long by gap_tolerance of itself.
+/// Tolerances that a query was given. Bodies within the contact tolerance are in contact, and distances count
+/// from that tolerance on; a distance may be too long by gap_tolerance times itself.
 struct Leeway {
     double contact_tolerance = 0, gap_tolerance = 0;
 };
@@ -49,10 +49,10 @@ struct CheckedAnswer {
     bool distance_wrong = false, depth_wrong = false;
     bool is_bound = false;   ///< an interval proved the answer right: errors are upper bounds
     double error = 0;        ///< |d - d*|, contact counting as d = 0; d* of the bodies that the table holds
-    double error_given = 0;  ///< the same, d* of the bodies as given; by those who ask for it
+    double error_given = 0;  ///< |d - d*|, d* of the bodies as given; set on request
     double witness_error = 0, depth_error = 0;
     AccuracyBand band;
-    /// Whether the verdict is another than the paper's control gives; nothing where it was not asked or has
+    /// True if the verdict differs from the paper's control; no value if the control was not asked or has
     /// no answer.
     std::optional<bool> control_disagrees = {};
 

@@ -46,7 +46,7 @@ template <class Numbers>
 /// positive.
 [[nodiscard]] double rounded_root(const mpz_class& numerator, const mpz_class& denominator, long exponent);
 
-/// The same root, rounded down to the largest double not above it or up to the smallest not below it.
+/// sqrt(numerator / denominator) * 2^exponent, rounded to the nearest double below, or above, unless exact.
 [[nodiscard]] double root_rounded_down(const mpz_class& numerator, const mpz_class& denominator,
                                        long exponent);
 [[nodiscard]] double root_rounded_up(const mpz_class& numerator, const mpz_class& denominator, long exponent);

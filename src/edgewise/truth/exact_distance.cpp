@@ -27,7 +27,7 @@ bool adopt(ExactPair& bodies, const SimplexSeed& seed, MinimumSimplex<IntegerVec
     return true;
 }
 
-/// True if the point is now part of what the simplex stands for; false if it does not lie below it.
+/// Returns true if the point is now part of the simplex; false if it does not lie below it.
 bool descend(MinimumSimplex<IntegerVec>& simplex, IntegerVec point, VertexPair pair) {
     // Once the origin is held nothing is nearer, and the normal of a triangle around it points to no side.
     if (simplex.size > 0 && simplex.holds_origin()) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is known of one pair of bodies as tables hold them: its exact answers, each computed when it is first
+// Known facts about one pair of bodies as tables hold them: its exact answers, each computed when it is first
 // asked for, or an interval that double arithmetic proved. One for all cells that store the same bodies.
 #pragma once
 
@@ -28,13 +28,13 @@ struct PlacedBodies {
 class KnownPair {
   public:
     KnownPair() = default;
-    /// Of a pair whose answers were found before.
+    /// A pair with exact answers that were computed before.
     explicit KnownPair(const ExactDistance& exact, std::optional<double> depth = {})
         : exact_(std::make_unique<ExactDistance>(exact)), depth_(depth) {}
 
     /// Throws std::invalid_argument where exact_distance fails.
     const ExactDistance& exact(const PlacedBodies& bodies);
-    /// Of bodies in contact.
+    /// Exact penetration depth of bodies in contact.
     double depth(const PlacedBodies& bodies);
 
   private:
@@ -50,8 +50,8 @@ enum class KnownBy { nothing, double_proof, wide_proof, exact };
 struct ProvenPair {
     KnownBy by = KnownBy::nothing;
     ExactVerdict verdict = ExactVerdict::separated;
-    /// Proven of a pair whose distance or depth is within the band in double: any verdict is right, and which
-    /// one is the truth was not asked; `verdict` says touching.
+    /// Proven: the distance or depth is within the band in double. Any verdict is accepted, and the true one
+    /// is not computed; `verdict` says touching.
     bool is_grazing = false;
     double lower = 0, upper = 0;
     KnownPair answers;             ///< as soon as the interval does not decide

@@ -29,7 +29,7 @@ struct VertexPair {
 template <class Vec>
 using ScalarOf = decltype(dot(std::declval<const Vec&>(), std::declval<const Vec&>()));
 
-/// Affinely independent points whose hull holds the nearest point strictly inside (all weights positive).
+/// Affinely independent points; their hull holds the nearest point strictly inside (all weights positive).
 template <class Vec>
 struct MinimumSimplex {
     std::array<Vec, 4> point;
@@ -92,8 +92,8 @@ template <class Vec>
     return side != 0 && sign(dot(p, r_s)) == -side && sign(dot(p_q, s)) == side && sign(dot(p_q, r)) == -side;
 }
 
-/// Whether the nearest point of the subset's affine hull lies strictly inside the subset; sets direction and
-/// height. False for affinely dependent points.
+/// Returns true if the nearest point of the subset's affine hull lies strictly inside the subset; sets
+/// direction and height. Returns false for affinely dependent points.
 template <class Vec>
 [[nodiscard]] bool find_direction(SubsetTrial<Vec>& t) {
     t.height = 0;

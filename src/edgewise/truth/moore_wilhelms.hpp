@@ -7,7 +7,7 @@
 //
 // Departure: an edge is clipped against all planes at once (Cyrus and Beck), and a range that is left means a
 // hit; testing the midpoints of its crossings says the same. All tests are strict: bodies that only touch are
-// not in contact for it, nor is a body with its exact copy, whose very centroids lie on the surface.
+// not in contact for it, nor is a body with its exact copy, because even the centroids lie on the surface.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,9 @@
 
 namespace edgewise::truth {
 
-/// Whether the bodies interpenetrate; nothing for flat bodies, which have no inside. `a_from_b` takes B's
-/// points into A's frame. Every vertex, edge and face of one against every face of the other: a referee, not
-/// a contestant.
+/// Returns true if the bodies interpenetrate; no value for flat bodies, which have no inside. `a_from_b`
+/// takes B's points into A's frame. Tests every vertex, edge and face of one body against every face of the
+/// other: a reference, not an algorithm to time.
 [[nodiscard]] std::optional<bool> moore_wilhelms(const Polyhedron& a, const Polyhedron& b,
                                                  const Transform<double>& a_from_b);
 

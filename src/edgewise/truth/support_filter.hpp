@@ -29,7 +29,7 @@ class SupportFilter {
     /// The vertex that looks lowest along the direction; ties go to the first.
     [[nodiscard]] std::uint32_t lowest(const Vec3d& direction);
 
-    /// Every vertex that can be exactly lowest along a direction whose entries, at most 1, are known to
+    /// Returns every vertex that can be exactly lowest along a direction with entries of at most 1, known to
     /// 2^-52 (see rounded_direction). Valid until the next call.
     [[nodiscard]] std::span<const std::uint32_t> candidates(const Vec3d& direction);
 

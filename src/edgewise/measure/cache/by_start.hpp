@@ -13,7 +13,7 @@ namespace edgewise::measure {
 /// What a query starts from.
 enum class QueryStart : std::uint8_t { cold, warm };
 
-/// Something counted of all queries, and apart of those that start cold and warm.
+/// A count over all queries, over those that start cold, and over those that start warm.
 template <class Count>
 struct ByStart {
     Count all{}, cold{}, warm{};

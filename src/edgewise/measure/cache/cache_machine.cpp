@@ -113,7 +113,7 @@ LevelOrigin read_origin(const Place& place, bool has_latency) {
     return origin;
 }
 
-/// Of so many lines in all.
+/// Reads a level that has this many lines in all.
 LevelGeometry read_level(const Place& place, std::uint64_t lines, std::string_view counted,
                          const std::vector<LevelGeometry>& above) {
     LevelGeometry level;

@@ -45,9 +45,9 @@ struct CacheMachine {
     /// Modelled time of what was counted beyond the first level: every access waits for the level that
     /// answers it, nothing overlaps. Counts of `caches`, level by level.
     [[nodiscard]] double memory_ns(std::span<const LevelCounts> counts) const;
-    /// Whether the clock is known, and every level and memory have a latency.
+    /// Returns true if the clock is known, and every level and memory have a latency.
     [[nodiscard]] bool latencies_known() const;
-    /// Whether every latency in memory_ns is proved.
+    /// Returns true if every latency in memory_ns is proved.
     [[nodiscard]] bool latencies_proved() const;
 };
 

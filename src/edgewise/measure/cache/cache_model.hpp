@@ -43,7 +43,7 @@ enum class Replacement : std::uint8_t { lru, tree_plru, random };
 /// A word holds the nodes of a tree.
 inline constexpr std::uint32_t most_tree_ways = 64;
 
-/// What is known of a line that is there, or was.
+/// State of a line that is cached, or was.
 struct CachedLine {
     std::uint64_t line;
     std::uint64_t used = 0;  ///< a bit per 64th of the line: what of it was ever asked for
@@ -149,8 +149,8 @@ class CacheModel {
   public:
     explicit CacheModel(CacheGeometry geometry);
 
-    /// How many levels had to be asked in vain, at most over the lines: 0 is a hit in the first, as many as
-    /// there are a fetch from memory.
+    /// Returns the number of levels that missed, the largest over the lines: 0 is a hit in the first level,
+    /// the number of levels is a fetch from memory.
     std::size_t access(std::uint64_t address, std::uint32_t bytes, AccessKind kind) {
         const std::uint64_t first = address >> line_shift_, last = (address + bytes - 1) >> line_shift_;
         if (first == last) [[likely]] {
@@ -165,9 +165,9 @@ class CacheModel {
     [[nodiscard]] std::span<const LevelCounts> counts() const { return counts_; }
     [[nodiscard]] const LevelCounts& counts(std::size_t level) const { return counts_[level]; }
 
-    /// Of the lines that the first level brought in since counts were last forgotten: bytes, and those of
-    /// them that were never asked for, to a 64th of a line. Lines that are still there count as they stand;
-    /// what lines from before had not been asked for by then, and are now, is taken off.
+    /// Bytes of the lines that the first level brought in since counts were last forgotten, and bytes among
+    /// them that were never accessed, to a 64th of a line. Lines that are still cached count in their present
+    /// state; bytes of earlier lines that had not been accessed by then, and are now, are subtracted.
     struct Fetched {
         std::uint64_t bytes = 0, unused = 0;
     };
@@ -196,7 +196,7 @@ class CacheModel {
     void put(std::size_t level, const CachedLine& entry);
     void write_back(std::size_t level, const CachedLine& entry);
     void add_to(Fetched& sum, const CachedLine& entry) const;
-    /// Lines in the first level, as they stand.
+    /// Lines in the first level, in their present state.
     [[nodiscard]] Fetched standing() const;
 
     void count(std::size_t depth) {
@@ -220,7 +220,7 @@ class CacheModel {
     std::vector<CacheLevel> levels_;
     std::vector<LevelCounts> counts_;
     Fetched gone_;    ///< lines that left the first level
-    Fetched before_;  ///< lines that stood there when counts were forgotten
+    Fetched before_;  ///< lines that were there when counts were forgotten
 };
 
 }  // namespace edgewise::measure

@@ -18,7 +18,7 @@ class TouchedBytes {
   public:
     void touch(std::uint64_t from, std::uint64_t bytes);
 
-    /// Of the bytes from .. from + bytes - 1, how many were touched.
+    /// Returns how many of the bytes from .. from + bytes - 1 were touched.
     [[nodiscard]] std::uint64_t count(std::uint64_t from, std::uint64_t bytes) const;
     [[nodiscard]] std::uint64_t count() const { return count(0, 64 * words_.size()); }
 
@@ -56,7 +56,7 @@ class HeatMap final : public TraceListener {
     std::vector<std::uint64_t> last_query_;  ///< by line: number of the query that accessed it last
     TouchedBytes touched_;
     ByStart<std::uint64_t> queries_, lines_of_queries_;
-    std::optional<QueryStart> start_;  ///< of the query at hand; nothing between queries
+    std::optional<QueryStart> start_;  ///< of the current query; nothing between queries
 };
 
 }  // namespace edgewise::measure

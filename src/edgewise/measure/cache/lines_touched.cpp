@@ -14,7 +14,7 @@ LinesTouched& LinesTouched::operator+=(const LinesTouched& other) {
 }
 
 bool LineCounter::is_new(std::uint64_t line) {
-    // Multiplicative hashing (Knuth, volume 3, 6.4), of which the high half is the better one.
+    // Multiplicative hashing (Knuth, volume 3, 6.4); the high half of the product is the better one.
     for (std::uint64_t at = line * 0x9e3779b97f4a7c15 >> 32;; ++at) {
         Seen& seen = seen_[at & (seen_.size() - 1)];
         if (seen.query == query_number_ && seen.line == line) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What queries read of their tables: distinct cache lines of 64 bytes, which is what a cache sees, beside the
-// bytes that were asked for. Each side of a pair is a table of its own here, whether or not they share one.
+// Counts what queries read of their tables: distinct cache lines of 64 bytes, as a cache sees them, and the
+// bytes that were accessed. Each side of a pair is a table of its own here, whether or not they share one.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ class LineCounter final : public TraceListener {
         std::uint64_t query = 0;
     };
 
-    /// Whether this query had not read the line before.
+    /// Returns true if this query had not read the line before.
     bool is_new(std::uint64_t line);
     void grow();
 

@@ -25,11 +25,11 @@ namespace edgewise::measure {
 /// "256K", "8M", "1G" (binary), or bytes; nothing for anything else, and for nothing.
 [[nodiscard]] std::optional<std::uint64_t> bytes_of_size(std::string_view text);
 
-/// Whether a name is a level with its size: "l2=256K".
+/// Returns true if a name is a level with its size: "l2=256K".
 [[nodiscard]] bool is_level_size(std::string_view name);
 
-/// Levels that stand in a row as one machine ("l2=256K", "l3=8M" -> "l2=256K,l3=8M"); a level that does not
-/// lie deeper than the one before begins another. Other names as they are.
+/// Joins consecutive levels to one machine ("l2=256K", "l3=8M" -> "l2=256K,l3=8M"); a level that does not
+/// lie deeper than the one before begins another machine. Other names stay unchanged.
 [[nodiscard]] std::vector<std::string> joined_level_sizes(std::span<const std::string> names);
 
 /// Called "l2_256K_l3_8M". Throws std::invalid_argument: what, what to do.
@@ -37,18 +37,18 @@ namespace edgewise::measure {
 
 struct MachineChoice {
     std::string name;
-    Expected<CacheMachine> machine;  ///< unknown: this host does not tell its caches
+    Expected<CacheMachine> machine;  ///< unknown: this host does not report its caches
 };
 
 /// Throws std::invalid_argument for an unknown name, listing the known ones, and std::runtime_error for a bad
 /// file: file, field, what is wanted.
 [[nodiscard]] std::vector<MachineChoice> choose_machines(std::span<const std::string> names);
 
-/// The same where figures must be the same on every machine: throws std::invalid_argument for `host` too.
+/// Machines for figures that must be the same everywhere: throws std::invalid_argument for `host` too.
 [[nodiscard]] std::vector<CacheMachine> described_machines(const std::vector<std::string>& names);
 
-/// This machine as one to model: sizes, ways and line from sysfs. How long its levels take, which contain
-/// which and what they evict the kernel does not tell: latencies are left out, and the model's defaults
+/// This machine as one to model: sizes, ways and line from sysfs. The kernel does not report latencies,
+/// inclusion or replacement of the levels: latencies are left out, and the model's defaults
 /// (non-inclusive, LRU) are marked as unverified. `root` is "/" except in tests.
 [[nodiscard]] Expected<CacheMachine> host_machine(const std::filesystem::path& root = "/");
 

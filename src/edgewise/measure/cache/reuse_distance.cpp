@@ -67,7 +67,7 @@ std::uint64_t ReuseDistance::count_to(std::uint64_t time) const {
     return sum;
 }
 
-/// Last uses keep their order and stand side by side from time 0; twice as many free times follow at least.
+/// Renumbers last uses from time 0 in their order; at least twice that number of free times follow.
 void ReuseDistance::compact() {
     std::vector<std::uint64_t> lines;
     for (std::uint64_t line = 0; line < last_use_.size(); ++line) {

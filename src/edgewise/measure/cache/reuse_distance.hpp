@@ -38,10 +38,10 @@ class MissCurve {
     [[nodiscard]] std::uint64_t uses() const { return uses_; }
     [[nodiscard]] std::uint64_t firsts() const { return firsts_; }
 
-    /// Uses that a cache of so many lines misses, first uses included.
+    /// Uses that a cache of this number of lines misses, first uses included.
     [[nodiscard]] std::uint64_t misses(std::uint64_t lines) const;
 
-    /// The smallest size whose misses, without first uses, are at most so many; 0: even none would do.
+    /// Smallest size that has at most this number of misses, first uses excluded; 0 if even no cache has.
     [[nodiscard]] std::uint64_t smallest_size(double misses) const;
 
     /// Sizes at which the misses change, growing, and the misses from there on; at most `points` of them,
@@ -81,7 +81,7 @@ class ReuseDistance {
     /// Distinct lines so far.
     [[nodiscard]] std::uint64_t lines() const { return live_; }
 
-    /// What all uses so far say of caches of every size.
+    /// Miss curve of all uses so far, for caches of every size.
     [[nodiscard]] const MissCurve& curve() const { return curve_; }
 
     /// The uses so far are no part of the curve; where lines were last used stays known.
@@ -103,8 +103,8 @@ class ReuseDistance {
     MissCurve curve_;
 };
 
-/// Of the tables' pages alone: what a memory of any size would have to fetch again, if it evicted the page
-/// that was not used for longest.
+/// Reuse of the tables' pages alone: the pages that a memory of any size has to fetch again, if it evicts the
+/// least recently used page.
 class PageReuse final : public TraceListener {
   public:
     explicit PageReuse(std::uint64_t page_bytes) : page_bytes_(page_bytes) {}
@@ -124,7 +124,7 @@ class PageReuse final : public TraceListener {
         start_.reset();
     }
 
-    /// What came before is known but not counted.
+    /// Starts counting: earlier uses stay known but are not counted.
     void start_counting() {
         queries_ = {};
         curves_ = {};
@@ -132,8 +132,8 @@ class PageReuse final : public TraceListener {
 
     /// Distinct pages so far.
     [[nodiscard]] std::uint64_t pages() const { return reuse_.lines(); }
-    /// Fetches per query in a memory of so many pages, of all queries and by their start; nothing: there are
-    /// none of that start.
+    /// Fetches per query in a memory of this number of pages, of all queries and by their start; no value if
+    /// no query has that start.
     [[nodiscard]] ByStart<std::optional<double>> fetches_per_query(std::uint64_t memory_pages) const {
         const auto mean = [&](const MissCurve& curve, std::uint64_t queries) -> std::optional<double> {
             if (queries == 0) return std::nullopt;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t line_unit = 64, page_unit = 4096;
 
-/// The pieces of an access in units of so many bytes.
+/// Calls `use` with each piece of an access, in units of this number of bytes.
 template <class Use>
 void each_unit(const TracedAccess& access, std::uint32_t unit, Use use) {
     const std::uint64_t end = access.address + access.bytes;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A trace through the caches of several machines at once, and through reuse distances: what a scene asks of
-// memory. Two passes over the same queries: the first finds every cache empty, the second finds what the
-// first left. Misses of the second are those of the scene in its steady state, counted of all queries and
-// apart of those that start cold and warm: both go through the same caches in the same pass.
+// Runs a trace through the caches of several machines, and through reuse distances, to model a scene's use
+// of memory. Two passes over the same queries: the first finds every cache empty, the second finds what the
+// first left. Misses of the second are those of the scene in its steady state. They are counted over all
+// queries, and separately over cold and warm starts, which go through the same caches in the same pass.
 //
 // Why a line was missed (Hill and Smith, "Evaluating associativity in CPU caches", 1989): it never came
 // before (compulsory); a fully associative LRU cache of the level's size would have missed it as well
@@ -66,7 +66,7 @@ struct ReuseOf {
 
 class SceneCaches final : public TraceListener {
   public:
-    /// fields, steps: how many numbers of each there are. framed: whether the ends of frames will be told.
+    /// fields, steps: number of each. framed: true if the ends of frames will be reported.
     SceneCaches(std::span<const CacheMachine> machines, std::size_t fields, std::size_t steps,
                 bool framed = false);
     ~SceneCaches() override;
@@ -101,7 +101,7 @@ class SceneCaches final : public TraceListener {
     std::map<std::uint32_t, Stack> stacks_;  ///< by unit: lines of every size in question, and pages
     std::vector<MachineMisses> first_;
     ByStart<std::uint64_t> queries_;
-    std::optional<QueryStart> start_;  ///< of the query at hand; nothing between queries
+    std::optional<QueryStart> start_;  ///< of the current query; nothing between queries
     std::uint64_t frames_ = 0;
     bool framed_;
 };
@@ -161,7 +161,7 @@ class ColdCaches final : public TraceListener {
     void on_access(const TracedAccess& access) override;
     void on_query_end(bool counts) override;
 
-    /// Of a machine's cache levels, summed over queries.
+    /// Misses of a machine's cache levels, summed over queries.
     [[nodiscard]] const ByStart<std::vector<std::uint64_t>>& misses(std::size_t machine) const {
         return machines_[machine].misses;
     }
@@ -171,7 +171,7 @@ class ColdCaches final : public TraceListener {
         CacheModel model;
         ByStart<std::vector<std::uint64_t>> misses;
         std::vector<std::uint64_t> booked;  ///< misses of the model up to the last query's end
-        std::vector<std::uint64_t> lines;   ///< brought in by the query at hand
+        std::vector<std::uint64_t> lines;   ///< brought in by the current query
     };
 
     std::vector<Cold> machines_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which pages a memory holds when only faults tell what is used: the newest stand mapped, in the order in
-// which they were mapped, and using them costs and tells nothing; the others stand unmapped, in order of
+// Which pages a memory holds when only faults show which are used. The newest pages are mapped, in the order
+// in which they were mapped; using them costs and reveals nothing. The other pages are unmapped, in order of
 // last use, and using one is a soft fault that maps it again. When memory is full the least recent of the
 // unmapped goes: the next use of it is a hard fault. (Segmented FIFO: Turner and Levy, "Segmented FIFO page
 // replacement", SIGMETRICS 1981; with one mapped page it is LRU, with all mapped FIFO.)
@@ -19,20 +19,20 @@ namespace edgewise::measure {
 
 enum class PageUse : std::uint8_t {
     mapped,
-    first,  ///< nobody used it before: nothing to fetch
+    first,  ///< first use ever: nothing to fetch
     soft,
     hard
 };
 
 class SegmentedLru {
   public:
-    /// Of so many pages a memory that holds `held`, of them `mapped` mapped: 1 <= mapped <= held.
+    /// A memory that holds `held` of `pages` pages, `mapped` of them mapped: 1 <= mapped <= held.
     SegmentedLru(std::size_t pages, std::size_t mapped, std::size_t held)
         : most_mapped_(mapped), most_unmapped_(held - mapped), nodes_(pages) {
         assert(mapped >= 1 && mapped <= held);
     }
 
-    /// What became of a use: how it was met, and the page that is mapped no more because of it.
+    /// Result of a use: how the page was found, and the page that was unmapped because of it.
     struct Use {
         PageUse how;
         std::optional<std::uint32_t> unmapped;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What queries read and write, access by access, as a stream: nothing is kept but what a listener keeps.
+// A stream of what queries read and write, access by access: only a listener keeps any of it.
 // Addresses are relative to where the tables' memory starts, so that a trace is the same on every machine and
 // in every run; the caches of pairs and the broad phase's arrays follow behind the tables.
 #pragma once
@@ -24,10 +24,10 @@ struct TracedAccess {
     std::uint64_t address;  ///< bytes from the start of the tables' memory
     std::uint32_t bytes;
     AccessKind kind;
-    std::uint8_t field, step;  ///< numbers whose names the tracer knows
+    std::uint8_t field, step;  ///< the tracer knows the names behind these numbers
     TraceSide side;
 
-    /// use(number) of each unit of so many bytes that is accessed, from address 0 on.
+    /// Calls use(number) for each unit of unit_bytes bytes that is accessed, counted from address 0.
     template <class Use>
     void for_each_unit(std::uint64_t unit_bytes, Use use) const {
         const std::uint64_t last = (address + bytes - 1) / unit_bytes;
@@ -79,7 +79,7 @@ class TraceFanOut final : public TraceListener {
     std::vector<TraceListener*> listeners_;
 };
 
-/// Where a traced loader tells what it reads.
+/// Receives the reads of a traced loader.
 class TraceSink {
   public:
     /// base: what addresses are relative to.

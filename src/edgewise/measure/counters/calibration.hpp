@@ -15,7 +15,7 @@
 namespace edgewise::measure {
 
 struct CalibrationRow {
-    std::string level;  ///< the one whose size is in question
+    std::string level;  ///< the level under test
     double times = 0;   ///< memory divided by the level's size
     std::uint64_t bytes = 0;
     double modelled = 0;            ///< misses of the level, per load
@@ -30,7 +30,7 @@ struct CalibrationOptions {
     std::uint64_t most_bytes = std::uint64_t{1} << 31;
 };
 
-/// Of the machine's levels in turn; memory beyond most_bytes is left out. `cpu`: this machine's.
+/// Calibrates the machine's levels in turn; leaves out memory beyond most_bytes. `cpu`: this machine's.
 [[nodiscard]] std::vector<CalibrationRow> calibrate_model(const CacheMachine& machine, const Cpu& cpu,
                                                           const CalibrationOptions& options = {});
 

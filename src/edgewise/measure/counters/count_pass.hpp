@@ -44,7 +44,7 @@ struct CountOptions {
 /// once per process. `cpu`: this machine's.
 [[nodiscard]] CountedPass count_pass(const std::function<void()>& pass, std::size_t queries, const Cpu& cpu);
 
-/// The same for any events; those with a refusal are handed on with it.
+/// Counts any events, as count_pass does; events with a refusal keep it in the result.
 [[nodiscard]] CountedPass count_events(const std::function<void()>& pass, std::size_t queries,
                                        std::span<const ChosenEvent> events, const CountOptions& options = {});
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// From counts of batches of queries to a figure per query. Pure functions, so that they are tested without
-// counters. What counting itself costs is measured by empty batches and subtracted; what is too small to be
-// distinguished from it is refused, as is what was disturbed or shared its counter. Nothing is scaled, no 0
-// is made up.
+// Computes a figure per query from counts of batches of queries. Pure functions, so that they are tested
+// without counters. The cost of counting is measured by empty batches and subtracted. A count too small to be
+// distinguished from it is refused, as is one that was disturbed or shared its counter. Nothing is scaled, no
+// 0 is made up.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct CounterSample {
     [[nodiscard]] bool shared_its_counter() const { return running_ns < enabled_ns; }
 };
 
-/// What an event counts when nothing is done between start and stop.
+/// Count of an event when nothing is done between start and stop.
 struct CountingCost {
     std::uint64_t overhead = 0;  ///< the median
     std::uint64_t floor = 1;  ///< what a batch may count by itself: nine in ten stay at or below; at least 1
@@ -32,7 +32,7 @@ struct CountingCost {
 
 inline constexpr std::size_t least_empty_batches = 100;
 inline constexpr std::size_t least_samples = 3;  ///< undisturbed ones: of fewer, one outlier is the median
-inline constexpr std::uint64_t least_to_floor = 10;  ///< a batch must count so many times the floor
+inline constexpr std::uint64_t least_to_floor = 10;  ///< least batch count, in multiples of the floor
 
 /// Refused for fewer than least_empty_batches.
 [[nodiscard]] Expected<CountingCost> counting_cost(std::span<const std::uint64_t> empty_batches);

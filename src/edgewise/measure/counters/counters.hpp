@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which counters this machine has: every metric's event and the kernel's own events are opened and counted
-// over a small piece of work whose effects are known. An event that cannot be opened, was not on a counter
+// over a small piece of work with known effects. An event that cannot be opened, was not on a counter
 // all the time, or stayed at 0 where the work must cause it, is unavailable, with the reason and a remedy; it
 // is never 0.
 #pragma once

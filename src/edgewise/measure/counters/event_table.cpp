@@ -2,7 +2,7 @@
 //
 // Names: libpfm 4.13 for the x86 processors it has; for Zen 5 libpfm's later tables; for Arm libpfm's names.
 // AMD's L3 counters are left out: they belong to a whole core complex, not to a thread, so the last level is
-// seen through the core's own fills from memory. What the generic events are: the kernel's tables in
+// seen through the core's own fills from memory. The generic events are defined in the kernel's tables in
 // arch/x86/events/intel/core.c, amd/core.c and drivers/perf/arm_pmuv3.c.
 #include "edgewise/measure/counters/event_table.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Which event of which processor answers a metric: libpfm's name for it, and what exactly it counts.
+// The event that answers a metric on each processor: libpfm's name for it, and what exactly it counts.
 // Processors differ in that, so every count is reported with its meaning. A metric that no event of a
 // processor counts has no row for it.
 //
-// And the kernel's generic events ("perf list hw cache"). The same one is another thing on another maker's
-// processor: "cache-misses" is the last level on Intel, the second level on AMD and the first on Arm. So one
-// is taken only where it counts what the metric says.
+// Also the kernel's generic events ("perf list hw cache"). One name means different things on different
+// makers' processors: "cache-misses" is the last level on Intel, the second level on AMD and the first on
+// Arm. So an event is taken only where it counts what the metric says.
 #pragma once
 
 #include <cstdint>

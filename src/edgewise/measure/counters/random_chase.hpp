@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Loads at random, each address needing the value of the load before: what no prefetcher foresees and no
-// processor overlaps. Of N lines and a cache of C, N - C in N miss whatever the replacement policy, so it
-// tells a model's sizes from a machine's.
+// Loads at random, each address needing the value of the load before: no prefetcher foresees them and no
+// processor overlaps them. Of N lines and a cache of C, N - C in N miss whatever the replacement policy, so
+// the misses show whether a model's sizes are those of the machine.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ class RandomChase {
   public:
     static constexpr std::uint64_t line_bytes = 64;
 
-    /// Memory of so many bytes, whole lines, 2^32 of them at most. Throws std::bad_alloc.
+    /// Takes `bytes` bytes of memory, whole lines, 2^32 lines at most. Throws std::bad_alloc.
     explicit RandomChase(std::uint64_t bytes)
         : lines_(bytes / line_bytes), memory_((lines_ + 1) * words_a_line, 0) {
         const auto address = reinterpret_cast<std::uintptr_t>(memory_.data());

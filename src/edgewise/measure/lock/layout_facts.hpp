@@ -40,17 +40,17 @@ struct LayoutFacts {
     ByStart<std::optional<std::uint64_t>> knee_bytes;
 };
 
-/// pass: tells a listener the same accesses whenever it is called, with fields below fields.size() and steps
+/// pass: reports the same accesses to a listener on every call, with fields below fields.size() and steps
 /// below `steps`. Bytes are left empty.
 [[nodiscard]] LayoutFacts measure_layout(const std::function<void(TraceListener&)>& pass,
                                          std::span<const CacheMachine> machines,
                                          std::vector<std::string> fields, std::size_t steps = 1);
 
-/// Of a user's own structure; no value: the trace has a problem, or no queries.
+/// Measures a user's own structure; no value if the trace has a problem or no queries.
 [[nodiscard]] Expected<LayoutFacts> measure_layout(const TouchTrace& trace,
                                                    std::span<const CacheMachine> machines);
 
-/// Calls use(suffix, of) of all queries (""), and of those that start cold (".cold") and warm (".warm") where
+/// Calls use(suffix, of) for all queries (""), and for those that start cold (".cold") and warm (".warm") if
 /// there are any: how figures of populations are named everywhere.
 template <class Use>
 void each_population(const ByStart<LinesTouched>& lines, Use use) {

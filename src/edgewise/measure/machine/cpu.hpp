@@ -20,7 +20,7 @@ struct Cpu {
     Expected<std::int64_t> cores;                ///< physical ones
     std::int64_t threads = 0;                    ///< logical processors the system runs
     std::vector<std::string> vector_extensions;  ///< those that change what code can be generated or run
-    Expected<bool> hypervisor;                   ///< x86 only: the flag a guest is told
+    Expected<bool> hypervisor;                   ///< x86 only: the flag that shows a guest that it is one
 };
 
 [[nodiscard]] Cpu parse_cpu(std::string_view cpuinfo);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What this machine is: everything about it that may explain a time or a miss. Only what stays the same from
+// Facts about this machine: everything that may explain a time or a miss. Only what stays the same from
 // run to run: no load, no free memory, no present clock rate.
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace edgewise::measure {
 
-/// Of the first processor, as the kernel tells it in sysfs (Documentation/ABI/testing/
-/// sysfs-devices-system-cpu). In a virtual machine that is what the hypervisor chose to tell.
+/// A cache of the first processor, as the kernel reports it in sysfs (Documentation/ABI/testing/
+/// sysfs-devices-system-cpu). In a virtual machine the hypervisor chooses what is reported.
 struct Cache {
     Expected<std::int64_t> level, bytes, ways, line_bytes, sets;
     Expected<std::string> type;         ///< Data, Instruction or Unified

@@ -16,7 +16,7 @@
 
 namespace edgewise::measure {
 
-/// Of this machine, read now.
+/// JSON record of this machine, read now.
 [[nodiscard]] nlohmann::json machine_json();
 
 [[nodiscard]] nlohmann::json machine_json(const Machine& machine, const std::vector<CounterRecord>& counters);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The processors whose events are known, distinguished as libpfm does: by vendor, family, model and stepping.
+// The processors with known events, distinguished as libpfm does: by vendor, family, model and stepping.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +47,7 @@ struct Processor {
 /// Null for a processor that is not among them.
 [[nodiscard]] const Processor* find_processor(const Cpu& cpu);
 
-/// Of the processor, by the vendor's name in /proc/cpuinfo.
+/// Maker of the processor, from the vendor's name in /proc/cpuinfo.
 [[nodiscard]] CpuMaker maker_of(const Cpu& cpu);
 
 }  // namespace edgewise::measure

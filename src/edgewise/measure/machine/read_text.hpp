@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Readers of the small text files in which Linux tells about itself.
+// Readers of the small text files in which Linux describes itself.
 #pragma once
 
 #include <cstdint>

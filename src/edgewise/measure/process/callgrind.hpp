@@ -17,7 +17,7 @@ namespace edgewise::measure {
 
 struct CallgrindCounts {
     double instructions = 0, accesses = 0, d1_misses = 0, ll_misses = 0;
-    /// Of conditional and indirect branches, as modelled; nothing where no branches were simulated.
+    /// Modelled mispredictions of conditional and indirect branches; no value if no branches were simulated.
     std::optional<double> mispredictions = {};
 };
 

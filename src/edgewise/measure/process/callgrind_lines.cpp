@@ -104,7 +104,7 @@ class Reader {
         if (key == "calls") is_call_ = true;
     }
 
-    /// What follows "calls=" is what they cost with all that they called: in the callees' lines already.
+    /// Skips the line after "calls=": it is the cost of the callees, whose own lines have it already.
     [[nodiscard]] bool take_cost(const std::string& line) {
         std::istringstream words(line);
         std::string address, source_line;

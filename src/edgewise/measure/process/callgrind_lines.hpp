@@ -16,7 +16,7 @@
 
 namespace edgewise::measure {
 
-/// Of the events that Callgrind counts, those of instructions, branches and the first level; whole numbers.
+/// Callgrind's events of instructions, branches and the first level; whole numbers.
 struct InstructionCost {
     std::uint64_t instructions = 0, mispredictions = 0, d1_misses = 0;
 
@@ -24,7 +24,7 @@ struct InstructionCost {
     InstructionCost& operator+=(const InstructionCost& other);
 };
 
-/// Cost of one line of the output. `function` and `object` number the names beside it.
+/// Cost of one line of the output. `function` and `object` are numbers of names.
 struct CallgrindLine {
     std::uint64_t address = 0;  ///< in the object's file, as addr2line takes it
     std::size_t function = 0, object = 0;
@@ -65,7 +65,7 @@ using InlineFrames = std::map<std::uint64_t, std::vector<InlineFrame>>;
 /// What `addr2line -a -i -f -C` prints.
 [[nodiscard]] InlineFrames parse_inline_frames(const std::string& printed);
 
-/// Of addresses in the program's file. Unknown: there is no addr2line, or it fails.
+/// Inlined functions at addresses in the program's file. Unknown: there is no addr2line, or it fails.
 [[nodiscard]] Expected<InlineFrames> inline_frames(const std::string& program,
                                                    const std::vector<std::uint64_t>& addresses);
 

@@ -7,7 +7,7 @@ namespace edgewise::measure {
 
 class CallgrindRegion {
   public:
-    /// Whether this program was built with what it takes (valgrind/callgrind.h).
+    /// Returns true if this program was built with the header that it needs (valgrind/callgrind.h).
     [[nodiscard]] static bool available();
 
     CallgrindRegion();

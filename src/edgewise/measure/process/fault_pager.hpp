@@ -2,9 +2,9 @@
 //
 // A memory that is too small, made by this process for itself: a stretch of shared memory whose pages are
 // taken away and given back by userfaultfd (Linux 5.13 on: minor faults of shared memory, reported to the
-// thread that caused them). What is held and evicted SegmentedLru says; a page that it does not hold comes
-// after a stated wait, the cost of a disk. Contents never move: an evicted page is unmapped, no more, so that
-// no answer can change. No root, no disk, no control group.
+// thread that caused them). SegmentedLru decides which pages are held and evicted; a page that is not held
+// comes after a stated wait, the cost of a disk. Contents never move: an evicted page is only unmapped, so
+// that no answer can change. No root, no disk, no control group.
 //
 // One pager at a time; only the thread that made it may use the memory meanwhile.
 #pragma once
@@ -34,7 +34,7 @@ class FaultPager {
     FaultPager(const FaultPager&) = delete;
     FaultPager& operator=(const FaultPager&) = delete;
 
-    /// Of the hard faults from now on.
+    /// Sets the wait of each hard fault from now on.
     void set_wait_ns(double ns);
     /// Since it was made, or taken last.
     [[nodiscard]] FaultCounts take_counts();

@@ -29,7 +29,7 @@ struct RecordRow {
     double value = 0;
     double low = value, high = value;  ///< the ends of its 95 % interval
     bool has_interval = false;         ///< else it is exact: every run gives the same value
-    std::string text = {};             ///< a word that is compared in place of numbers; empty: numbers
+    std::string text = {};             ///< a word to compare instead of numbers; empty: numbers
     std::string note = {};             ///< shown next to a difference, not compared and not kept in files
 };
 

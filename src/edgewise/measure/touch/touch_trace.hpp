@@ -51,10 +51,10 @@ class Structure {
     /// Where these bytes lie; nothing: no array has them all.
     [[nodiscard]] std::optional<std::uint64_t> place_of(const void* address, std::size_t bytes) const;
 
-    /// Of every member and of every array's padding, in the order in which they were added.
+    /// Bytes of every member and of every array's padding, in the order in which they were added.
     [[nodiscard]] const std::vector<ComponentBytes>& bytes() const { return bytes_; }
 
-    /// What is wrong with what was added; empty: nothing.
+    /// The fault in what was added; empty if there is none.
     [[nodiscard]] const std::string& problem() const { return problem_; }
 
   private:
@@ -81,9 +81,9 @@ class TouchTrace {
     /// fields: their names by number, 256 at most. Arrays must have been added to the structure before.
     TouchTrace(Structure structure, std::vector<std::string> fields);
 
-    /// Ends the query at hand. A query that starts from an earlier answer starts warm; all others cold.
+    /// Ends the current query and starts one: warm if it starts from an earlier answer, else cold.
     void start_query(QueryStart start = QueryStart::cold);
-    /// What is touched from here to the next query is no query's own.
+    /// Ends the current query. Accesses from here to the next query belong to no query.
     void end_query();
 
     /// A read. Field: a number or an enumerator.
@@ -124,8 +124,8 @@ class TouchTrace {
     std::string problem_;
 };
 
-/// A user's loaders: code that reads every member through one of these is timed with PlainReads, which cost
-/// nothing, and traced with TouchReads.
+/// Loaders for a user's code that reads every member through one: PlainReads for timing, which cost
+/// nothing, and TouchReads for tracing.
 struct PlainReads {
     template <class Value, class Field>
     const Value& load(const Value& location, Field) const {
@@ -138,7 +138,7 @@ class TouchReads {
     /// The trace must outlive this.
     explicit TouchReads(TouchTrace& trace) : trace_(&trace) {}
 
-    /// The same value, and the trace knows of it.
+    /// Returns the value and records the read in the trace.
     template <class Value, class Field>
     const Value& load(const Value& location, Field field) const {
         // Where nodes hold pointers, a pointer is what is read. NOLINTNEXTLINE(bugprone-sizeof-expression)

@@ -19,7 +19,7 @@ namespace {
 /// No access of a processor is larger; a larger one is a mistake in the file.
 constexpr std::uint64_t most_bytes = 1 << 20;
 
-/// What a line says, before anybody looked whether that can be.
+/// Content of a line, before it is checked.
 struct Access {
     std::uint64_t address = 0, bytes = 0;
     enum class Label { read, write, fetch, modify } label = Label::read;
@@ -114,7 +114,7 @@ std::optional<Access> lackey_access(std::string_view line) {
     return Access{*address, *bytes, meanings[which]};
 }
 
-/// What a line of a din file that is no access should be.
+/// Returns the expected form of a din line that is not an access.
 const char* wanted_of_din(std::string_view line) {
     const char label = take_label(line);
     if (!take_number(line, 16) || !at_word_end(line)) return din_wants;

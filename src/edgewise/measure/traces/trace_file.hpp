@@ -4,7 +4,7 @@
 //   din     Dinero's (Edler and Hill, "Dinero IV", 1998), in both of its forms. Traditional: a label (0 is
 //           a read, 1 a write, 2 an instruction fetch) and an address in hexadecimal; it has no sizes, so
 //           that an access is the word of 4 bytes at the address, as in Dinero. Extended: r, w, i or m (as a
-//           read), address and size, both in hexadecimal. What follows on a line is a comment; a size there,
+//           read), address and size, both in hexadecimal. The rest of a line is a comment; a size there,
 //           which the traditional form does not have, is refused. So are labels that are no accesses (3, 4;
 //           c, v): the model has no commands.
 //   lackey  what `valgrind --tool=lackey --trace-mem=yes --log-file=FILE` writes: a letter of I (fetch), S
@@ -58,7 +58,7 @@ struct TraceReading {
 TraceCounts read_trace(std::istream& stream, const std::string& file, const TraceReading& reading,
                        const std::function<void(const FileAccess&)>& use);
 
-/// Writes what it is told as extended din; fields, queries and sides are not in that form.
+/// Writes the accesses that it receives as extended din; fields, queries and sides are not in that form.
 class DinWriter final : public TraceListener {
   public:
     /// The stream must outlive this.
@@ -85,15 +85,15 @@ class TraceCaches {
 
     void access(const FileAccess& access);
 
-    /// Of machine number `machine`: caches from the first level on, then TLBs.
+    /// Levels of machine number `machine`: caches from the first level on, then TLBs.
     [[nodiscard]] std::vector<Level> levels(std::size_t machine) const;
 
-    /// Of 64 bytes.
+    /// Number of distinct lines of 64 bytes.
     [[nodiscard]] std::uint64_t distinct_lines() const { return reuse_.lines(); }
-    /// The smallest fully associative cache, in bytes, that brings in again at most a tenth as many lines as
-    /// the trace has distinct ones; 0: none is ever needed again.
+    /// The smallest fully associative cache, in bytes, with at most a tenth as many repeated fetches of lines
+    /// as the trace has distinct lines; 0: no line is ever needed again.
     [[nodiscard]] std::uint64_t knee_bytes() const;
-    /// Lines that fully associative caches of so many bytes bring in.
+    /// Lines that fully associative caches of this number of bytes bring in.
     [[nodiscard]] std::uint64_t misses(std::uint64_t bytes) const;
 
   private:

@@ -43,7 +43,7 @@ struct Coal {
             : transform(coal::Matrix3s(pose.rotation), coal::Vec3s(pose.translation)) {}
         coal::Transform3s transform;
     };
-    /// What the solver starts from, as it is before its first query.
+    /// Start of the solver's search, in its state before the first query.
     struct Cache {
         coal::Vec3s direction = coal::Vec3s(1, 0, 0);
         coal::support_func_guess_t vertices = coal::support_func_guess_t::Zero();

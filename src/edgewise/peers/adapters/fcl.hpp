@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the adapters of FCL's two solvers share: its convex shape, its pose, and the query, which both ask
-// alike.
+// Parts that the adapters of FCL's two solvers share: its convex shape, its pose, and the query, which is the
+// same for both.
 #pragma once
 
 #include <fcl/geometry/shape/convex.h>

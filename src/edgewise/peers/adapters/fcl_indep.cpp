@@ -5,8 +5,8 @@
 
 #include "edgewise/peers/adapters/fcl.hpp"
 
-// The library's own copy of these is compiled for any processor, and several times slower: ours, from the
-// same headers, with this module's flags.
+// The library's own instantiations are compiled for any processor, and several times slower. We instantiate
+// the same headers with this module's flags.
 template struct fcl::detail::GJK<double>;
 template struct fcl::detail::MinkowskiDiff<double>;
 

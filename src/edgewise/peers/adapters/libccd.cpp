@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// libccd asked for itself: it tells whether bodies intersect, and no distance. The support function is the
+// libccd's own query: it reports whether bodies intersect, and no distance. The support function is the
 // user's, here a linear scan.
 #include <ccd/ccd.h>
 #include <ccd/quat.h>

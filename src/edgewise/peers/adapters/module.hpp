@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What makes an adapter a module: what it says of its library, for the one function that it exports.
+// Makes an adapter a module: describes its library, for the one function that the module exports.
 #pragma once
 
 #include "edgewise/peers/peer_bench_for.hpp"

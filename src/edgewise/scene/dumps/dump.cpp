@@ -35,7 +35,7 @@ constexpr std::string_view blanks = " \t\r\n";
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// A text that stands in a message.
+/// Shortens a text for use in a message.
 std::string shown(std::string_view text) {
     constexpr std::size_t longest = 30;
     const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());

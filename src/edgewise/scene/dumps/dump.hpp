@@ -17,7 +17,7 @@
 
 namespace edgewise::scene {
 
-/// What the text says that a library answered.
+/// A library's answer, as the text reports it.
 struct ReportedAnswer {
     std::string who;                 ///< "FCL"
     std::string what;                ///< its message, on one line
@@ -30,8 +30,8 @@ struct PastedPair {
     std::optional<ReportedAnswer> reported;
 };
 
-/// What the text is, whichever of them. `where` opens every message. Errors name what is missing and what is
-/// read; the warning says that a matrix was replaced by the nearest rotation.
+/// Reads a pasted text in any of these formats. `where` begins every message. Errors name what is missing and
+/// what is read; the warning says that a matrix was replaced by the nearest rotation.
 [[nodiscard]] Result<PastedPair> read_pasted(std::string_view text, const std::string& where);
 
 /// "Shape 1: ... X_FS1 ... Shape 2: ... X_FS2 ...", as FCL's ThrowDetailedConfiguration prints it: since 2019
@@ -45,8 +45,8 @@ struct PastedPair {
 // Reading of texts that people paste: numbers between separators, words in a known order, quotes of a mail.
 // Everything is used up or refused.
 
-/// The number that the text begins with, which is removed; nothing where none stands there, or one that is
-/// not finite.
+/// Removes the number that the text begins with, and returns it; nothing if the text begins with no number or
+/// with one that is not finite.
 [[nodiscard]] std::optional<double> take_number(std::string_view& text);
 
 /// All the numbers of a text that holds nothing else but blanks, brackets, and at most one comma or semicolon
@@ -61,7 +61,7 @@ class WordReader {
   public:
     explicit WordReader(std::string_view text) : rest_(text) {}
 
-    /// Whether the word comes next; then it is passed.
+    /// Returns true if the word comes next; then it is skipped.
     bool take(std::string_view word);
     /// These words, apart by blanks, one after the other; # is any name. False at the first that is missing.
     bool take_all(std::string_view words);

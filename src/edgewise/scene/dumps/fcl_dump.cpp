@@ -162,7 +162,7 @@ std::vector<Vec3d> fcl_shape(std::string_view section) {
     return vertices;
 }
 
-/// A number, or what is printed in place of one.
+/// Returns true if the line begins with a number, or with "nan" or "inf".
 bool begins_row(const std::string& line) {
     std::string_view text = line;
     text.remove_prefix(std::min(text.find_first_not_of(" \t+-.,;["), text.size()));
@@ -211,7 +211,7 @@ std::optional<ReportedAnswer> reported_in(std::string_view text) {
     return ReportedAnswer{"FCL, as reported", "threw: " + message, std::nullopt};
 }
 
-/// The texts behind each of these words, up to the next one; each word stands in the text once.
+/// The texts behind each of these words, up to the next word; each word occurs in the text once.
 template <std::size_t Count>
 std::array<std::string_view, Count> sections_of(std::string_view text,
                                                 const std::array<std::string_view, Count>& words) {

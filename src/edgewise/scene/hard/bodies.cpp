@@ -13,7 +13,7 @@ Pair at_some_gap(Maker& maker, CaseBody a, CaseBody b, int finest, int coarsest)
     return at_gap(maker, std::move(a), std::move(b), maker.rng.rotation(), maker.rng.rotation(), gap);
 }
 
-/// A cube whose sides are two triangles each, given as such.
+/// A cube whose sides are given as two triangles each.
 CaseBody split_cube() {
     CaseBody cube{"a", Maker::box(0.5, 0.5, 0.5), {}};
     cube.faces =
@@ -58,7 +58,7 @@ Pair duplicates(Maker& maker) {
     for (const Vec3d& v : originals) {
         for (int k = 0; k < copies; ++k) a.vertices.push_back(v + maker.rng.in_cube(1) * beside);
     }
-    if (maker.rng.below(4) == 0) {  // a body on itself, or a rounding step beside
+    if (maker.rng.below(4) == 0) {  // a body on itself, or a rounding step away
         const Mat3d common = maker.rng.rotation();
         const Vec3d step = maker.rng.on_sphere() * maker.pick({0.0, 0x1p-52});
         return at(a, a, common, common, step);
@@ -121,7 +121,7 @@ Pair random_fuzz(Maker& maker) {
     return {std::move(a), std::move(b), {{pose_a, pose_b}}};
 }
 
-/// Of the bodies at hand; without any there is no pair (the caller says so).
+/// A pair of the available bodies. Without any body there is no pair (the caller reports it).
 Pair real_hulls_at_gaps(Maker& maker) {
     const auto real = maker.real();
     const auto some = [&](const char* name) {

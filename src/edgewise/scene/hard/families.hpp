@@ -2,7 +2,7 @@
 //
 // The hard-case families: seeded generators of pairs that broke some collision library, each with the regime
 // it sweeps, and six rows of cube poses on which the original V-Clip was measured. One line per family in
-// families.cpp; the generators stand in the files named after what they vary.
+// families.cpp; the generators are in files named after the property that they vary.
 #pragma once
 
 #include <functional>

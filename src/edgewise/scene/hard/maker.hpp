@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the hard-case families are made from: spread-out numbers, rotations, small bodies as point lists, and
+// Parts of the hard-case families: spread-out numbers, rotations, small bodies as point lists, and
 // placing a pair at a wanted gap. IEEE + - * / sqrt and scaling by powers of two only, so the cases have the
 // same bits everywhere; "spread" means a power of two, uniform over the octaves, times 1 to 2.
 #pragma once

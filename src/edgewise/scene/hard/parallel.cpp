@@ -57,7 +57,7 @@ Pair near_parallel_edges(Maker& maker) {
               multiply(common, along));
 }
 
-/// A tetrahedron's tip over a box, beside the plane between the regions of its top and of its side or edge.
+/// A tetrahedron's tip over a box, near the plane between the regions of its top and of its side or edge.
 Pair voronoi_straddle(Maker& maker) {
     CaseBody a{"a", Maker::box(0.5, 0.5, 0.5), {}};
     CaseBody b{"b", {{0, 0, 0}, {0.5, 0.25, 1}, {-0.5, 0.25, 1}, {0, -0.5, 1}}, {}};

@@ -55,8 +55,8 @@ Pair absolute_scale(Maker& maker) {
     return pair;
 }
 
-/// In the translations, in the vertices, or in both so that they cancel. Offsets are powers of two, so that
-/// the bodies keep as many digits as there are.
+/// Adds offsets to the translations, to the vertices, or to both so that they cancel. They are powers of two,
+/// so that the bodies keep as many digits as possible.
 Pair large_offset(Maker& maker) {
     CaseBody a{"a", maker.any_solid(), {}}, b{"b", maker.any_solid(), {}};
     const double gap = (maker.rng.below(3) == 0 ? -1 : 1) * maker.spread(-10, 1);

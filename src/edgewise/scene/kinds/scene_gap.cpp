@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// `gap`: independent pairs at signed gaps that were asked for, from deep to far. Both bodies turned uniformly
-// at random, B approaches A along a random line through both centres and stops where the gap is the wanted
-// one. A gap is a part of the body's size: the distance of the bodies, or, below 0, how far B has gone on
+// `gap`: independent pairs at requested signed gaps, from deep to far. Both bodies are turned uniformly at
+// random; B approaches A along a random line through both centres and stops where the gap is the wanted
+// one. A gap is a fraction of the body's size: the distance of the bodies, or, below 0, how far B has moved
 // along that line since it was about to touch. (The shortest way out may be another and is no longer.)
 //
-// Gaps are spread evenly over [gap, gap + span]: one in each of as many equal parts as there are queries, in
-// random order. With span 0 all have the same, so that a scene file that varies `gap` draws time against it.
+// Gaps are spread evenly over [gap, gap + span]. The range is cut into one equal part per query; the parts
+// come in random order. With span 0 all gaps are equal, so a scene file that varies `gap` plots time over it.
 //
 // Each pair is measured where it was placed, and a scene that missed its gap is refused: thin bodies come out
 // at the other side when they are pushed in too far.
@@ -53,7 +53,7 @@ struct GapMaker {
         const auto distance_at = [&](double s) {
             return setup.distance(setup.shape, pose_a, setup.shape, place_b(s));
         };
-        // What touches is sought from outside, a tolerance off: inside, all distances are 0.
+        // Touching is searched from outside, a tolerance away, because inside all distances are 0.
         const double tolerance = gap_placement_tolerance * size;
         const double target = std::max(gap * size, tolerance);
         const double outside = find_offset(distance_at, target, 2 * radius + target, tolerance / 2);

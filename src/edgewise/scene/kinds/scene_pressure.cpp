@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // `pressure`: more tables than any cache holds, as in the paper, where every instance had its own and
-// "hundreds of such primitives" consumed all memory. Bodies stand on a cubic lattice, each with a table of
-// its own, and turn about their middles; each step asks every body against the next, once, in an order that
-// memory does not know. What a pair needs has left the caches by the time it is asked again, or has not, by
-// how small its tables are. The same order in every step is what engines have, and the worst case of caches
-// that evict what was not used for longest: too small by a little is too small for all of it. With
-// new_order each step has another.
+// "hundreds of such primitives" consumed all memory. Bodies lie on a cubic lattice, each with a table of
+// its own, and turn about their middles. Each step queries every pair of neighbours once, in an order that
+// does not follow memory. Whether a pair's data is still in the caches when the pair is queried again depends
+// on the size of its tables. Engines repeat the order in every step, which is the worst case of caches that
+// evict the least recently used line: a cache slightly too small misses everything. With new_order each step
+// has another order.
 //
 // Neighbours follow each other along the lattice back and forth, so that every pair is near; spheres around
 // the bodies never meet, so that every pair is separated.

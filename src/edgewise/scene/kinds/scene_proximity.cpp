@@ -2,9 +2,9 @@
 //
 // `proximity`: the test of continuous close proximity of "New Metrics for Evaluation of Collision Detection
 // Techniques" (section 2): bodies close to each other, without linear velocity, turning very slowly, "of the
-// order of 1/4 rad/s". What gravity would bring about: contacts that last.
+// order of 1/4 rad/s". It represents resting contacts, which gravity would bring about.
 //
-// Pairs of copies stand a small gap apart, each turned at random, and both bodies of a pair turn about their
+// Pairs of copies lie a small gap apart, each turned at random, and both bodies of a pair turn about their
 // middles. The paper names no time step; with 60 steps per second 1/4 rad/s are 0.25 / 60 = 0.00417 rad per
 // step. As they turn, gaps open and close and some pairs come to touch: about one in two of spheres does.
 // Each step asks all pairs, in the same order.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the scenes are made from and share: the checked request, a body's middle and reach, its box in the
+// Parts that the scenes share: the checked request, a body's middle and reach, its box in the
 // world, and the box of a given occupancy. One function per scene; scenes.cpp lists them.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace edgewise::scene {
 
-/// A request whose parameters are complete and within bounds.
+/// A request with complete parameters, all within bounds.
 struct SceneSetup {
     const Polyhedron& shape;
     const SceneParameters& parameters;
@@ -44,14 +44,14 @@ struct SceneSetup {
 /// algorithm go through this, so that their last bits cannot move a pose.
 [[nodiscard]] double coarse(double x);
 
-/// Of a positive number, by Newton's method in IEEE + - * / only: libm's is not the same everywhere.
+/// Cube root of a positive number, by Newton's method in IEEE + - * / only, because libm differs by machine.
 [[nodiscard]] double cube_root(double x);
 
 /// Half the side of the cube in which bodies of this total volume have this occupancy.
 [[nodiscard]] double box_half(double total_volume, double occupancy);
 
-/// Where a body must stand to be at a wanted distance from another: the place s on a ray through both centres
-/// where distance_at(s) is `target`, to a tolerance. `far`: a place where the bodies surely are farther from
+/// Returns the place s on a ray through both centres where a body is at a wanted distance from another:
+/// distance_at(s) is `target`, to a tolerance. `far`: a place where the bodies surely are farther from
 /// each other than that.
 ///
 /// Along the ray the distance f(s) of convex bodies is convex, its slope at most 1. So s - (f - target) never

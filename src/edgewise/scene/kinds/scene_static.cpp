@@ -8,7 +8,7 @@
 // Boxes are those of the bodies; with a margin they are larger, and pairs farther apart are asked too.
 //
 // Volumes vary over four sizes of the shape: 3/4, 1, 5/4 and 3/2 of its lengths (0.42 to 3.4 of its volume),
-// in turn, so that every population fills the box alike. Bodies may overlap: about half of the pairs of
+// in turn, so that every population fills the box equally. Bodies may overlap: about half of the pairs of
 // spheres do.
 #include <fmt/core.h>
 

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// `tumble`: coherent motion. Copies of one body drift and turn in a box (motion.hpp), each step all of them,
-// and sweep and prune follows the pairs whose boxes, enlarged by a margin, overlap. Rotation and translation
-// per step are the coherence: 0.01 rad is a smooth simulation, 2 pi and half a body size per step is none.
+// `tumble`: coherent motion. Copies of one body drift and turn in a box (motion.hpp), all of them
+// in every step. Sweep and prune follows the pairs with overlapping boxes, enlarged by a margin. Rotation and
+// translation per step set the coherence: 0.01 rad is a smooth simulation, 2 pi and half a body size is none.
 //
 // One slot of the pair cache is one uninterrupted stay of a pair in the broad phase, so a warm start is never
 // older than one step; a pair that leaves and returns gets a new slot and starts cold. After `steps` steps
 // a new population begins, so that a run sees many arrangements. The margin is chosen so that most followed
 // pairs are separated: of spheres about one in six overlaps.
 //
-// A turn of every body about one axis repeats its orientations where it is a rational multiple of pi, after
-// eight steps at 3/4 of it, and what is measured then is those few. With a precession each body's axis turns
-// too, about another, by that part of the body's own turn.
+// A turn of every body about one axis repeats its orientations where it is a rational multiple of pi (after
+// eight steps at 3/4 of it), and then only few orientations are measured. With a precession each body's axis
+// turns too, about another axis, by that part of the body's own turn.
 //
-// At random_orientation a body stands turned at random in every step: no coherence is left in the rotation,
-// which a turn by 2 pi per step would not show, since it is none. At random_velocities turns and ways are
-// drawn for each body, up to those given. With box_of_bodies the box is that of so many bodies, and the
-// bodies shrink until the occupancy is right; ways per step stay as long as they were, in metres.
+// At random_orientation a body has a new random orientation in every step: no coherence is left in the
+// rotation. A turn by 2 pi per step would not show this, since it is no turn. At random_velocities turns and
+// ways are drawn for each body, up to those given. With box_of_bodies the box is that of this many bodies,
+// and bodies shrink until the occupancy is right; ways per step stay as long as they were, in metres.
 //
 // Queries come pair after pair, each pair's in time order, so that a pair finds its tables where it left
 // them, and classes of answers come in long stretches to be timed; or, with in_time_order, frame after frame
@@ -115,13 +115,13 @@ void cut(std::size_t query_count, Workload& workload) {
         workload.pair_count = std::max(workload.pair_count, query.pair + 1);
 }
 
-/// Whether there are as many queries as asked for, and as many steps.
+/// Returns true if the workload has the requested number of queries and of steps.
 bool is_enough(const SceneSetup& setup, const Workload& workload) {
     return workload.queries.size() >= setup.query_count &&
            workload.frames.size() >= setup.count("least_steps");
 }
 
-/// As many as asked for, and all of the least steps.
+/// The requested number of queries, or more if the first `least_steps` steps have more.
 std::size_t queries_wanted(const SceneSetup& setup, const Workload& workload) {
     const std::size_t steps = setup.count("least_steps");
     const std::size_t end =
@@ -129,7 +129,7 @@ std::size_t queries_wanted(const SceneSetup& setup, const Workload& workload) {
     return steps == 0 ? setup.query_count : std::max(setup.query_count, end);
 }
 
-/// Of their lengths.
+/// Scale of the bodies' lengths.
 double scale_of_bodies(const SceneSetup& setup) {
     if (setup["box_of_bodies"] == 0) return 1;
     return coarse(cube_root(setup["box_of_bodies"] / setup["bodies"]));

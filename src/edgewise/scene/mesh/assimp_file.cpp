@@ -46,7 +46,7 @@ class Taker {
         take(&value, sizeof value);
         return whole_ ? value : 0;
     }
-    /// Of as many items as are said to follow; none where they do not.
+    /// Reads a count and that number of items; returns no items if the rest is too short for them.
     template <class Items>
     Items items() {
         const std::uint64_t count = number();
@@ -64,7 +64,7 @@ class Taker {
 
 using Parts = Result<std::vector<MeshPart>>;
 
-/// A node's map, whose matrix need not be a rotation.
+/// A node's map. Its matrix need not be a rotation.
 Pose from_assimp(const aiMatrix4x4& m) {
     Pose map;
     map.rotation << double{m.a1}, double{m.a2}, double{m.a3}, double{m.b1}, double{m.b2}, double{m.b3},
@@ -172,7 +172,7 @@ std::string parts_as_bytes(const std::string& path, bool as_stored) {
     try {
         return bytes_of(parts_of(path, as_stored));
     } catch (const std::bad_alloc&) {
-        throw;  // the limit's to tell
+        throw;  // the memory limit reports it
     } catch (const std::exception& thrown) {
         return bytes_of(Parts::failure(": cannot be read as a mesh: " + one_line(thrown.what())));
     } catch (...) {

@@ -63,7 +63,7 @@ std::optional<double> mesh_volume(const MeshPart& part) {
     return std::abs(six_volumes) / 6;
 }
 
-/// What the hull adds to the mesh; empty when the mesh is convex or has no faces.
+/// Says what the hull adds to the mesh; empty when the mesh is convex or has no faces.
 std::string hull_warning(const MeshPart& part, const Polyhedron& hull) {
     if (part.triangles.empty() || hull.face_count() <= 2) return {};
     const std::optional<double> inside = mesh_volume(part);
@@ -154,7 +154,7 @@ Result<std::vector<NamedShape>> mesh_shapes(const std::string& file, const MeshR
     std::vector<NamedShape> shapes;
     for (MeshBody& mesh : *bodies) {
         for (Vec3d& v : mesh.body.vertices) v *= mesh_scale;
-        auto hull = convex_hull(mesh.body.vertices);  // rounding moved the vertices: faces anew
+        auto hull = convex_hull(mesh.body.vertices);  // rounding moved the vertices: new faces
         if (!hull) return Shapes::failure(file + ": " + hull.error);
         shapes.push_back({mesh.name, source, *std::move(hull), {}});
     }

@@ -44,10 +44,10 @@ struct MeshBody {
 /// digits back.
 inline constexpr double mesh_scale = 1.0 + 1.0 / 3.0;
 
-/// Whether a shape's name is that of a mesh file: built-in ones have no dot.
+/// Returns true if a shape's name is that of a mesh file: built-in ones have no dot.
 [[nodiscard]] inline bool names_mesh_file(std::string_view shape) { return shape.find('.') != shape.npos; }
 
-/// The bodies under the names of their files, scaled by mesh_scale, hulls anew. The warning is that of
+/// The bodies under the names of their files, scaled by mesh_scale, with new hulls. The warning is that of
 /// read_mesh_file.
 [[nodiscard]] Result<std::vector<NamedShape>> mesh_shapes(const std::string& file,
                                                           const MeshReading& reading = {});

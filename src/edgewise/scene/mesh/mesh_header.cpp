@@ -105,7 +105,7 @@ std::string ply_error(const std::string& head, std::uint64_t file_bytes) {
     return "cannot be read as a mesh: its PLY header does not end";
 }
 
-/// Numbers of vertices and faces stand in the first line that is neither empty, a comment nor the magic word;
+/// Checks the counts of vertices and faces in the first line that is not empty, a comment or the magic word;
 /// a vertex takes at least "0 0 0\n", a face "0\n".
 std::string off_error(const std::string& head, std::uint64_t file_bytes) {
     constexpr std::uint64_t vertex_bytes = 6, face_bytes = 2;

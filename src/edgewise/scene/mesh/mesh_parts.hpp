@@ -34,7 +34,7 @@ struct MeshPart {
 /// The parts of an OBJ text, in double (Assimp and Debian's tinyobjloader read single precision, take 0,5 for
 /// a number and name no line). A new object (o), group (g) or material (usemtl) begins a part. A part has the
 /// vertices that its faces, lines and points name, in the order of the file; the warning counts those that
-/// none names. Without any, all vertices count, and belong to the part in which they stand.
+/// no element names. If no element names any, all vertices count, each in the part in which it is listed.
 [[nodiscard]] Result<std::vector<MeshPart>> obj_parts(std::string_view text);
 
 /// One part for each solid of an STL file: text in double, whatever the case of its keywords, or binary,
@@ -42,24 +42,24 @@ struct MeshPart {
 /// it expects.
 [[nodiscard]] Result<std::vector<MeshPart>> stl_parts(std::string_view bytes);
 
-/// Empty, or what is wrong with the file at that path, whose ending or first letters say which format it is:
-/// what its header announces is held against its bytes before a parser reserves memory for it or looks for
+/// Empty, or what is wrong with the file at that path. Its ending or first letters say which format it is:
+/// the sizes in its header are compared with its bytes before a parser reserves memory for it or looks for
 /// lines that are not there. PLY (paulbourke.net/dataformats/ply) and OFF (paulbourke.net/dataformats/off).
 [[nodiscard]] std::string mesh_header_error(const std::string& path);
-/// The same from the path's ending, the file's first bytes and how many it has.
+/// Takes the path's ending, the file's first bytes and its size in bytes instead of a path.
 [[nodiscard]] std::string mesh_header_error(const std::string& ending, const std::string& head,
                                             std::uint64_t bytes);
 
 /// Bytes of a PLY scalar; 1 of an unknown one.
 [[nodiscard]] std::uint64_t ply_bytes(std::string_view type);
 
-/// Empty, or what is wrong with the rows of a PLY or OFF file, whose header is one that mesh_header_error
-/// takes. Assimp takes a row of a face for a vertex where a count is off by one, and 0,5 for a number.
+/// Empty, or what is wrong with the rows of a PLY or OFF file that passed mesh_header_error.
+/// Assimp takes a row of a face for a vertex where a count is off by one, and 0,5 for a number.
 [[nodiscard]] std::string ply_rows_error(std::string_view bytes);
 [[nodiscard]] std::string off_rows_error(std::string_view text);
 
-/// The parts of a file that Assimp reads, in a process of its own: one for each use of a mesh by a node, with
-/// the transforms of all nodes above it applied in double. Fails on a file that Assimp cannot read, or whose
+/// The parts of a file that Assimp reads, in a separate process: one for each use of a mesh by a node, with
+/// the transforms of all nodes above it applied in double. Fails if Assimp cannot read the file, or if its
 /// reader takes more than the limits. The warning says what was done to a COLLADA file's axes and unit, which
 /// `as_stored` leaves out.
 [[nodiscard]] Result<std::vector<MeshPart>> assimp_parts(const std::string& path, bool as_stored,

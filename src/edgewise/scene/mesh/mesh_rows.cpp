@@ -193,7 +193,7 @@ void check_ply(std::string_view bytes) {
     rows.end();
 }
 
-/// Of OFF with normals or colours a vertex has more than three numbers; a face may have a colour behind.
+/// Checks OFF rows. With normals or colours a vertex has more than three numbers; a face may end in a colour.
 void check_off(std::string_view text) {
     TextRows rows(TextLines(text), true);
     if (!rows.next()) return;

@@ -30,7 +30,7 @@ struct ObjElement {
 
 struct ObjPart {
     std::string name;
-    std::size_t first_vertex = 0;  ///< how many vertices stood before it
+    std::size_t first_vertex = 0;  ///< number of vertices before it
     std::vector<ObjElement> elements;
 };
 
@@ -131,7 +131,7 @@ class ObjReader {
         parts_.back().elements.push_back(std::move(element));
     }
 
-    /// Of 7, 7/1, 7/1/3, 7//3: a place from 1, or back from the last vertex.
+    /// Vertex named by 7, 7/1, 7/1/3 or 7//3: counted from 1, or, if negative, back from the last vertex.
     Index vertex_in(std::string_view word) {
         std::int64_t number = 0;
         const char* const end = word.data() + word.size();

@@ -70,7 +70,7 @@ Parts binary_parts(std::string_view bytes) {
     return Parts::success({std::move(part)});
 }
 
-/// Word by word: a facet may stand on one line or on seven.
+/// Reads text STL word by word: a facet may take one line or seven.
 class StlText {
   public:
     explicit StlText(std::string_view text) : lines_(text) {}
@@ -90,7 +90,7 @@ class StlText {
   private:
     [[noreturn]] void fail(const std::string& what) const { throw MeshFault{lines_.number(), what}; }
 
-    /// Whether one is left, on this line or below.
+    /// Returns true if a word is left, on this line or below.
     bool has_word() {
         while (at_ == words_.size()) {
             if (!lines_.next()) return false;

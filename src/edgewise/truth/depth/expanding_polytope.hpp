@@ -36,7 +36,7 @@ class ExpandingPolytope {
     /// Four points that span space, the origin in their hull.
     explicit ExpandingPolytope(std::vector<DifferencePoint> tetrahedron);
 
-    /// The face whose plane is nearest to the origin; ties go to the oldest.
+    /// Returns the face with its plane nearest to the origin; ties go to the oldest face.
     [[nodiscard]] std::uint32_t nearest();
 
     /// Takes in a point strictly above that face.
@@ -60,7 +60,7 @@ class ExpandingPolytope {
     std::unordered_map<std::uint64_t, std::uint32_t> left_;  ///< the face on the left of a directed edge
 };
 
-/// Whether one face's plane is strictly nearer to the origin than another's.
+/// Returns true if the plane of f is strictly nearer to the origin than that of g.
 [[nodiscard]] bool is_nearer(const ExpandingPolytope::Face& f, const ExpandingPolytope::Face& g);
 
 }  // namespace edgewise::truth

@@ -11,10 +11,10 @@ namespace edgewise::truth {
 
 namespace {
 
-/// Of the smaller extent: far enough to tell directions, near enough to leave the same features nearest.
+/// Relative to the smaller extent: enough to distinguish directions, and the nearest features stay.
 constexpr double nudge = 1.0 / 64;
 
-/// Of the smaller extent: no symmetry of a body has such a point in a plane of its vertices.
+/// Relative to the smaller extent: no symmetry of a body has such a point in a plane of its vertices.
 const Vec3d off_centre(0.0137, -0.0213, 0.0091);
 
 double smaller_extent(const PosedPair& pair) { return std::min(pair.a().extent(), pair.b().extent()); }

@@ -86,7 +86,7 @@ class ProofSearch {
         }
     }
 
-    /// False if the simplex cannot be improved by the lowest point, as far as double can tell.
+    /// Returns false if the lowest point does not improve the simplex within the precision of double.
     bool take_lowest() {
         const auto end = simplex_.pair.begin() + simplex_.size;
         if (std::find(simplex_.pair.begin(), end, lowest_.pair) != end) return false;
@@ -126,8 +126,8 @@ class ProofSearch {
         return taken;
     }
 
-    /// Of points each off by point_error: their mean is off by no more, and by 3u of the longest for its
-    /// sums.
+    /// The mean of points that are each off by point_error is off by no more, and by 3u of the longest point
+    /// for the rounding of its sums.
     void lower_upper_bound() {
         constexpr double u = proof_rounding;
         const std::array<double, 3> weights = proof_weights(simplex_);
@@ -155,7 +155,7 @@ class ProofSearch {
         result_.upper = std::min(result_.upper, wide_length(pair_, simplex_, weights));
     }
 
-    /// Of bodies in contact, or nearly, where no tetrahedron was found around the origin.
+    /// Searches for an overlap of bodies in or near contact, if no tetrahedron was found around the origin.
     [[nodiscard]] bool finds_overlap() {
         if (encloses_with_more(pair_, simplex_)) return true;
         direction_ = unit_or_any(nudged_separation(pair_));

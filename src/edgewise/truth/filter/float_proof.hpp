@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // An interval that provably holds the distance of two bodies, and their verdict, from double arithmetic
-// alone: what exact integers say in tens of microseconds, in less than one, for nearly every pair. Where it
-// proves nothing it says so, and exact_distance has to.
+// alone. It takes less than a microsecond, and exact integers take tens of them, for nearly every pair. Where
+// it proves nothing it says so, and exact_distance must be used.
 //
-// A GJK in double from a guessed direction finds the simplex; nothing is believed of it. Lower bound: full
-// scans of both bodies along its directions, rounded downward. Upper bound: the mean of its points with
-// non-negative weights, rounded upward. Where the two are farther from each other than wanted, both are
+// A GJK in double from a guessed direction finds the simplex; none of its results is trusted. Lower bound:
+// full scans of both bodies along its directions, rounded downward. Upper bound: the mean of its points with
+// non-negative weights, rounded upward. If the bounds are farther apart than wanted, both are
 // computed again in double-double for the vertices that decide. Overlap: four points of A - B around the
-// origin, whose four volumes have signs that no rounding can turn. Touching is never proved, since it has no
-// margin; but that a pair is nearer to it than the width that is wanted, on whichever side.
+// origin; no rounding can change the signs of its four volumes. Touching is never proved, since it has no
+// margin. A proof may say that a pair is nearer to touching than the wanted width, on either side.
 #pragma once
 
 #include <limits>
@@ -43,7 +43,7 @@ struct FloatProof {
                                         const Pose& pose_b, const Vec3d& guess, double width);
 [[nodiscard]] FloatProof prove_distance(PosedPair& pair, const Vec3d& guess, double width);
 
-/// The same without the searches that bodies in contact need; for these.
+/// Proves the distance without the searches for bodies in contact; those searches call it themselves.
 [[nodiscard]] FloatProof search_distance(PosedPair& pair, double width);
 
 }  // namespace edgewise::truth

@@ -42,7 +42,7 @@ class PosedPair {
     [[nodiscard]] Vec3d difference(VertexPair pair) const {
         return difference(turned_a(pair.a), turned_b(pair.b));
     }
-    /// The same of vertices that were turned before, to the bit.
+    /// x_A - x_B from vertices that were turned before, with the same bits.
     [[nodiscard]] Vec3d difference(const Vec3d& turned_a, const Vec3d& turned_b) const {
         return (turned_a - turned_b) - offset_;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What proofs in double are made of: no tolerances, but how far an operation can be off.
+// Error bounds for proofs in double: no tolerances, only the largest error of each operation.
 #pragma once
 
 namespace edgewise::truth {

@@ -12,7 +12,7 @@
 
 namespace edgewise::truth {
 
-/// A vertex that is highest along a direction, as far as double can tell; ties go to the first.
+/// A vertex that is highest along a direction, within the precision of double; ties go to the first.
 struct Highest {
     std::uint32_t vertex = 0;
     double height = 0;

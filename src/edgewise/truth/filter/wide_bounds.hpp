@@ -13,7 +13,7 @@
 namespace edgewise::truth {
 
 /// A height of A - B along the direction that none of its points is below, after a scan along it: only
-/// vertices that the scan cannot distinguish from the lowest are computed anew.
+/// vertices that the scan cannot distinguish from the lowest are computed again.
 [[nodiscard]] double wide_least_height(PosedPair& pair, const Vec3d& direction, const ScannedLowest& scanned);
 
 /// An upper bound of the length of the mean of the simplex's points with these weights, which are not
