@@ -20,7 +20,7 @@ constexpr double contact_flops = 3 * (2 * contact_vertices - 2) + 18;
 
 double lines_of(double bytes) { return std::ceil(bytes / line_bytes); }
 
-/// Returns the lines for each way to divide the five between the bodies, at least one each.
+/// Returns the fewest lines over all ways to divide the five between the bodies, at least one each.
 double contact_lines(double vertex_bytes) {
     double fewest = lines_of(contact_vertices * vertex_bytes) + 1;
     for (int of_a = 1; of_a < contact_vertices; ++of_a)

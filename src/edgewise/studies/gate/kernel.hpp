@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Measures the speed of this machine independently of algorithms and layouts, about half of the time each: a
-// chain of dependent multiplications, timed by the clock, and a walk along pointers through a
-// buffer larger than a first-level and smaller than a second-level cache, timed by the caches.
+// chain of dependent multiplications, limited by the clock, and a walk along pointers through a
+// buffer larger than a first-level and smaller than a second-level cache, limited by the caches.
 #pragma once
 
 #include <cstdint>

@@ -144,7 +144,7 @@ void calibrate(const Levels& levels, const MemorySizes& sizes, Factorial& result
     }
 }
 
-/// Measures builds of a table of the first layout: median time over that of a read of a resting pair.
+/// Measures builds of a table of the first layout: median time over that of a standing pair's read.
 void measure_builds(const Levels& levels, Factorial& result) {
     constexpr int repetitions = 21;
     constexpr double angle = 1.0 / 60;

@@ -39,8 +39,8 @@ struct RealisedCell {
     [[nodiscard]] double worst_ratio() const;
 };
 
-/// Returns the outcomes to make real. For each cost of a fault, of the queries alone: the one with most facts
-/// that rises nearest to the paper's 12 (on the first machine); of these outcomes the best three.
+/// Returns the outcomes to make real. For each cost of a fault, with queries alone: the one with most facts
+/// that rises nearest to the paper's 12 (on the first machine); of these outcomes the best `count`.
 [[nodiscard]] std::vector<Outcome> outcomes_to_realise(const Factorial& factorial, std::size_t count);
 
 /// `budget_ns`: of waiting, for each point; where that is less than all counted steps, fewer queries are
