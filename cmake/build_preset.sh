@@ -3,9 +3,9 @@
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
 # In the environment: EDGEWISE_LAYOUTS, these layouts only ("distinct": those that differ widely; "" all);
-# EDGEWISE_FULL_TESTS=ON, with the tests that only tests/run full has; EDGEWISE_PEERS=ON, with adapters of other libraries, EDGEWISE_PEER_FOLDERS saying where those are that no package
-# brings. What is not set is as last time. Quiet but for a line per minute, unless somebody watches: then the build shows
-# each step. All output goes to stderr.
+# EDGEWISE_FULL_TESTS=ON, with the tests that only tests/run full has; EDGEWISE_PEERS=ON, with adapters of other libraries; EDGEWISE_PEER_FOLDERS, the folders of those without a package.
+# Variables that are not set keep their last value. On a terminal the build shows each step; otherwise it prints a line
+# per minute. All output goes to stderr.
 set -eu
 exec 1>&2
 

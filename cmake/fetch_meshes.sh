@@ -31,7 +31,7 @@ LIST
 
 download() { (cd "$scratch" && apt-get download -qq "$package") >"$scratch/log" 2>&1; }
 
-# A machine without package lists cannot download; root can get the lists, others have been told by now.
+# A machine without package lists cannot download. Root can get the lists; other users have seen a message by now.
 download_with_lists() {
     download && return 0
     [ "$(id -u)" -eq 0 ] && apt-get update -qq >"$scratch/log" 2>&1 && download

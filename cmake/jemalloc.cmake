@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# jemalloc beside the C library's malloc, not in its place: its archive is linked into one object, and all symbols
-# but those of its own interface are made local to it. Loading the shared library instead fails: its thread-local
+# jemalloc next to the C library's malloc, not instead of it: its archive is linked into one object, and all symbols
+# except those of its own interface are made local to it. Loading the shared library instead fails: its thread-local
 # storage must be there from the program's start.
 set(EDGEWISE_JEMALLOC_OBJECT "")
 find_path(JEMALLOC_INCLUDE_DIR jemalloc/jemalloc.h)

@@ -4,7 +4,7 @@
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 
-# edgewise_machine(NAME): the file NAME.json beside the manifest becomes text in the library, wherever that is installed.
+# edgewise_machine(NAME): embeds NAME.json from the manifest's folder as text in the library, wherever it is installed.
 function(edgewise_machine NAME)
     set(file ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}.json)
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})

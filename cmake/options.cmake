@@ -26,7 +26,7 @@ target_compile_features(edgewise_flags INTERFACE cxx_std_20)
 target_compile_options(edgewise_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     # False alarms of g++ 12 inside std::string (GCC bug 105651).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
-    # A compiler that seldom collects garbage: up to 9 % less time for a tenth more memory.
+    # A compiler that rarely collects garbage: up to 9 % less time for a tenth more memory.
     "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1048576>"
     # The straight-line vectoriser of g++ 12 writes fused multiply-adds in spite of -ffp-contract=off.
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)

@@ -15,8 +15,8 @@ if(PROJECT_IS_TOP_LEVEL AND EDGEWISE_COMPILER_CACHE AND EDGEWISE_CCACHE AND NOT 
     execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -x c++ -E -### /dev/null WORKING_DIRECTORY /
         OUTPUT_QUIET ERROR_VARIABLE options)
     file(CONFIGURE OUTPUT ${native} CONTENT "${options}" @ONLY)
-    # A precompiled header that is there already would be read where the new one is made, which were then no other clone's;
-    # and it is newer than what includes it, so that its content must tell.
+    # An existing precompiled header would be read where the new one is made, and no other clone could use the result.
+    # It is also newer than the files that include it, so that its content must decide.
     set(launcher ${PROJECT_BINARY_DIR}/compile_cached.sh)
     file(CONFIGURE OUTPUT ${launcher} CONTENT [[
 before=
@@ -37,9 +37,9 @@ function(edgewise_precompile TARGET)
     target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()
 
-# edgewise_unite(TARGET FILE...): its sources compiled some at a time as one, which parses and instantiates once what
-# they share; not these files, whose names for themselves others have too.
-# Off where each file is wanted by itself: with EDGEWISE_UNITY=OFF compile_commands.json has every file.
+# edgewise_unite(TARGET FILE...): compiles some of the sources at a time as one, which parses and instantiates once
+# what they share; not these files, because their local names also occur in other files.
+# Off where each file is needed by itself: with EDGEWISE_UNITY=OFF compile_commands.json has every file.
 function(edgewise_unite TARGET)
     set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${EDGEWISE_UNITY} UNITY_BUILD_BATCH_SIZE 10)
     if(ARGN)

@@ -4,7 +4,7 @@
 # names a layout.
 
 # edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER] [SUPPORT_ONLY]): NAME is the file's stem, the type and the
-# command-line name. A variant hardly differs from the other: plans leave it out, but for `full`. SUPPORT_ONLY: a table
+# command-line name. A variant hardly differs from OTHER: plans leave it out, except `full`. SUPPORT_ONLY: a table
 # for GJK alone.
 function(edgewise_layout LAYOUT)
     cmake_parse_arguments(given SUPPORT_ONLY VARIANT_OF "" ${ARGN})
@@ -33,8 +33,8 @@ function(edgewise_layout LAYOUT)
     endforeach()
 endfunction()
 
-# edgewise_table_type_list(FILE TYPE...): writes the unit that lists these table types, in this order. PEERS_FOLDER, where
-# it is set: the folder beside the program that holds its peers' modules.
+# edgewise_table_type_list(FILE TYPE...): writes the unit that lists these table types, in this order. PEERS_FOLDER,
+# if it is set: the folder with its peers' modules, next to the program.
 function(edgewise_table_type_list FILE)
     if(NOT PEERS_FOLDER)
         set(PEERS_FOLDER peers)

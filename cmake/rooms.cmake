@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # Where the rooms are. `#include "edgewise/<room>/<file>"` resolves from src/ as it does from the installed package;
-# layouts, probes and reports stand at the top of the tree and are joined to src/edgewise by links that are kept in it.
+# layouts, probes and reports are at the top of the tree and are joined to src/edgewise by links that are kept in it.
 set(EDGEWISE_INCLUDE ${CMAKE_CURRENT_SOURCE_DIR}/src)
 
-# edgewise_sources(RESULT FOLDER...): every source below these folders, but those that stand in for a missing
+# edgewise_sources(RESULT FOLDER...): every source below these folders, except replacements of a missing
 # dependency (*_unavailable.cpp). A new file needs no line in any list.
 function(edgewise_sources RESULT)
     set(all)
@@ -16,7 +16,7 @@ function(edgewise_sources RESULT)
     set(${RESULT} ${all} PARENT_SCOPE)
 endfunction()
 
-# edgewise_stand_in(SOURCES FILE...): in the list named SOURCES, FILE_unavailable.cpp in place of FILE.cpp.
+# edgewise_stand_in(SOURCES FILE...): in the list named SOURCES, FILE_unavailable.cpp instead of FILE.cpp.
 macro(edgewise_stand_in SOURCES)
     foreach(file ${ARGN})
         list(REMOVE_ITEM ${SOURCES} ${PROJECT_SOURCE_DIR}/src/edgewise/${file}.cpp)

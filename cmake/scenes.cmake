@@ -7,12 +7,12 @@ function(edgewise_embed PROPERTY NAME FILE)
     set_property(GLOBAL APPEND_STRING PROPERTY ${PROPERTY} "        {\"${NAME}\", R\"json(${text})json\"},\n")
 endfunction()
 
-# edgewise_scene(NAME): the file NAME.json beside the manifest.
+# edgewise_scene(NAME): the file NAME.json in the manifest's folder.
 function(edgewise_scene NAME)
     edgewise_embed(EDGEWISE_SCENES ${NAME} ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}.json)
 endfunction()
 
-# edgewise_plan(NAME FILE): a plan of that name, in a file beside the manifest.
+# edgewise_plan(NAME FILE): a plan of that name, in a file in the manifest's folder.
 function(edgewise_plan NAME FILE)
     edgewise_embed(EDGEWISE_PLANS ${NAME} ${CMAKE_CURRENT_SOURCE_DIR}/${FILE})
 endfunction()

@@ -13,7 +13,7 @@ nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libjemalloc-dev libpfm4-de
 # page, and what drives it; what deals the parts of a campaign; packages; what keeps objects.
 wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev valgrind chromium nodejs sqlite3
 parallel slurmctld slurmd slurm-client dpkg-dev lintian pkgconf ccache'
-# Other libraries to be measured beside ours, with EDGEWISE_PEERS=ON in the environment; and what counts their work.
+# Other libraries to compare with ours, with EDGEWISE_PEERS=ON in the environment; and the tool that counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 

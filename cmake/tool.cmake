@@ -83,7 +83,7 @@ edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.c
     src/edgewise/studies/thrash/query_time.cpp src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/accuracy_band.cpp
     src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp src/edgewise/truth/moore_wilhelms.cpp
     src/edgewise/truth/optimality.cpp src/edgewise/truth/support_filter.cpp)
-if(EDGEWISE_SANITIZE)  # the judge takes its time, and lays out no memory by hand: the library's own checks in place of sanitizers
+if(EDGEWISE_SANITIZE)  # truth is slow and manages no memory by hand: the library's own checks instead of sanitizers
     edgewise_sources(oracle src/edgewise/truth)
     set_source_files_properties(${oracle} PROPERTIES COMPILE_OPTIONS "-O2;-fno-sanitize=all" COMPILE_DEFINITIONS ${EDGEWISE_CHECKED}
         SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
@@ -159,8 +159,8 @@ if(EDGEWISE_SANITIZE)
     set_target_properties(edgewise_program edgewise_cli edgewise_reports PROPERTIES EXCLUDE_FROM_ALL ON)
 endif()
 
-# The same with a few table types for any processor since 2013: what Valgrind can run, and a second build of the query
-# loops whose every answer must be the same. Built when tests ask for it.
+# The program with a few table types for any processor since 2013: Valgrind can run it. It is also a second build of
+# the query loops; every answer of it must be the same. Built when tests ask for it.
 set(EDGEWISE_SIM FALSE)
 if(NOT EDGEWISE_SANITIZE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(EDGEWISE_SIM TRUE)

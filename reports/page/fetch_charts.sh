@@ -5,7 +5,7 @@
 # Three npm packages by name and pinned version, packed, not installed; each tarball's SHA-256 is checked and only the
 # browser bundle and the licence are kept. No network when they are there already. vega-embed's bundle carries the
 # expression interpreter (vega-interpreter 2.3.2), so the page needs no eval. A failure is one line and exit 1: the
-# report then shows tables in place of charts.
+# report then shows tables instead of charts.
 set -u
 
 directory=${1:?usage: fetch_charts.sh DIRECTORY}

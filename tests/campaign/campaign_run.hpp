@@ -19,7 +19,7 @@ class CampaignRun : public testing::Test {
     /// layouts/campaign/NAME with these options, on the tiny plan.
     [[nodiscard]] Arguments script(const std::string& name, const Arguments& options) const;
 
-    /// A process whose command line has this in it, of those that work in this campaign's folder.
+    /// A process in this campaign's folder with this text in its command line; no value if there is none.
     [[nodiscard]] std::optional<pid_t> find_process(const std::string& with) const;
     /// Waits until a worker has stored a round and ends it by SIGKILL; false when none came.
     bool kill_a_worker(Process& campaign);

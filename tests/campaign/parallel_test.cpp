@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A campaign by GNU parallel whose workers and merges are killed: it ends complete, and is the single run.
+// A campaign by GNU parallel with killed workers and merges: it ends complete, and equals the single run.
 #include <csignal>
 #include <filesystem>
 

@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# A Slurm of its own on this machine's loopback: slurm_loop.sh FOLDER up | down. Two nodes, of which each has a daemon
+# A private Slurm on this machine's loopback: slurm_loop.sh FOLDER up | down. Two nodes, each with a daemon
 # here; no cgroups, no accounting, no munge. Prints what to put into the environment. All of it lives and ends in FOLDER.
 set -eu
 folder=${1:?usage: slurm_loop.sh FOLDER up|down}
 host=$(hostname -s)
 
-stop() { # the processes whose numbers were written down, and no others
+stop() { # the processes with recorded numbers, and no others
     for file in "$folder"/*.pid; do
         [ ! -s "$file" ] || kill "$(cat "$file")" 2>/dev/null || true
     done

@@ -59,7 +59,7 @@ class Slurm : public CampaignRun {
         return false;
     }
 
-    /// What is requeued after its node was lost is held until somebody looks at it.
+    /// Slurm holds a job that it requeued after its node was lost; this releases it.
     void release_held() const {
         for (const std::string& line : lines_of(client({"squeue", "-h", "-t", "PD", "-o", "%i %r"}).out)) {
             if (line.find("eld") != std::string::npos)

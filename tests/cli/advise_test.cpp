@@ -44,7 +44,7 @@ void expect_raced(const json& one, double error_limit, bool has_latencies) {
     EXPECT_EQ(one["predicted_ns_on"].contains("l2_256K"), has_latencies) << one;
 }
 
-/// As a shell would hand it over: read by the program, and not run.
+/// Splits the command at blanks and gives it to the program, which reads it and does not run it.
 void expect_can_be_typed(const std::string& command, const Folder& folder) {
     Arguments words = {"--parse-only"};
     std::istringstream text(command.substr(std::string("edgewise ").size()));
@@ -110,7 +110,7 @@ TEST(Advise, SaysWhatItHadNoTimeFor) {
     }
 }
 
-/// What no time was left for comes before all else, and the machine that was named first of that.
+/// Cells that no time was left for are listed first, and among them the machine that was named first.
 TEST(Advise, NamesFirstWhatItLeftOut) {
     const Folder folder;
     const Arguments command = {"advise",       "--shape", "sphere386", "--bodies",   "600",
@@ -129,7 +129,7 @@ TEST(Advise, NamesFirstWhatItLeftOut) {
     EXPECT_THAT(lines[2], testing::StartsWith("  left out"));
 }
 
-/// The program with a wrong layout linked in (crooked.hpp) beside a right one, and no baseline.
+/// The program with a wrong layout (crooked.hpp) and a right one linked in, and no baseline.
 TEST(Advise, DropsAWrongCell) {
     const Folder folder;
     const Outcome outcome = Process(crooked_program_path, few_cubes({}), folder).wait();

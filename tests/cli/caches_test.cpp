@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the commands say of caches and memory: modelled figures in a store, the same in every environment;
+// Output of the commands about caches and memory: modelled figures in a store, the same in every environment;
 // speeds, calibration and page faults.
 #include <gmock/gmock.h>
 

@@ -25,7 +25,7 @@ using Figures = std::vector<std::string>;
                    "order by 1, 2, 3, 4, 5, 6, 7, 8");
 }
 
-/// Of table types that every preset has: one of each precision, and of each way to find a neighbour.
+/// Figures of table types that every preset has: one per precision, and one per way to find a neighbour.
 /// `environment`: further variables, NAME=VALUE.
 [[nodiscard]] inline Figures deterministic_figures(const std::string& sweep_program,
                                                    const Arguments& environment, const Folder& folder) {

@@ -27,7 +27,7 @@ std::regex pattern_of(const std::string& name) {
     return std::regex(std::regex_replace(pattern, std::regex(R"(\{[a-z]+\})"), ".+"));
 }
 
-/// docs/generate makes the page anew.
+/// docs/generate rewrites the page.
 TEST(Figures, AreDocumented) {
     const Folder folder;
     std::string rows;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // `edgewise bench --gate`: a baseline is written and compared with, and what it names. No test here depends
-// on how long anything takes: slacks are huge, and a slower entry is one whose baseline was made tiny.
+// on how long anything takes: slacks are huge, and a slower entry has a baseline that was made tiny.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise judge` on pairs as they were posted (dumps/): the exact distance, and who was wrong. Exact
-// distances are of the corpus (tests/corpus), which two other exact solvers confirmed.
+// `edgewise judge` on pairs as they were posted (dumps/): the exact distance, and which library was wrong.
+// Exact distances are of the corpus (tests/corpus), which two other exact solvers confirmed.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -48,7 +48,7 @@ TEST(Judge, SaysWhoWasWrongAboutWhatWasPosted) {
     }
 }
 
-/// Nobody says in these cases what the library answered; it is told beside them.
+/// These cases do not contain the library's answer; the command line gives it.
 TEST(Judge, TakesWhatALibrarySaid) {
     const json shallow = json::parse(judge(coal144).out);
     EXPECT_NEAR(shallow["exact"]["depth"], 1e-4, 1e-15);
@@ -116,8 +116,8 @@ TEST(Judge, SaysByHowMuch) {
     EXPECT_GT(said["beyond"], 0.16);
 }
 
-/// What it prints for a case file is read again, and is the pair that it expects: the given one, or, where a
-/// peer that is here is wrong on it, a smaller one that still shows that.
+/// The case file that it prints is read again, and is the expected pair: the given one, or, if an available
+/// peer is wrong on it, a smaller one that still shows the fault.
 TEST(Judge, GivesACaseThatIsReadAgain) {
     const json first = json::parse(judge(dump("fcl390.txt")).out);
     const json second = json::parse(judge(first["case"].dump()).out);
@@ -125,7 +125,7 @@ TEST(Judge, GivesACaseThatIsReadAgain) {
     EXPECT_EQ(second["exact"]["distance"], first["case"]["expect"]["distance"]);
 }
 
-/// Of a pair that everybody has right, it is the given one.
+/// A pair that all libraries answer right is printed as given.
 TEST(Judge, GivesAnEasyCaseAsItIs) {
     const json first =
         json::parse(judge(R"({"id": "1", "a": {"vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]},)"

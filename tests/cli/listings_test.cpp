@@ -21,7 +21,7 @@ json json_of(const Arguments& arguments) {
     return json::parse(outcome.out);
 }
 
-/// The paper's figure: 21 scalars an edge, of which 16 are Voronoi planes, 4 direction and length, and the
+/// The paper's figure: 21 scalars an edge: 16 for Voronoi planes, 4 for direction and length, and the
 /// vertices' share is 1 (3 coordinates, V/E -> 1/3).
 void expect_paper_bytes(const json& row, double scalar) {
     EXPECT_NEAR(row["paper_bytes_per_edge"].get<double>(), 21 * scalar, 1e-9);
@@ -79,7 +79,7 @@ TEST(Bytes, GivesTheFamilysFigures) {
     }
 }
 
-/// What is taken is at least what was asked for; jemalloc's statistics agree with the sum of its size
+/// Allocators take at least the requested bytes; jemalloc's statistics agree with the sum of its size
 /// classes.
 TEST(Bytes, SaysWhatAllocatorsTake) {
     const json ledger = json_of({"bytes", "--layouts", "aos_f64,linked_f64", "--json"});

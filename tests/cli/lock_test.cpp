@@ -22,7 +22,7 @@ json json_of_run(const Arguments& arguments, const Folder& folder) {
     return json::parse(outcome.out);
 }
 
-/// Of the small lock with this change; a folder of its own.
+/// Checks the small lock with this change, in a folder of its own.
 Outcome check_of(const std::string& table, const char* field, const char* member, const json& value) {
     const Folder folder;
     Arguments arguments = small_lock;

@@ -17,7 +17,7 @@ Outcome run_within(int kibibytes, const Arguments& arguments, const Folder& fold
                         folder);
 }
 
-/// A crowd of bodies whose tables take 1 GB, where there are 300 MB of addresses.
+/// A crowd of bodies with 1 GB of tables, where there are 300 MB of addresses.
 TEST(Memory, ThatTablesLackIsOneLine) {
     const Folder folder;
     folder.write("crowd.json", R"({"scene": "pressure", "shapes": ["sphere386"], "sharing": "per_instance",

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// Whether a control group of that name is anywhere.
+/// Returns true if a control group of that name exists anywhere.
 bool has_group(const std::string& name) {
     std::error_code error;
     for (fs::recursive_directory_iterator at("/sys/fs/cgroup", error), end; !error && at != end;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Other libraries beside ours: found, measured, judged and reported, each with answers that are right but for
-// its own mistakes; and what is said where there are none.
+// Other libraries compared with ours: found, measured, checked and reported, each with right answers except
+// for its own mistakes; and the messages where there are none.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -18,7 +18,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Modules beside the program.
+/// Number of modules in the program's folder.
 std::size_t peers_built() {
     const auto folder = std::filesystem::path(program_path).parent_path() / "peers";
     if (!std::filesystem::exists(folder)) return 0;

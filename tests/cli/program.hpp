@@ -41,7 +41,7 @@ class Process {
   public:
     /// `program` is started in `folder`, its standard input empty.
     Process(const std::string& program, const Arguments& arguments, const Folder& folder);
-    /// A process that nobody waited for is killed.
+    /// Kills the process if no caller waited for it.
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
@@ -61,11 +61,11 @@ class Process {
 /// The program under test, to its end.
 [[nodiscard]] Outcome run(const Arguments& arguments, const Folder& folder);
 
-/// Likewise, by a shell: the script calls it as "$0" "$@".
+/// Runs the program by a shell: the script calls it as "$0" "$@".
 [[nodiscard]] Outcome run_in_shell(const std::string& script, const Arguments& arguments,
                                    const Folder& folder);
 
-/// Names of the commands that --help lists: each stands at the begin of a line, two blanks in.
+/// Names of the commands that --help lists: each is at the start of a line, after two blanks.
 [[nodiscard]] std::vector<std::string> listed_commands(const Folder& folder);
 
 /// An option of a command as its --help shows it, such as "--margin" and "NUMBER".

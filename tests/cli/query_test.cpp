@@ -119,8 +119,8 @@ TEST_P(Query, FailsOnAHugeBodyWithTheReason) {
     EXPECT_EQ(answers[1]["status"], "separated");
 }
 
-/// Points at their origins have no size but the offset between them: one whose square would vanish, or, in
-/// single, one beyond its range, is refused; never answered with 0 or infinity.
+/// Points at their origins have only the offset between them as their size. An offset with a vanishing
+/// square, or, in single, one beyond its range, is refused; never answered with 0 or infinity.
 TEST_P(Query, RefusesOffsetsThatThePrecisionCannotComputeWith) {
     const json point = {{"vertices", {{0, 0, 0}}}};
     const auto line = [&](const std::string& id, double x) {

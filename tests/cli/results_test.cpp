@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A sweep's files of results and `edgewise export`, number by number beside the store that they are of; and
-// two stores' claims beside each other.
+// A sweep's files of results and `edgewise export`, compared number by number with their store; and the
+// claims of two stores compared.
 #include <gmock/gmock.h>
 
 #include <cstdlib>

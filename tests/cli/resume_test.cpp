@@ -91,13 +91,13 @@ TEST_F(Resume, AfterCtrlC) {
     expect_rest_is_completed(rounds_in(folder_ / "s.db"));
 }
 
-/// Of every cell.
+/// The checked queries of every cell.
 std::vector<std::string> checked_in(const Folder& folder) {
     return rows_of(folder / "s.db",
                    "select value from figure where probe = 'error' and name = 'checked' order by hash");
 }
 
-/// A cell whose answers were checked at 20 queries is not verified at 60; at 20 it is, once it is at 60.
+/// A cell with answers checked at 20 queries is not verified at 60; at 20 it is, once it is at 60.
 TEST_F(Resume, AfterFewerChecksThanAreAskedFor) {
     Arguments arguments = {"sweep",   "--scenes",    "cold",   "--shapes",  "cube8", "--layouts",
                            "aos_f64", "--queries",   "100",    "--rounds",  "2",     "--store",

@@ -144,7 +144,7 @@ Outcome sweep_files(const Folder& folder, const std::vector<std::string>& files)
     return run(arguments, folder);
 }
 
-/// At most as many as the answer has rows for.
+/// Expects at most as many names as the answer has rows.
 void expect_shown(const std::vector<std::string>& names) {
     const Folder folder;
     std::vector<std::string> files;

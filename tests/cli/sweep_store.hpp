@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What stands in a store, read through SQLite and the schema alone, as the report does. Readable while a
+// Content of a store, read through SQLite and the schema alone, as the report does. Readable while a
 // sweep writes.
 #pragma once
 

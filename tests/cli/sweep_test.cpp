@@ -134,7 +134,7 @@ TEST(Sweep, ShowsABodyThatCannotBeHadAsUnavailable) {
     EXPECT_THAT(reasons, testing::Each(HasSubstr(".stl")));
 }
 
-/// The program with a wrong layout linked in (crooked.hpp) beside a right one: the wrong one's cell fails
+/// The program with a wrong layout (crooked.hpp) and a right one linked in: the wrong one's cell fails
 /// with its reason, is not timed, and the sweep goes on.
 TEST(Sweep, RecordsAFailingCellAndGoesOn) {
     const Folder folder;

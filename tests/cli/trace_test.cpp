@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise caches`: a cell and the file that it wrote are modelled alike, small files of either form by
-// hand, and lines that are none.
+// `edgewise caches`: a cell and the trace file that it wrote are modelled equally; small files of either form
+// by hand, and malformed lines.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What goes wrong before any work begins: exit code 2, one line on stderr that says what, where and what to
+// Errors before any work begins: exit code 2, one line on stderr that says what, where and what to
 // do, and nothing on stdout. An unknown name's line lists the known ones.
 #include <gmock/gmock.h>
 #include <sys/stat.h>

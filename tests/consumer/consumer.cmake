@@ -74,7 +74,7 @@ function(check_consumer COMPILER FOLDER)
     expect_output("many_pairs.cpp" ${FOLDER}/many_pairs "500500 500500")
 endfunction()
 
-# The project in ctest: EXPECTED is the exit code, every further word must stand in its output.
+# The project in ctest: EXPECTED is the exit code; every further word must occur in its output.
 function(check_lock COMPILER FOLDER ADD_A_MEMBER EXPECTED)
     run("configuring the lock" ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer/layout_lock -B ${FOLDER} -G ${GENERATOR}
         -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${prefix}
@@ -100,7 +100,7 @@ function(check_lock COMPILER FOLDER ADD_A_MEMBER EXPECTED)
     message("the lock of kd_tree with ADD_A_MEMBER=${ADD_A_MEMBER}: ctest ends with ${result} and says ${ARGN}")
 endfunction()
 
-# 8 is what ctest ends with when a test failed. A member of 4 bytes that nobody named, in 4000 nodes.
+# ctest ends with 8 when a test failed. The change is an undeclared member of 4 bytes, in 4000 nodes.
 function(check_locks COMPILER FOLDER)
     check_lock(${COMPILER} ${FOLDER} OFF 0 "kd_tree.lock.json: passed")
     check_lock(${COMPILER} ${FOLDER} ON 8 "bytes.nodes.padding: was 0, is 16000" "lines_per_query: was ")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # packages.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR: has cpack make both Debian packages, looks at what they
-# say, unpacks them beside each other, and uses what is in them: README's example by find_package and by pkg-config, the
+# say, unpacks them next to each other, and uses their content: README's example by find_package and by pkg-config, the
 # program. Lintian looks at them where it is installed; the tags that it may give are named here, each with a reason.
 cmake_minimum_required(VERSION 3.25)
 set(ENV{CXXFLAGS} "")
@@ -12,7 +12,7 @@ set(allowed_tags
     bogus-mail-host-in-debian-changelog  # likewise
     pkg-config-unavailable-for-cross-compilation  # lib, not lib/TRIPLE: the package is for its own machine
     initial-upload-closes-no-bugs        # not Debian's own package
-    extra-license-file                   # the library's LICENSE, for those who copy the headers
+    extra-license-file                   # the library's LICENSE, for users who copy the headers
     hardening-no-fortify-functions)      # measured is what users compile
 
 file(REMOVE_RECURSE ${SCRATCH})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every heap allocation of this program by operator new, while somebody counts.
+// Every heap allocation of this program by operator new, while a counter is active.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ class CountedAllocations {
     /// Bytes allocated since the start and not freed.
     [[nodiscard]] std::size_t live_bytes() const;
 
-    /// Whether these bytes lie inside one allocation that is alive.
+    /// Returns true if these bytes lie inside one allocation that is alive.
     [[nodiscard]] bool hold(const void* address, std::size_t bytes) const;
 };
 

@@ -14,7 +14,7 @@ class CountedMemory final : public std::pmr::memory_resource {
     /// Asked for and not given back.
     [[nodiscard]] std::size_t live_bytes() const { return live_bytes_; }
 
-    /// Whether these bytes lie inside one piece of memory that is out.
+    /// Returns true if these bytes lie inside one piece of memory that is in use.
     [[nodiscard]] bool hold(const void* address, std::size_t bytes) const {
         const auto* const from = static_cast<const std::byte*>(address);
         auto after = live_.upper_bound(from);

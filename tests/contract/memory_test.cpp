@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The ledger beside what a table really asks for, to the byte; what each algorithm's table holds; and that no
-// query allocates.
+// The ledger compared with a table's real allocations, to the byte; what each algorithm's table holds; and
+// that no query allocates.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ TYPED_TEST(Memory, TheLedgerIsWhatWasAskedFor) {
     }
 }
 
-/// Nothing else on the heap lives with a table: beside its ledger there is the table object itself.
+/// Nothing else on the heap lives with a table: only the table object itself is not in its ledger.
 TYPED_TEST(Memory, TheLedgerIsAllThatLivesOnTheHeap) {
     using Table = typename TypeParam::Table;
     for (const auto& [name, body] : test_bodies<Table>()) {

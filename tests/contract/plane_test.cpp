@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Every plane of a table beside one derived here, in double and by another way: distances of random points,
-// hence signs; and the side that contract.hpp says is positive. A plane may be stored or derived, but its
-// normal has length one as far as the stored precision goes.
+// Every plane of a table compared with one derived here, in double and by another way: distances of random
+// points, hence signs; and the side that contract.hpp says is positive. A plane may be stored or derived, but
+// its normal has length one as far as the stored precision goes.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -18,7 +18,7 @@ template <class Type>
 class Planes : public ::testing::Test {};
 TYPED_TEST_SUITE(Planes, TableTypes);
 
-/// Errors in rounding steps of what is stored, relative to the largest coordinate at hand.
+/// Errors in rounding steps of the stored type, relative to the largest coordinate.
 constexpr double allowed_steps = 8;
 
 struct Worst {

@@ -12,7 +12,7 @@
 
 namespace edgewise {
 
-/// Of a body beside itself, in any orientation, centres at most 2.5 extents from each other.
+/// Poses of a body next to its copy, in any orientation, centres at most 2.5 extents from each other.
 [[nodiscard]] inline std::vector<Transform<double>> query_poses(std::size_t count, const Polyhedron& body,
                                                                 std::uint64_t seed) {
     scene::Rng rng(seed);

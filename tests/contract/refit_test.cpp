@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A table refitted to a deformed body of the same topology, beside a new table of that body: the same
+// A table refitted to a deformed body of the same topology, compared with a new table of that body: the same
 // answers, bit by bit, and not a byte more of memory.
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Ring questions of a table beside a search over its own single planes: the same edge, also among equals,
+// Ring questions of a table compared with a search over its own single planes: the same edge, also in ties,
 // where the first of the ring wins. A layout's vectorised answer must keep to this.
 #include "edgewise/table/ring_questions.hpp"
 
@@ -64,7 +64,7 @@ void ask_about_point(const T& table, typename T::Vertex v, typename T::Face f, c
     seen.count(about);
 }
 
-/// A squared slope beside the slope itself along a normal of at most 4: within rounding of its square.
+/// A squared slope against the slope itself along a normal of at most 4: within rounding of its square.
 template <class Scalar>
 void expect_slope(Scalar squared, Scalar slope) {
     const Scalar noise = 512 * Tolerance<Scalar>::eps;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What two tables say to the same questions, compared to the bit.
+// Answers of two tables to the same questions, compared to the bit.
 #pragma once
 
 #include <gtest/gtest.h>

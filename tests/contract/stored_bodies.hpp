@@ -26,13 +26,13 @@ template <class T>
 inline constexpr bool has_features = FeatureTable<T>;
 template <class T>
 inline constexpr double compute_eps = std::numeric_limits<ComputeOf<T>>::epsilon();
-/// What planes are rounded to.
+/// Scalar type that planes are rounded to.
 template <class T>
 inline constexpr double stored_eps =
     DerivesPlanes<T> ? compute_eps<T>
                      : double{std::numeric_limits<typename T::PrecisionType::Stored>::epsilon()};
 
-/// What a table holds when it is given this body.
+/// The body that a table holds when it is given this body.
 template <class T>
 [[nodiscard]] Polyhedron as_stored(const Polyhedron& body) {
     auto stored = stored_body<T>(body);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Vertices, neighbours, edges and rings of a table beside the canonical body. Handles are the table's own, so
-// edges are compared as half-edges: from where to where, with which face on the left. Order counts
+// Vertices, neighbours, edges and rings of a table against the canonical body. Handles are the table's own,
+// so edges are compared as half-edges: from where to where, with which face on the left. Order counts
 // everywhere: ties go to the first, so two layouts that list in different orders would give different
 // answers.
 #include <gtest/gtest.h>

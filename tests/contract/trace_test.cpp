@@ -20,7 +20,7 @@
 namespace edgewise {
 namespace {
 
-/// What reads of tables there were, held against what the only table declares of its memory.
+/// Records reads of tables and compares them with the memory that the only table declares.
 class Reads final : public measure::TraceListener {
   public:
     explicit Reads(std::vector<MappedPiece> pieces) : pieces_(std::move(pieces)) {
@@ -54,7 +54,7 @@ class Reads final : public measure::TraceListener {
     std::vector<MappedPiece> pieces_;
 };
 
-/// Of a body beside itself, one pair of bodies.
+/// Workload of a body next to its copy, one pair of bodies.
 scene::Workload workload(const Polyhedron& body, bool warm) {
     scene::Workload all;
     all.bodies = {body};

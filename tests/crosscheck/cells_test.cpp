@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// In a build that Valgrind can run: real cells beside Callgrind, and the deterministic figures of this build
-// beside those of the program tuned to this machine, in another environment.
+// In a build that Valgrind can run: real cells against Callgrind, and the deterministic figures of this build
+// against those of the program tuned to this machine, in another environment.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -42,10 +42,10 @@ double most_beyond(const std::string& machine) {
 }
 
 /// In the last level they may differ by a line and a half per query and a tenth of the misses: a table that
-/// nearly fills it loses lines to the stack, by chance (2.1 and 2.4 beside 11.6 seen in two runs of one
+/// nearly fills it loses lines to the stack, by chance (2.1 and 2.4 instead of 11.6 seen in two runs of one
 /// build). Less by a line or so, since a query's record is not read to its last byte;
-/// and in lines of 32 bytes by up to half of what poses miss: a wide load of these lies in two lines, and
-/// Callgrind counts it once.
+/// and in lines of 32 bytes by up to half of the misses on poses: a wide load of a pose lies in two lines,
+/// and Callgrind counts it once.
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Cell& cell = GetParam();
     const Folder folder;

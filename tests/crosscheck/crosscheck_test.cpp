@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The cache model beside Callgrind, which knows nothing of it: kernels whose accesses are all known, on
+// The cache model against Callgrind, which is independent of it: kernels with only known accesses, on
 // caches old and new. Callgrind also caches instructions and the stack in its last level, so a few misses
 // more there are its own.
 #include <gmock/gmock.h>
@@ -132,7 +132,7 @@ Outcome under_valgrind(const Arguments& options, const Folder& folder) {
     return process.wait();
 }
 
-/// A program's whole trace by lackey, modelled, beside Cachegrind's own run of it. Each is a process with
+/// A program's whole trace by lackey, modelled, against Cachegrind's own run of it. Each is a process with
 /// addresses of its own; Cachegrind counts what is modified as read alone, and one miss where a reference is
 /// over two lines.
 TEST(Lackey, IsModelledAsCachegrindModelsTheProgram) {

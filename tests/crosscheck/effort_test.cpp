@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // `edgewise effort` in the program that Valgrind can run: a library of known cost, whose instructions it must
-// find, ours twice over, and what it says where something is missing.
+// find, ours twice over, and its message where something is missing.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// The program beside modules of this test.
+/// The program next to modules of this test.
 std::string program_in(const Folder& folder) {
     const fs::path program = folder / "edgewise_sim";
     if (fs::exists(program)) return program;
@@ -104,7 +104,7 @@ TEST(Effort, IsTheSameInAnotherEnvironment) {
                 value(first, "effort.mispredictions"), value(second, "effort.mispredictions"));
 }
 
-/// Of default cells: the phases are those that the command checks against Callgrind's total; hardly any
+/// Phases of default cells: they are those that the command checks against Callgrind's total; hardly any
 /// instruction is of a file that the table of phases (studies/phases/phases.cpp) does not know.
 TEST(EffortByPhase, KnowsWhereNearlyAllInstructionsAreFrom) {
     const Folder folder;

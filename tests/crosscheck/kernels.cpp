@@ -4,7 +4,7 @@
 //
 // Run under Callgrind with the same geometry: every kernel from empty caches, which switching instrumentation
 // on makes, and a dump after each; and once into the model. From full caches the few lines of stack that a
-// call touches would throw lines out, each of which costs up to as many misses as a set has ways. Prints the
+// call touches would evict lines, and each eviction costs up to as many misses as a set has ways. Prints the
 // model's counts, a line a kernel: name, accesses, D1 misses, LL misses.
 #include <valgrind/callgrind.h>
 

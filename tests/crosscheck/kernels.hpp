@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Small loops over memory whose every access is written out: once for real, with loads and stores that the
-// compiler may neither drop nor add, and once into a cache model. What a simulator of the whole processor
-// sees of the first must be what the model saw of the second.
+// Small loops over memory with every access written out: once for real, with loads and stores that the
+// compiler may neither drop nor add, and once into a cache model. A simulator of the whole processor must see
+// in the first what the model saw in the second.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct RealMemory {
     }
 };
 
-/// The same accesses to a model.
+/// Sends the same accesses to a model.
 struct ModelMemory {
     measure::CacheModel& model;
 
@@ -45,7 +45,7 @@ struct ModelMemory {
     }
 };
 
-/// Word by word, so many times.
+/// Accesses memory word by word, `times` times.
 template <class Memory>
 Word sequence(const Memory& memory, const std::vector<Word>& words, Word times) {
     Word sum = 0;

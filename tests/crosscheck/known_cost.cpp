@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A library whose queries take a known number of instructions: KNOWN_ROUNDS rounds of a loop of two, one of
+// A library with queries of a known number of instructions: KNOWN_ROUNDS rounds of a loop of two, one of
 // which is a branch that is taken each time but the last. Its answers are the same whatever is asked.
 #include "edgewise/peers/adapters/module.hpp"
 

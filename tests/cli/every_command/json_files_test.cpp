@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every command that reads a JSON file refuses a member that is there twice, and one that nobody knows.
+// Every command that reads a JSON file refuses a member that is there twice, and an unknown member.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>

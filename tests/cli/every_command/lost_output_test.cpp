@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a command prints arrives, or the command says so and ends with 2: on a full disk, with a closed
+// A command's output arrives, or the command says so and ends with 2: on a full disk, with a closed
 // stdout. And every command needs little address space.
 #include <gmock/gmock.h>
 #include <signal.h>
@@ -52,8 +52,8 @@ TEST(Output, ThatIsLostIsExitCodeTwoForEveryCommand) {
     }
 }
 
-/// Tables ask for all the addresses that they could ever need. Where there are not so many, they grow step by
-/// step, and every address that is traced is the same as before.
+/// Tables reserve all the addresses that they could ever need. If there are too few, they grow step by
+/// step, and every traced address is the same as before.
 TEST(Memory, OfFourGibibytesOfAddressesIsEnoughForEveryCommand) {
     const Folder folder;
     const NoOtherPrograms none;

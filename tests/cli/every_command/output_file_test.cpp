@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A file that a command is to write arrives, or the command says so and ends with 2, whatever stands where it
-// is to be written.
+// A file that a command is to write arrives, or the command says so and ends with 2, whatever is already at
+// that path.
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/stat.h>

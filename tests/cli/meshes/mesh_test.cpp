@@ -198,7 +198,7 @@ TEST(Mesh, JudgeTakesFlatMeshesOfEveryFormat) {
     }
 }
 
-/// As many corners as the file has lines of them.
+/// Points of an OBJ text, one for each of its lines of vertices.
 std::vector<std::vector<double>> obj_points(const std::string& text) {
     std::vector<std::vector<double>> points;
     std::istringstream lines(text);
@@ -213,7 +213,7 @@ std::vector<std::vector<double>> obj_points(const std::string& text) {
     return points;
 }
 
-/// Cubes, cylinders and prisms among them, whose farthest four vertices lie in one plane.
+/// Includes cubes, cylinders and prisms, which have their farthest four vertices in one plane.
 TEST(Budget, WritesASmallerBodyThatIsReadBack) {
     const Folder folder;
     std::string barrel = "o barrel\n";

@@ -44,7 +44,7 @@ TEST(JudgeInput, SaysFirstWhatItRead) {
     EXPECT_THAT(refused.out, testing::Not(HasSubstr("exact")));
 }
 
-/// Of every turn about every kind of axis, the axis and the angle that were meant.
+/// For every turn about every kind of axis: the intended axis and angle.
 TEST(JudgeInput, SaysTurnsByAxisAndAngle) {
     const Folder folder;
     for (const double degrees : {0.001, 1.0, 45.0, 90.0, 179.0, 179.99999, 180.0}) {
@@ -88,7 +88,7 @@ TEST(JudgeInput, PrintsACaseToFillIn) {
     EXPECT_EQ(run({"query", "cases.jsonl"}, folder).exit_code, 0);
 }
 
-/// What other programs print is not guessed.
+/// The output of other programs is not guessed.
 TEST(JudgeInput, RefusesProgramCode) {
     for (
         const char* code :

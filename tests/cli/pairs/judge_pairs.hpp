@@ -14,7 +14,7 @@ using nlohmann::json;
 
 inline std::string dump(const std::string& name) { return text_of(std::string(dumps_folder) + "/" + name); }
 
-/// Of the pair in a file, with a few table types: all are asked in tests/corpus.
+/// Runs judge on the pair in a file, with a few table types; tests/corpus has all.
 inline Outcome judge(const std::string& text, Arguments more = {}) {
     const Folder folder;
     folder.write("pair.txt", text);

@@ -13,7 +13,7 @@ using Point = std::array<int, 2>;
 enum Field { point, children };
 struct Node {
     Point point;
-#ifdef ADDED_MEMBER  // as somebody may add one some day
+#ifdef ADDED_MEMBER  // as a later change may add one
     int colour = 0;
 #endif
     std::array<int, 2> children = {-1, -1};

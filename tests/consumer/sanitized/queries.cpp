@@ -18,7 +18,7 @@ namespace {
 
 using namespace edgewise;
 
-/// The same numbers in [-1, 1) from the same seed.
+/// Numbers in [-1, 1), the same for the same seed.
 class Numbers {
   public:
     explicit Numbers(std::uint64_t seed) : state_(seed) {}

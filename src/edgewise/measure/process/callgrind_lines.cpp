@@ -104,7 +104,7 @@ class Reader {
         if (key == "calls") is_call_ = true;
     }
 
-    /// Skips the line after "calls=": it is the cost of the callees, whose own lines have it already.
+    /// Reads a cost. After "calls=" it is the cost of the callees, which their own lines have already.
     [[nodiscard]] bool take_cost(const std::string& line) {
         std::istringstream words(line);
         std::string address, source_line;
