@@ -36,7 +36,7 @@ ChartRows component_rows(const ReportData& data, const std::vector<std::string>&
     return rows;
 }
 
-/// One for each algorithm, with its own table types.
+/// Returns one panel for each algorithm, with its own table types.
 ChartJson panels_of(const ReportData& data, const ChartJson& pick) {
     ChartJson panels = ChartJson::array();
     // A parameter lives in one panel; the others refer to it by name.

@@ -26,7 +26,7 @@ constexpr const char* another_library = "another library";
 /// "p50_front"
 std::string member(const ErrorKind& kind, const char* what = "") { return std::string(kind.id) + what; }
 
-/// A null where there is no such error.
+/// Returns one row; errors that are unknown are null.
 ChartJson speed_error_row(const FrontPoint& point) {
     const ReportCell& cell = *point.cell;
     ChartJson row = cell_json(cell);
@@ -87,7 +87,7 @@ ErrorAxis place_on_axis(ChartJson& values) {
     return axis;
 }
 
-/// How many points have no place on the axis, or one that means nothing.
+/// Notes how many points have no place on the axis, or a place without meaning.
 void note_places(const ChartJson& values, std::vector<std::string>& notes) {
     for (const ErrorKind& kind : error_kinds) {
         std::size_t zeros = 0, missing = 0;

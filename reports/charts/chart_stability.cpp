@@ -14,10 +14,10 @@ namespace edgewise::reports {
 
 namespace {
 
-/// Tolerance 0 has no place on a logarithmic axis; it stands left of all others.
+/// Tolerance 0 has no place on a logarithmic axis; it is drawn left of all other tolerances.
 constexpr double place_of_zero = 1e-18;
 
-/// Wrong verdicts, and the cases that they are of.
+/// Number of wrong verdicts, and of the cases that gave a verdict.
 struct WrongVerdicts {
     double wrong = 0, cases = 0;
 };
@@ -25,7 +25,7 @@ struct WrongVerdicts {
 /// Percent of wrong verdicts by tolerance.
 using ToleranceCurve = std::map<double, double>;
 
-/// By algorithm and table type.
+/// Returns the curves by algorithm and table type.
 std::map<std::pair<std::string, std::string>, ToleranceCurve> tolerance_curves(const ReportData& data) {
     constexpr store::FigureName failures("stability.failures_at_{tolerance}");
     std::map<std::pair<std::string, std::string>, std::map<double, WrongVerdicts>> sums;
@@ -46,7 +46,7 @@ std::map<std::pair<std::string, std::string>, ToleranceCurve> tolerance_curves(c
     return curves;
 }
 
-/// What names an algorithm on a table type.
+/// Returns the members that name an algorithm on a table type.
 ChartJson table_json(const ReportData& data, const std::string& algorithm, const std::string& table) {
     ChartJson result{{"algorithm", algorithm}, {"table", table}};
     for (const ReportCell& row : data.stability) {

@@ -11,7 +11,7 @@ namespace edgewise::reports {
 
 namespace {
 
-/// Adds what `add_row` has to add of each verified cell and kind of pairs.
+/// Adds the rows of `add_row` for each verified cell and kind of pairs.
 ChartRows rows_of_pairs(const ReportData& data, void (*add_row)(const ReportCell&, PairKind, ChartRows&)) {
     ChartRows rows;
     for (const PairKind kind : {PairKind::Separated, PairKind::Overlapping})
@@ -31,7 +31,7 @@ void time_add_row(const ReportCell& cell, PairKind kind, ChartRows& rows) {
     rows.values.push_back(std::move(row));
 }
 
-/// Panels stand in rows and columns only if each has a row of data, if an empty one: else those that follow
+/// Panels keep their rows and columns only if each has a row of data, even an empty one: else later panels
 /// move up.
 void fill_panels(const ReportData& data, ChartJson& values) {
     std::set<std::pair<std::string, std::string>> present;

@@ -46,7 +46,7 @@ std::vector<std::string> ordered_values(const ChartJson& values, const char* mem
     return charts_in_order(std::move(present), first);
 }
 
-/// By vertices, then name.
+/// Returns the shapes by vertices, then name.
 std::vector<std::string> shapes_by_size(const ReportData& data) {
     std::vector<std::string> names;
     for (const auto& [vertices, name] : shapes_by_vertices(data))
@@ -64,7 +64,7 @@ void add_order(ChartJson& slots, const std::string& names_slot, const std::vecto
     slots[list_slot] = range;
 }
 
-/// Every layout with its own colour, whatever others there are.
+/// Gives every layout its own colour, independent of the other layouts.
 void add_colours(ChartJson& slots, const std::vector<std::string>& layouts) {
     slots["layouts"] = layouts;
     slots["layout_colours"] = ChartJson::array();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The charts, as declarative Vega-Lite specifications (plain JSON, expressions included) plus what a page
-// needs around them. What they share (colours, legends, opacity, limits) is here, so that a
+// needs around them. This header has the shared parts (colours, legends, opacity, limits), so that a
 // layout has one colour everywhere and a click on a legend means the same in every chart.
 #pragma once
 
@@ -77,9 +77,9 @@ void draw(Chart& chart, const ReportData& data, const ChartJson& values,
                                 const ChartJson& slots = ChartJson::object(),
                                 const std::string& noun = "cell");
 
-/// What names a cell in every chart's data.
+/// Returns the members that name a cell in every chart's data.
 [[nodiscard]] ChartJson cell_json(const ReportCell& cell);
-/// Adds a time and its interval, whose ends are the time where they are not stored.
+/// Adds a time and its interval; both ends equal the time if no interval is stored.
 void add_time(ChartJson& row, const ReportCell& cell, const store::QueryTime& time);
 /// Which queries a chart is about: all, or those that start warm.
 enum class Starts { all, warm };
@@ -90,7 +90,7 @@ void add_misses(const ReportCell& cell, const ChartJson& named, Starts starts, C
 [[nodiscard]] ChartJson order_slots(const ReportData& data, const ChartJson& values);
 /// The scenes that the rows have, in the order of the data.
 [[nodiscard]] ChartJson scenes_of_rows(const ReportData& data, const ChartJson& values);
-/// Of a chart with a choice of scenes, one at least: these, and the last of them as the one in view first.
+/// Returns the slots of a choice of scenes: at least one scene; the last scene is in view first.
 [[nodiscard]] ChartJson scene_slots(const ChartJson& scenes);
 /// Algorithms in the order of all charts.
 [[nodiscard]] std::vector<std::string> algorithm_names(const ReportData& data);
@@ -112,7 +112,7 @@ void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes);
 /// not measured.
 [[nodiscard]] ChartJson timed_row(const ReportCell& cell, Omissions& omitted);
 
-/// Adds such a row for each cell for which `place` gives more members: where it stands; null: nowhere.
+/// Adds a timed row with the members of `place` for each cell; cells whose `place` is null are left out.
 template <class Place>
 void add_timed_rows(ChartRows& rows, const std::vector<const ReportCell*>& cells, const Place& place) {
     for (const ReportCell* cell : cells) {

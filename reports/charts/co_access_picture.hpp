@@ -19,7 +19,7 @@ struct CoAccessField {
 /// steps that read the field.
 using CoAccessParts = std::vector<std::vector<double>>;
 
-/// An SVG. Fields of one record stand side by side and are framed.
+/// Returns the matrix as SVG. Fields of one record are adjacent and framed.
 [[nodiscard]] std::string draw_co_access(const std::string& title, std::span<const CoAccessField> fields,
                                          const CoAccessParts& by_query, const CoAccessParts& by_step);
 

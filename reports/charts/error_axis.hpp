@@ -20,8 +20,8 @@ class ErrorAxis {
     [[nodiscard]] double floor() const { return floor_; }
     [[nodiscard]] bool has_zeros() const { return errors_.front() == 0; }
     [[nodiscard]] double place(double error) const { return error > 0 ? error : floor_; }
-    /// Even powers of ten among the errors, and the floor where something stands on it. A tick beyond the
-    /// data would be drawn beside the panel.
+    /// Returns even powers of ten among the errors, and the floor if an error of 0 exists. A tick beyond the
+    /// data would be drawn outside the panel.
     [[nodiscard]] ChartJson ticks() const;
     /// First and last place.
     [[nodiscard]] ChartJson domain() const;

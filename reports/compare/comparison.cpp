@@ -28,7 +28,7 @@ std::string title_of(const ReportCell& cell) {
     return fmt::format("{} {} {} {}", cell.scene_label, cell.shape, cell.algorithm, cell.table);
 }
 
-/// What is compared exactly: costs that a layout or an algorithm decides, each less when it is better.
+/// Figures compared exactly: costs that a layout or an algorithm decides, each less when it is better.
 const std::vector<store::FigureName>& exact_costs() {
     static const std::vector<store::FigureName> names = {steps_figure,
                                                          "error.fallbacks",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The few elements of which the page is made; all text is escaped here.
+// The few HTML elements that the page uses; all text is escaped here.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace edgewise::reports {
 
-/// Of what is HTML already. `style` is a class of the style sheet, or empty.
+/// Returns an element around `html`, which is HTML already. `style`: a class of the style sheet, or empty.
 [[nodiscard]] std::string html_element(const std::string& name, const std::string& html,
                                        const std::string& style = {});
 /// A paragraph of text.

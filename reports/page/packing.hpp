@@ -9,7 +9,7 @@
 
 namespace edgewise::reports {
 
-/// The same bytes for the same text: no time is in the header.
+/// Returns the compressed text; equal texts give equal bytes, since the header has no time.
 [[nodiscard]] std::string gzipped(std::string_view text);
 [[nodiscard]] std::string base64(std::string_view bytes);
 

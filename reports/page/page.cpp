@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The page: the answer, what to look at, what passed, then the chapters; what is long is packed and made when
-// it is opened. Its frame is page.html, by whose policy nothing is loaded from anywhere, and no script runs
-// but the page's own, known by their hashes, and what these start from the page's own packed bundles.
+// it is opened. Its frame is page.html; its policy loads nothing from anywhere, and runs no scripts except
+// the page's own, known by their hashes, and the code that these start from the page's own packed bundles.
 #include "edgewise/reports/page/page.hpp"
 
 #include <fmt/core.h>

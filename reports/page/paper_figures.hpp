@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a citation of one figure takes: its picture as PDF beside the SVG, the points that it draws as CSV,
-// and a text with the commands that made it. Of charts with a number alone (Chart::figure).
+// The files for citing one figure: its picture as PDF next to the SVG, its points as CSV,
+// and a text with the commands that made it. Only for charts with a number (Chart::figure).
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace edgewise::reports {
 std::string write_paper_figures(const ReportData& data, const std::vector<Chart>& charts,
                                 const StaticPictures& pictures, const std::filesystem::path& out);
 
-/// The points that a chart draws: a row each, a column for every member that one of them has.
+/// Returns the points of a chart as CSV: a row each, and a column for every member that a point has.
 [[nodiscard]] std::string points_csv(const ChartJson& points);
 
 }  // namespace edgewise::reports

@@ -30,7 +30,7 @@ std::string render(const std::vector<std::string>& names, const std::filesystem:
     return code == 0 ? "" : fmt::format("node ended with exit code {}", code);
 }
 
-/// The chart with the rows of these tables alone, or as it is where none is of them.
+/// Returns the chart with only the rows of these tables, or unchanged if no row is of them.
 ChartJson of_tables(const Chart& chart, const std::set<std::string>& tables) {
     ChartJson kept = ChartJson::array();
     for (const ChartJson& row : chart.points)
@@ -40,7 +40,7 @@ ChartJson of_tables(const Chart& chart, const std::set<std::string>& tables) {
     return spec;
 }
 
-/// Slimmed pictures; of those that are still too large, drawn again with a few table types.
+/// Adds slimmed pictures; a picture that is still too large is drawn again with a few table types.
 void add_stills(const std::vector<Chart>& charts, const std::set<std::string>& tables,
                 const std::filesystem::path& figures, const std::filesystem::path& bundles,
                 StaticPictures& pictures) {

@@ -58,7 +58,7 @@ std::set<std::string> few_tables(const Answer& answer) {
     return tables;
 }
 
-/// The first scene's of which there is one.
+/// Returns the picture of the first scene that has one.
 std::string answer_picture(const Answer& answer) {
     for (const SceneRanking* scene : answer.scenes())
         if (std::string svg = time_bytes_svg(*scene); !svg.empty()) return svg;

@@ -36,11 +36,11 @@ struct ReportBeside {
 ReportSummary write_report(const std::string& store, const std::string& out_directory,
                            const std::string& bundle_directory);
 
-/// The parts of a report, of which each is told when it is begun.
+/// The number of parts of a report; each part is announced when it begins.
 inline constexpr std::size_t report_parts = 6;
 using OnReportPart = std::function<void(const std::string& part)>;
 
-/// The same of what was read; with a chapter on what changed where it stands beside another.
+/// Writes the report of data already read; with a chapter on changes if it is compared with another store.
 ReportSummary write_report(const ReportData& data, const std::string& out_directory,
                            const std::string& bundle_directory,
                            const std::optional<ReportBeside>& beside = {}, const OnReportPart& on_part = {});

@@ -36,7 +36,7 @@ bool holds_word(std::string_view text, std::string_view word) {
     return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
-/// Whether an attribute that follows is one that only the charts of the live page need.
+/// Returns true for an attribute that only the charts of the live page need.
 bool is_dropped(std::string_view attribute) {
     constexpr std::array<std::string_view, 7> dropped = {
         "aria-",    "role=\"",        "xmlns:xlink=\"",   "stroke-miterlimit=\"",
@@ -58,7 +58,7 @@ class SvgScanner {
             } else if (!is_plain_tag()) {
                 return false;
             }
-            // What follows the picture would stand in the page by itself.
+            // Text after the picture would become part of the page.
             if (open_ == 0) return skip_space(), rest_.empty();
         }
         return false;

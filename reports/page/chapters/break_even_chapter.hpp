@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The chapter on who wins where: the map, where the winner changes, and every place as a table.
+// The chapter on the winner at each place: the map, where the winner changes, and every place as a table.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace edgewise::reports {
 
 [[nodiscard]] Chapter break_even_chapter(const Answer& answer, const ReportData& data);
 
-/// What of it depends on the error that is asked for, as JSON: {"1e-6": html}, for the limits that the
+/// Returns the parts that depend on the error limit, as JSON: {"1e-6": html}, for the limits that the
 /// question bar offers.
 [[nodiscard]] std::string break_even_data(const ReportData& data);
 

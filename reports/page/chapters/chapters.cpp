@@ -91,7 +91,7 @@ Chapter layouts_chapter(const Answer&, const ReportData& data) {
     return chapter;
 }
 
-/// The machine whose misses stand in full view: this one if it was modelled, else the first.
+/// Returns the machine whose misses are not folded: this machine if it was modelled, else the first.
 std::string shown_machine(const std::vector<std::string>& machines) {
     const bool host = std::find(machines.begin(), machines.end(), "host") != machines.end();
     return host ? "host" : machines.front();

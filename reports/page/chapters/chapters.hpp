@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The report's chapters: one question each, in its reader's words. What each holds and in which order is
-// decided here.
+// The report's chapters: one question each, in its reader's words. This folder decides the content and order
+// of each.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace edgewise::reports {
 
-/// What stands in a chapter after its paragraph, in the order of the members.
+/// A part of a chapter after its paragraph, in the order of the members.
 struct ChapterBlock {
     std::string title = {}, paragraph = {};
     std::string section = {};          ///< not empty: the charts of this section
@@ -27,7 +27,7 @@ struct Chapter {
     std::string paragraph = {};  ///< how to read what follows
     std::vector<ChapterBlock> blocks = {};
     std::string link = {};      ///< its name where the page lists all chapters; the title where empty
-    std::string sentence = {};  ///< what the store says about its question, with figures; stands first
+    std::string sentence = {};  ///< answer to its question from the store, with figures; shown first
 };
 
 [[nodiscard]] std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& data,

@@ -18,7 +18,7 @@ struct Term {
     std::string meaning;
     bool is_layout = false;
 
-    /// Of its element: "word-table-type", "layout-lean".
+    /// Returns the id of its element: "word-table-type", "layout-lean".
     [[nodiscard]] std::string id() const;
 };
 
@@ -32,7 +32,7 @@ class Glossary {
 
     [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
 
-    /// A text as HTML: what stands between backticks as code, and the first use of each term a link to it. A
+    /// Returns a text as HTML: text between backticks is code, and the first use of each term is a link. A
     /// layout is known with a precision (lean_f32) or between backticks. `linked`: ids of terms that are
     /// linked already; those of this text are added.
     [[nodiscard]] std::string html(const std::string& text, std::set<std::string>& linked) const;

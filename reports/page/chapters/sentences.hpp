@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the store says about each chapter's question, in one sentence with its figures; empty where it has
-// none of them.
+// One sentence with figures for each chapter's question, from the store; empty if the store has none of the
+// figures.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ namespace edgewise::reports {
 [[nodiscard]] std::string fronts_sentence(const ReportData& data);
 /// Cases, wrong verdicts outside the band, differing ones inside.
 [[nodiscard]] std::string stability_sentence(const ReportData& data);
-/// The fastest other library beside the fastest of ours.
+/// Compares the fastest other library with the fastest cell of ours.
 [[nodiscard]] std::string peers_sentence(const Answer& answer);
 /// How often the replacement policy changes a ranking by misses.
 [[nodiscard]] std::string policy_sentence(const ReportData& data);

@@ -15,7 +15,7 @@ namespace edgewise::reports {
 
 namespace {
 
-/// What one row says; `why` where there is no number.
+/// Contents of one row; `why` has the reason if there is no number.
 struct AnswerRow {
     std::string take, tie_set;
     std::string ratio, of_gjk, bytes, bytes_beside, lines, lines_beside, error;

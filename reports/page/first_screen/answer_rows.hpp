@@ -15,7 +15,7 @@ inline constexpr std::size_t most_answer_rows = 12;
 
 [[nodiscard]] std::string answer_rows_html(const Answer& answer);
 
-/// The same as a grid without strips.
+/// Returns the answer's table as a grid without strips.
 [[nodiscard]] TextGrid answer_grid(const Answer& answer);
 
 }  // namespace edgewise::reports

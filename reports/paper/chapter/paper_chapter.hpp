@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The chapter on the paper's figures: the claims and how they fare, then part by part what the paper shows.
-// Before it stand a user's own scenes.
+// A user's own scenes come before it.
 #pragma once
 
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What things cost. The paper's cost functions, equations 1 and 2: T = N_v C_v + N_p C_p (+ N_u C_u), each
-// term as measured, and their sums beside the measured step. What each need costs: times with the axis
-// `needs` over the plain cell's, which gives witness points; and what it reads, nearness beside the others,
-// over all pairs, since a verdict on nearness does not tell which of them are in contact. Ease of
-// implementation: what building their tables costs.
+// Tables of costs. The paper's cost functions, equations 1 and 2: T = N_v C_v + N_p C_p (+ N_u C_u), each
+// term as measured, and their sums next to the measured step. The cost of each need: times with the axis
+// `needs` over the plain cell's, which gives witness points; and its reads, nearness next to the other needs,
+// over all pairs, since a verdict on nearness does not show which pairs are in contact. Ease of
+// implementation: the cost of building the tables.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -57,21 +57,21 @@ std::vector<GridCell> robustness_row_of(const std::vector<std::string>& names, c
     return row;
 }
 
-/// The same queries by the same table type.
+/// Returns true if `cell` asks the same queries as `raw`, by the same table type, and is hardened.
 bool is_hardened_of(const ReportCell& raw, const ReportCell& cell) {
     return !cell.is_raw() && cell.scene == raw.scene && cell.scene_parameters == raw.scene_parameters &&
            cell.shape == raw.shape && cell.seed == raw.seed && cell.algorithm == raw.algorithm &&
            raw.table.starts_with(cell.table);
 }
 
-/// By the rule of three where none failed, with 95 %; else the share itself.
+/// Returns the share; if none failed, its bound by the rule of three, with 95 %.
 GridCell most_share(const measure::Figure& wrong, const measure::Figure& asked) {
     if (!wrong.value || !asked.value || *asked.value <= 0) return missing_cell(wrong.reason);
     if (*wrong.value == 0) return {fmt::format("{:.2g} (3/n)", 3 / *asked.value)};
     return {fmt::format("{:.2g}", *wrong.value / *asked.value)};
 }
 
-/// What a cell of a sweep and a row of the stability run call alike.
+/// The names that a cell of a sweep and a row of the stability run share.
 struct AnswerNames {
     store::FigureName asked, wrong, wrong_verdicts, cycles, fallbacks, refinements;
 };
@@ -81,7 +81,7 @@ const AnswerNames of_families = {
     "stability.cases",  "stability.wrong_answers", "stability.wrong_outside_band",
     "stability.cycles", "stability.fallbacks",     "stability.refinements"};
 
-/// A fallback and a refinement are GJK's answers alike.
+/// Returns how often V-Clip took GJK's answer: a fallback and a refinement both count.
 GridCell asked_gjk(const ReportCell& hardened, const AnswerNames& names) {
     measure::Figure sum = hardened.figure(names.fallbacks);
     const measure::Figure refined = hardened.figure(names.refinements);

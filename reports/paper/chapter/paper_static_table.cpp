@@ -27,7 +27,7 @@ SidesOfTables sides_of(const StoredScene& scene) {
     return tables;
 }
 
-/// Other libraries' cells stand on GJK's side, beside V-Clip on the paper's record; raw V-Clip is not timed.
+/// Returns other libraries' cells in GJK's place, with V-Clip on the paper's record; raw V-Clip is not timed.
 SidesOfTables sides_with_peers(const StoredScene& scene) {
     SidesOfTables tables = sides_of(scene);
     std::erase_if(tables,

@@ -123,7 +123,7 @@ std::string line_sentence(const ReportData& data) {
                  fmt::arg("small", count_text(bodies_to_fill(data, 38, knee, old_cache))));
 }
 
-/// Of all bodies' tables, used or not.
+/// Says how much memory all bodies' tables take, used or not.
 std::string tables_text(const ReportData& data) {
     const measure::Expected<double> table = thrash_figure(data, 386, false, "bytes.table_bytes"),
                                     bodies = thrash_number(data, 386, false, "bodies");
@@ -146,7 +146,7 @@ std::string page_sentence(const ReportData& data) {
                  fmt::arg("most_large", count_text(bodies_to_fill(data, 386, knee, most_old_memory))));
 }
 
-/// Of one row of the paging run: the largest memory that faulted.
+/// Says the result of one row of the paging run at the largest memory that faulted.
 std::string measured_text(const ReportCell& row) {
     std::optional<double> memory, faults;
     std::string why = row.verified() ? "no limit was measured" : row.reason;

@@ -19,7 +19,7 @@ struct StoredScene {
     std::string note;    ///< what its author says of it
     std::vector<const ReportCell*> cells;
 
-    /// What its cells stand at on an axis: the varied number, else the vertices.
+    /// Returns a cell's place on an axis: the varied number, else the vertices.
     [[nodiscard]] std::optional<double> place(const ReportCell& cell) const;
     [[nodiscard]] std::string axis_title() const;  ///< in words
 };
@@ -45,8 +45,8 @@ inline constexpr std::string_view paper_scenes[] = {
 [[nodiscard]] inline bool has_random_orientation(const ReportCell& cell) {
     return scene_number(cell, "random_orientation").value_or(0) != 0;
 }
-/// The verified cell of this algorithm and table type that stands nearest to a wanted place; null when there
-/// is none.
+/// Returns the verified cell of this algorithm and table type that is nearest to a wanted place; null if
+/// there is none.
 [[nodiscard]] const ReportCell* nearest_cell(const StoredScene& scene, const std::string& algorithm,
                                              const std::string& table, double wanted);
 

@@ -30,8 +30,8 @@ bool gives_the_time(const ReportData& data, const std::string& machine, bool fas
     return time.value && *time.value >= least_share * papers_growth_ns;
 }
 
-/// Whether a row of the paging run is such a measurement, and what it says: V-Clip on aos_f64, 386 vertices,
-/// hundreds of bodies, a limit that leaves the tables as much as a memory of the time.
+/// Returns true if a row of the paging run faults often with as much memory for the tables as a machine of
+/// the time had; null for rows other than V-Clip on aos_f64, 386 vertices, hundreds of bodies.
 std::optional<bool> faults_in_old_memory(const ReportCell& row) {
     const bool ours =
         row.verified() && row.algorithm == algorithm && row.table == table && row.vertices == 386;

@@ -62,7 +62,7 @@ inline constexpr double more_than_hundreds = 1000;
 /// V-Clip on aos_f64: a figure at the slowest or the fastest rotation.
 [[nodiscard]] measure::Expected<double> thrash_figure(const ReportData& data, int vertices, bool fastest,
                                                       const store::FigureName& name);
-/// Likewise a number of the scene: "rotation_step", "bodies".
+/// Returns a number of the scene at that rotation: "rotation_step", "bodies".
 [[nodiscard]] measure::Expected<double> thrash_number(const ReportData& data, int vertices, bool fastest,
                                                       const std::string& name);
 /// The larger of a figure at the slowest and at the fastest rotation.
@@ -75,16 +75,16 @@ inline constexpr double more_than_hundreds = 1000;
 [[nodiscard]] measure::Expected<double> memory_factor(const ReportData& data, const std::string& machine,
                                                       bool fastest);
 
-/// Whether the cache makes figure 8: on some machine, at some speed, the modelled memory time grows by the
-/// paper's factor from 38 to 386 vertices, and is no less than a tenth of what the paper's axis grows by.
+/// Returns true if the cache makes figure 8: on some machine, at some speed, the modelled memory time grows
+/// by the paper's factor from 38 to 386 vertices, and by at least a tenth of the growth of the paper's axis.
 /// Null when nothing was modelled.
 [[nodiscard]] std::optional<bool> cache_is_a_cause(const ReportData& data);
-/// Whether paging does: hundreds of bodies of 386 vertices use more pages than the smallest memory of
+/// Returns true if paging does: hundreds of bodies of 386 vertices use more pages than the smallest memory of
 /// the time holds, and those of 38 do not; or with that memory and more they were measured to fault often
 /// enough. Null when neither reuse distances of pages nor such a measurement are stored.
 [[nodiscard]] std::optional<bool> paging_is_a_cause(const ReportData& data);
 
-/// What one limit of a paging row says; null where the store has no value.
+/// The figures of one limit of a paging row; null where the store has no value.
 struct PagingLimit {
     measure::Figure limit, held, faults, predicted_at_held, predicted_at_limit, us;
 };

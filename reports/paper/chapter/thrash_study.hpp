@@ -13,7 +13,7 @@
 
 namespace edgewise::reports {
 
-/// The processor whose region is kept setting by setting.
+/// The processor of which the store keeps every setting.
 inline constexpr const char* region_machine = "pentium2_deschutes";
 
 /// Which facts hold, as thrash.facts adds them.
@@ -55,13 +55,13 @@ struct RealisedRow {
     std::vector<Point> points;
 
     [[nodiscard]] double longest_measured() const;
-    /// Of measured and predicted, whichever is larger over the other.
+    /// Returns the larger ratio of measured and predicted, in either direction.
     [[nodiscard]] double worst_ratio() const;
 };
 [[nodiscard]] std::vector<RealisedRow> realised_rows(const ReportData& data);
 
 /// What can be said of figure 8: which mechanisms can make it, which cannot, which the paper's words favour,
-/// and what nobody can know. Empty where the study was not run.
+/// and what remains unknown. Empty where the study was not run.
 [[nodiscard]] std::string settled_paragraph(const ReportData& data);
 
 [[nodiscard]] TextGrid mechanism_grid(const ReportData& data);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The charts of the chapter on the paper's figures. A chart whose scenes are not in the store
+// The charts of the chapter on the paper's figures. If the store lacks a chart's scenes, the chart
 // has no specification and is not shown.
 #pragma once
 

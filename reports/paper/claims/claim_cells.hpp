@@ -105,7 +105,7 @@ inline constexpr CurveRange figure_6_speeds{0, 12.57}, figures_7_and_8_speeds{1,
                                                    const std::string& algorithm, const CurveRange& steps);
 /// The reason when there are none.
 [[nodiscard]] std::string no_angular_cells(int vertices);
-/// Of the same scenes, at their slowest speed above 0: as coherent as a moving scene is.
+/// Returns the cell of these scenes at the slowest speed above 0, which is the most coherent motion.
 [[nodiscard]] const ReportCell* slowest_cell(const ReportData& data, int vertices,
                                              const std::string& algorithm);
 /// Its figure, or its time; none where there is no such cell.

@@ -25,7 +25,7 @@ const ReportCell* caching_cell(const ReportData& data, int vertices, const std::
     return found.empty() ? nullptr : found.front().cell;
 }
 
-/// Of both algorithms, asked in both ways.
+/// Cells of both algorithms, warm and cold.
 struct CachingCells {
     const ReportCell *vclip, *vclip_cold, *gjk, *gjk_cold;
 

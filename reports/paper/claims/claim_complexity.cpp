@@ -26,7 +26,7 @@ std::vector<CurvePoint> times(const ReportData& data, int vertices, const std::s
     return time_curve(angular_cells(data, vertices, algorithm, in_steps(figures_7_and_8_speeds, reading)));
 }
 
-/// Of one algorithm's times at two sizes.
+/// Returns the quotient of one algorithm's times at two sizes.
 Evidence complexity_growth(const ReportData& data, const std::string& algorithm, int more, int fewer,
                            const TimeStepReading& reading) {
     const auto growths =

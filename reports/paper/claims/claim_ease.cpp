@@ -14,7 +14,7 @@ constexpr double harmless = 0.01;
 /// A body has one test per step in figure 5 (300 pairs, 600 bodies): a hundred tests are more than a second
 /// of its life at 60 steps per second.
 constexpr double substantial = 100;
-/// A burden that nobody would overlook.
+/// A burden that everyone would notice.
 constexpr double twice = 2;
 
 using Families = std::vector<std::string>;

@@ -76,7 +76,7 @@ Evidence at_limit(const ReportData& data, const std::string& algorithm, double b
     return i < 0 ? no_evidence(when_none) : figure_of(*row, name.of(std::to_string(i)));
 }
 
-/// Of V-Clip's row: the limit that is too small.
+/// Returns the limit of V-Clip's row that is too small.
 Evidence tight_limit(const ReportData& data) {
     const ReportCell* row = row_of_run(data, "vclip");
     const Evidence touched = row ? figure_of(*row, "paging.touched_bytes") : no_run("vclip");

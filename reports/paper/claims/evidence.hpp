@@ -29,7 +29,7 @@ struct Evidence {
 /// At least `least`: for counts that may be 0 and are to be divided by.
 [[nodiscard]] Evidence no_less_than(Evidence a, double least);
 
-/// Of all of them; none where one is missing, or where there are none, for the reason given.
+/// Returns the geometric mean; none where a value is missing, or with the given reason for an empty list.
 [[nodiscard]] Evidence geometric_mean(const std::vector<Evidence>& all,
                                       const std::string& when_none = "no such cell is stored");
 [[nodiscard]] Evidence smallest(const std::vector<Evidence>& all,
