@@ -74,7 +74,7 @@ edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kerne
 # What mutants (tests/mutation) replace is linked by itself.
 edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp
     src/edgewise/measure/process/callgrind_lines.cpp src/edgewise/scene/motion.cpp
-    src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp
+    src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp src/edgewise/studies/stability_tally.cpp
     src/edgewise/studies/phases/effort_phases.cpp src/edgewise/studies/proof_floor.cpp
     src/edgewise/truth/checked_answer.cpp src/edgewise/truth/filter/enclosure.cpp src/edgewise/truth/filter/posed_pair.cpp
     src/edgewise/studies/fields/best_groups.cpp src/edgewise/studies/fields/co_access.cpp

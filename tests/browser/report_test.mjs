@@ -82,7 +82,7 @@ async function mapIsRight(page) {
     check('the map has places, and none is blank', places.length > 0 && places.every(place => place.text.join('').trim()), places.length);
     const times = query(`select table_type, value from cell join figure using (build, hash)
         where probe = 'time' and name = 'all_ns' and value is not null`);
-    const won = places.map(place => place.title.match(/ on (\S+): .* of the baseline's time, (\S+) ns/)).filter(Boolean);
+    const won = places.map(place => place.title.match(/(?:alone|tie): .*? on (\S+) .*?; (\S+) ns/)).filter(Boolean);
     const wrong = won.filter(([, table, ns]) => !times.some(
         row => row.table_type === table && Math.abs(row.value / Number(ns) - 1) < 2e-2));
     check('and its times are the store\'s', won.length > 0 && wrong.length === 0, `${won.length} read, ${wrong.length} differ`);
