@@ -64,8 +64,12 @@ std::vector<TextGrid> machine_grids(const Json& machine) {
         "#cache level = level|type|#bytes|#ways|#line = line_bytes|#sets|shared by = shared_cpus");
     TextGrid counters = member_grid(part("counters"), "event|level|by|#counted = value|unit|meaning");
     caches.caption = "Caches", counters.caption = "Hardware counters";
-    return {members_grid("Processor", part("cpu"), part("unreadable")), std::move(caches),
-            members_grid("Machine", further, part("unreadable")), std::move(counters)};
+    TextGrid facts = members_grid("Processor", part("cpu"), part("unreadable"));
+    const TextGrid others = members_grid("Machine", further, part("unreadable"));
+    facts.rows.insert(facts.rows.end(), others.rows.begin(), others.rows.end());
+    facts.caption = others.caption;
+    facts.shown_rows = facts.rows.size();
+    return {std::move(facts), std::move(caches), std::move(counters)};
 }
 
 TextGrid facts_grid(const ReportData& data) {

@@ -17,6 +17,8 @@ std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared, std::span
     auto& known_stored = shared.known(stored);
     auto& known_given = shared.known(shared.workload().bodies);
     const auto& control = shared.control(stored);
+    truth::AllowedErrors allowed = truth::allowed_errors(eps);
+    allowed.beyond_band = false;
     const truth::Leeway leeway{options.contact_tolerance, options.gap_tolerance};
     std::vector<truth::CheckedAnswer> result;
     for (std::size_t k = 0; k < shared.checked().size(); ++k) {
@@ -33,7 +35,7 @@ std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared, std::span
         }
         const truth::Claim claim = scene::claim_of(answer, options.verdict_only);
         truth::CheckedAnswer& checked =
-            result.emplace_back(truth::check(claim, bodies, known, band, truth::allowed_errors(eps), leeway));
+            result.emplace_back(truth::check(claim, bodies, known, band, allowed, leeway));
         const auto& given = known_given[k].exact(scene::placed(shared.workload().bodies, query));
         if (!options.verdict_only)
             checked.error_given = truth::distance_error(claim, given, leeway.contact_tolerance);

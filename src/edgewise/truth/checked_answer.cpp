@@ -81,8 +81,11 @@ CheckedAnswer check(const Claim& claim, const PlacedBodies& bodies, KnownPair& k
     checked.error = distance_error(claim, exact, tolerance);
     checked.witness_error = claim.witness_error;
     const double longer = given_away(leeway.gap_tolerance, exact.distance);
-    checked.distance_wrong = !(band.beyond(checked.error) <= allowed.distance + band.over_scale(longer)) ||
-                             !(band.beyond(checked.witness_error) <= allowed.distance);
+    const auto counted = [&](double error) {
+        return allowed.beyond_band ? band.beyond(error) : band.over_scale(error);
+    };
+    checked.distance_wrong = !(counted(checked.error) <= allowed.distance + band.over_scale(longer)) ||
+                             !(counted(checked.witness_error) <= allowed.distance);
     if (claim.depth && in_contact && !claim.separated) {
         checked.depth_error = std::abs(*claim.depth - known.depth(bodies));
         checked.depth_wrong = !(band.beyond(checked.depth_error) <= allowed.depth);

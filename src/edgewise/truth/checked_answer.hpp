@@ -22,10 +22,11 @@ struct Claim {
     bool failed = false;        ///< there is no answer, which is wrong
 };
 
-/// Errors allowed beyond the band, over the scale of the pair.
+/// Errors allowed over the scale of the pair.
 struct AllowedErrors {
     double distance = 0;  ///< also of the distance of the witness points
     double depth = 0;
+    bool beyond_band = true;  ///< errors count from the band on; false: from 0, which is stricter
 };
 
 /// The errors allowed to arithmetic with this rounding step (Tolerance<Compute>::eps). Where planes are
