@@ -96,6 +96,29 @@ TEST_F(Verify, WrongVerdictsFail) {
     EXPECT_THAT(wrong(), HasSubstr("wrong verdict"));
 }
 
+TEST_F(Verify, ContactCalledSeparatedFails) {
+    Distance& answer = answers_[first(Status::overlapping)];
+    answer.status = Status::separated;
+    answer.distance = 0.5;
+    EXPECT_THAT(wrong(), HasSubstr("wrong verdict"));
+}
+
+/// The band excuses verdicts, not errors: an error beyond the bound is wrong however little it is beyond.
+TEST_F(Verify, ErrorsCountFromZero) {
+    const std::size_t i = first(Status::separated);
+    const scene::Query& query = shared_.workload().queries[i];
+    const truth::AccuracyBand band = truth::accuracy_band(body(query.body_a).vertices, query.pose_a,
+                                                          body(query.body_b).vertices, query.pose_b, eps);
+    const Distance right = answers_[i];
+    for (const double part : {0.99, 1.001}) {
+        const double longer = 1 + part * verified_error_double * band.scale / right.distance;
+        answers_[i].distance = right.distance * longer;
+        answers_[i].point_a = right.point_a * longer;
+        ASSERT_LT(0.001 * verified_error_double * band.scale, band.band);
+        EXPECT_EQ(wrong() != "", part > 1) << part;
+    }
+}
+
 TEST_F(Verify, FailedAndNanAnswersFail) {
     const std::size_t i = first(Status::separated);
     answers_[i].status = Status::failed;

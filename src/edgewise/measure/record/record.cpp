@@ -41,6 +41,11 @@ struct RecordFault {
     std::string text;
 };
 
+void refuse_unknown(const Json& json, std::string_view what, const std::vector<std::string>& known) {
+    if (const std::string unknown = input::unknown_member(json, what, known); !unknown.empty())
+        throw RecordFault{unknown};
+}
+
 const Json& object_in(const Json& json, const std::string& member) {
     static const Json none = Json::object();
     if (!json.contains(member)) return none;
@@ -85,10 +90,7 @@ FigureRecord record_in(const Json& json, std::string_view kind) {
     if (!json.is_object()) throw RecordFault{"needs an object"};
     const Json is = json.value("edgewise_record", Json());
     if (!is.is_string()) throw RecordFault{"edgewise_record: needs the kind of record, such as \"lock\""};
-    if (const std::string unknown = input::unknown_member(
-            json, "a record", {"edgewise_record", "of", "with", "slack", "figures", "cells"});
-        !unknown.empty())
-        throw RecordFault{unknown};
+    refuse_unknown(json, "a record", {"edgewise_record", "of", "with", "slack", "figures", "cells"});
     FigureRecord record{
         is.get<std::string>(), conditions_in(json, "of"), conditions_in(json, "with"), {}, {}};
     if (!kind.empty() && record.kind != kind)
@@ -111,15 +113,21 @@ std::string text_of(const Json& json) { return json.is_string() ? json.get<std::
 
 /// A baseline of speed as version 0.1 wrote it: a list of ratios.
 Json from_gate(const Json& old) {
+    refuse_unknown(old, "a baseline", {"gate", "machine", "build", "rounds", "queries", "slack", "entries"});
     Json cells = Json::object(), with = Json::object();
     for (const Json& entry : old.at("entries")) {
-        std::string cell = text_of(entry.at("algorithm"));
+        refuse_unknown(entry, "an entry",
+                       {"algorithm", "table", "scene", "shape", "axes", "over", "ratio", "low", "high"});
+        std::string cell = entry.at("algorithm").get<std::string>();
         for (const char* part : {"table", "scene", "shape", "axes"})
-            if (const std::string word = text_of(entry.at(part)); !word.empty()) cell += " " + word;
-        cells[cell]["time over " + text_of(entry.at("over"))] = {entry.at("low"), entry.at("ratio"),
-                                                                 entry.at("high")};
+            if (const auto word = entry.at(part).get<std::string>(); !word.empty()) cell += " " + word;
+        const auto over = entry.at("over").get<std::string>();
+        if (over != "reference" && over != "kernel")
+            throw RecordFault{fmt::format("over: unknown ratio '{}'; known: reference, kernel", over)};
+        cells[cell]["time over " + over] = {entry.at("low"), entry.at("ratio"), entry.at("high")};
     }
     with["machine"] = text_of(old.at("machine"));
+    refuse_unknown(old.at("build"), "a build", {"git_revision", "compiler", "flags", "build_type"});
     for (const auto& [part, value] : old.at("build").items()) with[part] = text_of(value);
     with["rounds"] = text_of(old.at("rounds"));
     return {{"edgewise_record", "speed"},
@@ -131,12 +139,19 @@ Json from_gate(const Json& old) {
 
 /// A machine record as version 0.1 wrote it: a list of cells.
 Json from_machine(const Json& old) {
+    refuse_unknown(old, "a machine record",
+                   {"edgewise_machine_record", "machine", "times", "cpu", "caches", "rows"});
     Json cells = Json::object(), with = Json::object();
     for (const Json& row : old.at("rows")) {
+        refuse_unknown(
+            row, "a row",
+            {"scene", "parameters", "shape", "algorithm", "table", "ratio", "low", "high", "bytes_per_edge"});
         // Names of parameters in alphabetical order, as stores have them.
         const std::string parameters = nlohmann::json::parse(row.at("parameters").dump()).dump();
-        Json& figures = cells[text_of(row.at("scene")) + " " + parameters + " " + text_of(row.at("shape")) +
-                              " " + text_of(row.at("algorithm")) + " " + text_of(row.at("table"))];
+        Json& figures =
+            cells[row.at("scene").get<std::string>() + " " + parameters + " " +
+                  row.at("shape").get<std::string>() + " " + row.at("algorithm").get<std::string>() + " " +
+                  row.at("table").get<std::string>()];
         figures["time ratio"] = {row.at("low"), row.at("ratio"), row.at("high")};
         if (!row.at("bytes_per_edge").is_null()) figures["bytes per edge"] = row.at("bytes_per_edge");
     }
