@@ -127,7 +127,8 @@ edgewise_tool_for(edgewise_tool "${EDGEWISE_TUNE}" ${table_types})
 # compiled before these tests start. The same objects, named as files: a target's name would bring all of them.
 set(few_layouts aos lean points_soa)
 set(few_types ${table_types})
-list(FILTER few_types INCLUDE REGEX "^(aos|lean|points_soa)_[^_]*$")
+list(JOIN few_layouts "|" few)
+list(FILTER few_types INCLUDE REGEX "^(${few})_[^_]*$")
 if(EDGEWISE_UNITY AND few_types AND NOT EDGEWISE_LAYOUTS)
     edgewise_write_list(edgewise_few "${EDGEWISE_TUNE}" ${few_types})
     list(TRANSFORM few_layouts REPLACE "(.+)"

@@ -64,6 +64,7 @@ std::vector<TextGrid> machine_grids(const Json& machine) {
         "#cache level = level|type|#bytes|#ways|#line = line_bytes|#sets|shared by = shared_cpus");
     TextGrid counters = member_grid(part("counters"), "event|level|by|#counted = value|unit|meaning");
     caches.caption = "Caches", counters.caption = "Hardware counters";
+    counters.shown_rows = counters.rows.size();
     TextGrid facts = members_grid("Processor", part("cpu"), part("unreadable"));
     const TextGrid others = members_grid("Machine", further, part("unreadable"));
     facts.rows.insert(facts.rows.end(), others.rows.begin(), others.rows.end());

@@ -57,8 +57,8 @@ TEST(Thrash, PrintsATableForPeople) {
     const Folder folder;
     const Outcome found = run(few_settings_with({"--realised", "0"}), folder);
     ASSERT_EQ(found.exit_code, 0) << found.err;
-    EXPECT_THAT(found.out, testing::AllOf(HasSubstr("figure_4"), HasSubstr("whole_table_transform"),
-                                          HasSubstr("spares")));
+    EXPECT_THAT(found.out, testing::AllOf(HasSubstr("model /"), HasSubstr("figure_4"),
+                                          HasSubstr("whole_table_transform"), HasSubstr("spares")));
 }
 
 TEST(Thrash, RefusesWhatCannotBe) {

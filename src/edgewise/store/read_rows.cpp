@@ -2,7 +2,6 @@
 //
 // Every select names its columns: the functions that read a row know them by number.
 #include "edgewise/store/read_rows.hpp"
-#include "edgewise/input/shown_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

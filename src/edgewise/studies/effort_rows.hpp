@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The effort run: the work of the queries of one scene and shape (effort.hpp), for several table types,
-// algorithms and peers, as rows of the store under a scene called `effort` and the kind of
-// the scene.
+// algorithms and peers, as rows of the store of store::Run::effort.
 #pragma once
 
 #include <atomic>
@@ -18,8 +17,6 @@
 #include "edgewise/studies/effort.hpp"
 
 namespace edgewise::studies {
-
-/// Scene names of these rows begin with `effort` (store::Run::effort).
 
 /// Default machine: Callgrind simulates its first two levels.
 inline constexpr const char* effort_machine = "skylake_sp";

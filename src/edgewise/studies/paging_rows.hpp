@@ -14,7 +14,6 @@
 namespace edgewise::studies {
 
 /// Parameters of the paging run.
-
 struct PagingPlan {
     std::size_t bodies = 600;
     double rotation_step = 7.0 / 60;  ///< rad: the end of the paper's axis at 60 steps per second

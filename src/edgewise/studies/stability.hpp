@@ -18,8 +18,6 @@
 
 namespace edgewise::studies {
 
-/// Rows are stored as store::Run::stability.
-
 /// The family of real hulls, the one that asks for mesh files.
 inline constexpr const char* real_family = "real_hulls_at_gaps";
 

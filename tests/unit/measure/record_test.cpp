@@ -73,41 +73,17 @@ TEST(Record, IsTheSameWhenItIsReadAgain) {
     EXPECT_THAT(to_json(lock), AllOf(HasSubstr("\"bytes\": 24000,"), testing::Not(HasSubstr("slack"))));
 }
 
+const json old_gate = json::parse(R"({"gate": 1, "machine": "m", "build": {"compiler": "c"}, "rounds": 17,
+    "queries": 200, "slack": 0.1, "entries": [{"algorithm": "gjk", "table": "lean_f64", "scene": "cold",
+    "shape": "cube8", "axes": "", "over": "reference", "ratio": 1, "low": 0.9, "high": 1.1}]})");
+const json old_machine = json::parse(R"({"edgewise_machine_record": 1, "machine": "m", "times": "measured",
+    "cpu": {}, "caches": [], "rows": [{"scene": "cold", "parameters": {}, "shape": "cube8",
+    "algorithm": "gjk", "table": "lean_f64", "ratio": 1, "low": 0.9, "high": 1.1, "bytes_per_edge": null}]})");
+const json old_lock = json::parse(R"({"edgewise_lock": 1, "of": {}, "figures": {"bytes": 1}})");
+
 /// Files of version 0.1 are understood to the end, or refused.
 TEST(Record, OfAnEarlierVersionHasNoMemberThatNobodyKnows) {
-    const json gate = {{"gate", 1},
-                       {"machine", "m"},
-                       {"build", {{"compiler", "c"}}},
-                       {"rounds", 17},
-                       {"queries", 200},
-                       {"slack", 0.1},
-                       {"entries",
-                        {{{"algorithm", "gjk"},
-                          {"table", "lean_f64"},
-                          {"scene", "cold"},
-                          {"shape", "cube8"},
-                          {"axes", ""},
-                          {"over", "reference"},
-                          {"ratio", 1},
-                          {"low", 0.9},
-                          {"high", 1.1}}}}};
-    const json machine = {{"edgewise_machine_record", 1},
-                          {"machine", "m"},
-                          {"times", "measured"},
-                          {"cpu", json::object()},
-                          {"caches", json::array()},
-                          {"rows",
-                           {{{"scene", "cold"},
-                             {"parameters", json::object()},
-                             {"shape", "cube8"},
-                             {"algorithm", "gjk"},
-                             {"table", "lean_f64"},
-                             {"ratio", 1},
-                             {"low", 0.9},
-                             {"high", 1.1},
-                             {"bytes_per_edge", nullptr}}}}};
-    const json old_lock = {{"edgewise_lock", 1}, {"of", json::object()}, {"figures", {{"bytes", 1}}}};
-    for (const json& whole : {gate, machine, old_lock}) {
+    for (const json& whole : {old_gate, old_machine, old_lock}) {
         EXPECT_EQ(complaint(whole.dump()), "no complaint");
         for (const char* place : {"", "/entries/0", "/build", "/rows/0"}) {
             json changed = whole;
@@ -117,7 +93,7 @@ TEST(Record, OfAnEarlierVersionHasNoMemberThatNobodyKnows) {
             EXPECT_THAT(complaint(changed.dump()), HasSubstr("'slak' is not a member of")) << place;
         }
     }
-    json changed = gate;
+    json changed = old_gate;
     changed["entries"][0]["over"] = "rest";
     EXPECT_THAT(complaint(changed.dump()), HasSubstr("unknown ratio 'rest'"));
     changed["entries"][0]["over"] = 3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The fields run: advice on the records of some table types (fields.hpp) as rows of the store, under a scene
-// called `fields` and the kind of the scene.
+// The fields run: advice on the records of some table types (fields.hpp), as rows of the store of
+// store::Run::fields.
 #pragma once
 
 #include <atomic>
