@@ -3,22 +3,22 @@
 // The ranker decides which layout wins a scene, which layouts tie with it, and by how much. Page, map,
 // report.md, terminal and `edgewise advise` all show its result and decide nothing themselves.
 //
-// - **Ranked** are the cells of one scene and shape that answer the scene's own question (those with the
-// fewest
-//   axes) and were timed in the same rounds as the baseline, by their time over the baseline's. Raw V-Clip is
-//   not ranked; other libraries are ranked apart and never win.
-// - **Dropped** are cells with a worst error over the limit or not measured. Outputs show them with the
-// reason,
-//   and they neither win nor tie.
-// - The **interval** of a ratio is over the rounds of its process, or over the processes if several measured
-// the
-//   cell; by order statistics in both cases (ratio_interval.hpp).
-// - The **baseline's own variation**: its own cell is timed in the same rounds as the baseline, so these are
-// two
-//   measurements of one thing, and the ratio of the two is its own variation.
-// - The fastest cell that is not dropped **wins**. Another **ties** with it if its interval reaches the
-//   winner's, or if its ratio is larger by no more than the baseline's own variation. The tie set is the
-//   winner and all cells that tie with it.
+// Ranked are the cells of one scene and shape that answer the scene's own question (those with the fewest
+// axes) and were timed in the same rounds as the baseline, by their time over the baseline's. Raw V-Clip is
+// not ranked; other libraries are ranked apart and never win.
+//
+// Dropped are cells with a worst error over the limit or not measured. Outputs show them with the reason, and
+// they neither win nor tie.
+//
+// The interval of a ratio is over the rounds of its process, or over the processes if several measured the
+// cell; by order statistics in both cases (ratio_interval.hpp).
+//
+// The baseline's own variation: its own cell is timed in the same rounds as the baseline, so these are two
+// measurements of one thing, and the ratio of the two is its own variation.
+//
+// The fastest cell that is not dropped wins. Another ties with it if its interval reaches the winner's, or if
+// its ratio is larger by no more than the baseline's own variation. The tie set is the winner and all cells
+// that tie with it.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +53,7 @@ struct RankedCell {
     [[nodiscard]] std::string name() const;
 };
 
-/// `runs` is one cell, as each process measured it. Null where no process timed it beside the baseline.
+/// `runs` is one cell, as each process measured it. Null if no process timed it with the baseline.
 [[nodiscard]] std::optional<RankedCell> ranked_cell(std::span<const ReportCell* const> runs,
                                                     double error_limit);
 [[nodiscard]] std::optional<RankedCell> ranked_cell(const ReportCell& cell, double error_limit);

@@ -53,7 +53,7 @@ std::string reason_of(const Json& object) {
     return why;
 }
 
-/// What lacks a value has its reason beside it, or its row has.
+/// Returns the reason for a missing value: a member next to it, or one of its row.
 GridCell member_cell(const Json& row, const MemberColumn& column, bool numeric) {
     const Json value = row.contains(column.member) ? row.at(column.member) : Json();
     if (!value.is_null()) return {member_text(value, column)};

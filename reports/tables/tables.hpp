@@ -18,8 +18,8 @@ enum class PairKind { Separated, Overlapping };
 [[nodiscard]] std::string pair_name(PairKind kind);  ///< "separated" | "overlapping"
 [[nodiscard]] const store::QueryTime& times_of(PairKind kind);
 
-/// What a machine is, as measure::machine_json and a store have it: its processor, its caches, further facts,
-/// and its counters.
+/// Returns the tables of a machine (measure::machine_json, as a store keeps it): processor and further facts,
+/// caches, counters.
 [[nodiscard]] std::vector<TextGrid> machine_grids(const nlohmann::json& machine);
 /// What ran, built how: key and value.
 [[nodiscard]] TextGrid facts_grid(const ReportData& data);
@@ -31,7 +31,7 @@ enum class PairKind { Separated, Overlapping };
 /// Every cell: what it is and its status.
 [[nodiscard]] TextGrid cells_grid(const ReportData& data);
 
-/// In the data's order, of one shape and of one scene; an empty name means all.
+/// Returns the cells in the data's order, of one shape and of one scene; an empty name means all.
 [[nodiscard]] std::vector<const ReportCell*> verified_cells(const ReportData& data,
                                                             const std::string& shape = {},
                                                             const std::string& scene_label = {});
@@ -48,29 +48,29 @@ enum class PairKind { Separated, Overlapping };
 
 /// Cache lines per query, time to build and refit, part ever materialised: one scene, the reference shape.
 [[nodiscard]] TextGrid layout_cost_grid(const ReportData& data);
-/// What the processor and the kernel counted, and what the heap took: of one scene, the reference shape.
+/// Counters of processor and kernel, and the heap's growth: one scene, the reference shape.
 [[nodiscard]] TextGrid counters_grid(const ReportData& data);
-/// What the tables of scenes with more than a few of them take, beside the time of their queries.
+/// Bytes of all tables next to the time of queries, in scenes with more than a few tables.
 [[nodiscard]] TextGrid scene_memory_grid(const ReportData& data);
 
-/// One table at many scales beside a table for each: what sharing saves in bytes and costs in time; cells
-/// that measured it (probe scale), by scene and shape.
+/// One table at many scales compared with a table for each: what sharing saves in bytes and costs in time;
+/// cells that measured it (probe scale), by scene and shape.
 [[nodiscard]] TextGrid scale_grid(const ReportData& data);
 
-/// Cells whose caches were modelled, fewest misses of the first machine first; by scene.
+/// Returns the cells with modelled caches, fewest misses of the first machine first; by scene.
 [[nodiscard]] std::vector<const ReportCell*> modelled_cells(const ReportData& data);
 /// Machines with figures, in order of name; not those under another policy.
 [[nodiscard]] std::vector<std::string> modelled_machines(const ReportData& data);
 
 /// Misses per query in each level of a machine, and the modelled memory time; an empty name: of all machines.
 [[nodiscard]] TextGrid misses_grid(const ReportData& data, const std::string& machine = {});
-/// Of one machine: each level's misses by cause, cold and warm.
+/// Misses of one machine by level and cause, cold and warm.
 [[nodiscard]] TextGrid causes_grid(const ReportData& data, const std::string& machine);
-/// The levels of a machine whose misses are told by field and step.
+/// Returns the levels of a machine that have misses by field and step.
 [[nodiscard]] std::vector<std::string> broken_down_levels(const ReportData& data, const std::string& machine);
 inline constexpr store::FigureName misses_by_field("caches.{machine}.{level}.field.{field}"),
     misses_by_step("caches.{machine}.{level}.step.{step}");
-/// Of one level: misses by what was read or by what read it.
+/// Misses of one level by field read, or by step that read it.
 [[nodiscard]] TextGrid breakdown_grid(const ReportData& data, const std::string& machine,
                                       const std::string& level, const store::FigureName& by);
 /// Lines and pages: of a query, a frame, a body and the scene; knees; parts touched.

@@ -77,7 +77,7 @@ std::size_t longest_word(const std::string& text) {
     return longest;
 }
 
-/// The titles, in as many lines as their columns are too narrow for them.
+/// Returns the titles, each folded to the width of its column.
 std::vector<std::vector<std::string>> title_lines(const std::vector<GridColumn>& columns,
                                                   const std::vector<std::size_t>& widths) {
     std::vector<std::vector<std::string>> lines;

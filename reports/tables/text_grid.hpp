@@ -117,8 +117,8 @@ template <class Cells, class FigureColumns>
 
 /// A grid over rows of JSON. `columns`: titles as in columns_of, each with the member that it shows unless
 /// that is the title itself, by what it is divided, and the digits behind the point: "#KiB = bytes 1024
-/// 0|level". Slashes stand between the names of nested members. A null or absent member is missing for the
-/// "reason" and "remedy" beside it, or of its row.
+/// 0|level". Slashes separate the names of nested members. A null or absent member is missing for the
+/// "reason" and "remedy" next to it, or of its row.
 [[nodiscard]] TextGrid member_grid(const nlohmann::json& rows, std::string_view columns);
 
 /// `most`: rows of it.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # check_headers.cmake with SOURCE, BUILD, FOLDER, ALL: builds the units of headers.cmake: all, or those of headers that
-# changed and of those that include them. Where no revision tells what changed, all.
+# changed and of those that include them. All headers if no revision says which changed.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/include_graph.cmake)
 set(commits 10)  # of a fresh clone: more than one push brings

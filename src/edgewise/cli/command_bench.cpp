@@ -35,7 +35,7 @@ struct BenchArguments {
 constexpr double usual_slack = 0.1;
 constexpr int second_looks = 2;  ///< at what seems slower
 
-/// Of these groups; of all where none is named.
+/// Measures these groups; all if none is named. Nothing if it was stopped.
 std::optional<studies::GateRun> measure_gate(const GateArguments& gate, std::size_t queries,
                                              const std::vector<std::string>& groups = {}) {
     const studies::GatePlan plan{bench::select_table_types(gate.layouts), gate.rounds, queries, groups};

@@ -57,7 +57,7 @@ measure::Figure figure(const FigureName& name, std::optional<double> value, std:
     return {name.name(), std::nullopt, name.unit(), std::move(reason), std::move(remedy)};
 }
 
-/// Whether `text` is `pattern` with something in place of each pair of braces; that something may hold dots.
+/// Returns true if `text` is `pattern` with some text for each pair of braces; that text may have dots.
 static bool fits(std::string_view pattern, std::string_view text) {
     const std::size_t open = pattern.find('{');
     if (open == std::string_view::npos) return pattern == text;

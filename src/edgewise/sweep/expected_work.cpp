@@ -16,13 +16,13 @@ namespace {
 constexpr double query_seconds = 75e-9;      ///< of a query, times the root of the vertices
 constexpr double vertex_seconds = 0.3e-6;    ///< of a vertex of a table that is built
 constexpr double exact_seconds = 12e-6;      ///< of a checked query, times the root of the vertices
-constexpr double traced_factor = 300;        ///< times as long a query takes whose caches are modelled
-constexpr double followed_seconds = 1e-6;    ///< of a query whose lines are followed, per step of the search
+constexpr double traced_factor = 300;        ///< a query with modelled caches, over a query
+constexpr double followed_seconds = 1e-6;    ///< of a query with followed lines, per step of the search
 constexpr double point_seconds = 1e-6;       ///< the same per vertex of a table of points
 constexpr double followed_queries = 1000;    ///< at most
 constexpr double counted_seconds = 1e-6;     ///< of a query in what else is counted cell by cell
-constexpr double out_of_cache = 5;           ///< times as long a query takes whose tables are in memory
-constexpr double trace_out_of_cache = 2.5;   ///< the same for a query whose caches are modelled
+constexpr double out_of_cache = 5;           ///< a query with tables in memory, over one in cache
+constexpr double trace_out_of_cache = 2.5;   ///< the same with modelled caches
 constexpr double cached_vertices = 100'000;  ///< of tables that together fit a cache
 constexpr double pairs_per_body = 1.2;       ///< that the broad phase leaves in a step
 
@@ -40,16 +40,16 @@ double tables_of(const SceneWork& scene) {
     return parameter(scene, "own_tables", 0) > 0 ? parameter(scene, "bodies", 1) : 1;
 }
 
-/// A query that finds its tables in a cache. A search across the body meets about the root of its vertices.
-/// The less a body turns in a step, the more a pair's last answer helps; most queries of `pressure` are first
-/// ones.
+/// Returns the time of a query with tables in cache. A search across the body meets about the root of its
+/// vertices. The less a body turns in a step, the more a pair's last answer helps; most queries of `pressure`
+/// are first ones.
 double seconds_per_query(const SceneWork& scene, double vertices) {
     const bool searches = kind_of(scene) == "pressure" || parameter(scene, "random_orientation", 0) > 0;
     const double turn = searches ? 1 : std::clamp(parameter(scene, "rotation_step", 1), 0.05, 1.0);
     return query_seconds * (4 + std::sqrt(turn * vertices));
 }
 
-/// Scenes of a number of steps ask as many queries as these have.
+/// Returns the number of queries; scenes with a number of steps have those of their steps.
 double queries_of(const SceneWork& scene) {
     const double stepped =
         parameter(scene, "least_steps", 0) * parameter(scene, "bodies", 0) * pairs_per_body;

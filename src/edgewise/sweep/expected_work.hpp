@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // How much work the groups of a sweep are, so that what is left can be estimated (time_left.hpp) and shards
-// be made even. A group is a scene on a shape with all its cells. Work is in seconds: those that the same
-// group took when it last ran into the store, else by rules of thumb, of which only ratios count.
+// be made even. A group is a scene on a shape with all its cells. Work is in seconds: the time that the same
+// group took when it last ran into the store, else rules of thumb, whose ratios alone matter.
 #pragma once
 
 #include <array>
@@ -37,15 +37,15 @@ struct GroupWork {
     [[nodiscard]] std::string kind(Step step) const;
 };
 
-/// How many cells a group has, and how many of them are on tables of points alone, of which most are read
-/// whole.
+/// Number of cells of a group, and of its cells on tables of points alone, most of which queries read
+/// completely.
 struct CellCount {
     std::size_t all = 0, points = 0;
 };
 [[nodiscard]] CellCount count_cells(const SweepWork& work, const SceneWork& scene);
 
 /// Work of a group by rules of thumb: queries by the root of the body's vertices, tables by its vertices.
-/// None of a body that there is not. Traces are shared by so many processors.
+/// A body that is missing has no work. `processors` share the traces.
 [[nodiscard]] GroupWork estimated_work(const Plan& plan, const SceneWork& scene,
                                        const scene::NamedShape& shape, const CellCount& cells,
                                        unsigned processors = std::thread::hardware_concurrency());

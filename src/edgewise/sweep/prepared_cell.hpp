@@ -71,7 +71,7 @@ class PreparedCell {
     bench::RunnerOptions options_;
     std::unique_ptr<bench::Runner> runner_;
     const scene::Workload* workload_ = nullptr;
-    std::vector<std::uint8_t> in_contact_;  ///< of every query; empty where the answers do not tell
+    std::vector<std::uint8_t> in_contact_;  ///< of every query; empty where the answers do not say
     std::vector<double> distances_;         ///< the answers' sums, query by query
     std::vector<truth::CheckedAnswer> checked_;
     std::string wrong_;

@@ -174,7 +174,7 @@ class Sweep {
         listener_.on_done(cells.size(), scene.choice.name + " " + shape.name);
     }
 
-    /// One of so many equal parts of the step is done.
+    /// Notes that one of `parts` equal parts of the step is done.
     void advance(const GroupWork& expected, Step step, std::size_t parts, const std::string& what) {
         left_.done(expected.kind(step), expected.of(step) / static_cast<double>(parts),
                    lap_.elapsed_ns() * 1e-9);

@@ -19,16 +19,16 @@ class TimeLeft {
     /// An estimate is given if the truth is probably within this factor of it.
     static constexpr double largest_factor = 1.5;
 
-    /// This much work of a kind lies ahead, in seconds on any machine.
+    /// Adds work of a kind that lies ahead, in seconds on any machine.
     void expect(const std::string& kind, double work) { kinds_[kind].ahead += work; }
-    /// This much of it was done in so many seconds.
+    /// Notes that this work was done, and how many seconds it took.
     void done(const std::string& kind, double work, double seconds);
-    /// This much of it is there from an earlier run.
+    /// Takes out work whose results an earlier run left.
     void skip(const std::string& kind, double work) { kinds_[kind].ahead -= work; }
-    /// Ends a group: work that is alike. How much groups of a kind differ tells how well its speed is known.
+    /// Ends a group of similar work. The spread between groups of a kind is the uncertainty of its speed.
     void end_group();
 
-    /// Nothing: no estimate can be given.
+    /// Returns the estimate; nothing if none is near enough.
     [[nodiscard]] std::optional<double> seconds() const;
 
   private:
@@ -43,7 +43,7 @@ class TimeLeft {
     struct Kind {
         double ahead = 0, work = 0, seconds = 0;   ///< work that is left and done; s
         double group_work = 0, group_seconds = 0;  ///< of the group in hand
-        Speeds groups = {};                        ///< of those that ended
+        Speeds groups = {};                        ///< of groups that ended
     };
 
     std::map<std::string, Kind> kinds_;

@@ -99,7 +99,7 @@ TEST(RebuiltTable, ATableNeedsItsBodyNoMore) {
     outlive_the_body<VClip, linked<f64>>();
 }
 
-// What borrows a table or a body takes no temporary.
+// Classes that borrow a table or a body take no temporary.
 using Table = aos<f64>;
 using Near = NearPair<VClip, Table, Table>;
 static_assert(std::is_constructible_v<Near, Table&, Table&> && !std::is_constructible_v<Near, Table&, Table>);

@@ -47,7 +47,7 @@ struct Race {
     [[nodiscard]] std::optional<bool> prediction_held() const;
 };
 
-/// As many processes and rounds as are expected to fit the seconds, by what the first look took.
+/// The number of processes and rounds expected to fit the seconds, by the time of the first look.
 [[nodiscard]] Race run_race(const studies::advise::CaseAsked& asked,
                             const std::vector<studies::advise::ScreenedCell>& cells,
                             const RaceOptions& options);

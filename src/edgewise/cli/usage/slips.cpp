@@ -63,7 +63,7 @@ std::string unexpected(const CLI::App& app, const CLI::App& command, const std::
     return unknown_name("option", name, options_of(command)) + where_it_is(app, command, name);
 }
 
-/// What became of a command that there was once; "" of any other name.
+/// Returns a line on a command of earlier versions; "" for any other name.
 std::string gone(const std::string& name) {
     return name == "progress" ? "progress: gone; a sweep says while it runs how much time is left" : "";
 }
