@@ -75,7 +75,7 @@ class points_soa : public BlockTable<P, Loader> {
 
     /// Returns the vertex farthest along the direction, the first of equals.
     [[nodiscard]] Vertex scan_support(const Vec3<Compute>& direction) const {
-        if constexpr (std::is_same_v<Loader, Direct>)
+        if constexpr (std::is_same_v<Loader, Direct> && pack_bytes > 0)
             if (this->vertex_count() >= Pack<Compute>::size) return scan_packs(direction);
         return scan_one_by_one(direction);
     }

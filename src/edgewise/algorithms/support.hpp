@@ -77,12 +77,10 @@ template <CountedTable Table>
     const auto height = [&](std::size_t v) __attribute__((always_inline)) {
         return dot(table.vertex(static_cast<Vertex>(std::min(v, count - 1))), direction);
     };
-    const auto heights_from = [&](std::size_t v, typename Of::Numbers & to) __attribute__((always_inline)) {
-        if constexpr (Of::size == 4)
-            to = typename Of::Numbers{height(v), height(v + 1), height(v + 2), height(v + 3)};
-        else
-            to = typename Of::Numbers{height(v),     height(v + 1), height(v + 2), height(v + 3),
-                                      height(v + 4), height(v + 5), height(v + 6), height(v + 7)};
+    const auto heights_from = [&](std::size_t first, typename Of::Numbers & to)
+        __attribute__((always_inline)) {
+        Of::fill(
+            [&](std::size_t lane) __attribute__((always_inline)) { return height(first + lane); }, to);
     };
     typename Of::Numbers heights;
     heights_from(0, heights);
@@ -100,7 +98,7 @@ template <CountedTable Table>
 template <SupportTable Table>
 [[nodiscard]] [[gnu::noinline]] SupportPoint<Table> scan_any(const Table& table,
                                                              const Vec3<ComputeOf<Table>>& direction) {
-    if constexpr (CountedTable<Table>) {
+    if constexpr (CountedTable<Table> && pack_bytes > 0) {
         return scan_packs(table, direction);
     } else {
         const auto first = table.first_vertex();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// 32 bytes of numbers side by side, in the compiler's own vector types: the same source becomes SSE, AVX or
-// NEON. g++ splits wider vectors into single numbers where the machine lacks them. Used inside functions
-// only: no type that a user links is made of it, so that none depends on machine flags.
+// Numbers side by side, as many as a vector register of the target holds, in the compiler's own vector types:
+// the same source becomes AVX, SSE or NEON. g++ takes the comparisons of wider vectors apart into single
+// numbers. Used inside functions only: no type that a user links is made of it, so that none depends on
+// machine flags.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +15,25 @@
 
 namespace edgewise {
 
+/// Bytes of a vector register of the target that compares all its numbers at once; 0: it has none.
+#if defined(__AVX__)
+inline constexpr int pack_bytes = 32;
+#elif defined(__SSE2__) || defined(__ARM_NEON)
+inline constexpr int pack_bytes = 16;
+#else
+inline constexpr int pack_bytes = 0;
+#endif
+
 template <class Scalar>
 struct Pack {
-    static constexpr int size = 32 / sizeof(Scalar);
-    static_assert(size == 4 || size == 8);
+    static constexpr int bytes = pack_bytes > 0 ? pack_bytes : 16;
+    static constexpr int size = bytes / int{sizeof(Scalar)};
+    static_assert(size == 2 || size == 4 || size == 8);
 
-    using Word = std::conditional_t<size == 4, std::int64_t, std::int32_t>;
-    typedef Scalar Numbers __attribute__((vector_size(32)));
+    using Word = std::conditional_t<sizeof(Scalar) == 8, std::int64_t, std::int32_t>;
+    typedef Scalar Numbers __attribute__((vector_size(bytes)));
     /// Result of a comparison of two of them: all bits set where true.
-    typedef Word Words __attribute__((vector_size(32)));
+    typedef Word Words __attribute__((vector_size(bytes)));
 
     // Results go to a reference of the caller: returning a vector register differs from machine to machine.
 
@@ -38,12 +49,22 @@ struct Pack {
             to = __builtin_convertvector(row, Numbers);
     }
 
+    /// Fills the lanes with make(0), make(1) ...
+    template <class Vector, class Make>
+    [[gnu::always_inline]] static void fill(const Make& make, Vector& to) {
+        if constexpr (size == 2)
+            to = Vector{make(0), make(1)};
+        else if constexpr (size == 4)
+            to = Vector{make(0), make(1), make(2), make(3)};
+        else
+            to = Vector{make(0), make(1), make(2), make(3), make(4), make(5), make(6), make(7)};
+    }
+
     /// Fills the lanes with first, first + 1 ...
     [[gnu::always_inline]] static void count_from(Word first, Words& to) {
-        if constexpr (size == 4)
-            to = Words{0, 1, 2, 3} + first;
-        else
-            to = Words{0, 1, 2, 3, 4, 5, 6, 7} + first;
+        fill(
+            [](Word lane) __attribute__((always_inline)) { return lane; }, to);
+        to += first;
     }
 
     /// Returns the lowest `where` among the lanes that hold the highest number. Returns the largest word that
@@ -63,14 +84,12 @@ struct Pack {
     /// Joins all lanes and puts the result into every lane: halves first, then pairs.
     template <class Vector, class Join>
     [[gnu::always_inline]] static void fold(Vector& of, const Join& join) {
-        if constexpr (size == 4) {
-            join(of, __builtin_shufflevector(of, of, 2, 3, 0, 1));
-            join(of, __builtin_shufflevector(of, of, 1, 0, 3, 2));
-        } else {
-            join(of, __builtin_shufflevector(of, of, 4, 5, 6, 7, 0, 1, 2, 3));
-            join(of, __builtin_shufflevector(of, of, 2, 3, 0, 1, 6, 7, 4, 5));
-            join(of, __builtin_shufflevector(of, of, 1, 0, 3, 2, 5, 4, 7, 6));
-        }
+        if constexpr (size == 8) join(of, __builtin_shufflevector(of, of, 4, 5, 6, 7, 0, 1, 2, 3));
+        if constexpr (size == 8) join(of, __builtin_shufflevector(of, of, 2, 3, 0, 1, 6, 7, 4, 5));
+        if constexpr (size == 8) join(of, __builtin_shufflevector(of, of, 1, 0, 3, 2, 5, 4, 7, 6));
+        if constexpr (size == 4) join(of, __builtin_shufflevector(of, of, 2, 3, 0, 1));
+        if constexpr (size == 4) join(of, __builtin_shufflevector(of, of, 1, 0, 3, 2));
+        if constexpr (size == 2) join(of, __builtin_shufflevector(of, of, 1, 0));
     }
 };
 
