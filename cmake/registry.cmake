@@ -3,11 +3,14 @@
 # come generated units, one a table type (a layout's compile as one), so that builds stay parallel and nothing else
 # names a layout.
 
-# edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER] [SUPPORT_ONLY]): NAME is the file's stem, the type and the
-# command-line name. A variant hardly differs from OTHER: plans leave it out, except `full`. SUPPORT_ONLY: a table
+# edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER] [NUMBER N] [SUPPORT_ONLY]): NAME is the file's stem, the type and
+# the command-line name; with a number, type and name end with it. A variant hardly differs from OTHER: plans leave it out, except `full`. SUPPORT_ONLY: a table
 # for GJK alone.
 function(edgewise_layout LAYOUT)
-    cmake_parse_arguments(given SUPPORT_ONLY VARIANT_OF "" ${ARGN})
+    cmake_parse_arguments(given SUPPORT_ONLY "VARIANT_OF;NUMBER" "" ${ARGN})
+    set(LAYOUT_FILE ${LAYOUT}.hpp)
+    string(APPEND LAYOUT "${given_NUMBER}")
+    set_property(GLOBAL PROPERTY EDGEWISE_FILE_OF_${LAYOUT} ${LAYOUT_FILE})
     set(VARIANT_OF ${given_VARIANT_OF})
     set_property(GLOBAL APPEND PROPERTY EDGEWISE_ALL_LAYOUTS ${LAYOUT})
     if(VARIANT_OF)

@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
 #include "edgewise/layout_parts/lane_scan.hpp"
@@ -65,11 +64,11 @@ struct BepuPlaces {
 };
 
 template <Precision P, class Loader = Direct>
-class bepu : public BlockTable<P, Loader> {
-    using Base = BlockTable<P, Loader>;
-    using Base::block_;
+class bepu : public PlacedTable<BepuPlaces<typename P::Stored>, P, Loader> {
+    using Base = PlacedTable<BepuPlaces<typename P::Stored>, P, Loader>;
     using Base::facts_;
     using Base::load;
+    using Base::places_;
 
   public:
     using typename Base::Compute;
@@ -86,7 +85,6 @@ class bepu : public BlockTable<P, Loader> {
 
     /// Both kinds of parts are the same here: the engine keeps everything.
     bepu(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
-        this->make_block(places_);
         for (Index f = 0; f < facts_.face_count; ++f) starts()[f] = body.face_offset[f];
         for (Index i = 0; i < facts_.face_ring_count(); ++i) {
             const Index v = body.tail(body.face_ring[i]);
@@ -95,11 +93,7 @@ class bepu : public BlockTable<P, Loader> {
         write_geometry(*this, body);
     }
 
-    template <class OtherLoader>
-    bepu(const bepu<P, OtherLoader>& other, Loader loader) : Base(other, loader), places_(other.places_) {}
-
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Places()); }
-    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+    using Base::Base;
 
     /// Writes a vertex; the last vertex also fills the free lanes behind it.
     void write_vertex(Index v, const Vec3d& point) {
@@ -150,23 +144,18 @@ class bepu : public BlockTable<P, Loader> {
     }
 
   private:
-    template <Precision, class>
-    friend class bepu;
-
     using Places = BepuPlaces<Stored>;
     static constexpr std::size_t lanes = 8;
 
     Compute read(const Stored& location) const { return static_cast<Compute>(load(location, Field::vertex)); }
-    template <class Element>
-    [[nodiscard]] Element* array(std::uint32_t at) const {
-        return reinterpret_cast<Element*>(block_.base() + at);
+    [[nodiscard]] auto* points() const {
+        return this->template array<typename Places::Points>(places_.points);
     }
-    [[nodiscard]] auto* points() const { return array<typename Places::Points>(places_.points); }
-    [[nodiscard]] auto* planes() const { return array<typename Places::Planes>(places_.planes); }
-    [[nodiscard]] BepuCorner* corners() const { return array<BepuCorner>(places_.corners); }
-    [[nodiscard]] Index* starts() const { return array<Index>(places_.starts); }
-
-    Places places_;
+    [[nodiscard]] auto* planes() const {
+        return this->template array<typename Places::Planes>(places_.planes);
+    }
+    [[nodiscard]] BepuCorner* corners() const { return this->template array<BepuCorner>(places_.corners); }
+    [[nodiscard]] Index* starts() const { return this->template array<Index>(places_.starts); }
 };
 
 }  // namespace edgewise

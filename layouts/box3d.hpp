@@ -21,7 +21,7 @@
 
 #include "edgewise/layout_parts/half_edge_table.hpp"
 #include "edgewise/layout_parts/lane_scan.hpp"
-#include "edgewise/layout_parts/planes_of_faces.hpp"
+#include "edgewise/layout_parts/voronoi.hpp"
 #include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
@@ -64,11 +64,11 @@ struct BoxPlaces {
 };
 
 template <Precision P, class Loader = Direct>
-class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
-    using Base = HalfEdgeTable<box3d<P, Loader>, P, Loader>;
-    using Base::block_;
+class box3d : public HalfEdgeTable<box3d<P, Loader>, BoxPlaces<typename P::Stored>, P, Loader> {
+    using Base = HalfEdgeTable<box3d<P, Loader>, BoxPlaces<typename P::Stored>, P, Loader>;
     using Base::facts_;
     using Base::load;
+    using Base::places_;
 
   public:
     using typename Base::Compute;
@@ -86,7 +86,6 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
 
     /// Both kinds of parts are the same here: the engine keeps everything.
     box3d(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
-        this->make_block(places_);
         const auto byte = [](Index i) { return static_cast<std::uint8_t>(i); };
         const std::vector<HalfEdge> successor = this->successors(body);
         for (HalfEdge h = 0; h < successor.size(); ++h)
@@ -97,11 +96,7 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
         write_geometry(*this, body);
     }
 
-    template <class OtherLoader>
-    box3d(const box3d<P, OtherLoader>& other, Loader loader) : Base(other, loader), places_(other.places_) {}
-
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Places()); }
-    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+    using Base::Base;
 
     void write_vertex(Index v, const Vec3d& point) {
         points()[v] = cast<Stored>(point);
@@ -148,8 +143,6 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
     }
 
   private:
-    template <Precision, class>
-    friend class box3d;
     friend Base;
 
     using Places = BoxPlaces<Stored>;
@@ -178,19 +171,17 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, P, Loader> {
             std::fill(axis(axes, k) + i, axis(axes, k) + end, static_cast<Stored>(numbers[k]));
     }
     [[nodiscard]] Stored* axis(const typename Places::Axes& axes, int k) const {
-        return array<Stored>(axes[k]);
+        return this->template array<Stored>(axes[k]);
     }
-    template <class Element>
-    [[nodiscard]] Element* array(std::uint32_t at) const {
-        return reinterpret_cast<Element*>(block_.base() + at);
+    [[nodiscard]] std::uint8_t* vertices() const {
+        return this->template array<std::uint8_t>(places_.vertices);
     }
-    [[nodiscard]] std::uint8_t* vertices() const { return array<std::uint8_t>(places_.vertices); }
-    [[nodiscard]] Vec3<Stored>* points() const { return array<Vec3<Stored>>(places_.points); }
-    [[nodiscard]] BoxHalfEdge* edges() const { return array<BoxHalfEdge>(places_.edges); }
-    [[nodiscard]] Plane<Stored>* planes() const { return array<Plane<Stored>>(places_.planes); }
-    [[nodiscard]] std::uint8_t* faces() const { return array<std::uint8_t>(places_.faces); }
-
-    Places places_;
+    [[nodiscard]] Vec3<Stored>* points() const { return this->template array<Vec3<Stored>>(places_.points); }
+    [[nodiscard]] BoxHalfEdge* edges() const { return this->template array<BoxHalfEdge>(places_.edges); }
+    [[nodiscard]] Plane<Stored>* planes() const {
+        return this->template array<Plane<Stored>>(places_.planes);
+    }
+    [[nodiscard]] std::uint8_t* faces() const { return this->template array<std::uint8_t>(places_.faces); }
 };
 
 }  // namespace edgewise

@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <iterator>
 #include <string_view>
-#include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
 #include "edgewise/layout_parts/seeds.hpp"
@@ -72,11 +71,11 @@ class MujocoList {
 };
 
 template <Precision P, class Loader = Direct>
-class mujoco : public BlockTable<P, Loader> {
-    using Base = BlockTable<P, Loader>;
-    using Base::block_;
+class mujoco : public PlacedTable<MujocoPlaces<typename P::Stored>, P, Loader> {
+    using Base = PlacedTable<MujocoPlaces<typename P::Stored>, P, Loader>;
     using Base::facts_;
     using Base::load;
+    using Base::places_;
 
   public:
     using typename Base::Compute;
@@ -91,7 +90,6 @@ class mujoco : public BlockTable<P, Loader> {
     /// Both kinds of parts are the same here: the engine keeps everything.
     mujoco(const Polyhedron& body, Parts /*parts*/, Loader loader = {})
         : Base(body, Parts::features, loader) {
-        this->make_block(places_);
         numbers(places_.counts)[0] = static_cast<std::int32_t>(facts_.vertex_count);
         numbers(places_.counts)[1] = static_cast<std::int32_t>(Places::triangle_count(facts_));
         link_neighbours(body);
@@ -99,12 +97,7 @@ class mujoco : public BlockTable<P, Loader> {
         write_body(body);
     }
 
-    template <class OtherLoader>
-    mujoco(const mujoco<P, OtherLoader>& other, Loader loader)
-        : Base(other, loader), places_(other.places_) {}
-
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Places()); }
-    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+    using Base::Base;
 
     void write_body(const Polyhedron& body) {
         for (Index v = 0; v < facts_.vertex_count; ++v) points()[v] = cast<Stored>(body.vertices[v]);
@@ -130,9 +123,6 @@ class mujoco : public BlockTable<P, Loader> {
     }
 
   private:
-    template <Precision, class>
-    friend class mujoco;
-
     using Places = MujocoPlaces<Stored>;
 
     void link_neighbours(const Polyhedron& body) const {
@@ -154,14 +144,10 @@ class mujoco : public BlockTable<P, Loader> {
         }
     }
 
-    template <class Element>
-    [[nodiscard]] Element* array(std::uint32_t at) const {
-        return reinterpret_cast<Element*>(block_.base() + at);
+    [[nodiscard]] auto* points() const { return this->template array<Vec3<Stored>>(places_.points); }
+    [[nodiscard]] std::int32_t* numbers(std::uint32_t at) const {
+        return this->template array<std::int32_t>(at);
     }
-    [[nodiscard]] auto* points() const { return array<Vec3<Stored>>(places_.points); }
-    [[nodiscard]] std::int32_t* numbers(std::uint32_t at) const { return array<std::int32_t>(at); }
-
-    Places places_;
 };
 
 }  // namespace edgewise

@@ -14,12 +14,10 @@
 
 #include <cassert>
 #include <cstdint>
-#include <optional>
 #include <string_view>
-#include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
-#include "edgewise/layout_parts/planes_of_faces.hpp"
+#include "edgewise/layout_parts/voronoi.hpp"
 
 namespace edgewise {
 
@@ -67,20 +65,19 @@ struct ParryPlaces {
 };
 
 template <Precision P, class Loader = Direct>
-class parry : public BlockTable<P, Loader> {
-    using Base = BlockTable<P, Loader>;
-    using Base::block_;
+class parry : public WithNumberedFeatures<PlacedTable<ParryPlaces<typename P::Stored>, P, Loader>> {
+    using Base = WithNumberedFeatures<PlacedTable<ParryPlaces<typename P::Stored>, P, Loader>>;
     using Base::facts_;
     using Base::load;
+    using Base::places_;
 
   public:
     using typename Base::Compute;
+    using typename Base::Edge;
+    using typename Base::Face;
     using typename Base::Stored;
     using typename Base::Vertex;
-    using Edge = Index;
-    using Face = Index;
 
-    static constexpr Face no_face = edgewise::no_face;
     static constexpr std::string_view name = "parry";
     static constexpr std::string_view stores =
         "parry's polyhedron (3a41ac21): points, edges, faces, four adjacency lists of 32 bits";
@@ -89,7 +86,6 @@ class parry : public BlockTable<P, Loader> {
 
     /// Both kinds of parts are the same here: the library keeps everything.
     parry(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
-        this->make_block(places_);
         link_vertices(body);
         link_faces(body);
         for (Index e = 0; e < facts_.edge_count(); ++e) {
@@ -99,11 +95,7 @@ class parry : public BlockTable<P, Loader> {
         write_geometry(*this, body);
     }
 
-    template <class OtherLoader>
-    parry(const parry<P, OtherLoader>& other, Loader loader) : Base(other, loader), places_(other.places_) {}
-
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Places()); }
-    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+    using Base::Base;
 
     void write_vertex(Index v, const Vec3d& point) { points()[v] = cast<Stored>(point); }
     void write_edge(Index e, const EdgeGeometry& g) { edges()[e].direction = cast<Stored>(g.direction); }
@@ -112,7 +104,6 @@ class parry : public BlockTable<P, Loader> {
     /// Always false: the library scans.
     [[nodiscard]] static bool climbable() { return false; }
 
-    [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
     [[nodiscard]] auto neighbours(Vertex v) const {
         const ParryRange part = load(vertices()[v], Field::vertex_ring);
         return IndexedRing(part.first, part.first + part.count, [this, v](Index at) {
@@ -135,15 +126,6 @@ class parry : public BlockTable<P, Loader> {
             const Edge e = load(list(places_.edges_of_face)[at], Field::face_ring);
             return RingEdge<Edge>{e, right(e) == f};
         });
-    }
-
-    [[nodiscard]] std::uint32_t edge_name(Edge e) const { return e; }
-    [[nodiscard]] std::uint32_t face_name(Face f) const { return f; }
-    [[nodiscard]] std::optional<Edge> edge_named(std::uint32_t number) const {
-        return number < facts_.edge_count() ? std::optional<Edge>(number) : std::nullopt;
-    }
-    [[nodiscard]] std::optional<Face> face_named(std::uint32_t number) const {
-        return number < facts_.face_count ? std::optional<Face>(number) : std::nullopt;
     }
 
     [[nodiscard]] Vertex tail(Edge e) const { return load(edges()[e].vertices[0], Field::edge_ends); }
@@ -174,9 +156,6 @@ class parry : public BlockTable<P, Loader> {
     }
 
   private:
-    template <Precision, class>
-    friend class parry;
-
     using Places = ParryPlaces<Stored>;
 
     void link_vertices(const Polyhedron& body) const {
@@ -201,17 +180,11 @@ class parry : public BlockTable<P, Loader> {
         assert(f < facts_.face_count);
         return cast<Compute>(load(faces()[f].normal, Field::face_plane));
     }
-    template <class Element>
-    [[nodiscard]] Element* array(std::uint32_t at) const {
-        return reinterpret_cast<Element*>(block_.base() + at);
-    }
-    [[nodiscard]] auto* points() const { return array<Vec3<Stored>>(places_.points); }
-    [[nodiscard]] ParryRange* vertices() const { return array<ParryRange>(places_.vertices); }
-    [[nodiscard]] auto* faces() const { return array<ParryFace<Stored>>(places_.faces); }
-    [[nodiscard]] auto* edges() const { return array<ParryEdge<Stored>>(places_.edges); }
-    [[nodiscard]] Index* list(std::uint32_t at) const { return array<Index>(at); }
-
-    Places places_;
+    [[nodiscard]] auto* points() const { return this->template array<Vec3<Stored>>(places_.points); }
+    [[nodiscard]] ParryRange* vertices() const { return this->template array<ParryRange>(places_.vertices); }
+    [[nodiscard]] auto* faces() const { return this->template array<ParryFace<Stored>>(places_.faces); }
+    [[nodiscard]] auto* edges() const { return this->template array<ParryEdge<Stored>>(places_.edges); }
+    [[nodiscard]] Index* list(std::uint32_t at) const { return this->template array<Index>(at); }
 };
 
 }  // namespace edgewise

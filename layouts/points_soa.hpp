@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "edgewise/geometry/pack.hpp"
 #include "edgewise/layout_parts/block_table.hpp"
@@ -30,17 +29,12 @@ struct PointArrays {
         for (std::uint32_t& start : at)
             start = plan.array_at<Stored>(n.vertex_count, {{Component::vertex_coordinates, sizeof(Stored)}});
     }
-    [[nodiscard]] Stored* axis(int k, std::byte* base) const {
-        return reinterpret_cast<Stored*>(base + at[k]);
-    }
 };
 
 template <Precision P, class Loader = Direct>
-class points_soa : public BlockTable<P, Loader> {
-    using Base = BlockTable<P, Loader>;
+class points_soa : public PlacedTable<PointArrays<typename P::Stored>, P, Loader> {
+    using Base = PlacedTable<PointArrays<typename P::Stored>, P, Loader>;
     using Base::load;
-
-    using Coordinates = PointArrays<typename Base::Stored>;
 
   public:
     using typename Base::Compute;
@@ -53,16 +47,9 @@ class points_soa : public BlockTable<P, Loader> {
 
     /// Both kinds of parts are the same here: nothing can be left out.
     points_soa(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
-        this->make_block(coordinates_);
         write_geometry(*this, body);
     }
-
-    template <class OtherLoader>
-    points_soa(const points_soa<P, OtherLoader>& other, Loader loader)
-        : Base(other, loader), coordinates_(other.coordinates_) {}
-
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Coordinates()); }
-    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+    using Base::Base;
 
     void write_vertex(Index v, const Vec3d& point) {
         for (int k = 0; k < 3; ++k) axis(k)[v] = static_cast<Stored>(point[k]);
@@ -81,9 +68,6 @@ class points_soa : public BlockTable<P, Loader> {
     }
 
   private:
-    template <Precision, class>
-    friend class points_soa;
-
     /// Scans a pack of vertices at a time, the last ones perhaps twice: each lane keeps its highest, and at
     /// the end the first vertex with the highest value of all wins. No branch except the loop's.
     [[nodiscard]] [[gnu::always_inline]] Vertex scan_packs(const Vec3<Compute>& direction) const {
@@ -124,9 +108,7 @@ class points_soa : public BlockTable<P, Loader> {
     Compute coordinate(int k, std::size_t v) const {
         return static_cast<Compute>(load(axis(k)[v], Field::vertex));
     }
-    [[nodiscard]] Stored* axis(int k) const { return coordinates_.axis(k, this->block_.base()); }
-
-    Coordinates coordinates_;
+    [[nodiscard]] Stored* axis(int k) const { return this->template array<Stored>(this->places_.at[k]); }
 };
 
 }  // namespace edgewise

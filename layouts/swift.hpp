@@ -67,11 +67,11 @@ struct SwiftPlaces {
 };
 
 template <Precision P, class Loader = Direct>
-class swift : public HalfEdgeTable<swift<P, Loader>, P, Loader> {
-    using Base = HalfEdgeTable<swift<P, Loader>, P, Loader>;
-    using Base::block_;
+class swift : public HalfEdgeTable<swift<P, Loader>, SwiftPlaces<typename P::Stored>, P, Loader> {
+    using Base = HalfEdgeTable<swift<P, Loader>, SwiftPlaces<typename P::Stored>, P, Loader>;
     using Base::facts_;
     using Base::load;
+    using Base::places_;
 
   public:
     using typename Base::Compute;
@@ -88,7 +88,6 @@ class swift : public HalfEdgeTable<swift<P, Loader>, P, Loader> {
 
     /// Both kinds of parts are the same here: the library keeps everything.
     swift(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
-        this->make_block(places_);
         const std::vector<HalfEdge> successor = this->successors(body);
         for (HalfEdge h = 0; h < successor.size(); ++h) {
             half_edges()[h].next = successor[h];
@@ -103,11 +102,7 @@ class swift : public HalfEdgeTable<swift<P, Loader>, P, Loader> {
         write_geometry(*this, body);
     }
 
-    template <class OtherLoader>
-    swift(const swift<P, OtherLoader>& other, Loader loader) : Base(other, loader), places_(other.places_) {}
-
-    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Places()); }
-    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+    using Base::Base;
 
     void write_vertex(Index v, const Vec3d& point) { vertices()[v].point = cast<Stored>(point); }
     void write_edge(Index e, const EdgeGeometry& g) {
@@ -141,8 +136,6 @@ class swift : public HalfEdgeTable<swift<P, Loader>, P, Loader> {
     }
 
   private:
-    template <Precision, class>
-    friend class swift;
     friend Base;
 
     using Places = SwiftPlaces<Stored>;
@@ -159,17 +152,15 @@ class swift : public HalfEdgeTable<swift<P, Loader>, P, Loader> {
     [[nodiscard]] Index link(const SwiftLink& at, Field field) const {
         return static_cast<Index>(load(at, field));
     }
-    template <class Element>
-    [[nodiscard]] Element* array(std::uint32_t at) const {
-        return reinterpret_cast<Element*>(block_.base() + at);
+    [[nodiscard]] auto* vertices() const {
+        return this->template array<typename Places::VertexRecord>(places_.vertices);
     }
-    [[nodiscard]] auto* vertices() const { return array<typename Places::VertexRecord>(places_.vertices); }
     [[nodiscard]] auto* half_edges() const {
-        return array<typename Places::HalfEdgeRecord>(places_.half_edges);
+        return this->template array<typename Places::HalfEdgeRecord>(places_.half_edges);
     }
-    [[nodiscard]] auto* faces() const { return array<typename Places::FaceRecord>(places_.faces); }
-
-    Places places_;
+    [[nodiscard]] auto* faces() const {
+        return this->template array<typename Places::FaceRecord>(places_.faces);
+    }
 };
 
 }  // namespace edgewise

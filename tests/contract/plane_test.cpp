@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-#include "edgewise/geometry/single.hpp"
+#include "edgewise/geometry/hull.hpp"
 #include "stored_bodies.hpp"
 #include "tables_under_test.hpp"
 

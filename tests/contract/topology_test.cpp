@@ -10,7 +10,7 @@
 #include <set>
 
 #include "edgewise/algorithms/vclip/feature_pair.hpp"
-#include "edgewise/table/feature_name.hpp"
+#include "edgewise/table/feature_handle.hpp"
 #include "stored_bodies.hpp"
 #include "tables_under_test.hpp"
 

@@ -10,7 +10,7 @@ edgewise_mutant(control_source truth/exact_distance.cpp [[while (!simplex.holds_
 # Geometry
 edgewise_mutant(relative_pose_not_transposed geometry/pose.hpp [[multiply_transposed(a.rotation, axis)]] [[multiply(a.rotation, axis)]]
     Pose.RelativePose* ${unit}/geometry/pose_test.cpp)
-edgewise_mutant(plane_offset_sign geometry/plane.hpp [[dot(normal, p) + offset]] [[dot(normal, p) - offset]]
+edgewise_mutant(plane_offset_sign geometry/vec.hpp [[dot(normal, p) + offset]] [[dot(normal, p) - offset]]
     RandomPairs* ${random_pairs})
 edgewise_mutant(bent_faces_count_as_flat geometry/strictly_convex.cpp [[|| turns.is_bent(f)]] [[]]
     StrictlyConvex.ABentFace* ${unit}/geometry/strictly_convex_test.cpp)
@@ -38,7 +38,7 @@ edgewise_mutant(johnson_is_not_asked algorithms/sub_distance.hpp [[return solver
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
 edgewise_mutant(batch_takes_johnson_into_lanes algorithms/query_batch.hpp [[if (by_cofactors && width != LaneWidth::none)]] [[if (width != LaneWidth::none)]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
-edgewise_mutant(johnson_does_not_reach_the_run algorithms/gjk.hpp [[sub_(options.sub_distance),]] [[sub_(),]]
+edgewise_mutant(johnson_does_not_reach_the_run algorithms/gjk.hpp [[Base(a, b, a_from_b, options.sub_distance),]] [[Base(a, b, a_from_b, SubDistanceSolver::cofactors),]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]
     *Support* ${unit}/algorithms/support_test.cpp)
@@ -54,12 +54,12 @@ edgewise_mutant(thin_corners_overlooked layout_parts/derived/thin_corners.hpp [[
     ThinCorners* ${unit}/layout_parts/thin_corners_test.cpp)
 edgewise_mutant(grid_cells_of_the_other_side layout_parts/seed_directions.hpp [[(along < 0 ? 1 : 0)]] [[(along < 0 ? 0 : 1)]]
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
-edgewise_mutant(far_neighbours_are_near layout_parts/relative_rings.hpp [[return in.far_neighbours(base).read(loader, low, Field::neighbour);]] [[return low;]]
+edgewise_mutant(far_neighbours_are_near layout_parts/relative_table.hpp [[return in.far_neighbours(base).read(loader, low, Field::neighbour);]] [[return low;]]
     RelativeRings.Are* ${unit}/layout_parts/relative_rings_test.cpp)
-edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[turned * squared_radius_]] [[0 * turned]]
+edgewise_mutant(bounds_forget_the_turn algorithms/near_pair.hpp [[turned * squared_radius_]] [[0 * turned]]
     NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(mirrored_poses_answered algorithms/answerable.hpp [[z - cross(x, y)]] [[z.cwiseAbs() - cross(x, y).cwiseAbs()]] Answerable* ${unit}/algorithms/answerable_test.cpp)
-edgewise_mutant(squares_add_as_lengths algorithms/distance_bounds.hpp [[2 * (squared_shift + squared_turn) < left]]
+edgewise_mutant(squares_add_as_lengths algorithms/near_pair.hpp [[2 * (squared_shift + squared_turn) < left]]
     [[(squared_shift + squared_turn) < left]] NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]
     *Support* ${unit}/algorithms/support_test.cpp)
@@ -73,7 +73,7 @@ edgewise_mutant(verdict_goes_on_to_the_distance algorithms/gjk.hpp [[if (verdict
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
 edgewise_mutant(verdict_forgets_the_tolerance algorithms/gjk.hpp [[reach_ - noise > std::sqrt(contact_squared_ * squared)]] [[reach_ > noise]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
-edgewise_mutant(normal_points_from_b_to_a algorithms/gjk_answer.hpp [[(-1 / distance)]] [[(1 / distance)]]
+edgewise_mutant(normal_points_from_b_to_a algorithms/gjk.hpp [[(-1 / distance)]] [[(1 / distance)]]
     *Normal* ${unit}/algorithms/normal_test.cpp)
 edgewise_mutant(old_pairs_are_followed algorithms/penetration/start.hpp [[if (!pair.belongs_to(a, b)) return SimplexPair<TableA, TableB>(a, b);]] [[]]
     RebuiltTable* ${unit}/algorithms/rebuilt_table_test.cpp)
@@ -115,7 +115,7 @@ edgewise_mutant(proof_of_flat_bodies layout_parts/derived/derived_ends.hpp [[ret
     StillClosest.ProvesNothing* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(faces_of_flat_bodies_unasked algorithms/vclip/proof.hpp [[FeatureKind::face && may_climb(body.table))]] [[FeatureKind::face)]]
     Proof.Asks* ${unit}/algorithms/proof_test.cpp)
-edgewise_mutant(far_off_simplex_kept algorithms/gjk.hpp [[return squared_norm(sub_.closest().point) > farthest * farthest;]] [[return farthest < 0;]]
+edgewise_mutant(far_off_simplex_kept algorithms/gjk_start.hpp [[return squared_norm(sub_.closest().point) > farthest * farthest;]] [[return farthest < 0;]]
     MovedFar.* ${unit}/algorithms/moved_far_test.cpp)
 edgewise_mutant(cold_start_anywhere algorithms/vclip/nearer_start.hpp [[if (start_is_cold(a, b)) {]] [[if (false) {]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
@@ -135,7 +135,7 @@ edgewise_mutant(no_escape_from_below algorithms/vclip/vertex_face.hpp [[if (high
     RandomPairs* ${random_pairs})
 
 # Penetration
-edgewise_mutant(exact_side_by_rounding algorithms/penetration/exact_side.hpp [[return exact_side(a, b, c, point);]] [[return volume > 0 ? 1 : -1;]]
+edgewise_mutant(exact_side_by_rounding algorithms/penetration/expansion.hpp [[return exact_side(a, b, c, point);]] [[return volume > 0 ? 1 : -1;]]
     ExactSide.* ${unit}/algorithms/exact_side_test.cpp)
 edgewise_mutant(product_without_its_error algorithms/penetration/expansion.hpp [[add(abc.low);]] [[]]
     ExactSide.* ${unit}/algorithms/exact_side_test.cpp)

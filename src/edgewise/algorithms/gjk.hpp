@@ -7,9 +7,8 @@
 // the start of the next query. Departures: everything runs in A's frame with a relative pose; termination is
 // relative (the duality gap against the rounding noise of the support products) where Cameron's is an
 // absolute 1e-8 on the squared distance; a repeated support point ends the run, as does a step that gains
-// nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp). A cold query starts at the points
-// that face each other along the line of the origins, not anywhere. A warm query with an old simplex that now
-// lies much farther off, or proves useless, starts again from these points.
+// nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp). gjk_start.hpp says where a run
+// starts.
 #pragma once
 
 #include <algorithm>
@@ -18,16 +17,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <type_traits>
 
 #include "edgewise/algorithms/answerable.hpp"
 #include "edgewise/algorithms/distance.hpp"
-#include "edgewise/algorithms/gjk_answer.hpp"
+#include "edgewise/algorithms/gjk_start.hpp"
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
-#include "edgewise/algorithms/simplex.hpp"
 #include "edgewise/algorithms/simplex_pair.hpp"
 #include "edgewise/algorithms/sub_distance.hpp"
+#include "edgewise/algorithms/subset.hpp"
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
@@ -35,18 +33,45 @@
 
 namespace edgewise {
 
+/// Distance, witness points and normal from a run's last simplex: on_a(i), on_b(i), in A's frame, of `count`
+/// points. Witness points are weighted sums of them.
+/// Weights on a thin triangle are less accurate than its foot: the difference of the witnesses of separated
+/// bodies from it is shared out, so that they are separated by the reported distance.
+template <class Points, class Scalar>
+[[nodiscard]] Distance gjk_answer(const Points& simplex, const ClosestOfSimplex<Scalar>& closest,
+                                  Status status, int steps) {
+    Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
+    for (int i = 0; i < simplex.count; ++i) {
+        on_a += closest.weight[i] * simplex.on_a(i);
+        on_b += closest.weight[i] * simplex.on_b(i);
+    }
+    Distance answer;
+    answer.status = status;
+    if (status == Status::separated) {
+        const Vec3<Scalar> excess = Scalar(0.5) * (on_a - on_b - closest.point);
+        on_a -= excess;
+        on_b += excess;
+        const Scalar distance = norm(closest.point);
+        answer.distance = distance;
+        answer.normal = Vec3<Scalar>(closest.point * (-1 / distance)).template cast<double>();
+    }
+    answer.point_a = on_a.template cast<double>();
+    answer.point_b = on_b.template cast<double>();
+    answer.steps = steps;
+    return answer;
+}
+
 template <SupportTable TableA, SupportTable TableB>
-class GjkRun {
+class GjkRun : GjkStart<TableA, TableB> {
+    using Base = GjkStart<TableA, TableB>;
+
   public:
-    using Scalar = ComputeOf<TableA>;
-    using Pair = SimplexPair<TableA, TableB>;
+    using typename Base::Pair;
+    using typename Base::Scalar;
 
     GjkRun(const TableA& a, const TableB& b, const Transform<Scalar>& a_from_b,
            const QueryOptions& options = {})
-        : a_(a),
-          b_(b),
-          a_from_b_(a_from_b),
-          sub_(options.sub_distance),
+        : Base(a, b, a_from_b, options.sub_distance),
           contact_squared_(static_cast<Scalar>(options.contact_tolerance * options.contact_tolerance)),
           gap_(static_cast<Scalar>(options.gap_tolerance)),
           verdict_only_(options.verdict_only) {
@@ -55,7 +80,7 @@ class GjkRun {
 
     template <class Observer = NoObserver>
     [[nodiscard]] Distance run(Pair& pair, Observer&& observer = {}) {
-        start(pair);
+        this->start(pair);
         while (steps_ < most_gjk_iterations) {
             ++steps_;
             observer.iterate(sub_.closest().members);
@@ -70,68 +95,26 @@ class GjkRun {
     }
 
   private:
-    void start(const Pair& pair) {
-        is_cold_ = !pair.starts_warm(a_, b_);
-        if (!is_cold_) {
-            sub_.add_last(pair, a_, b_, a_from_b_);
-            sub_.solve_first();
-            is_cold_ = lies_farther(static_cast<Scalar>(pair.distance()));
-            if (!is_cold_) return;
-            sub_.clear();
-        }
-        start_between_origins();
-        sub_.solve_first();
-    }
-
-    /// Returns true if the bodies have moved far since the last query ended at distance `before`.
-    [[nodiscard]] bool lies_farther(Scalar before) const {
-        const Scalar farthest = static_cast<Scalar>(moved_far_of_distance) * before +
-                                static_cast<Scalar>(moved_far_of_size) * sub_.simplex().size;
-        return squared_norm(sub_.closest().point) > farthest * farthest;
-    }
-
-    /// Cold start: from the points of both bodies that face each other along the line of their origins.
-    void start_between_origins() {
-        const Vec3<Scalar>& towards_b = a_from_b_.translation;
-        const auto a = support_from(a_, towards_b, a_.first_vertex());
-        const auto b =
-            support_from(b_, a_from_b_.direction_back(Vec3<Scalar>(-towards_b)), b_.first_vertex());
-        sub_.add(a.vertex, b.vertex, a.point, a_from_b_.point(b.point));
-    }
-
-    /// Called when the first support points show that the last query's simplex is useless after this much
-    /// motion. Starts cold, if that begins nearer.
-    [[nodiscard]] [[gnu::noinline]] bool start_nearer(Scalar squared) {
-        is_cold_ = true;
-        const SubDistance<TableA, TableB> warm = sub_;
-        sub_.clear();
-        start_between_origins();
-        sub_.solve_first();
-        if (squared_norm(sub_.closest().point) < squared) return true;
-        sub_ = warm;
-        is_cold_ = false;
-        return false;
-    }
-
-    template <class Table>
-    [[nodiscard]] SupportPoint<Table> support_from(const Table& table, const Vec3<Scalar>& direction,
-                                                   typename Table::Vertex last) const {
-        return is_cold_ ? cold_support(table, direction, last) : support(table, direction, last);
-    }
+    using Base::a_;
+    using Base::a_from_b_;
+    using Base::b_;
+    using Base::is_cold_;
+    using Base::sub_;
 
     /// Adds one support point; false when nothing is left to gain.
     [[nodiscard]] bool advance(Scalar squared) {
         const auto& simplex = sub_.simplex();
         const Vec3<Scalar>& v = sub_.closest().point;
-        const auto a = support_from(a_, Vec3<Scalar>(-v), simplex.vertex_a(simplex.count - 1));
-        const auto b = support_from(b_, a_from_b_.direction_back(v), simplex.vertex_b(simplex.count - 1));
+        const auto a = this->support_from(a_, Vec3<Scalar>(-v), simplex.vertex_a(simplex.count - 1));
+        const auto b =
+            this->support_from(b_, a_from_b_.direction_back(v), simplex.vertex_b(simplex.count - 1));
         const Vec3<Scalar> on_b = a_from_b_.point(b.point);
         const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
         if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared)) return false;
         if (steps_ == 1 && !is_cold_ && reach_ < static_cast<Scalar>(far_off_simplex) * squared &&
-            start_nearer(squared))
+            this->start_nearer(squared))
             return true;
         if (simplex.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
             return false;
@@ -151,15 +134,10 @@ class GjkRun {
         return answer;
     }
 
-    const TableA& a_;
-    const TableB& b_;
-    const Transform<Scalar>& a_from_b_;
-    SubDistance<TableA, TableB> sub_;
     Scalar contact_squared_, gap_;  ///< QueryOptions
     bool verdict_only_;
     Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
     int steps_ = 0;
-    bool is_cold_ = false;
     bool separates_ = false;  ///< true if a direction separates by more than rounding
 };
 
@@ -202,8 +180,7 @@ struct Gjk {
         if (!is_answerable(a, b, a_from_b)) [[unlikely]]
             return {};
         const auto transform = cast<ComputeOf<TableA>>(a_from_b);
-        constexpr bool observed = !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>;
-        if constexpr (observed || is_traced<TableA>) {
+        if constexpr (is_looked_at<TableA, Observer>) {
             return within(options, GjkRun<TableA, TableB>(a, b, transform, options).run(pair, observer));
         } else {
             return within(options, run_gjk(a, b, transform, pair, options));

@@ -17,7 +17,7 @@
 // invalid. It also checks triangles with almost collinear corners, whose cofactors are noise.
 //
 // Johnson, not signed volumes throughout, because the replicated paper ran it, and because the backup already
-// covers flat simplices. Unless it is asked for (sub_distance_solver.hpp), most simplices are decided without
+// covers flat simplices. Unless it is asked for (query_options.hpp), most simplices are decided without
 // its loops, by the same cofactors (cofactors.hpp).
 #pragma once
 

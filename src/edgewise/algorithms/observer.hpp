@@ -5,8 +5,10 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "edgewise/geometry/feature.hpp"
+#include "edgewise/table/loader.hpp"
 
 namespace edgewise {
 
@@ -18,5 +20,10 @@ struct NoObserver {
     /// GJK: next comes an iteration, on the accepted members (bit i: point i) of the last simplex.
     static void iterate(std::uint8_t /*members*/) {}
 };
+
+/// True if a trace or an observer sees the steps of a run: such a run is never timed.
+template <class Table, class Observer>
+inline constexpr bool is_looked_at =
+    is_traced<Table> || !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>;
 
 }  // namespace edgewise

@@ -99,16 +99,4 @@ class Simplex {
     unsigned taken_ = 0;  ///< bit i: place i holds a point
 };
 
-/// Share of the squared distance: a last simplex with a closest point that promises no more than this is far
-/// off. It affects time, not right answers; so do the next constants.
-inline constexpr double far_off_simplex = 0.5;
-
-/// A last simplex that lies farther from the origin than this times its last distance and this part of its
-/// longest coordinate is far off before any support point is asked for. Time relative to running without this
-/// rule, pairs that turn in their places, 1 rad per step / to any pose, a Zen 3 with other load:
-/// points_soa_f64 0.94 / 0.88 at 8 vertices, 0.89 / 0.87 at 38; lean_seeds_f64 0.65 / 0.60 at 386, 0.58 /
-/// 0.52 at 1538. None counted as far off at 0.1 rad and less. 0.1 to 0.3 of the coordinate differ by up to
-/// 0.03 of the time to any pose; at 1 rad less is better.
-inline constexpr double moved_far_of_distance = 1.1, moved_far_of_size = 0.125;
-
 }  // namespace edgewise

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // GJK's sub-distance: the simplex while a query runs, and its point nearest to the origin, by the chosen
-// solver (sub_distance_solver.hpp), in arithmetic as wide as needed. Close, thin and undecided simplices are
+// solver (query_options.hpp), in arithmetic as wide as needed. Close, thin and undecided simplices are
 // solved in wider arithmetic, and so is every one after rounding first hides a gain.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 #include "edgewise/algorithms/cofactors.hpp"
 #include "edgewise/algorithms/johnson.hpp"
+#include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/simplex.hpp"
 #include "edgewise/algorithms/simplex_pair.hpp"
-#include "edgewise/algorithms/sub_distance_solver.hpp"
 #include "edgewise/algorithms/subset.hpp"
 #include "edgewise/geometry/double_double.hpp"
 #include "edgewise/geometry/pose.hpp"

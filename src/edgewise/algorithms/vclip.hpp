@@ -21,7 +21,6 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <type_traits>
 
 #include "edgewise/algorithms/answerable.hpp"
 #include "edgewise/algorithms/distance.hpp"
@@ -139,19 +138,21 @@ template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened) {
     [[maybe_unused]] const int far_off = hardened ? start_nearer_if_cold(a, b) : 0;
     CycleGuard guard(a.feature, b.feature);
-    int escapes = 0;
-    for (int steps = 1;; ++steps) {
+    int steps = 1, escapes = 0;
+    const auto ended = [&](Distance result, bool cycle) {
+        result.steps = steps;
+        result.cycles = cycle;
+        result.escapes = escapes;
+        return result;
+    };
+    for (;; ++steps) {
         if constexpr (have_seeds<TableA, TableB>) {
             if (steps == far_off && start_nearer(a, b)) guard = CycleGuard(a.feature, b.feature);
         }
         observer.visit(a.feature.kind(), b.feature.kind());
         if (hardened) {
-            if (const auto known = proven_at(steps, a, b)) {
-                Distance result = believed(separated_by(*known), a, b, observer, End::proven);
-                result.steps = steps;
-                result.escapes = escapes;
-                return result;
-            }
+            if (const auto known = proven_at(steps, a, b))
+                return ended(believed(separated_by(*known), a, b, observer, End::proven), false);
         }
         const Step last = step(a, b);
         escapes += last == Step::escaped;
@@ -159,12 +160,9 @@ template <class TableA, class TableB, class Observer>
         const bool cycle = moved && guard.returns_to(a.feature, b.feature);
         if (moved && !cycle) continue;
         const End end = cycle ? End::cycled : End::reached;
-        Distance result =
-            hardened ? believed(answer(a, b, last), a, b, observer, end) : raw_answer(a, b, last, cycle);
-        result.steps = steps;
-        result.cycles = cycle;
-        result.escapes = escapes;
-        return result;
+        return ended(
+            hardened ? believed(answer(a, b, last), a, b, observer, end) : raw_answer(a, b, last, cycle),
+            cycle);
     }
 }
 
@@ -179,6 +177,15 @@ template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Distance run_raw(Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
     return walk(a, b, nobody, false);
+}
+
+/// Passes a pose to GJK where V-Clip's two frames may disagree too much, because R is not orthogonal.
+template <class TableA, class TableB, class Observer>
+[[nodiscard]] [[gnu::noinline]] Distance handed_on(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
+    observer.ask_gjk();
+    Distance result = answer_by_gjk(a, b);
+    result.fallbacks = 1;
+    return result;
 }
 
 }  // namespace vclip
@@ -211,41 +218,35 @@ struct VClip {
                                          Observer& observer) {
         if (!is_within<ComputeOf<TableA>>(a_from_b, sloppy_rotation * sloppy_rotation)) [[unlikely]] {
             if (!is_answerable<ComputeOf<TableA>>(a_from_b)) return {};
-            if (options.hardened) return hand_on(a, b, a_from_b, pair, options, observer);
+            if (options.hardened)
+                return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b) {
+                    return vclip::handed_on(body_a, body_b, observer);
+                });
         }
-        const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
-        const auto into_b = into_a.inverse();
-        const Features<TableA, TableB> start = pair.start(a, b);
-        vclip::Body<TableA> body_a{a, into_a, start.a};
-        vclip::Body<TableB> body_b{b, into_b, start.b};
-        const Distance result = [&] {
-            if constexpr (is_traced<TableA> || !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>)
+        return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b) {
+            if constexpr (is_looked_at<TableA, Observer>)
                 return vclip::walk(body_a, body_b, observer, options.hardened);
             else if (!options.hardened) [[unlikely]]
                 return vclip::run_raw(body_a, body_b);
             else
                 return vclip::run(body_a, body_b);
-        }();
-        const Features<TableA, TableB> end{body_a.feature, body_b.feature};
-        if (!(end == start) || !pair.belongs_to(a, b)) pair = {a, b, end};
-        return within(options, result);
+        });
     }
 
-    /// Passes a pose to GJK if V-Clip's two frames may disagree too much, because R is not orthogonal.
-    template <class TableA, class TableB, class Observer>
-    [[nodiscard]] [[gnu::noinline]] static Distance hand_on(const TableA& a, const TableB& b,
-                                                            const Transform<double>& a_from_b,
-                                                            FeaturePair<TableA, TableB>& pair,
-                                                            const QueryOptions& options, Observer& observer) {
+    /// Runs from the pair's last features, and notes those at which the run ends.
+    template <class TableA, class TableB, class Run>
+    [[nodiscard]] static Distance from_last(const TableA& a, const TableB& b,
+                                            const Transform<double>& a_from_b,
+                                            FeaturePair<TableA, TableB>& pair, const QueryOptions& options,
+                                            Run run) {
         const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
         const Features<TableA, TableB> start = pair.start(a, b);
         vclip::Body<TableA> body_a{a, into_a, start.a};
         vclip::Body<TableB> body_b{b, into_b, start.b};
-        observer.ask_gjk();
-        Distance result = vclip::answer_by_gjk(body_a, body_b);
-        result.fallbacks = 1;
-        pair = {a, b, {body_a.feature, body_b.feature}};
+        const Distance result = run(body_a, body_b);
+        const Features<TableA, TableB> end{body_a.feature, body_b.feature};
+        if (!(end == start) || !pair.belongs_to(a, b)) pair = {a, b, end};
         return within(options, result);
     }
 };

@@ -25,7 +25,6 @@
 #include "edgewise/measure/round.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/table/field_map.hpp"
-#include "edgewise/table/ledger.hpp"
 #include "edgewise/table/pieces.hpp"
 
 namespace edgewise::bench {

@@ -23,7 +23,6 @@
 #include "edgewise/geometry/hull/qhull_facets.hpp"
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/polyhedron_builder.hpp"
-#include "edgewise/geometry/single.hpp"
 
 namespace edgewise {
 namespace {

@@ -17,7 +17,6 @@
 #include <span>
 #include <vector>
 
-#include "edgewise/geometry/plane.hpp"
 #include "edgewise/geometry/vec.hpp"
 
 namespace edgewise {
@@ -28,7 +27,7 @@ using HalfEdge = std::uint32_t;
 /// Face number on both sides of the edge of a segment.
 inline constexpr Index no_face = 0xffffffff;
 
-/// Bodies with more edges are refused: a pair keeps two features in 8 bytes (table/feature_name.hpp).
+/// Bodies with more edges are refused: a pair keeps two features in 8 bytes (table/feature_handle.hpp).
 inline constexpr std::size_t most_edges = (std::size_t{1} << 21) - 1;
 
 struct PolyhedronEdge {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Vectors and 3x3 matrices: Eigen's types, with the products spelled out here.
+// Vectors, 3x3 matrices and planes: Eigen's types, with the products spelled out here.
 //
 // Eigen may sum a product in packets or with fused multiply-add, depending on the machine it is compiled for.
 // Edgewise promises the same bits on every machine, so everything that sums goes through the functions below,
@@ -89,6 +89,21 @@ template <class Scalar>
 template <class Scalar>
 [[nodiscard]] EDGEWISE_IN_QUERY_LOOP Scalar max_abs(const Vec3<Scalar>& v) {
     return std::max(std::max(std::abs(v.x()), std::abs(v.y())), std::abs(v.z()));
+}
+
+/// An oriented plane <normal, p> + offset = 0; positive on the side the normal points to.
+template <class Scalar>
+struct Plane {
+    Vec3<Scalar> normal;
+    Scalar offset;
+
+    /// Signed distance, in units of |normal|.
+    [[nodiscard]] Scalar distance(const Vec3<Scalar>& p) const { return dot(normal, p) + offset; }
+};
+
+template <class To, class From>
+[[nodiscard]] Plane<To> cast(const Plane<From>& p) {
+    return {cast<To>(p.normal), static_cast<To>(p.offset)};
 }
 
 }  // namespace edgewise

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Common base of layouts that keep a body in one block of memory: the block, the body's facts, and the
-// loader. A layout derives from it, or from one of its derived classes (StoredTable, DerivedTable), and adds
+// loader. A layout derives from one of its derived classes (PlacedTable, StoredTable, DerivedTable), and adds
 // how it stores and reads vertices, edges and planes.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "edgewise/geometry/polyhedron.hpp"
@@ -79,6 +80,60 @@ class BlockTable {
     Block block_;
     /// Last, so that members of a layout may begin in the padding at its end.
     [[no_unique_address]] BodyFacts facts_;
+};
+
+/// The shell of a table with arrays of its own: Places names them by place(plan, facts), and holds the start
+/// of each in bytes from the block's start. A layout derives from it, inherits the constructor of a view, and
+/// writes the arrays in its own constructor.
+template <class Places, Precision P, class Loader>
+class PlacedTable : public BlockTable<P, Loader> {
+    using Base = BlockTable<P, Loader>;
+
+  public:
+    template <class OtherLoader>
+    PlacedTable(const PlacedTable<Places, P, OtherLoader>& other, Loader loader)
+        : Base(other, loader), places_(other.places_) {}
+
+    [[nodiscard]] std::vector<Piece> pieces() const { return this->pieces_of(Places()); }
+    [[nodiscard]] Ledger ledger() const { return ledger_of(pieces()); }
+
+  protected:
+    template <class, Precision, class>
+    friend class PlacedTable;
+
+    PlacedTable(const Polyhedron& body, Parts parts, Loader loader) : Base(body, parts, loader) {
+        this->make_block(places_);
+    }
+
+    /// Elements of the array that starts there.
+    template <class Element>
+    [[nodiscard]] Element* array(std::uint32_t at) const {
+        return reinterpret_cast<Element*>(this->block_.base() + at);
+    }
+
+    Places places_;
+};
+
+/// A table with the canonical body's numbers as handles of its edges and faces.
+template <class Table>
+class WithNumberedFeatures : public Table {
+  public:
+    using Edge = Index;
+    using Face = Index;
+
+    static constexpr Face no_face = edgewise::no_face;
+
+    using Table::Table;
+
+    [[nodiscard]] auto all_faces() const { return index_range(this->facts_.face_count); }
+    [[nodiscard]] std::uint32_t edge_name(Edge e) const { return e; }
+    [[nodiscard]] std::uint32_t face_name(Face f) const { return f; }
+    [[nodiscard]] std::optional<Edge> edge_named(std::uint32_t name) const {
+        return name < this->facts_.edge_count() ? std::optional<Edge>(name) : std::nullopt;
+    }
+    [[nodiscard]] std::optional<Face> face_named(std::uint32_t name) const {
+        return name < this->facts_.face_count ? std::optional<Face>(name) : std::nullopt;
+    }
 };
 
 }  // namespace edgewise

@@ -11,8 +11,6 @@
 
 #include <cassert>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "edgewise/layout_parts/block_table.hpp"
@@ -26,23 +24,23 @@ struct HalfEdgePlace {
     [[nodiscard]] bool operator==(const HalfEdgePlace&) const = default;
 };
 
-template <class Own, Precision P, class Loader>
-class HalfEdgeTable : public BlockTable<P, Loader> {
-    using Base = BlockTable<P, Loader>;
+/// Own: the layout. Places: as in PlacedTable.
+template <class Own, class Places, Precision P, class Loader>
+class HalfEdgeTable : public WithNumberedFeatures<PlacedTable<Places, P, Loader>> {
+    using Base = WithNumberedFeatures<PlacedTable<Places, P, Loader>>;
 
   public:
+    using typename Base::Edge;
+    using typename Base::Face;
     using typename Base::Vertex;
-    using Edge = Index;
-    using Face = Index;
 
-    static constexpr Face no_face = edgewise::no_face;
+    using Base::Base;
 
     [[nodiscard]] Vertex tail(Edge e) const { return own().origin(2 * e); }
     [[nodiscard]] Vertex head(Edge e) const { return own().origin(2 * e + 1); }
     [[nodiscard]] Face left(Edge e) const { return own().face_of(2 * e); }
     [[nodiscard]] Face right(Edge e) const { return own().face_of(2 * e + 1); }
 
-    [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
     [[nodiscard]] auto neighbours(Vertex v) const {
         return around_vertex(v, [this](Index h) { return own().origin(own().twin(h)); });
     }
@@ -52,17 +50,7 @@ class HalfEdgeTable : public BlockTable<P, Loader> {
         return ring({own().first_of(f), false}, ring_edge, [this](Index h) { return own().next(h); });
     }
 
-    [[nodiscard]] std::uint32_t edge_name(Edge e) const { return e; }
-    [[nodiscard]] std::uint32_t face_name(Face f) const { return f; }
-    [[nodiscard]] std::optional<Edge> edge_named(std::uint32_t name) const {
-        return name < facts_.edge_count() ? std::optional<Edge>(name) : std::nullopt;
-    }
-    [[nodiscard]] std::optional<Face> face_named(std::uint32_t name) const {
-        return name < facts_.face_count ? std::optional<Face>(name) : std::nullopt;
-    }
-
   protected:
-    using Base::Base;
     using Base::facts_;
 
     static RingEdge<Edge> ring_edge(Index h) { return {h >> 1, (h & 1) != 0}; }

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "edgewise/geometry/plane.hpp"
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/vec.hpp"
 #include "edgewise/layout_parts/voronoi.hpp"

@@ -10,12 +10,12 @@
 #include <string_view>
 #include <utility>
 
-#include "edgewise/geometry/plane.hpp"
 #include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/geometry/vec.hpp"
 #include "edgewise/layout_parts/places.hpp"
 #include "edgewise/table/body_facts.hpp"
 #include "edgewise/table/field_map.hpp"
-#include "edgewise/table/ledger.hpp"
+#include "edgewise/table/pieces.hpp"
 
 namespace edgewise {
 

@@ -23,8 +23,6 @@
 
 #include <cassert>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -53,8 +51,8 @@ concept PlacesEveryField = requires(const Arrays& at) {
 };
 
 template <class Arrays, Precision P, class Loader>
-class StoredTable : public BlockTable<P, Loader> {
-    using Base = BlockTable<P, Loader>;
+class StoredTable : public WithNumberedFeatures<BlockTable<P, Loader>> {
+    using Base = WithNumberedFeatures<BlockTable<P, Loader>>;
 
   protected:
     using Base::facts_;
@@ -62,12 +60,11 @@ class StoredTable : public BlockTable<P, Loader> {
 
   public:
     using typename Base::Compute;
+    using typename Base::Edge;
+    using typename Base::Face;
     using typename Base::Stored;
     using typename Base::Vertex;
-    using Edge = Index;
-    using Face = Index;
 
-    static constexpr Face no_face = edgewise::no_face;
     static constexpr std::string_view derives = "nothing";
 
     StoredTable(const Polyhedron& body, Parts parts, Loader loader = {}, WriteEdges write = WriteEdges::now)
@@ -92,7 +89,6 @@ class StoredTable : public BlockTable<P, Loader> {
         return map_of_fields<Stored>(at_, rings(), facts_, base);
     }
 
-    [[nodiscard]] auto all_faces() const { return index_range(facts_.face_count); }
     [[nodiscard]] auto neighbours(Vertex v) const {
         assert(v < facts_.vertex_count);
         return rings().neighbours(loader_, v);
@@ -109,15 +105,6 @@ class StoredTable : public BlockTable<P, Loader> {
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
         assert(v < facts_.vertex_count);
         return read_vector<Compute>(loader_, at_.vertex(v), Field::vertex);
-    }
-
-    [[nodiscard]] std::uint32_t edge_name(Edge e) const { return e; }
-    [[nodiscard]] std::uint32_t face_name(Face f) const { return f; }
-    [[nodiscard]] std::optional<Edge> edge_named(std::uint32_t name) const {
-        return name < facts_.edge_count() ? std::optional<Edge>(name) : std::nullopt;
-    }
-    [[nodiscard]] std::optional<Face> face_named(std::uint32_t name) const {
-        return name < facts_.face_count ? std::optional<Face>(name) : std::nullopt;
     }
 
     [[nodiscard]] Vertex tail(Edge e) const { return end(e, 0); }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The Voronoi planes of an edge, derived once in double from the canonical body, for layouts that store them.
-// Plane names follow Mirtich's V-Clip report (MERL TR-97-05, section 3.1), orientation table/contract.hpp.
+// The Voronoi planes of an edge, derived once in double from the canonical body, for layouts that store them;
+// and through a vertex, for layouts that store only directions and normals of faces. Plane names follow
+// Mirtich's V-Clip report (MERL TR-97-05, section 3.1), orientation table/contract.hpp.
 #pragma once
 
 #include <cassert>
 
 #include "edgewise/geometry/polyhedron.hpp"
+#include "edgewise/table/contract.hpp"
 
 namespace edgewise {
 
@@ -45,6 +47,39 @@ struct EdgeGeometry {
     result.left_plane = edge_face_plane(body, edge.left, result.direction, tail);
     result.right_plane = edge_face_plane(body, edge.right, Vec3d(-result.direction), tail);
     return result;
+}
+
+/// The plane through `anchor`; the length of its normal is arbitrary.
+template <class Scalar>
+struct AnchoredPlane {
+    Vec3<Scalar> normal, anchor;
+    Scalar offset = 0;
+
+    /// Signed distance, in units of |normal|.
+    [[nodiscard]] Scalar distance(const Vec3<Scalar>& p) const {
+        return dot(normal, Vec3<Scalar>(p - anchor)) + offset;
+    }
+};
+
+/// Vertex-edge plane, positive beyond that end, at `point`; `along` has unit length, tail to head.
+template <class Scalar>
+[[nodiscard]] AnchoredPlane<Scalar> plane_beyond(End end, const Vec3<Scalar>& along,
+                                                 const Vec3<Scalar>& point) {
+    return {end == End::head ? along : Vec3<Scalar>(-along), point};
+}
+
+/// Edge-face plane: perpendicular to the face, through the edge, positive on the face's side.
+template <class Scalar>
+[[nodiscard]] AnchoredPlane<Scalar> plane_beside(Side side, const Vec3<Scalar>& along,
+                                                 const Vec3<Scalar>& face_normal, const Vec3<Scalar>& tail) {
+    const Vec3<Scalar> into = cross(face_normal, side == Side::left ? along : Vec3<Scalar>(-along));
+    return {into / norm(into), tail};
+}
+
+/// Edge-face plane of a side without a face: negative everywhere.
+template <class Scalar>
+[[nodiscard]] AnchoredPlane<Scalar> plane_beside_nothing(const Vec3<Scalar>& tail) {
+    return {Vec3<Scalar>::Zero(), tail, -1};
 }
 
 }  // namespace edgewise

@@ -22,13 +22,38 @@
 #include <vector>
 
 #include "edgewise/geometry/polyhedron.hpp"
-#include "edgewise/table/ledger.hpp"
 #include "edgewise/table/needs.hpp"
 #include "edgewise/table/pieces.hpp"
-#include "edgewise/table/precision.hpp"
 #include "edgewise/table/ring.hpp"
 
 namespace edgewise {
+
+/// A precision is a pair of scalars: one stores, one computes. The layout passes it to the algorithms as a
+/// template parameter: one program measures every precision.
+struct f64 {
+    using Stored = double;
+    using Compute = double;
+    static constexpr std::string_view name = "f64";
+};
+
+struct f32 {
+    using Stored = float;
+    using Compute = float;
+    static constexpr std::string_view name = "f32";
+};
+
+struct mixed {
+    using Stored = float;
+    using Compute = double;
+    static constexpr std::string_view name = "mixed";
+};
+
+template <class P>
+concept Precision = requires {
+    typename P::Stored;
+    typename P::Compute;
+    { P::name } -> std::convertible_to<std::string_view>;
+};
 
 enum class End : bool { tail, head };
 enum class Side : bool { left, right };

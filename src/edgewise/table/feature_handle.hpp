@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
 // A feature of a table: a kind and the layout's own handle for it. V-Clip keeps two features of a pair
-// from one query to the next, each marked with its table, where features have no numbers
-// (feature_name.hpp).
+// from one query to the next: as small numbers, so that a pair of them fits into 8 bytes, or, where
+// features have no numbers, as handles that are marked with their table. A handle may be larger than a
+// number: an edge of a table that stores no edges is two vertices and a position in a ring.
 #pragma once
 
 #include <cassert>
+#include <concepts>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "edgewise/geometry/feature.hpp"
+#include "edgewise/table/contract.hpp"
 #include "edgewise/table/identity.hpp"
 
 namespace edgewise {
@@ -83,5 +87,49 @@ class Feature {
     FeatureKind kind_;
     std::uint16_t mark_ = 0;  ///< next to the kind, where padding would be
 };
+
+/// Names are below 2^23. That covers all edges, faces and vertices of every body that polyhedron_builder.hpp
+/// accepts.
+inline constexpr int feature_name_bits = 23;
+
+/// A table that numbers its features: `edge_named` and `face_named` turn a number back into a handle, and
+/// return nothing for a number without an edge or face.
+template <class T>
+concept NamesFeatures = FeatureTable<T> && std::unsigned_integral<typename T::Vertex> &&
+    requires(const T& table, typename T::Edge e, typename T::Face f, std::uint32_t name) {
+    requires T::counts_vertices;
+    { table.edge_name(e) } -> std::same_as<std::uint32_t>;
+    { table.face_name(f) } -> std::same_as<std::uint32_t>;
+    { table.edge_named(name) } -> std::same_as<std::optional<typename T::Edge>>;
+    { table.face_named(name) } -> std::same_as<std::optional<typename T::Face>>;
+};
+
+template <NamesFeatures Table>
+[[nodiscard]] std::uint32_t feature_name(const Table& table, const Feature<Table>& feature) {
+    switch (feature.kind()) {
+        case FeatureKind::vertex:
+            return feature.vertex();
+        case FeatureKind::edge:
+            return table.edge_name(feature.edge());
+        case FeatureKind::face:
+            break;
+    }
+    return table.face_name(feature.face());
+}
+
+/// Returns the feature with this number, or the first vertex if no feature has it.
+template <NamesFeatures Table>
+[[nodiscard]] [[gnu::always_inline]] inline Feature<Table> feature_named(const Table& table, FeatureKind kind,
+                                                                         std::uint32_t name) {
+    using Named = Feature<Table>;
+    if (kind == FeatureKind::edge) {
+        if (const auto edge = table.edge_named(name)) return Named::of_edge(*edge);
+    } else if (kind == FeatureKind::face) {
+        if (const auto face = table.face_named(name)) return Named::of_face(*face);
+    } else if (name < table.vertex_count()) {
+        return Named::of_vertex(static_cast<typename Table::Vertex>(name));
+    }
+    return Named::of_vertex(table.first_vertex());
+}
 
 }  // namespace edgewise

@@ -64,5 +64,7 @@ template <class Table>
 inline constexpr bool is_traced = false;
 template <template <class, class> class Layout, class Precision, class Sink>
 inline constexpr bool is_traced<Layout<Precision, Traced<Sink>>> = true;
+template <template <class, class, int> class Layout, class Precision, class Sink, int number>
+inline constexpr bool is_traced<Layout<Precision, Traced<Sink>, number>> = true;
 
 }  // namespace edgewise

@@ -8,13 +8,50 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
+#include <numeric>
 #include <span>
+#include <string_view>
 #include <vector>
 
-#include "edgewise/table/ledger.hpp"
-
 namespace edgewise {
+
+/// Purposes of a table's bytes.
+enum class Component : std::uint8_t {
+    voronoi_planes,
+    edge_geometry,  ///< direction and length
+    vertex_coordinates,
+    face_planes,
+    topology,
+    input_order,  ///< index of each vertex in the user's list
+    padding,      ///< inside records and between arrays
+};
+
+inline constexpr std::array<std::string_view, 7> component_names = {
+    "voronoi_planes", "edge_geometry", "vertex_coordinates", "face_planes", "topology",
+    "input_order",    "padding"};
+
+/// Number of bytes of a table by purpose.
+struct Ledger {
+    std::array<std::size_t, component_names.size()> bytes{};
+
+    [[nodiscard]] std::size_t& operator[](Component c) { return bytes[static_cast<std::size_t>(c)]; }
+    [[nodiscard]] std::size_t operator[](Component c) const { return bytes[static_cast<std::size_t>(c)]; }
+
+    /// Sum of all bytes of the table.
+    [[nodiscard]] std::size_t total() const {
+        return std::accumulate(bytes.begin(), bytes.end(), std::size_t{0});
+    }
+
+    /// The paper's subtotal: Voronoi planes, direction and length, vertex coordinates; 0 where no planes are
+    /// stored.
+    [[nodiscard]] std::size_t paper_subtotal() const {
+        if ((*this)[Component::voronoi_planes] == 0) return 0;
+        return (*this)[Component::voronoi_planes] + (*this)[Component::edge_geometry] +
+               (*this)[Component::vertex_coordinates];
+    }
+};
 
 /// Bytes of an element that serve one component. Shares of an element lie in memory order; the rest of it is
 /// padding at its end, and padding within is a share of its own.

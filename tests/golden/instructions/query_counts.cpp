@@ -10,7 +10,6 @@
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/geometry/single.hpp"
 #include "edgewise/layouts/aos.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/layouts/points_soa.hpp"

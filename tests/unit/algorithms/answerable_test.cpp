@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Poses that are none: every query of such a one fails, in either precision, and says nothing of contact; the
-// pair stays as it was. Poses at the bounds are answered.
+// Invalid poses: every query at one fails, in either precision, and says nothing of contact; the pair stays
+// as it was. Poses at the bounds are answered.
 #include "edgewise/algorithms/answerable.hpp"
 
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
 
-/// Each entry of a pose no number, infinite, or far too large; and matrices that are no rotation: scaled,
-/// sheared, mirrored.
+/// Poses with one entry that is NaN, infinite or far too large; and with matrices that are no rotation:
+/// scaled, sheared, mirrored.
 std::vector<Transform<double>> bad_poses(double too_far) {
     std::vector<Transform<double>> poses;
     const Transform<double> good{Mat3d::Identity(), Vec3d(3, 0, 0)};
@@ -101,7 +101,7 @@ TEST(Answerable, PosesThatAreNoneFail) {
     expect_failures<Gjk, points_soa<f32>>(1e19);
 }
 
-/// As far as the bound lets bodies be, their distance is right to a rounding step.
+/// At the largest allowed distance, answers are right to a rounding step.
 template <class Algorithm, class Table>
 void expect_right_at(double distance) {
     const Table table(*scene::make_shape("cube8"), Parts::features);
@@ -175,7 +175,7 @@ TEST(Answerable, VClipAndGjkAgreeOnSloppyRotations) {
     EXPECT_GT(handed_on, 1000);
 }
 
-/// What bounds say after a pose and its mirror image in turn is right for those that are answered.
+/// Bounds stay right when poses and their mirror images, which are not answered, take turns.
 TEST(Answerable, BoundsHoldBesideMirroredPoses) {
     using Table = aos<f64>;
     const Table table(*scene::make_shape("tetra4"), Parts::features);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Edge clipping beside exact rational arithmetic: plane distances are small whole numbers, so that a place
-// along the edge is a fraction, and two of them compare by cross-multiplication. A quotient of doubles is
-// correctly rounded, so the fraction's double is what the clip must hold.
+// Edge clipping compared with exact rational arithmetic: plane distances are small whole numbers, so that a
+// place along the edge is a fraction, and two of them compare by cross-multiplication. A quotient of doubles
+// is correctly rounded, so the fraction's double is what the clip must hold.
 #include "edgewise/algorithms/vclip/clip.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ struct Fraction {
     }
 };
 
-/// Where a linear function of these values at 0 and 1 is zero.
+/// Zero of the linear function that has these values at 0 and 1.
 Fraction root(long tail, long head) {
     return tail > head ? Fraction{tail, tail - head} : Fraction{-tail, head - tail};
 }

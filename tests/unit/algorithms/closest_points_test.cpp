@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Closest points of segments and points beside exact arithmetic: crossing and skew segments, sharing ends,
-// parallel to every degree. What must be right is the distance; the places are free where segments are
+// Closest points of segments and points compared with exact arithmetic: crossing and skew segments, sharing
+// ends, parallel to every degree. The distance must be right; the places are free where segments are
 // parallel.
 #include "edgewise/algorithms/vclip/closest_points.hpp"
 
@@ -10,7 +10,7 @@
 #include <array>
 #include <cstdio>
 
-#include "edgewise/geometry/single.hpp"
+#include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/exact_distance.hpp"
@@ -52,7 +52,7 @@ void ask(Segment<double> a, Segment<double> b, Errors& worst) {
     worst.place = std::max({worst.place, off(a, point_a), off(b, point_b)});
 }
 
-/// Two segments of length about 1, at an angle, whose lines pass each other at a gap.
+/// Two segments of length about 1, at an angle; their lines pass each other at a gap.
 std::pair<Segment<double>, Segment<double>> pair_at(scene::Rng& rng, double angle, double gap) {
     const Vec3d u = rng.on_sphere();
     const Vec3d side = cross(u, rng.on_sphere());

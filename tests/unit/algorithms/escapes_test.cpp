@@ -26,8 +26,8 @@ Index face_ahead(const Polyhedron& body) {
     return static_cast<Index>(found - body.face_planes.begin());
 }
 
-/// The corner of A points at the back of the cube; the run starts at the cube's far face, under whose plane
-/// the corner lies, and from which no edge of A leads up to it.
+/// The corner of A points at the back of the cube; the run starts at the cube's far face, and the corner
+/// lies under that face's plane; no edge of A leads up to it.
 TEST(Escapes, AVertexBehindTheBodyLeavesTheFaceItIsUnder) {
     const std::vector<Vec3d> corner = {{0, 0, 0}, {-1, 1, 0}, {-1, -1, 1}, {-1, -1, -1}};
     const Polyhedron a = *convex_hull(corner), b = *scene::make_shape("cube8");

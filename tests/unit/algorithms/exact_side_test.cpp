@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The exact side of a plane and the exact normal of a triangle beside the same on rational numbers: points in
+// The exact side of a plane and the exact normal of a triangle compared with rational arithmetic: points in
 // the plane or on the line, and off it by no more than the last digit.
-#include "edgewise/algorithms/penetration/exact_side.hpp"
+#include "edgewise/algorithms/penetration/expansion.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
-#include "edgewise/algorithms/penetration/triangle_normal.hpp"
 #include "edgewise/scene/rng.hpp"
 
 namespace edgewise {
@@ -33,7 +32,7 @@ int true_side(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& point
     return sgn(mpq_class(r[0] * normal[0] + r[1] * normal[1] + r[2] * normal[2]));
 }
 
-/// In the plane of the others but for rounding; on a coarse lattice exactly so.
+/// In the plane of the others except for rounding; on a coarse lattice exactly.
 Vec3d near_plane(scene::Rng& rng, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const double s = std::ldexp(std::round(rng.uniform(-8, 8)), -2);
     const double t = rng.below(3) == 0 ? 0 : std::ldexp(std::round(rng.uniform(-8, 8)), -2);
@@ -73,7 +72,7 @@ TEST(ExactSide, IsTheSignOfTheDeterminant) {
     EXPECT_GT(doubtful, 1000);
 }
 
-/// In line but for their own rounding; or one step of a lattice of 52 bits off, which leaves an area of
+/// In line except for their own rounding; or one step of a lattice of 52 bits off, which leaves an area of
 /// 2^-104.
 std::array<Vec3d, 3> sliver(scene::Rng& rng) {
     if (rng.below(4) == 0) {

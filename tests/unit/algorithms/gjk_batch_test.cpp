@@ -92,47 +92,41 @@ TYPED_TEST(GjkBatches, AreTheSameInTwoThreads) {
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
 }
 
-/// Tables rebuilt since: their pairs start cold.
+/// Answers of a batch are those of single queries, to the bit.
+template <class Table>
+void expect_same_answers(PairCrowd<Table>& crowd, LaneWidth width = best_lanes()) {
+    const std::vector<Distance> expected = crowd.one_by_one({});
+    std::vector<Distance> answers(crowd.queries.size());
+    query_batch<Table, Table>(crowd.queries, answers, {}, width);
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+}
+
+/// Tables were rebuilt since the last query: their pairs start cold.
 TEST(GjkBatch, FollowsNoHandleOfARebuiltTable) {
     using Table = points_soa<f64>;
     PairCrowd<Table> crowd(500);
     static_cast<void>(crowd.one_by_one({}));
     crowd.batch_pairs = crowd.single_pairs;
     for (Table& table : crowd.tables) table = Table(scene::make_shape("tetra4").or_throw(), Parts::support);
-    const std::vector<Distance> expected = crowd.one_by_one({});
-    std::vector<Distance> answers(500);
-    query_batch<Table, Table>(crowd.queries, answers);
-    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+    expect_same_answers(crowd);
 }
 
 TEST(GjkBatch, NeedsNoLanes) {
-    using Table = points_soa<f64>;
-    PairCrowd<Table> crowd(500);
-    const std::vector<Distance> expected = crowd.one_by_one({});
-    std::vector<Distance> answers(500);
-    query_batch<Table, Table>(crowd.queries, answers, {}, LaneWidth::none);
-    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+    PairCrowd<points_soa<f64>> crowd(500);
+    expect_same_answers(crowd, LaneWidth::none);
 }
 
 /// Handles that are addresses: one query after the other.
 TEST(GjkBatch, TakesTablesThatFitNoLane) {
-    using Table = linked<f64>;
-    static_assert(!LaneTable<Table>);
-    PairCrowd<Table> crowd(500);
-    const std::vector<Distance> expected = crowd.one_by_one({});
-    std::vector<Distance> answers(500);
-    query_batch<Table, Table>(crowd.queries, answers);
-    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+    static_assert(!LaneTable<linked<f64>>);
+    PairCrowd<linked<f64>> crowd(500);
+    expect_same_answers(crowd);
 }
 
 TEST(GjkBatch, TakesAnyNumberOfQueries) {
-    using Table = lean<f32>;
     for (const std::size_t count : {0U, 1U, 3U, 17U}) {
-        PairCrowd<Table> crowd(count);
-        const std::vector<Distance> expected = crowd.one_by_one({});
-        std::vector<Distance> answers(count);
-        query_batch<Table, Table>(crowd.queries, answers);
-        for (std::size_t i = 0; i < count; ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
+        PairCrowd<lean<f32>> crowd(count);
+        expect_same_answers(crowd);
     }
 }
 

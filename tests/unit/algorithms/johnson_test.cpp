@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Johnson's sub-distance algorithm, and its cofactors without his search, beside the exact distance of the
-// simplex's points from the origin: simplices of every size and every awkward kind, in double and in single.
+// Johnson's sub-distance algorithm, and its cofactors without his search, compared with the exact distance of
+// the simplex's points from the origin: simplices of every size and every awkward kind, in double and in
+// single.
 #include "edgewise/algorithms/johnson.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 
 #include "edgewise/algorithms/cofactors.hpp"
 #include "edgewise/algorithms/sub_distance.hpp"
-#include "edgewise/geometry/single.hpp"
+#include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 
@@ -38,7 +39,7 @@ Corners sliver(scene::Rng& rng) {
     return w;
 }
 
-/// All four in a plane, but for a little; the origin often near it.
+/// All four almost in a plane; the origin often near it.
 Corners flat(scene::Rng& rng) {
     Corners w = at_random(rng);
     const Vec3d normal = rng.on_sphere();
@@ -104,7 +105,7 @@ double exact_from_origin(const Corners& w, int count) {
     return exact ? exact->distance : 0;
 }
 
-/// As its loops search.
+/// Johnson's search.
 struct BySearch {
     static constexpr const char* name = "johnson";
     template <class Scalar>
@@ -113,7 +114,7 @@ struct BySearch {
     }
 };
 
-/// As GJK asks.
+/// The cofactors' signs, as GJK uses them.
 struct BySigns {
     static constexpr const char* name = "cofactors";
     template <class Scalar>
@@ -193,8 +194,8 @@ TEST(Cofactors, InDoubleTellTheNearestPointOfEverySimplex) { ask_all<BySigns, do
 
 TEST(Cofactors, InSingleTellTheNearestPointOfEverySimplex) { ask_all<BySigns, float>(); }
 
-/// Of simplices that are no hard case: the same subset, and the same weights to the bit, as the search finds;
-/// with the newest point known as well.
+/// Where a simplex is no hard case, signs find the subset and the weights of the search, to the bit; also
+/// with the newest point known.
 TEST(Cofactors, AgreeWithTheSearchToTheBit) {
     scene::Rng rng(3);
     std::bitset<16> subsets;

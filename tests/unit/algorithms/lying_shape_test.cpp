@@ -27,7 +27,7 @@ struct Approaching {
     }
 };
 
-/// A circle of vertices, the next of which is always farther along than the last.
+/// A circle of vertices; the next one always lies farther along than the last.
 struct Endless {
     using PrecisionType = f64;
     using Vertex = std::uint32_t;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// GJK after much motion and after little: pairs whose old simplex lies far off start as cold ones do, to the
-// bit; others start from it, and give the same distance.
+// GJK after much motion and after little: pairs with an old simplex that lies far off start as cold ones do,
+// to the bit; others start from it, and give the same distance.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@ namespace edgewise {
 namespace {
 
 struct MovedPairs {
-    int asked = 0, as_cold = 0;  ///< whose cold query takes some steps
+    int asked = 0, as_cold = 0;  ///< pairs with a cold query of some steps
     double worst = 0;            ///< difference from a cold query's distance
 };
 
@@ -77,7 +77,7 @@ TEST(MovedFar, PairsThatHardlyMovedStartFromWhereTheyEnded) {
     }
 }
 
-/// Bodies whose origins lie far outside of them start from their old simplex.
+/// Bodies with origins far outside of them start from their old simplex.
 TEST(MovedFar, BodiesFarFromTheirOriginsAreNotTakenForMoved) {
     std::vector<Vec3d> corners = scene::make_shape("sphere386")->vertices;
     for (Vec3d& corner : corners) corner += Vec3d(1000, 0, 0);

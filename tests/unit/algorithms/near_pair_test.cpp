@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds carried over motions beside the distance by brute force: never wrong, and seldom without an answer.
+// Bounds carried over motions, compared with the distance by brute force: never wrong, and rarely undecided.
 #include "edgewise/algorithms/near_pair.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@
 namespace edgewise {
 namespace {
 
-/// How far outside its bounds a distance was, how often bounds told, and how tight they were.
+/// How far outside its bounds a distance was, and how often bounds decided.
 struct Seen {
     double outside = 0;
     int asked = 0, told_near = 0, told_far = 0, wrong = 0;
@@ -92,8 +92,8 @@ TEST(NearPair, KnowsNothingBeforeItAsks) {
     EXPECT_EQ(nothing.at(here).least, 0);
 }
 
-/// Asked about distances around where the carried bounds end, by parts of the motion: told just where these
-/// tell, to rounding.
+/// Distances around the ends of the carried bounds, by parts of the motion: nearer_than decides where these
+/// do, to rounding.
 TEST(NearPair, TellsWhereItsCarriedBoundsDo) {
     scene::Rng rng(11);
     int told_near = 0, told_far = 0, not_told = 0;

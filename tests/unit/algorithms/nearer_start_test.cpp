@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// V-Clip's cold starts: few steps from the vertices that face each other, beside raw V-Clip, which walks from
-// the first vertices; the same distance.
+// V-Clip's cold starts: few steps from the vertices that face each other, compared with raw V-Clip, which
+// walks from the first vertices; the same distance.
 #include "edgewise/algorithms/vclip/nearer_start.hpp"
 
 #include <gtest/gtest.h>

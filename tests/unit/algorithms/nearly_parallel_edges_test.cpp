@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// V-Clip on boxes whose closest edges lie along each other but for 1e-15 to 1e-3 rad, from a hundredth of
+// V-Clip on boxes with closest edges that lie along each other to 1e-15 to 1e-3 rad, from a hundredth of
 // their length to four lengths from each other: which ends are nearer is up to the last digits of a slope,
 // and where the wrong ones are taken, the distance is off by the angle. Beside exact arithmetic.
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@
 namespace edgewise {
 namespace {
 
-/// Places B's edge along z diagonally beside A's, and turns it a little about any axis.
+/// Places B's edge along z diagonally next to A's, and turns it a little about any axis.
 Pose nearly_parallel(scene::Rng& rng, double half_a, double half_b) {
     const double gap = std::pow(10.0, rng.uniform(-2.9, 0.6)), aside = rng.uniform(0.1, 1.4);
     const double angle = std::pow(10.0, rng.uniform(-15, -3));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The normal of an answer beside the exact direction between the closest points, down to gaps where the
-// witness points say nothing of it any more.
+// The normal of an answer compared with the exact direction between the closest points, down to gaps where
+// the witness points say nothing of it any more.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -25,7 +25,7 @@ struct Placed {
     Vec3d normal;  ///< exact, from A to B
 };
 
-/// B beside A about as far away as `gap`, moved along the exact direction between them.
+/// B next to A, about `gap` away, moved along the exact direction between them.
 Placed place(const Polyhedron& a, const Polyhedron& b, double gap, scene::Rng& rng) {
     Placed placed;
     placed.pose = {rng.rotation(), 3 * rng.on_sphere()};

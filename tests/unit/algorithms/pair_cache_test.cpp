@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What pairs keep: as few bytes as promised, the handles that were put in, and nothing that does not fit.
+// Contents of a pair: as few bytes as promised, the handles that were put in, and nothing that does not fit.
 #include <gtest/gtest.h>
 
 #include "edgewise/algorithms/gjk.hpp"

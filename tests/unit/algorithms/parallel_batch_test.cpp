@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Batches over threads, and V-Clip's batches: every answer and every pair left behind to the bit those of
-// single queries, whatever the lanes and however many the threads, and as many of these as were asked for.
+// single queries, for all widths and numbers of threads; and the requested number of threads is used.
 #include "edgewise/algorithms/parallel_batch.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ struct Asked {
 template <class Case>
 class ParallelBatches : public ::testing::Test {
   protected:
-    /// TBB starts as many threads as there are cores; a test wants four wherever it runs.
+    /// TBB starts one thread per core; this test needs four on any machine.
     tbb::global_control four_{tbb::global_control::max_allowed_parallelism, 4};
 };
 using AskedCases = ::testing::Types<Asked<points_soa<f64>, Gjk>, Asked<points_soa<f32>, Gjk>,
@@ -111,7 +111,7 @@ TYPED_TEST(ParallelBatches, TakeAnyNumberOfQueries) {
     }
 }
 
-/// GJK that writes down which threads ask it, and waits until so many have; not for ever.
+/// GJK that notes the threads that ask it, and waits until enough have, up to ten seconds.
 struct WatchedGjk : Gjk {
     static inline std::mutex mutex;
     static inline std::set<std::thread::id> seen;

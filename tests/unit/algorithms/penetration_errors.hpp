@@ -30,7 +30,7 @@ template <class Table>
     return penetration(Table(a), Table(b), pose, start, space);
 }
 
-/// As it is used: after GJK, from where that ended.
+/// Penetration after GJK, from its last simplex.
 template <class Table = Canonical>
 [[nodiscard]] Penetration ask(const Polyhedron& a, const Polyhedron& b, const Transform<double>& pose) {
     SimplexPair<Table, Table> pair;

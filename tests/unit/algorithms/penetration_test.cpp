@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Penetration depth beside brute force over every direction that a face of A - B can have: random pairs at
-// all depths and in all precisions, boxes whose depth is known, touching and concentric pairs, needles, and
-// starts that are no help.
+// Penetration depth compared with brute force over every direction that a face of A - B can have: random
+// pairs at all depths and in all precisions, boxes with a known depth, touching and concentric pairs,
+// needles, and starts that are no help.
 #include "edgewise/algorithms/penetration.hpp"
 
 #include <gtest/gtest.h>
@@ -270,7 +270,7 @@ TEST(Penetration, ApartIsDepthZero) {
     }
 }
 
-/// Sizes from 2^-300 to 2^300: the same bits but for the exponent, so nothing is absolute.
+/// Sizes from 2^-300 to 2^300: the same bits except for the exponent, so nothing is absolute.
 TEST(Penetration, ScalesExactly) {
     scene::Rng rng(19);
     const Polyhedron a = *scene::make_shape("sphere18"), b = *scene::make_shape("tetra4");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether a body ends at a feature along a direction, beside a plain maximum over all vertices.
+// The proof that a body ends at a feature along a direction, compared with a plain maximum over all vertices.
 #include "edgewise/algorithms/vclip/proof.hpp"
 
 #include <gtest/gtest.h>

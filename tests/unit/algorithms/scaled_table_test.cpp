@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One table at many scales: GJK over a stretched view beside the exact distance of the stretched points,
-// climbs beside scans, and a view that stretches nothing beside the table.
+// One table at many scales: GJK over a stretched view compared with the exact distance of the stretched
+// points, climbs with scans, and a view that stretches nothing with the table.
 #include "edgewise/table/scaled_table.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ Polyhedron stored(const char* shape) {
     return stored_body<Table>(scene::make_shape(shape).or_throw()).or_throw();
 }
 
-/// The body that a view of the table stands for: each coordinate times its factor, rounded.
+/// The body that a view of the table shows: each coordinate times its factor, rounded.
 template <class Table>
 std::vector<Vec3d> stretched(const Table& table, const Vec3d& scale) {
     using Compute = ComputeOf<Table>;
@@ -53,7 +53,7 @@ double extent_of(const std::vector<Vec3d>& points) {
     return extent;
 }
 
-/// A pose somewhere near: bodies of these extents touch now and then.
+/// A random near pose: bodies of these extents touch now and then.
 Pose near_pose(scene::Rng& rng, double extent) {
     Pose pose;
     pose.rotation = rng.rotation();

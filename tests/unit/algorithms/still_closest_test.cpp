@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The proof that two features are closest, of every pair of features of bodies in random poses, beside exact
-// arithmetic: whatever it proves must be the distance, and of separated bodies it must prove some pair,
+// The proof that two features are closest, of every pair of features of bodies in random poses, compared with
+// exact arithmetic: whatever it proves must be the distance, and of separated bodies it must prove some pair,
 // unless two vertices are closest.
 #include "edgewise/algorithms/vclip/still_closest.hpp"
 
@@ -44,7 +44,7 @@ struct Proofs {
     int separated = 0, proven = 0, overlapping = 0;
 };
 
-/// Of a body at rest and another.
+/// Poses of a body at rest and another.
 template <class Table>
 void prove_all(const Polyhedron& body_a, const Polyhedron& body_b, const Pose& pose, Proofs& proofs) {
     const Table table_a(body_a, Parts::features), table_b(body_b, Parts::features);
@@ -109,7 +109,7 @@ void expect_proofs(const Proofs& proofs, double most_error) {
         }
     }
     EXPECT_GT(proofs.overlapping, 20);
-    EXPECT_GT(proofs.proven, proofs.separated * 9 / 10) << "but for pairs of vertices";
+    EXPECT_GT(proofs.proven, proofs.separated * 9 / 10) << "except for pairs of vertices";
     EXPECT_LT(proofs.worst, most_error);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// GJK's answers with either solver of its sub-distance beside exact ones: on pairs at gaps that were asked
-// for, on both sides of contact, and on the hard families. Of each, the worst error.
+// GJK's answers with either solver of its sub-distance compared with exact ones: on pairs at gaps that were
+// asked for, on both sides of contact, and on the hard families. Of each, the worst error.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -111,7 +111,7 @@ struct Checked {
     double error = 0;
 };
 
-/// As a sweep checks a cell.
+/// Checks a cell as a sweep does.
 Checked checked_cell(SubDistanceSolver solver, const std::string& table, const scene::SceneParameters& gaps) {
     const studies::SingleCell cell({.table = table,
                                     .algorithm = "gjk",

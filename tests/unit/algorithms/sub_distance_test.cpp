@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// GJK's sub-distance solves with the solver that was chosen: to the bit what that one says of the same points
-// by itself, where it is sure of it. Points are of a lattice, all but a rounding step: there, and nowhere
+// GJK's sub-distance solves with the solver that was chosen: to the bit the answer of that solver
+// by itself, where it is sure. Points are of a lattice, all but a rounding step: there, and nowhere
 // else, the two differ.
 #include "edgewise/algorithms/sub_distance.hpp"
 
@@ -19,7 +19,7 @@
 namespace edgewise {
 namespace {
 
-/// Points of the difference, a little beside those of a lattice: the origin's nearest point often lies on the
+/// Points of the difference, slightly off those of a lattice: the origin's nearest point often lies on the
 /// border between two subsets.
 template <class Scalar>
 SimplexPoints<Scalar> beside_a_lattice(scene::Rng& rng) {
@@ -95,7 +95,7 @@ TYPED_TEST(SubDistances, SolveWithTheSolverThatWasChosen) {
                     std::string(to_string(solver)).c_str(), solved.sure, solved.wrong, solved.apart);
         EXPECT_GT(solved.sure, 10000);
         EXPECT_EQ(solved.wrong, 0);
-        EXPECT_GT(solved.apart, 0) << "else nothing would be told";
+        EXPECT_GT(solved.apart, 0) << "else the test would show nothing";
     }
 }
 
@@ -144,8 +144,8 @@ bool same_answer(const Distance& a, const Distance& b) {
            a.point_b == b.point_b;
 }
 
-/// Whole queries: other bits somewhere, so the option reaches the run, and nowhere another answer. Of a
-/// batch, whose lanes know cofactors alone, the bits of single queries.
+/// Whole queries: other bits somewhere, so the option reaches the run, and nowhere another answer. A
+/// batch, with lanes that know only cofactors, gives the bits of single queries.
 TYPED_TEST(SubDistances, QueriesSolveWithTheSolverThatWasChosen) {
     scene::Rng rng(6);
     const auto tables = lattice_bodies<TypeParam>(rng);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Support points: scan and climb, from any start, beside a plain maximum over all vertices.
+// Support points: scan and climb, from any start, compared with a plain maximum over all vertices.
 #include "edgewise/algorithms/support.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST_P(Support, ScanAndClimbFindTheHighestVertex) {
         }
     }
     std::printf("support %s: worst shortfall %.3g\n", GetParam().c_str(), worst);
-    EXPECT_LT(worst, 1e-14);  // among vertices that rounding cannot tell apart
+    EXPECT_LT(worst, 1e-14);  // among vertices that rounding cannot separate
 }
 
 /// Handles that are no numbers: one vertex at a time.
@@ -80,7 +80,7 @@ Polyhedron prism(int sides, double length) {
     return convex_hull(points).or_throw();
 }
 
-/// As a table in single has it: heights that differ by less than rounding, over short edges and long ones.
+/// Heights of a table in single that differ by less than rounding, over short edges and long ones.
 template <class Table>
 double worst_climb(const Polyhedron& given) {
     using Scalar = ComputeOf<Table>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One tip or two over a regular polygon: vertices with as many neighbours as a test wants.
+// One tip or two over a regular polygon: vertices with any number of neighbours.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A square pyramid whose base is two triangles: a body with an edge that hardly turns, or does not.
+// A square pyramid with a base of two triangles: a body with an edge that hardly turns, or does not.
 #pragma once
 
 #include <vector>

@@ -18,7 +18,7 @@ namespace edgewise::testing {
 using Points = std::vector<Vec3d>;
 using Faces = std::vector<std::vector<Index>>;
 
-/// Uniform numbers from the top bits of a generator whose sequence the standard fixes.
+/// Uniform numbers from the top bits of a generator with a sequence that the standard fixes.
 class Dice {
   public:
     explicit Dice(std::uint64_t seed) : bits_(seed) {}

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// The grid of `quantised`: what rounding to it moves.
+// The grid of `quantised`: what rounding to it moves; and rounding outward, where the result contains the
+// body, by exact arithmetic.
 #include "edgewise/geometry/grid.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
-#include "edgewise/geometry/single.hpp"
+#include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/shapes.hpp"
+#include "edgewise/truth/exact_distance.hpp"
 
 namespace edgewise {
 namespace {
@@ -62,6 +68,78 @@ TEST(Grid, HoldsWhatWasRoundedToIt) {
     }
     std::printf("%d of 4000 boxes became longer\n", longer);
     EXPECT_GT(longer, 400);
+}
+
+/// Every vertex of the body lies in the hull of the other's vertices, by exact arithmetic.
+bool exactly_contains(const Polyhedron& outer, const Polyhedron& body) {
+    return std::all_of(body.vertices.begin(), body.vertices.end(), [&](const Vec3d& v) {
+        const auto exact = truth::exact_distance(std::vector{v}, {}, outer.vertices, {});
+        return exact && exact->verdict != truth::ExactVerdict::separated;
+    });
+}
+
+Polyhedron random_hull(scene::Rng& rng, const Vec3d& middle, const Vec3d& size) {
+    std::vector<Vec3d> points;
+    for (int k = 0; k < 30; ++k) points.push_back(middle + rng.in_ball().cwiseProduct(size));
+    return *convex_hull(points);
+}
+
+TEST(GridOutward, ContainsTheBody) {
+    scene::Rng rng(4);
+    int grown = 0, not_contained = 0;
+    for (int i = 0; i < 120; ++i) {
+        const Vec3d far = i % 2 == 0 ? Vec3d(1000 * rng.in_cube(1)) : Vec3d::Zero();
+        const Polyhedron body = random_hull(rng, far, {1, 0.5, 0.2});
+        for (const double eps : {0x1p-52, 0x1p-23}) {
+            const auto nearest = round_to_grid(body, eps), outward = round_to_grid_outward(body, eps);
+            ASSERT_TRUE(nearest && outward) << nearest.error << outward.error;
+            EXPECT_TRUE(exactly_contains(*outward, body)) << i << ": " << eps;
+            if (eps < 1e-10) {
+                EXPECT_LT(volume(*outward), volume(body) * 1.001);
+            }
+            not_contained += !exactly_contains(*nearest, body);
+            grown += volume(*outward) > volume(*nearest);
+        }
+    }
+    EXPECT_GT(not_contained, 200);
+    EXPECT_GE(grown, not_contained);
+}
+
+/// Too thin to be widened by growing, a body becomes the hull of boxes, with more vertices.
+TEST(GridOutward, ContainsThinBodies) {
+    scene::Rng rng(5);
+    int boxed = 0;
+    for (int i = 0; i < 120; ++i) {
+        const double thickness = std::ldexp(1.0, -(i % 12 + 3));
+        const Polyhedron body = random_hull(rng, Vec3d::Zero(), {1, 0.5, thickness});
+        const auto outward = round_to_grid_outward(body, 0x1p-52);
+        ASSERT_TRUE(outward) << i << ": " << outward.error;
+        EXPECT_TRUE(exactly_contains(*outward, body)) << i;
+        boxed += outward->vertex_count() > body.vertex_count();
+    }
+    EXPECT_GT(boxed, 20);
+}
+
+TEST(GridOutward, ABodyThatWasRoundedStaysAsItIs) {
+    scene::Rng rng(6);
+    for (int i = 0; i < 40; ++i) {
+        const auto once = round_to_grid_outward(random_hull(rng, rng.in_cube(3), {1, 0.5, 0.2}), 0x1p-52);
+        ASSERT_TRUE(once) << once.error;
+        EXPECT_EQ(round_to_grid_outward(*once, 0x1p-52)->vertices, once->vertices) << i;
+    }
+}
+
+TEST(GridOutward, BodiesOnTheGridNeedNoGrowth) {
+    const Polyhedron cube = *scene::make_shape("cube8");
+    EXPECT_EQ(round_to_grid_outward(cube, 0x1p-52)->vertices, cube.vertices);
+}
+
+TEST(GridOutward, ContainsANeedle) {
+    const std::vector<Vec3d> points = {{0, 0, 0}, {1, 1e-7, 2e-7}, {0.3, 1e-6, 0}, {0.7, 0, 1.3e-6}};
+    const Polyhedron needle = *convex_hull(points);
+    const auto outward = round_to_grid_outward(needle, 0x1p-52);
+    ASSERT_TRUE(outward) << outward.error;
+    EXPECT_TRUE(exactly_contains(*outward, needle));
 }
 
 }  // namespace

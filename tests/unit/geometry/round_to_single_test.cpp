@@ -3,7 +3,6 @@
 // Rounding a body to single precision: its own topology, the names of the original input.
 #include "edgewise/geometry/hull.hpp"
 
-#include "edgewise/geometry/single.hpp"
 #include "geometry_bodies.hpp"
 
 namespace edgewise {

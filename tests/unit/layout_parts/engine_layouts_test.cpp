@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The layouts of engines beside what is published of them: bytes per edge from their lists of fields, bodies
-// that they refuse, and numbers that stand there twice or are found by a scan.
+// The layouts of engines compared with what is published of them: bytes per edge from their lists of fields,
+// bodies that they refuse, and numbers that are stored twice or are found by a scan.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -11,7 +11,7 @@
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/layouts/box3d.hpp"
 #include "edgewise/layouts/lean.hpp"
-#include "edgewise/layouts/lean_seeds1536.hpp"
+#include "edgewise/layouts/lean_seeds.hpp"
 #include "edgewise/layouts/mujoco.hpp"
 #include "edgewise/layouts/parry.hpp"
 #include "edgewise/layouts/physx.hpp"
@@ -43,7 +43,7 @@ double bytes_per_edge(const Polyhedron& given, double constant = 0, bool with_pa
 /// V vertices, E = 3 V - 6 edges and F = 2 V - 4 faces; published figures are for many vertices, or say for
 /// how many.
 TEST(EngineLayouts, TakeTheBytesThatArePublished) {
-    // The engine's object of 48 bytes beside the arrays makes these 11.5 and 36.5.
+    // The engine's object of 48 bytes next to the arrays makes these 11.5 and 36.5.
     EXPECT_NEAR(bytes_per_edge<physx<f32>>(testing::round_body(255), -48), 11.5, 0.05);
     EXPECT_NEAR(bytes_per_edge<physx<f32>>(shape("sphere38"), -48), 36.5, 0.05);
     EXPECT_NEAR(bytes_per_edge<physx<f32>>(testing::round_body(255)), 11.42, 0.01);
@@ -69,7 +69,7 @@ TEST(EngineLayouts, RefuseWhatTheirIndicesCannotCount) {
               "box3d takes bodies of up to 128 edges, and this one has 129");
 }
 
-/// Of those bodies that the layout takes: so many of them.
+/// Checks the rings of the bodies that the layout takes; `count`: their expected number.
 template <class Table>
 void expect_rings_of(std::size_t count, const std::vector<Polyhedron>& bodies) {
     std::size_t taken = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes of every layout, component by component, beside sums computed by hand from V vertices, E edges and
-// F faces of three bodies. Arrays of a line of 64 bytes or more start on a line: what the one before is short
-// of it is padding. And all that a small body's table takes, the object included.
+// Bytes of every layout, component by component, compared with sums computed by hand from V vertices, E edges
+// and F faces of three bodies. Arrays of a line of 64 bytes or more start on a line: what the one before is
+// short of it is padding. And all that a small body's table takes, the object included.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ using Bytes = std::size_t;
 
 constexpr Bytes to_line(Bytes bytes) { return (64 - bytes % 64) % 64; }
 
-/// What the expectations are sums of.
+/// The terms of all expectations.
 struct Counts {
     Bytes v, e, f;
     std::vector<Bytes> degrees = {};  ///< of the vertices
@@ -70,7 +70,7 @@ std::vector<Bytes> with_rings(std::vector<Bytes> arrays, const Counts& n) {
 }
 Bytes ring_bytes(const Counts& n) { return 4 * (n.v + 1 + n.f + 1 + 6 * n.e); }
 
-/// In the order of the ledger, but for the user's indices, which no table keeps unasked.
+/// Bytes in the order of the ledger, without the user's indices: no table here keeps them.
 struct Row {
     Bytes voronoi_planes, edge_geometry, vertex_coordinates, face_planes, topology, padding;
     [[nodiscard]] std::array<Bytes, component_names.size()> by_component() const {

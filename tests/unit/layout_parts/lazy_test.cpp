@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Lazy tables over every storing layout, beside the layout itself: the same answers, bit by bit; every plane
-// the same once it is asked for; nothing made that nobody asked for.
+// Lazy tables over every storing layout, compared with the layout itself: the same answers, bit by bit; every
+// plane the same once it is asked for; nothing made that nobody asked for.
 #include "edgewise/layouts/lazy.hpp"
 
 #include <gtest/gtest.h>
@@ -100,7 +100,7 @@ TYPED_TEST(LazyTable, RefitMakesEverythingAgain) {
         expect_same_plane(lazy.edge_face_plane(e, Side::left), eager.edge_face_plane(e, Side::left));
 }
 
-/// Pages that hold only planes nobody asked for are not there.
+/// Pages with only planes that no query asked for are not resident.
 TEST(Lazy, TouchesNoPageOfPlanesThatNobodyAskedFor) {
     const Polyhedron body = *scene::make_shape("sphere1538");
     bench::Arena arena;

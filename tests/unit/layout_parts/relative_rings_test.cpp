@@ -2,7 +2,7 @@
 //
 // Neighbours as differences: the same rings as plain indices give, in whatever order the body comes, with
 // entries that do not fit a byte; the bytes of either form; and the user's indices.
-#include "edgewise/layout_parts/relative_rings.hpp"
+#include "edgewise/layout_parts/relative_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cones.hpp"
-#include "edgewise/geometry/bandwidth_order.hpp"
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/vertex_order.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/layouts/lean_relative.hpp"
 #include "edgewise/layouts/quantised_relative.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Seeds beside a plain maximum over all vertices; and what they save a cold query.
+// Seeds compared with a plain maximum over all vertices; and the steps that they save a cold query.
 #include "edgewise/layout_parts/seeds.hpp"
 
 #include <gtest/gtest.h>
@@ -16,9 +16,6 @@
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/layouts/lean_seeds.hpp"
-#include "edgewise/layouts/lean_seeds114.hpp"
-#include "edgewise/layouts/lean_seeds1536.hpp"
-#include "edgewise/layouts/lean_seeds482.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/table/stored_body.hpp"
@@ -102,7 +99,7 @@ TEST(Seeds, AreTheFarthestVertices) {
     }
 }
 
-/// From pose to pose of a body beside itself, in any orientation, from almost touching to a body's size
+/// From pose to pose of a body next to its copy, in any orientation, from almost touching to a body's size
 /// between them: each query starts where the last one ended, far off.
 template <class Table>
 double mean_steps_from_far_off(const Polyhedron& body) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Derived planes of faces whose corners lie within anything from a rounding step to their own size of a
-// line: beside those of the body, which are computed in wider arithmetic. And V-Clip on bodies of such
-// faces beside exact arithmetic.
+// Derived planes of faces with corners within a rounding step to their own size of a line, compared with
+// those of the body, which are computed in wider arithmetic; and V-Clip on bodies of such faces, compared
+// with exact arithmetic.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace edgewise {
 namespace {
 
-/// A tetrahedron whose fourth corner is near the middle of a side, on a face or near another corner;
+/// A tetrahedron with its fourth corner near the middle of a side, on a face or near another corner;
 /// coordinates are those of `Scalar`. Nothing where rounding leaves no body.
 template <class Scalar>
 Result<Polyhedron> needle(scene::Rng& rng, double smallest) {
@@ -122,7 +122,7 @@ TEST(ThinCorners, HavePlanesAndDistancesAsGoodAsStoredOnesInSingle) {
     EXPECT_LT(errors.worst_distance, verified_error_single);
 }
 
-/// Of named shapes, whose planes are derived plainly: the checks would cost time.
+/// Named shapes derive their planes plainly: the checks would cost time.
 TEST(ThinCorners, AreNotOnSpheresAndBoxes) {
     for (const char* name : {"cube8", "sphere38", "sphere386", "sphere1538"}) {
         const Polyhedron body = *scene::make_shape(name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A table's neighbours of every vertex beside those of the body that it was built from, in order.
+// A table's neighbours of every vertex compared with those of the body that it was built from, in order.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/table/ledger.hpp"
+#include "edgewise/table/pieces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ TEST(Ledger, TotalIsEveryComponentOnce) {
     Ledger ledger;
     std::size_t expected = 0;
     for (std::size_t i = 0; i < component_names.size(); ++i) {
-        ledger[static_cast<Component>(i)] = std::size_t{1} << (8 * i);  // no two sums are alike
+        ledger[static_cast<Component>(i)] = std::size_t{1} << (8 * i);  // all sums differ
         expected += std::size_t{1} << (8 * i);
         EXPECT_EQ(ledger.total(), expected);
     }

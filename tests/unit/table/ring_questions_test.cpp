@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The generic answers to ring questions beside a search over single planes, ties included; and that a table's
-// own answer is preferred. Every layout is asked the same in its contract test.
+// The generic answers to ring questions compared with a search over single planes, ties included; and that a
+// table's own answer is preferred. Every layout is asked the same in its contract test.
 #include "edgewise/table/ring_questions.hpp"
 
 #include <gtest/gtest.h>

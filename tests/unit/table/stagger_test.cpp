@@ -71,7 +71,7 @@ TEST(Stagger, ParallelArraysAStrideApartMissEveryTime) {
     EXPECT_EQ(staggered.misses(), staggered.compulsory());
 }
 
-/// Also where arrays are half a stride or two strides long, and just beside such lengths.
+/// Also where arrays are half a stride or two strides long, and just off such lengths.
 TEST(Stagger, NeverMissesMoreThanOnceALineWhateverTheLength) {
     std::size_t trapped = 0;
     for (const std::size_t near : {44U, 87U, 129U, 172U, 257U, 342U}) {

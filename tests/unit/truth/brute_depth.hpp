@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
+#include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/pose.hpp"
-#include "edgewise/geometry/single.hpp"
 #include "edgewise/table/canonical.hpp"
 
 namespace edgewise::testing {

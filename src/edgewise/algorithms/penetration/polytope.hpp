@@ -18,8 +18,7 @@
 #include <limits>
 #include <vector>
 
-#include "edgewise/algorithms/penetration/exact_side.hpp"
-#include "edgewise/algorithms/penetration/triangle_normal.hpp"
+#include "edgewise/algorithms/penetration/expansion.hpp"
 #include "edgewise/table/small_array.hpp"
 
 namespace edgewise::epa {

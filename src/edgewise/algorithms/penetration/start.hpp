@@ -5,7 +5,7 @@
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/vclip.hpp"
-#include "edgewise/algorithms/vclip/feature_simplex.hpp"
+#include "edgewise/algorithms/vclip/fallback.hpp"
 
 namespace edgewise {
 

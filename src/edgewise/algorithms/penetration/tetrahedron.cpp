@@ -6,8 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "edgewise/algorithms/penetration/exact_side.hpp"
-#include "edgewise/algorithms/penetration/triangle_normal.hpp"
+#include "edgewise/algorithms/penetration/expansion.hpp"
 
 namespace edgewise::epa {
 

@@ -9,7 +9,6 @@
 
 #include "edgewise/table/contract.hpp"
 #include "edgewise/table/feature_handle.hpp"
-#include "edgewise/table/feature_name.hpp"
 #include "edgewise/table/identity.hpp"
 
 namespace edgewise {

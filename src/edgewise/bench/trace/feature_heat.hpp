@@ -12,7 +12,7 @@
 #include "edgewise/bench/runner.hpp"
 #include "edgewise/geometry/feature.hpp"
 #include "edgewise/measure/cache/trace.hpp"
-#include "edgewise/table/ledger.hpp"
+#include "edgewise/table/pieces.hpp"
 
 namespace edgewise::bench {
 

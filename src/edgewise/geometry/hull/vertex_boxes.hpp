@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "edgewise/geometry/aabb.hpp"
-#include "edgewise/geometry/plane.hpp"
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/vec.hpp"
 

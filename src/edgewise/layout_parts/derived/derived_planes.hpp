@@ -16,20 +16,9 @@
 
 #include "edgewise/layout_parts/derived/derived_rings.hpp"
 #include "edgewise/layout_parts/derived/thin_corners.hpp"
+#include "edgewise/layout_parts/voronoi.hpp"
 
 namespace edgewise {
-
-/// The plane through `anchor`; the length of its normal is arbitrary.
-template <class Scalar>
-struct AnchoredPlane {
-    Vec3<Scalar> normal, anchor;
-    Scalar offset = 0;
-
-    /// Signed distance, in units of |normal|.
-    [[nodiscard]] Scalar distance(const Vec3<Scalar>& p) const {
-        return dot(normal, Vec3<Scalar>(p - anchor)) + offset;
-    }
-};
 
 /// Points: storage of the coordinates, from the block's start on, by place(plan, facts), write(base, body)
 /// and read(loader, base, v).

@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "edgewise/layout_parts/derived/derived_half_edges.hpp"
-#include "edgewise/table/feature_name.hpp"
+#include "edgewise/table/feature_handle.hpp"
 
 namespace edgewise {
 
