@@ -86,8 +86,9 @@ class GjkRun : GjkStart<TableA, TableB> {
             observer.iterate(sub_.closest().members);
             if (sub_.simplex().count == 4) return finish(pair, Status::overlapping);
             const Scalar squared = squared_norm(sub_.closest().point);
-            if (squared == 0) return finish(pair, Status::touching);
-            if (squared <= contact_squared_ || !advance(squared)) return finish(pair, separated_or_contact());
+            if (squared > contact_squared_ && advance(squared)) continue;
+            if (is_proven(squared) || !sub_.solve_close_in_wide())
+                return finish(pair, squared == 0 ? Status::touching : separated_or_contact());
         }
         assert(false && "GJK does not converge: a shape's vertices are not those of a convex body");
         pair = Pair(a_, b_);
@@ -112,13 +113,22 @@ class GjkRun : GjkStart<TableA, TableB> {
         const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex.size;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
-        if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared)) return false;
+        if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared)) {
+            is_decided_ = true;
+            return false;
+        }
         if (steps_ == 1 && !is_cold_ && reach_ < static_cast<Scalar>(far_off_simplex) * squared &&
             this->start_nearer(squared))
             return true;
-        if (simplex.holds(a.vertex, b.vertex) || squared - reach_ <= std::max(noise, gap_ * squared))
-            return false;
+        is_decided_ = squared - reach_ <= std::max(noise, gap_ * squared);
+        if (is_decided_ || simplex.holds(a.vertex, b.vertex)) return false;
         return sub_.extend(a.vertex, b.vertex, a.point, on_b, squared, separates_);
+    }
+
+    /// Returns true if the run may end here. An answer near contact needs a proof from both sides: no vertex
+    /// of the difference lies nearer along the closest point's direction, and the simplex reaches that point.
+    [[nodiscard]] bool is_proven(Scalar squared) const {
+        return !sub_.is_close(squared) || (is_decided_ && sub_.reaches_closest());
     }
 
     /// At the origin with a direction that separates nothing: contact within this precision.
@@ -138,7 +148,8 @@ class GjkRun : GjkStart<TableA, TableB> {
     bool verdict_only_;
     Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
     int steps_ = 0;
-    bool separates_ = false;  ///< true if a direction separates by more than rounding
+    bool separates_ = false;   ///< true if a direction separates by more than rounding
+    bool is_decided_ = false;  ///< true if the last support point leaves nothing to gain
 };
 
 /// One run with everything inlined: calls cost a tenth of it. A symbol of its own, which a library of table

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // GJK's sub-distance: the simplex while a query runs, and its point nearest to the origin, by the chosen
-// solver (query_options.hpp), in arithmetic as wide as needed. Close, thin and undecided simplices are
-// solved in wider arithmetic, and so is every one after rounding first hides a gain.
+// solver (query_options.hpp), in arithmetic as wide as needed. Thin and undecided simplices are solved
+// in wider arithmetic, and so is every one after rounding first hides a gain. Close ones are, too, once the
+// answer of a run without it was not proven (GjkRun::is_proven).
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <type_traits>
 
@@ -50,10 +52,36 @@ class SubDistance {
     [[nodiscard]] const Points& simplex() const { return simplex_; }
     [[nodiscard]] const Closest& closest() const { return closest_; }
 
+    /// Returns true if the closest point, at this squared distance, is so close to the origin that rounding
+    /// may have misled the solver.
+    [[nodiscard]] bool is_close(Scalar squared) const {
+        const Scalar close = Tolerance<Scalar>::close * simplex_.size;
+        return squared < close * close;
+    }
+
+    /// Returns true if the weights' point of the simplex is as near to the origin as the closest point says.
+    /// The foot on the plane of a triangle may lie outside the triangle.
+    [[nodiscard]] bool reaches_closest() const {
+        Vec3<Scalar> weighted = Vec3<Scalar>::Zero();
+        for (int i = 0; i < simplex_.count; ++i) weighted += closest_.weight[i] * simplex_.difference[i];
+        return norm(weighted) <= norm(closest_.point) + Tolerance<Scalar>::support_noise * simplex_.size;
+    }
+
+    /// Solves a close simplex again, and from now on every close one, in wider arithmetic. False if that is
+    /// done already.
+    [[nodiscard]] [[gnu::noinline]] bool solve_close_in_wide() {
+        if (close_in_wide_) return false;
+        close_in_wide_ = true;
+        solve_wide();
+        simplex_.keep(closest_);
+        return true;
+    }
+
     /// Returns to the state before the first point.
     void clear() {
         simplex_.clear();
         way_ = way_of(solver_);
+        close_in_wide_ = false;
     }
     /// Adds one of a query's first points, up to four; then call solve_first().
     void add(typename TableA::Vertex a, typename TableB::Vertex b, const Vec3<Scalar>& on_a,
@@ -125,12 +153,25 @@ class SubDistance {
         return is_sure();
     }
 
-    /// Returns true if the simplex is not close, thin or undecided.
-    [[nodiscard]] bool is_sure() const {
+    /// Returns true if the answer needs no wider arithmetic.
+    [[nodiscard]] bool is_sure() {
         if (closest_.members == Johnson<Scalar>::whole) return true;
-        const Scalar close = Tolerance<Scalar>::close * simplex_.size;
-        const bool far = squared_norm(closest_.point) >= close * close;
-        return far && !closest_.backup && !closest_.thin;
+        if (closest_.backup || closest_.thin) return false;
+        return !is_close(squared_norm(closest_.point)) || (!close_in_wide_ && settle_close());
+    }
+
+    /// Makes the point of a close edge orthogonal to the edge: the rounding of its weights, along the edge,
+    /// would be a large part of its length. Returns false, and leaves close simplices to wider arithmetic
+    /// from now on, if the point is noise even so.
+    [[nodiscard]] bool settle_close() {
+        if (is_edge(closest_.members)) {
+            const int i = lowest_point(closest_.members), j = std::bit_width(closest_.members) - 1;
+            const Vec3<Scalar> edge = simplex_.difference[j] - simplex_.difference[i];
+            closest_.point -= (dot(closest_.point, edge) / squared_norm(edge)) * edge;
+        }
+        const Scalar noise = Tolerance<Scalar>::hardly_close * simplex_.size;
+        close_in_wide_ = squared_norm(closest_.point) < noise * noise;
+        return !close_in_wide_;
     }
 
     /// Solves again in wider arithmetic. Near the origin the cofactors cancel: the remaining direction is
@@ -138,6 +179,7 @@ class SubDistance {
     /// rounding costs the distance no more than itself. Returns the squared distance, unrounded.
     [[gnu::noinline]] Wider<Scalar> solve_wide() {
         SimplexPoints<Wider<Scalar>> points;
+        points.fill(Vec3<Wider<Scalar>>::Zero());
         for (int i = 0; i < simplex_.count; ++i) points[i] = cast<Wider<Scalar>>(simplex_.difference[i]);
         const auto wide = closest_in_wide(points, simplex_.count, solver_);
         closest_.members = wide.members;
@@ -181,8 +223,9 @@ class SubDistance {
     Closest closest_;
     SubDistanceSolver solver_;
     Way way_;
-    int level_steps_ = 0;        ///< number of steps that gained nothing
-    Wider<Scalar> unrounded_{};  ///< squared distance, of Way::wide
+    bool close_in_wide_ = false;  ///< true once an answer without wider arithmetic was not proven
+    int level_steps_ = 0;         ///< number of steps that gained nothing
+    Wider<Scalar> unrounded_{};   ///< squared distance, of Way::wide
 };
 
 }  // namespace edgewise

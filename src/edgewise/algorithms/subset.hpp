@@ -28,6 +28,12 @@ using PointMask = std::uint8_t;
     return (triangles >> mask & 1U) != 0;
 }
 
+/// Returns true for two points.
+[[nodiscard]] constexpr bool is_edge(PointMask mask) {
+    constexpr unsigned edges = 1U << 3 | 1U << 5 | 1U << 6 | 1U << 9 | 1U << 10 | 1U << 12;
+    return (edges >> mask & 1U) != 0;
+}
+
 /// Johnson's order, without the whole: smaller subsets first.
 inline constexpr SmallArray<PointMask, 14> ascending_subsets = {1, 2,  4,  8, 3,  5,  6,
                                                                 9, 10, 12, 7, 11, 13, 14};

@@ -86,12 +86,16 @@ struct Tolerance {
     /// since the square of the distance must not overflow: 2^510 in double (3e153), 2^62 in single (5e18).
     static constexpr Scalar largest_offset = eps < Scalar(1e-10) ? Scalar(0x1p510) : Scalar(0x1p62);
 
-    /// Relative to max|w|: a closest point nearer to the origin than this is computed again in the next
-    /// wider arithmetic, and V-Clip's answer on slippery features by GJK. Its direction is off by the
-    /// rounding of the points over their distance from the origin, and the distance by that times the size:
-    /// beyond a thousandth of the size in double, 1/16 in single, neither exceeds what a query may err
-    /// (verified_error).
+    /// Relative to max|w|: a closest point nearer to the origin than this is an answer of GJK only with a
+    /// proof from both sides, else it is computed again in the next wider arithmetic; V-Clip's answer on
+    /// slippery features is computed again by GJK. Its direction is off by the rounding of the points over
+    /// their distance from the origin, and the distance by that times the size: beyond a thousandth of the
+    /// size in double, 1/16 in single, neither exceeds what a query may err (verified_error).
     static constexpr Scalar close = eps < Scalar(1e-10) ? Scalar(0x1p-10) : Scalar(0x1p-4);
+
+    /// GJK, relative to max|w|: a closest point nearer to the origin than this has a direction accurate to a
+    /// part in 256 at best, which proves nothing: it is computed in wider arithmetic at once.
+    static constexpr Scalar hardly_close = 1024 * eps;
 };
 
 /// Tolerances for sums of two doubles: only those that the sub-distance uses.
