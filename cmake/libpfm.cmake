@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# libpfm4 knows the processors' own names of their events. Without it only the kernel's generic events are counted.
+# libpfm4 knows the names of processors' events. Without it no event of the processor is counted.
 find_path(LIBPFM_INCLUDE_DIR perfmon/pfmlib_perf_event.h)
 find_library(LIBPFM_LIBRARY pfm)
 if(LIBPFM_INCLUDE_DIR AND LIBPFM_LIBRARY)
     set(EDGEWISE_LIBPFM_LIBRARY ${LIBPFM_LIBRARY})
 else()
-    message(STATUS "edgewise: no libpfm, so only the kernel's generic events are counted (Debian: libpfm4-dev)")
+    message(STATUS "edgewise: no libpfm, so no event of the processor is counted (Debian: libpfm4-dev)")
     set(EDGEWISE_LIBPFM_LIBRARY "")
 endif()

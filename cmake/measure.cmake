@@ -21,9 +21,7 @@ add_subdirectory(src/edgewise/measure/cache/machines)
 
 edgewise_sources(sources src/edgewise/input src/edgewise/measure/cache src/edgewise/measure/lock src/edgewise/measure/record
     src/edgewise/measure/touch src/edgewise/measure/traces)
-foreach(file cpu machine read_text)  # what `host` is modelled from
-    list(APPEND sources ${PROJECT_SOURCE_DIR}/src/edgewise/measure/machine/${file}.cpp)
-endforeach()
+list(APPEND sources ${PROJECT_SOURCE_DIR}/src/edgewise/measure/machine/machine.cpp)  # what `host` is modelled from
 add_library(edgewise_measure STATIC ${sources} ${PROJECT_BINARY_DIR}/registry/cache_machines.cpp)
 add_library(edgewise::measure ALIAS edgewise_measure)
 set_target_properties(edgewise_measure PROPERTIES EXPORT_NAME measure POSITION_INDEPENDENT_CODE ON)

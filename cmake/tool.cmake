@@ -19,7 +19,6 @@ configure_file(${PROJECT_SOURCE_DIR}/cmake/store_schema.cpp.in ${PROJECT_BINARY_
 
 include(jemalloc)
 include(libpfm)
-find_path(CALLGRIND_INCLUDE_DIR valgrind/callgrind.h)
 
 edgewise_sources(sources src/edgewise/truth src/edgewise/scene src/edgewise/measure src/edgewise/store
     src/edgewise/bench src/edgewise/sweep src/edgewise/studies)
@@ -27,9 +26,6 @@ get_target_property(measured edgewise_measure SOURCES)
 list(REMOVE_ITEM sources ${measured})
 if(NOT assimp_FOUND)
     edgewise_stand_in(sources scene/mesh/assimp_file)
-endif()
-if(NOT CALLGRIND_INCLUDE_DIR)
-    edgewise_stand_in(sources measure/process/callgrind_region)
 endif()
 if(NOT EDGEWISE_JEMALLOC_OBJECT)
     edgewise_stand_in(sources bench/memory/jemalloc)
@@ -73,7 +69,7 @@ endif()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
 # What mutants (tests/mutation) replace is linked by itself.
 edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp
-    src/edgewise/measure/process/callgrind_lines.cpp src/edgewise/scene/motion.cpp
+    src/edgewise/measure/process/callgrind.cpp src/edgewise/scene/motion.cpp
     src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp src/edgewise/studies/stability_tally.cpp
     src/edgewise/studies/phases/effort_phases.cpp src/edgewise/studies/proof_floor.cpp
     src/edgewise/truth/checked_answer.cpp src/edgewise/truth/filter/enclosure.cpp src/edgewise/truth/filter/posed_pair.cpp

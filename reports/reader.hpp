@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "edgewise/store/reader.hpp"
+#include "edgewise/store/rows.hpp"
 
 namespace edgewise::reports {
 

@@ -28,7 +28,7 @@
 #include "edgewise/scene/dumps/dump.hpp"
 #include "edgewise/scene/mesh/mesh_parts.hpp"
 #include "edgewise/scene/scene_file.hpp"
-#include "edgewise/store/reader.hpp"
+#include "edgewise/store/rows.hpp"
 #include "edgewise/store/store.hpp"
 #include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"

@@ -196,8 +196,8 @@ edgewise_mutant(what_is_new_is_no_difference measure/record/comparison.cpp [[add
 # Effort
 edgewise_mutant(startup_is_counted studies/effort.cpp [[return (of_many - of_few) / passes / queries;]] [[return of_many / passes / queries;]]
     Effort.Counts* ${unit}/studies/effort_test.cpp)
-edgewise_mutant(calls_are_counted_twice measure/process/callgrind_lines.cpp [[if (is_call_)]] [[if (is_call_ && false)]]
-    CallgrindLines.* ${unit}/measure/callgrind_lines_test.cpp)
+edgewise_mutant(calls_are_counted_twice measure/process/callgrind.cpp [[if (is_call_)]] [[if (is_call_ && false)]]
+    CallgrindLines.* ${unit}/measure/callgrind_test.cpp)
 edgewise_mutant(every_function_runs_once studies/phases/effort_phases.cpp [[in_steps += cost * steps_at(call->from, said);]] [[]]
     PhaseCounts.* ${unit}/studies/phases_test.cpp)
 edgewise_mutant(phases_need_not_add_up studies/phases/effort_phases.cpp [[if (sum == total) return {};]] [[return {};]]

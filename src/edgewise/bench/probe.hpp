@@ -15,7 +15,7 @@
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/measure/answer_counts.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
-#include "edgewise/measure/figure.hpp"
+#include "edgewise/measure/expected.hpp"
 #include "edgewise/truth/checked_answer.hpp"
 
 namespace edgewise::bench {

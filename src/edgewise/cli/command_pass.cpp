@@ -9,7 +9,12 @@
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
-#include "edgewise/measure/process/callgrind_region.hpp"
+
+#if __has_include(<valgrind/callgrind.h>)
+#include <valgrind/callgrind.h>
+#else
+#define CALLGRIND_TOGGLE_COLLECT
+#endif
 
 namespace edgewise::cli {
 
@@ -20,12 +25,21 @@ struct PassArguments {
     int passes = 1;
 };
 
+/// While one lives, Callgrind collects if the program runs under it with --collect-atstart=no.
+class CollectedRegion {
+  public:
+    CollectedRegion() { CALLGRIND_TOGGLE_COLLECT; }
+    ~CollectedRegion() { CALLGRIND_TOGGLE_COLLECT; }
+    CollectedRegion(const CollectedRegion&) = delete;
+    CollectedRegion& operator=(const CollectedRegion&) = delete;
+};
+
 int run_pass(const PassArguments& options) {
     const studies::SingleCell cell(options.cell);
     const std::function<bench::PassSum()> pass = cell.runner().prepared_pass();
     const bench::PassSum first = pass();
     {
-        const measure::CallgrindRegion collected;
+        const CollectedRegion collected;
         for (int i = 0; i < options.passes; ++i) static_cast<void>(pass());
     }
     fmt::print("{} {}\n", first.queries, first.distances);

@@ -25,7 +25,7 @@ Count within(std::uint64_t value, std::string_view what, const CountRange& range
     return Count::success(value);
 }
 
-/// ", 5 to 3600", ", above 0"; nothing where any finite number will do.
+/// ", 5 to 3600", ", above 0"; empty if any finite number is allowed.
 std::string bounds_text(const NumberRange& range) {
     const bool is_bounded = range.most < any_number.most;
     if (range.least == any_number.least && !is_bounded) return "";

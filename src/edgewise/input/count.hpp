@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts and numbers as users write them: on the command line, in plans, in scene files. One way to read them
-// all: digits of one form, a range, one line that says both when it is neither. Signs, blanks, hexadecimal
-// and an empty text are no counts, so that no slip becomes a large number.
+// Counts and numbers as users write them: on the command line, in plans, in scene files. All are read in one
+// way: decimal digits within a range, and a one-line error that names both. Signs, blanks, hexadecimal and an
+// empty text are not counts, so that no slip becomes a large number.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct CountRange {
     std::string_view unit = "";  ///< of what it counts, such as "queries"
 };
 
-// What one run may be asked for; more is a slip, or is divided into runs.
+// Limits of one run. A larger number is a slip, or needs several runs.
 inline constexpr CountRange queries_range{1, 100'000'000, "queries"};  ///< poses take 224 bytes each
 inline constexpr CountRange queries_or_none{0, 100'000'000, "queries"};
 inline constexpr CountRange rounds_range{1, 1'000'000, "rounds"};
@@ -31,13 +31,14 @@ inline constexpr CountRange bodies_or_none{0, 100'000, "bodies"};
 inline constexpr CountRange steps_or_none{0, 1'000'000, "steps"};
 inline constexpr CountRange seed_range{};
 
-/// Digits alone: "30000". The error has no place in it: "'-1' wants a whole number of queries, 1 to 100".
+/// A count from digits alone: "30000". The error names no place: "'-1' wants a whole number of queries, 1 to
+/// 100".
 [[nodiscard]] Result<std::uint64_t> parse_count(std::string_view text, const CountRange& range);
 
-/// A JSON number without a fraction: 30000, or 3e4.
+/// A count from a JSON number without a fraction: 30000, or 3e4.
 [[nodiscard]] Result<std::uint64_t> count_from(const nlohmann::json& value, const CountRange& range);
 
-/// From `least` to `most`, both allowed; `least` is not where `is_above` says so.
+/// From `least` to `most`, both allowed; without `least` if `is_above`.
 struct NumberRange {
     double least = std::numeric_limits<double>::lowest(), most = std::numeric_limits<double>::max();
     std::string_view unit = "";  ///< of what it is a number, such as "seconds"
@@ -46,11 +47,11 @@ struct NumberRange {
 
 inline constexpr NumberRange any_number{}, from_0{0}, above_0{.least = 0, .is_above = true};
 
-/// A finite number in decimal: "0.5", "-1e-3". The error has no place in it: "'nan' wants a decimal number of
+/// A finite decimal number: "0.5", "-1e-3". The error names no place: "'nan' wants a decimal number of
 /// seconds, 5 to 3600".
 [[nodiscard]] Result<double> parse_number(std::string_view text, const NumberRange& range = any_number);
 
-/// Finite numbers in decimal with commas or blanks between them; none of an empty text.
+/// Finite decimal numbers with commas or blanks between them; none for an empty text.
 [[nodiscard]] Result<std::vector<double>> parse_numbers(std::string_view text);
 
 }  // namespace edgewise::input

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// fork(2), setrlimit(2) on the address space, a pipe for the answer. The address space is limited beyond what
-// is mapped: of a program under a sanitizer that is terabytes.
+// fork(2), setrlimit(2) on the address space, a pipe for the answer. The limit is added to what is mapped
+// already, which is terabytes under a sanitizer.
 #include "edgewise/input/guarded.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ bool write_all(int to, const std::string& bytes) {
     return true;
 }
 
-/// Signals do what they do by default, and the parent's end is the child's: nobody else would wait for it.
+/// Runs the work in the child, with default signal handlers. The child ends with its parent.
 [[noreturn]] void run_child(const std::function<std::string()>& work, const GuardLimits& limits, int to,
                             pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -63,7 +63,7 @@ bool write_all(int to, const std::string& bytes) {
     }
 }
 
-/// Reads to the end; false when the time is up before.
+/// Reads to the end; false if the time is up before.
 bool read_all(int from, Clock::time_point end, std::string& to) {
     char buffer[65536];
     for (;;) {

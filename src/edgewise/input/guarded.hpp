@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Work on a file that somebody else's parser does: in a child process, under limits. A parser that runs in
-// circles, eats memory or crashes ends the child and not the program.
+// Runs another library's parser in a child process, under limits. A parser that never ends, takes too much
+// memory or crashes ends the child and not the program.
 #pragma once
 
 #include <chrono>
@@ -18,9 +18,9 @@ struct GuardLimits {
     std::chrono::milliseconds time{0};  ///< by the clock
 };
 
-/// What `work` returns in a child, as bytes. Fails when the child took longer or more memory than allowed, or
-/// was ended by a signal, with one line that says which. What `work` throws but std::bad_alloc is its own to
-/// catch. Call it where no other thread runs that holds locks which `work` takes.
+/// The bytes that `work` returns in a child. Fails with one line if the child took longer or more memory than
+/// allowed, or was ended by a signal. `work` must catch what it throws, except std::bad_alloc. No other
+/// thread may hold locks that `work` takes.
 [[nodiscard]] Result<std::string> run_guarded(const std::function<std::string()>& work,
                                               const GuardLimits& limits);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // JSON that users write, and texts of a store: scene files, plans, machines, case lines, locks, baselines.
-// One reader for all of them, by nlohmann-json. It follows nested values by recursion when it copies,
-// compares and prints them, so a file of 100,000 brackets would end the program: the depth is checked before.
-// Of a member that is given twice it keeps the last one without a word: such a text is refused. Members that
-// no reader knows are refused by `unknown_member`.
+// One reader for all of them, by nlohmann-json. It recurses into nested values when it copies, compares and
+// prints them, so a file of 100,000 brackets would end the program: the depth is checked first. It silently
+// keeps the last of two members with one name: such a text is refused here. `unknown_member` refuses members
+// that no reader knows.
 #pragma once
 
 #include <algorithm>
@@ -21,20 +21,20 @@
 
 namespace edgewise::input {
 
-/// Levels of objects and lists. Ours have six at most.
+/// Levels of objects and lists that are read. Files of Edgewise have six at most.
 inline constexpr std::size_t deepest_json = 64;
 
-/// How deep brackets stand in each other, texts aside; of text that is no JSON an upper bound of what a
-/// parser meets before it finds out.
+/// Depth of nested brackets outside of quoted texts. If the text is not JSON, it is an upper bound of the
+/// depth that a parser meets before its error.
 [[nodiscard]] std::size_t nesting_of(std::string_view text);
 
-/// Whether more brackets are opened in the text than closed, or a quoted text is not: the rest is missing.
+/// Returns true if the rest is missing: more brackets are opened than closed, or a quoted text is not closed.
 [[nodiscard]] bool ends_inside(std::string_view text);
 
 /// "column 12", or "line 3, column 12" where that is not the first line; both count from 1.
 [[nodiscard]] std::string place_in(std::string_view text, std::size_t byte);
 
-/// "not JSON at column 12", and that NaN is not a number if NaN or Infinity stands there.
+/// "not JSON at column 12", with a hint if NaN or Infinity is there, which JSON does not have.
 [[nodiscard]] std::string not_json_at(std::string_view text, std::size_t byte);
 
 /// Finds the first member that an object has twice, while a text is parsed.
@@ -98,14 +98,14 @@ template <class Json>
     return {};
 }
 
-/// JSON in a text of a store; null where it is none or nested too deep.
+/// JSON in a text of a store; null if the text is not JSON or is nested too deep.
 template <class Json = nlohmann::json>
 [[nodiscard]] Json json_or_null(std::string_view text) {
     auto parsed = parse_json<Json>(text);
     return parsed ? std::move(*parsed) : Json();
 }
 
-/// The same with texts that are valid UTF-8: a byte that is not is written as its number.
+/// A copy of the JSON with texts that are valid UTF-8: other bytes are written as their numbers.
 template <class Json>
 [[nodiscard]] Json with_valid_texts(const Json& json) {
     if (json.is_string()) return valid_utf8(json.template get_ref<const std::string&>());
@@ -120,7 +120,7 @@ template <class Json>
     return copy;
 }
 
-/// JSON for others to read, whatever its texts hold; in one line where `indent` is negative.
+/// JSON as text that every reader accepts, whatever its texts hold; on one line if `indent` is negative.
 template <class Json>
 [[nodiscard]] std::string json_text(const Json& json, int indent = -1) {
     try {

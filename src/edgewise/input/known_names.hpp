@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What to say to a name that nobody knows: the known one that it is most likely a slip of, and all of them.
-// Every "unknown ...; known: ..." line is made here. Inline, since rooms that are no library use it.
+// Messages for unknown names: they suggest the known name that was most likely meant, and list all known
+// names. Every "unknown ...; known: ..." line is made here. Inline, because rooms that are no library use it.
 #pragma once
 
 #include <algorithm>
@@ -25,16 +25,16 @@ inline std::string lower_case(std::string_view text) {
     return lower;
 }
 
-/// Of a slip: a letter of a short name, a third of a longer one.
+/// Most edits that still count as a slip: one letter of a short name, a third of a longer one.
 inline int most_edits(std::string_view name) { return std::max(1, static_cast<int>(name.size()) / 3); }
 
-/// Names shorter than this begin too many others.
+/// Shorter names are the beginning of too many others.
 inline constexpr std::size_t least_beginning = 3;
 
 }  // namespace known_names_detail
 
-/// How many letters have to be put in, left out, replaced, or swapped with their neighbour, to make one name
-/// of the other (optimal string alignment); upper and lower case are one.
+/// Number of letters to insert, delete, replace, or swap with their neighbour, to turn one name into the
+/// other (optimal string alignment). Ignores case.
 [[nodiscard]] inline int edits_between(std::string_view first, std::string_view second) {
     const std::string a = known_names_detail::lower_case(first), b = known_names_detail::lower_case(second);
     // Rows of the table of distances between beginnings: two letters ago, one letter ago, now.
@@ -53,9 +53,9 @@ inline constexpr std::size_t least_beginning = 3;
     return row[b.size()];
 }
 
-/// The known name that needs the fewest edits, the first of several; nothing where more than a third of the
-/// letters would have to change. A name that only goes on where the other ends ("sphere" of "sphere38") is
-/// taken where nothing is nearer.
+/// The known name that needs the fewest edits, the first of several; nothing if more than a third of the
+/// letters would have to change. If none is near enough: the first name that begins with the given one
+/// ("sphere38" for "sphere").
 [[nodiscard]] inline std::optional<std::string> nearest_name(std::string_view name,
                                                              const std::vector<std::string>& known) {
     using namespace known_names_detail;
@@ -75,13 +75,13 @@ inline constexpr std::size_t least_beginning = 3;
     return std::nullopt;
 }
 
-/// "; did you mean 'aos'?", or ";" where no name is near: what stands before the known ones.
+/// "; did you mean 'aos'?", or ";" if no name is near: the text before the list of known names.
 [[nodiscard]] inline std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
     const auto nearest = nearest_name(name, known);
     return nearest ? message("; did you mean '", *nearest, "'?") : ";";
 }
 
-/// Control characters as '?': a refusal that quotes what somebody wrote stays one line.
+/// The text with '?' for control characters: a message that quotes a user's text stays one line.
 [[nodiscard]] inline std::string without_controls(std::string text) {
     for (char& c : text) {
         if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
@@ -89,14 +89,14 @@ inline constexpr std::size_t least_beginning = 3;
     return text;
 }
 
-/// What somebody wrote, on one line of bearable length.
+/// A user's text on one line of at most 200 characters.
 [[nodiscard]] inline std::string on_one_line(std::string_view text) {
     constexpr std::size_t longest = 200;
     const std::string line = without_controls(std::string(text.substr(0, longest)));
     return text.size() > longest ? line + "..." : line;
 }
 
-/// "unknown layout 'aso'; did you mean 'aos'? known: aos, soa"
+/// The message for an unknown name: "unknown layout 'aso'; did you mean 'aos'? known: aos, soa".
 [[nodiscard]] inline std::string unknown_name(std::string_view what, std::string_view name,
                                               const std::vector<std::string>& known) {
     std::string line =

@@ -32,7 +32,7 @@ void remove_unfinished(int signal) {
     std::raise(signal);
 }
 
-/// Removes the file at signals that would end the program; at others their own handler goes on.
+/// Removes the file if a signal ends the program. Signals that have a handler keep it.
 void guard(const char* name) {
     const char* none = nullptr;
     if (!unfinished.compare_exchange_strong(none, name)) return;
@@ -58,8 +58,8 @@ void stop_guarding(const char* name) {
 
 bool is_of_proc(const fs::path& path) { return path.string().starts_with("/proc/"); }
 
-/// The file at the end of a chain of links, the last of which may lead to nothing. Links of /proc stand for
-/// open files and not for names: none is followed.
+/// The file at the end of a chain of links; it need not exist. Links of /proc are not followed: they are open
+/// files and not names.
 fs::path target_of(const fs::path& path) {
     constexpr int most_links = 40;  // as Linux
     fs::path at = path;
@@ -73,8 +73,8 @@ fs::path target_of(const fs::path& path) {
     return at;
 }
 
-/// An empty file next to the one that it will replace, with that one's permissions; empty and errno set if no
-/// file can be made.
+/// Name of a new, empty file next to `file`, with the permissions of `file`; empty, with errno set, if it
+/// cannot be made.
 std::string temporary_beside(const std::string& file) {
     int made = -1;
     std::string name;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// A file that a user names to be written. What is found there decides how:
-//   nothing, a regular file   written to a temporary file next to it, which takes its name at the end: a
-//   reader
-//                             never sees half a file, and a full disk leaves the old one
-//   a link                    followed: the file that it leads to is replaced, the link stays
-//   a device, a pipe          written through, as is an open file of a process (/dev/stdout, /dev/fd/3)
-//   a folder, a socket        refused, and a file that is write-protected
+// A file that a user names to be written. It depends on what exists at that name:
+//
+// nothing or a regular file: the text is written to a temporary file next to it, which is renamed at the end.
+// A reader never sees half a file, and a full disk leaves the old one.
+//
+// a link: the file that it leads to is replaced, the link stays.
+//
+// a device, a pipe, or an open file of a process (/dev/stdout, /dev/fd/3): written directly.
+//
+// a folder, a socket, or a file that is write-protected: refused.
 #pragma once
 
 #include <fstream>
@@ -17,7 +20,7 @@ namespace edgewise::input {
 
 struct OutputPlace {
     std::string file;          ///< at the end of all links
-    bool is_replaced = false;  ///< by a new file; else it is written through
+    bool is_replaced = false;  ///< by a new file; else it is written directly
 };
 
 /// Throws std::runtime_error with one line that names the path.
@@ -27,14 +30,13 @@ class OutputFile {
   public:
     /// Throws std::runtime_error with one line that names the path.
     explicit OutputFile(const std::string& path);
-    /// Removes the temporary file unless `finish` gave it its name. A signal that ends the program does so
-    /// too.
+    /// Removes the temporary file unless `finish` renamed it. So does a signal that ends the program.
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
     [[nodiscard]] std::ostream& stream() { return stream_; }
-    /// To be called once, at the end. Throws std::runtime_error if anything was not written.
+    /// Call it once, at the end. Throws std::runtime_error if anything was not written.
     void finish();
 
   private:
@@ -43,11 +45,11 @@ class OutputFile {
 
     std::string path_;  ///< as it was named
     OutputPlace place_;
-    std::string temporary_;  ///< empty where the place is written through
+    std::string temporary_;  ///< empty if the place is written directly
     std::ofstream stream_;
 };
 
-/// The whole file. Throws std::runtime_error as OutputFile does.
+/// Writes the whole file. Throws std::runtime_error as OutputFile does.
 void write_output(const std::string& path, std::string_view text);
 
 }  // namespace edgewise::input

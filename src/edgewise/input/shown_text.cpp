@@ -36,13 +36,15 @@ Character first_of(std::string_view text) {
 
 bool is_control(std::uint32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
-/// Marks that turn the direction of what follows, and separators that a terminal may take for line ends.
+/// Returns true for marks that turn the direction of the text after them, and for separators that a terminal
+/// may take for line ends.
 bool is_mark(std::uint32_t code) {
     return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
            (code >= 0x2066 && code <= 0x2069);
 }
 
-/// Every character by `put`, every byte that is none by its number.
+/// The text with put(code, character) for every character, and its number for every byte that is no
+/// character.
 template <class Put>
 std::string rewritten(std::string_view text, const Put& put) {
     std::string out;

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,10 +14,11 @@
 #include <filesystem>
 #include <map>
 #include <stdexcept>
+#include <string_view>
 
+#include "edgewise/input/count.hpp"
 #include "edgewise/input/output_file.hpp"
-#include "edgewise/store/merge_source.hpp"
-#include "edgewise/store/read_rows.hpp"
+#include "edgewise/store/rows.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/sqlite.hpp"
 #include "edgewise/store/store.hpp"
@@ -30,7 +32,17 @@ namespace fs = std::filesystem;
 
 constexpr const char* merged_key = "merged";
 
-/// Removed unless it took its place.
+/// Part of a campaign from "3/8"; nothing for other texts.
+std::optional<PartOf> part_from(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos) return std::nullopt;
+    const auto index = input::parse_count(std::string_view(text).substr(0, slash), {}),
+               count = input::parse_count(std::string_view(text).substr(slash + 1), {});
+    if (!index || !count || *index >= *count) return std::nullopt;
+    return PartOf{*index, *count};
+}
+
+/// The file that the merged store is written to: next to `out`, removed unless it took that name.
 class FileBeside {
   public:
     explicit FileBeside(const std::string& out) : out_(out) {
@@ -47,7 +59,7 @@ class FileBeside {
 
     [[nodiscard]] const std::string& path() const { return path_; }
 
-    /// On the disk before it takes the name, and the name before this returns.
+    /// The contents are on the disk before the file takes the name, and the name is before this returns.
     void take_place() const {
         const auto folder = fs::path(out_).parent_path();
         sync(path_, O_RDONLY);
@@ -66,7 +78,7 @@ class FileBeside {
         std::error_code ignored;
         for (const char* const end : {"", "-wal", "-shm", "-journal"}) fs::remove(path + end, ignored);
     }
-    /// What merges of this host left that were killed.
+    /// Removes what merges on this host left that were killed.
     static void remove_orphans(const std::string& start) {
         const auto folder = fs::path(start).parent_path();
         std::vector<std::string> left;
@@ -96,7 +108,7 @@ std::vector<FigureRow> exact_figures_of(const sqlite::Database& of, const std::s
     return figures;
 }
 
-/// Copies stores into one, row by row as they stand: what a store holds was checked when it was written.
+/// Copies stores into one, row by row and unchanged: rows were checked when they were written.
 class Merge {
   public:
     explicit Merge(const std::string& path) : to_(path) {}
@@ -132,7 +144,7 @@ class Merge {
     }
     [[nodiscard]] std::size_t twice() const { return twice_; }
 
-    /// One file, without a log beside it.
+    /// Leaves one file, without a log next to it.
     void finish() const { to_.execute("pragma journal_mode = delete"); }
 
   private:
@@ -162,7 +174,8 @@ class Merge {
         copy_of_cell(from, "round", round_columns, build, hash);
     }
 
-    /// Of one build, so of one program on one machine.
+    /// Throws where two stores have different figures of one cell of one build, so of one program on one
+    /// machine.
     void check_same(const sqlite::Database& from, const std::string& path, const std::string& other_path,
                     const std::string& build, const std::string& hash) const {
         const auto here = find_cell(from, build, hash), there = find_cell(to_, build, hash);
@@ -189,7 +202,7 @@ class Merge {
     std::size_t twice_ = 0;
 };
 
-/// In an order that does not depend on how they were named: parts by number, then by path. Each file once.
+/// Each file once, parts by number, then by path: the order does not depend on how the files were named.
 std::vector<MergeSource> sources_of(const std::vector<std::string>& stores) {
     std::vector<MergeSource> sources;
     for (const std::string& path : stores) {
@@ -206,7 +219,7 @@ std::vector<MergeSource> sources_of(const std::vector<std::string>& stores) {
     return sources;
 }
 
-/// Nothing of anybody's is written over.
+/// Throws if `out` exists and is not a merged store: it is not overwritten.
 void check_out(const std::string& out) {
     std::error_code ignored;
     if (!fs::exists(out, ignored)) return;
@@ -226,7 +239,94 @@ void merge_meta(const std::vector<MergeSource>& sources, const Merge& merge) {
     merge.put_meta(merged_key, "of several stores", "replace");
 }
 
+/// Throws if there are several values; the line names the first two and a file of each.
+void check_one(const std::map<std::string, std::string>& file_of_value, const char* what) {
+    if (file_of_value.size() < 2) return;
+    const auto first = file_of_value.begin(), second = std::next(first);
+    throw std::runtime_error(fmt::format(
+        "these stores are of several {}: '{}' in {}, '{}' in {}; merge those of one, or say --mixed", what,
+        first->first, first->second, second->first, second->second));
+}
+
+/// Throws where the stores are of several plans, seeds or revisions.
+void check_same_campaign(const std::vector<MergeSource>& sources) {
+    std::map<std::string, std::string> plans, seeds, revisions;
+    for (const MergeSource& source : sources) {
+        if (source.meta.contains("plan")) plans.try_emplace(source.value("plan"), source.path);
+        if (source.meta.contains("seed")) seeds.try_emplace(source.value("seed"), source.path);
+        for (const std::string& revision : source.revisions) revisions.try_emplace(revision, source.path);
+    }
+    check_one(plans, "plans");
+    check_one(seeds, "seeds");
+    check_one(revisions, "revisions");
+}
+
+/// Throws where two stores have scene files of one name that differ; the line names both.
+void check_scene_files(const std::vector<MergeSource>& sources) {
+    std::map<std::string, const MergeSource*> first;  // by key
+    for (const MergeSource& source : sources) {
+        for (const auto& [key, text] : source.meta) {
+            if (!key.starts_with(scene_file_key)) continue;
+            const MergeSource& other = *first.try_emplace(key, &source).first->second;
+            if (other.value(key) == text) continue;
+            throw std::runtime_error(
+                fmt::format("{} and {} hold different scene files of one name, '{}': rename one of the files "
+                            "and sweep it again",
+                            other.path, source.path, key.substr(std::string_view(scene_file_key).size())));
+        }
+    }
+}
+
+/// A line for each part of the campaign that no store holds or that was stopped before its end. Throws where
+/// the stores are parts of differently many.
+std::vector<std::string> missing_parts(const std::vector<MergeSource>& sources) {
+    std::map<std::string, std::string> counts;
+    std::map<std::size_t, bool> complete;  // by index
+    std::vector<std::string> missing;
+    std::size_t count = 0;
+    for (const MergeSource& source : sources) {
+        const auto part = source.part();
+        if (!part) continue;
+        count = part->count;
+        counts.try_emplace(std::to_string(count), source.path);
+        complete[part->index] = complete[part->index] || source.is_complete();
+    }
+    check_one(counts, "numbers of shards");
+    for (std::size_t index = 0; index < count; ++index) {
+        const auto found = complete.find(index);
+        if (found == complete.end())
+            missing.push_back(fmt::format("shard {}/{} is missing: no store is of it", index, count));
+        else if (!found->second)
+            missing.push_back(fmt::format(
+                "shard {}/{} was stopped before its end: run it again, it goes on there", index, count));
+    }
+    return missing;
+}
+
 }  // namespace
+
+MergeSource::MergeSource(const std::string& file) : path(file) {
+    const auto database = sqlite::Database::for_reading(file);
+    database.execute("begin");
+    check_schema(database);
+    for (auto& [key, text] : meta_of(database)) meta[key] = text;
+    sqlite::Statement select(
+        database,
+        "select distinct git_revision, compiler, flags, build_type from build where exists "
+        "(select 1 from cell where cell.build = build.id)");
+    while (select.step())
+        revisions.insert(
+            fmt::format("{} {} {} {}", select.text(0), select.text(3), select.text(1), select.text(2)));
+}
+
+std::string MergeSource::value(const std::string& key) const {
+    const auto found = meta.find(key);
+    return found == meta.end() ? "" : found->second;
+}
+
+std::optional<PartOf> MergeSource::part() const { return part_from(value(shard_key)); }
+
+bool MergeSource::is_complete() const { return !part() || value(complete_key) == value(shard_key); }
 
 MergeSummary merge_stores(const std::vector<std::string>& stores, const std::string& out, bool mixed) {
     check_out(out);

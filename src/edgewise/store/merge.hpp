@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Several stores as one: the parts of a campaign that was dealt over processes or machines. Cells are copied
-// with their figures and rounds, each machine's under a build of its own. A cell that two stores have must be
-// the same in every figure that repeats exactly; the one with more rounds is kept. Merging what was merged
+// Merges stores: the shards of a sweep that several processes or machines ran. Cells are copied with their
+// figures and rounds; each machine has a build of its own. If two stores have the same cell, every figure
+// that repeats exactly must be equal, and the cell with more rounds is kept. Merging a merged store again
 // changes nothing.
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,11 +27,30 @@ struct MergeSummary {
     std::vector<std::string> missing;  ///< a line for each part that is not there or not complete
 };
 
-/// Writes the merged store to `out`: to a file beside it, which takes its name when it is whole, so that an
-/// end at any moment leaves what was there before. Throws std::runtime_error, one line, where a store cannot
-/// be read, where `out` is there and no merged store, where two stores disagree, and, unless `mixed`, where
-/// they are of several plans, seeds or revisions.
+/// Writes the merged store to a file next to `out`, which is renamed to `out` when it is complete: if the
+/// program is killed, the old file is unchanged. Throws std::runtime_error with one line if a store cannot be
+/// read, if `out` exists and is not a merged store, if two stores disagree, and, unless `mixed`, if they are
+/// of several plans, seeds or revisions.
 [[nodiscard]] MergeSummary merge_stores(const std::vector<std::string>& stores, const std::string& out,
                                         bool mixed);
+
+/// Part `index` of `count` of a campaign.
+struct PartOf {
+    std::size_t index = 0, count = 1;
+};
+
+/// What a store to be merged says of itself.
+struct MergeSource {
+    std::string path;
+    std::map<std::string, std::string> meta;
+    std::set<std::string> revisions;  ///< of builds that have cells
+
+    /// Throws std::runtime_error if the file is no store of this version.
+    explicit MergeSource(const std::string& path);
+
+    [[nodiscard]] std::string value(const std::string& key) const;
+    [[nodiscard]] std::optional<PartOf> part() const;
+    [[nodiscard]] bool is_complete() const;
+};
 
 }  // namespace edgewise::store

@@ -13,7 +13,8 @@ struct NamedColour {
     std::string_view name, colour;
 };
 
-/// What bytes are for; told apart by people of every colour vision (Okabe and Ito, 2008), padding in grey.
+/// Components of tables. People with every kind of colour vision can distinguish them (Okabe and Ito, 2008);
+/// padding is grey.
 inline constexpr std::array<NamedColour, 7> component_colours = {{{"voronoi_planes", "#0072b2"},
                                                                   {"edge_geometry", "#56b4e9"},
                                                                   {"vertex_coordinates", "#e69f00"},
@@ -21,12 +22,13 @@ inline constexpr std::array<NamedColour, 7> component_colours = {{{"voronoi_plan
                                                                   {"topology", "#009e73"},
                                                                   {"input_order", "#d55e00"},
                                                                   {"padding", "#d9d9d9"}}};
-/// For components that the store names and this list does not.
+/// For components of a store that the list does not have.
 inline constexpr std::array<std::string_view, 4> further_component_colours = {"#a0522d", "#f0e442", "#2e4057",
                                                                               "#8d6a9f"};
 
-/// Layouts: told apart by people of every colour vision (CIELAB distances of 12 and more, also as seen with
-/// deuteranopia and protanopia), at least 3:1 against a white and a dark page. A test holds them to it.
+/// Layouts. People with every kind of colour vision can distinguish them (CIELAB distances of 12 and more,
+/// also as seen with deuteranopia and protanopia); contrast at least 3:1 on a white and a dark page. A test
+/// checks both.
 inline constexpr std::array<NamedColour, 20> layout_colours = {{{"aos", "#3366bb"},
                                                                 {"lean", "#bb8800"},
                                                                 {"soa", "#7733ff"},
@@ -48,14 +50,14 @@ inline constexpr std::array<NamedColour, 20> layout_colours = {{{"aos", "#3366bb
                                                                 {"line_per_vertex", "#996633"},
                                                                 {"soa_stagger", "#bb8855"}}};
 
-/// `place` is that of an unknown component among its like.
+/// Colour of a component. `place`: that of an unknown component among the unknown ones.
 [[nodiscard]] constexpr std::string_view component_colour(std::string_view name, std::size_t place = 0) {
     for (const NamedColour& known : component_colours)
         if (known.name == name) return known.colour;
     return further_component_colours[place % further_component_colours.size()];
 }
 
-/// Of a layout or a library: its own, else one of these that depends on the name alone.
+/// Colour of a layout or a library: its own, or one of the list that depends on the name alone.
 [[nodiscard]] constexpr std::string_view layout_colour(std::string_view name) {
     for (const NamedColour& known : layout_colours)
         if (known.name == name) return known.colour;

@@ -16,7 +16,7 @@ namespace edgewise::store::sqlite {
 
 namespace {
 
-/// Longer than any transaction of ours by far; another sweep on the same store just waits its turn.
+/// Much longer than any transaction: another sweep on the same store waits.
 constexpr int busy_timeout_ms = 20'000;
 
 const char* remedy(int code) {
@@ -40,8 +40,8 @@ const char* remedy(int code) {
     }
 }
 
-/// SQLite would open a device or a pipe, and leave a journal next to it. A name that begins with a colon
-/// would be one of its own, such as a database in memory.
+/// The path, in a form that SQLite takes for a file: a name that begins with a colon would be a database in
+/// memory. Throws for a device or a pipe, which SQLite would open, and leave a journal next to it.
 std::string file_to_write(const std::string& path) {
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
@@ -52,7 +52,8 @@ std::string file_to_write(const std::string& path) {
     return path.starts_with(':') ? "./" + path : path;
 }
 
-/// The file as one that nobody changes: SQLite then makes no log and no shared memory beside it.
+/// URI of the file, for SQLite to treat it as immutable: then it makes no log and no shared memory next to
+/// it.
 std::string immutable_uri(const std::string& path) {
     std::string uri = "file:";
     for (const char c : path) {
@@ -62,7 +63,7 @@ std::string immutable_uri(const std::string& path) {
     return uri + "?immutable=1";
 }
 
-/// Whether SQLite may write the file and make others beside it.
+/// Returns true if SQLite may write the file and make others next to it.
 bool is_writable(const std::filesystem::path& path) {
     const auto folder = path.parent_path();
     return access(path.c_str(), W_OK) == 0 && access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
@@ -118,7 +119,7 @@ std::int64_t Database::number(const char* sql) const {
 }
 
 void Database::fail(std::string_view doing) const {
-    std::string what = sqlite3_errmsg(handle_);  // of a damaged file it may quote what stands there
+    std::string what = sqlite3_errmsg(handle_);  // it may quote the contents of a damaged file
     std::replace_if(
         what.begin(), what.end(), [](unsigned char c) { return c < ' '; }, ' ');
     throw std::runtime_error(

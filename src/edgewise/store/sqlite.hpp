@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// SQLite's C interface with owners: a connection, a statement, a transaction. Only what the store needs.
-// Every failure is a std::runtime_error of one line that names the file, what was being done and SQLite's own
-// words. One thread per connection; a connection does not survive fork().
+// SQLite's C interface with owners: a connection, a statement, a transaction. Only the functions that the
+// store needs. Every failure is a std::runtime_error with one line: the file, the action and SQLite's own
+// message. One thread per connection; a connection does not survive fork().
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,17 @@ namespace edgewise::store::sqlite {
 
 class Database {
   public:
-    /// Opens for reading and writing, creating the file if there is none. Nothing is written yet: SQLite
-    /// creates an empty file and reads even its header only with the first statement.
+    /// Opens for reading and writing, and creates the file if it does not exist. Nothing is written yet:
+    /// SQLite creates an empty file, and reads even the header only with the first statement.
     explicit Database(const std::string& path);
-    /// For reading; a file that is missing is not created but refused. Leaves nothing beside the file, and
-    /// reads one that may not be written, or whose folder may not.
+    /// Opens for reading; throws if the file does not exist. Leaves no other files next to it, and reads
+    /// write-protected files and files in write-protected folders.
     [[nodiscard]] static Database for_reading(const std::string& path);
     ~Database();
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
 
-    /// Runs one or more statements that return nothing of interest.
+    /// Runs one or more statements and ignores the rows that they return.
     void execute(const char* sql) const;
     /// The first column of the first row of a query, as a number.
     [[nodiscard]] std::int64_t number(const char* sql) const;
@@ -38,7 +38,7 @@ class Database {
     [[nodiscard]] const std::string& path() const { return path_; }
 
   private:
-    /// `name`: the path, or a URI of it; `leaves_log`: its write-ahead log stays as it is.
+    /// `name`: the path, or a URI of it; `leaves_log`: the write-ahead log is kept.
     Database(const std::string& path, const std::string& name, int flags, bool leaves_log = false);
 
     std::string path_;
@@ -69,7 +69,7 @@ class Statement {
         }
     }
 
-    /// As bind, with the columns of another statement's row.
+    /// Starts over with the columns of another statement's row as the values.
     Statement& bind_row(const Statement& row);
 
     [[nodiscard]] std::int64_t integer(int column) const;
@@ -103,8 +103,8 @@ class Statement {
     sqlite3_stmt* handle_ = nullptr;
 };
 
-/// Rolled back unless committed. Takes the write lock at once, so that it waits at its start and not at its
-/// end.
+/// A transaction, rolled back unless committed. Takes the write lock at once, so that it waits at its start
+/// and not at its end.
 class Transaction {
   public:
     explicit Transaction(const Database& database);

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "edgewise/store/read_rows.hpp"
+#include "edgewise/store/rows.hpp"
 #include "edgewise/store/schema.hpp"
 
 namespace edgewise::store {

@@ -15,12 +15,8 @@
 #include <vector>
 
 #include "edgewise/measure/cache/by_start.hpp"
-#include "edgewise/measure/figure.hpp"
-#include "edgewise/store/vocabulary/answers.hpp"
-#include "edgewise/store/vocabulary/fields.hpp"
-#include "edgewise/store/vocabulary/memory.hpp"
-#include "edgewise/store/vocabulary/studies.hpp"
-#include "edgewise/store/vocabulary/time.hpp"
+#include "edgewise/measure/expected.hpp"
+#include "edgewise/store/figures.hpp"
 
 namespace edgewise::store {
 
@@ -28,14 +24,13 @@ inline constexpr std::span<const FigureInfo> vocabulary_parts[] = {vocabulary::m
                                                                    vocabulary::answers, vocabulary::effort,
                                                                    vocabulary::fields,  vocabulary::thrash};
 
-/// A figure, or a family of figures with what stands between braces filled in. The texts that fill it must
-/// outlive it.
+/// A figure of the vocabulary, with texts that fill the braces of its name. These texts must outlive it.
 class FigureName {
   public:
     /// The key of a figure, as in the vocabulary.
     consteval FigureName(const char* key) : info_(find(key)) {}
 
-    /// The values for its braces, in order.
+    /// The name with these values for its braces, in order.
     template <class... Texts>
     [[nodiscard]] constexpr FigureName of(const Texts&... texts) const {
         static_assert(sizeof...(texts) <= 4);
@@ -44,7 +39,7 @@ class FigureName {
         return filled;
     }
 
-    /// Likewise for the first braces that have no value yet.
+    /// The name with a value for the first braces that have none yet.
     [[nodiscard]] constexpr FigureName and_of(std::string_view text) const {
         FigureName filled = *this;
         for (std::string_view& value : filled.values_) {
@@ -57,11 +52,11 @@ class FigureName {
 
     [[nodiscard]] const FigureInfo& info() const { return *info_; }
     [[nodiscard]] std::string probe() const { return std::string(info_->probe()); }
-    /// As a store has it; braces without a value stay.
+    /// The name as a store has it; braces without a value stay.
     [[nodiscard]] std::string name() const;
     [[nodiscard]] std::string unit() const { return std::string(info_->unit); }
-    /// What a stored figure has in place of the one pair of braces that has no value; null for others, and
-    /// for a figure of the same family whose name says how its queries start.
+    /// The text that a stored figure has instead of the only braces without a value; null for a figure of
+    /// another family, and for one of the same family with a name that says how its queries start.
     [[nodiscard]] std::optional<std::string> value_in(std::string_view probe, std::string_view name) const;
 
   private:
@@ -76,7 +71,7 @@ class FigureName {
     std::array<std::string_view, 4> values_ = {};
 };
 
-/// A measured figure; null where there is no such number, with the reason then.
+/// A measured figure; without a value it has the reason and the remedy.
 [[nodiscard]] measure::Figure figure(const FigureName& name, std::optional<double> value,
                                      std::string reason = {}, std::string remedy = {});
 [[nodiscard]] inline measure::Figure no_figure(const FigureName& name, std::string reason,
@@ -84,14 +79,13 @@ class FigureName {
     return figure(name, std::nullopt, std::move(reason), std::move(remedy));
 }
 
-/// A mean: a sum divided by how many there were, of which there is one at least.
+/// A mean: the sum divided by the count, which is at least 1.
 [[nodiscard]] inline measure::Figure mean_figure(const FigureName& name, std::uint64_t sum,
                                                  std::uint64_t count) {
     return figure(name, static_cast<double>(sum) / static_cast<double>(count));
 }
 
-/// A figure of all queries, and the same apart of those that start cold and warm, whose last braces hold
-/// which.
+/// Names of a figure of all queries, and of the queries that start cold or warm, which the last braces say.
 struct StartNames {
     FigureName all, apart;
 
@@ -105,10 +99,10 @@ struct StartNames {
     static constexpr std::string_view cold_start = "cold", warm_start = "warm";
 };
 
-/// The mean per query of each; of a start that no query has null, with the reason.
+/// Adds the means per query; null, with the reason, for a start that no query has.
 void add_means(const StartNames& names, const measure::ByStart<std::uint64_t>& sums,
                const measure::ByStart<std::uint64_t>& queries, std::vector<measure::Figure>& to);
-/// Values as they are; null where no query starts so, with the reason.
+/// Adds the values; null, with the reason, for a start that no query has.
 void add_values(const StartNames& names, const measure::ByStart<std::optional<double>>& values,
                 std::vector<measure::Figure>& to);
 
@@ -123,12 +117,12 @@ inline constexpr QueryTime overlapping_time = {"time.overlapping_ns", "time.over
 inline constexpr QueryTime all_time = {"time.all_ns", "time.all_ns_low", "time.all_ns_high",
                                        "time.all_ratio"};
 
-/// Of all pairs, by how their queries start.
+/// Figures of all pairs, by how their queries start.
 inline constexpr StartNames query_time = {"time.query_ns", "time.query_ns.{start}"},
                             mean_steps = {"error.mean_steps", "error.mean_steps.{start}"},
                             lines_read = {"lines.lines_per_query", "lines.lines_per_query.{start}"};
 
-/// Of modelled caches.
+/// Figures of modelled caches, by how queries start.
 inline constexpr StartNames level_misses = {"caches.{machine}.{level}.misses_per_query",
                                             "caches.{machine}.{level}.misses_per_query.{start}"},
                             memory_time = {"caches.{machine}.modelled_memory_ns",

@@ -9,7 +9,6 @@
 
 #include "edgewise/measure/expected.hpp"
 #include "edgewise/measure/process/callgrind.hpp"
-#include "edgewise/measure/process/callgrind_lines.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::studies {

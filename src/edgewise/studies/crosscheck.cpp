@@ -9,7 +9,7 @@
 
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/measure/cache/cache_model.hpp"
-#include "edgewise/measure/counters/event_choice.hpp"
+#include "edgewise/measure/counters/events.hpp"
 #include "edgewise/measure/process/child_process.hpp"
 
 namespace edgewise::studies {

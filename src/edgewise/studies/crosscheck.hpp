@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "edgewise/measure/expected.hpp"
-#include "edgewise/measure/machine/cpu.hpp"
+#include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/studies/callgrind_pass.hpp"
 
 namespace edgewise::studies {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/bench/trace/feature_heat.hpp"
+#include "edgewise/bench/trace/touched_tables.hpp"
 
 namespace edgewise::sweep {
 

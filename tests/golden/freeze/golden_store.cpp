@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "edgewise/probes/time.hpp"
-#include "edgewise/store/reader.hpp"
+#include "edgewise/store/rows.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/store.hpp"
 #include "frozen.hpp"

@@ -2,7 +2,7 @@
 //
 // Other libraries as runners, with one that is Edgewise's own GJK in world coordinates, and one that lies:
 // same bodies and queries, answers in A's frame, caches kept and set back, memory counted, errors told.
-#include "edgewise/bench/peers/peer_runner.hpp"
+#include "edgewise/bench/peers/peer_modules.hpp"
 
 #include <gtest/gtest.h>
 #include <malloc.h>

@@ -5,12 +5,14 @@
 
 #include <nlohmann/json.hpp>
 #include <set>
-#include <stdexcept>
+
+#include "../complaint.hpp"
 
 namespace edgewise::measure {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
 
 TEST(CacheMachines, AreThoseOfTheManifestWithASourceForEveryLevel) {
@@ -65,6 +67,10 @@ TEST(CacheMachines, HaveTheGeometryOfTheirSources) {
     }
 }
 
+std::string complaint(const std::string& text) {
+    return complaint_of([&] { return parse_cache_machine(text, "mine.json"); });
+}
+
 json right_machine() {
     return json::parse(R"({"what": "a test", "clock_mhz": 1000, "line_bytes": 64,
         "levels": [{"name": "L1", "bytes": 8192, "ways": 2, "latency_cycles": 3, "source": "made up"},
@@ -116,17 +122,13 @@ TEST(CacheMachine, SaysWhatIsWrongWithAFile) {
     for (const Wrong& wrong : wrong_files) {
         json machine = right_machine();
         machine[json::json_pointer(wrong.at)] = wrong.value;
-        try {
-            static_cast<void>(parse_cache_machine(machine.dump(), "my.json"));
-            FAIL() << wrong.at << " passed";
-        } catch (const std::runtime_error& problem) {
-            EXPECT_THAT(problem.what(), HasSubstr(std::string("my.json: ") + wrong.field + ": wants "))
-                << wrong.at;
-            EXPECT_THAT(problem.what(), HasSubstr(wrong.wanted)) << wrong.at;
-        }
+        EXPECT_THAT(
+            complaint(machine.dump()),
+            AllOf(HasSubstr(std::string("mine.json: ") + wrong.field + ": wants "), HasSubstr(wrong.wanted)))
+            << wrong.at;
     }
-    EXPECT_THROW(static_cast<void>(parse_cache_machine("{", "my.json")), std::runtime_error);
-    EXPECT_THROW(static_cast<void>(parse_cache_machine("[]", "my.json")), std::runtime_error);
+    EXPECT_NE(complaint("{"), "");
+    EXPECT_NE(complaint("[]"), "");
 }
 
 /// A misspelt member, wherever it stands, is refused with the known name that is nearest.
@@ -144,14 +146,10 @@ TEST(CacheMachine, HasNoMemberThatNobodyKnows) {
         json& object = wrong[json::json_pointer(pointer.substr(0, slash))];
         object[name + name.back()] = value;
         ++misspelt;
-        try {
-            static_cast<void>(parse_cache_machine(wrong.dump(), "my.json"));
-            FAIL() << pointer << " misspelt passed";
-        } catch (const std::runtime_error& problem) {
-            EXPECT_THAT(problem.what(), HasSubstr("'" + name + name.back() + "' is not a member of"))
-                << pointer;
-            EXPECT_THAT(problem.what(), HasSubstr("did you mean '" + name + "'?")) << pointer;
-        }
+        EXPECT_THAT(complaint(wrong.dump()),
+                    AllOf(HasSubstr("'" + name + name.back() + "' is not a member of"),
+                          HasSubstr("did you mean '" + name + "'?")))
+            << pointer;
     }
     EXPECT_GE(misspelt, 17);
 }
@@ -171,14 +169,6 @@ TEST(CacheMachine, OfPeopleIsReadOrRefusedWithAnAdvice) {
         EXPECT_EQ(lion_cove.caches.levels[i].ways, 12U);
         EXPECT_EQ(lion_cove.caches.bytes_of(i), levels[i].second);
     }
-    const auto complaint = [](const std::string& text) -> std::string {
-        try {
-            static_cast<void>(parse_cache_machine(text, "mine.json"));
-        } catch (const std::runtime_error& problem) {
-            return problem.what();
-        }
-        return {};
-    };
     EXPECT_EQ(
         complaint(R"({"what": "sysfs says ways 0 where fully associative", "line_bytes": 64, )"
                   R"("levels": [{"name": "L1D", "bytes": 32768, "ways": 0}]})"),

@@ -8,8 +8,6 @@
 #include <cstdio>
 #include <vector>
 
-#include "edgewise/measure/counters/random_chase.hpp"
-
 namespace edgewise::measure {
 namespace {
 

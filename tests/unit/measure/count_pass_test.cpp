@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: MIT
 //
-// Counting over passes. The kernel's events stand in for the processor's, so that the whole way is walked on
-// a machine without counters; where there are none, nothing is run and everything is said to be unavailable.
+// Counting over passes, and the inventory of counters. Events of the kernel replace those of the processor,
+// so that all code is tested on a machine without counters. If there are no events, no pass is run and every
+// metric is unavailable, with a reason and a remedy.
 #include "edgewise/measure/counters/count_pass.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "counted_work.hpp"
 #include "edgewise/measure/counters/counter_group.hpp"
 #include "edgewise/measure/machine/machine.hpp"
+#include "edgewise/measure/machine/machine_json.hpp"
 
 namespace edgewise::measure {
 namespace {
+
+using nlohmann::json;
 
 ChosenEvent stand_in(const char* name, const EventCode& code) {
     ChosenEvent event;
@@ -187,6 +194,63 @@ TEST(CountSoftware, SteadyWorkHasNoFaults) {
         steady = records[0].value == 0.0 && records[1].value == 0.0;  // here 0 is what was counted
     }
     EXPECT_TRUE(steady);
+}
+
+TEST(Counters, AreCountedOrNullWithReasonAndRemedy) {
+    const json counters = machine_json()["counters"];
+    std::set<std::string> names, by;
+    int counted = 0;
+    for (const json& c : counters) {
+        const std::string text = c.dump();
+        names.insert(c.at("event").get<std::string>());
+        EXPECT_FALSE(c.at("encoding").get<std::string>().empty()) << text;
+        EXPECT_FALSE(c.at("meaning").get<std::string>().empty()) << text;
+        by.insert(c.at("by").get<std::string>());
+        EXPECT_TRUE(c.at("level").is_string() || c.at("level").is_null()) << text;
+        if (c.at("status") == "counted") {
+            ++counted;
+            EXPECT_TRUE(c.at("value").is_number_unsigned()) << text;
+            EXPECT_TRUE(c.at("errno").is_null() && c.at("reason").is_null() && c.at("remedy").is_null())
+                << text;
+        } else {
+            EXPECT_EQ(c.at("status"), "unavailable") << text;
+            EXPECT_TRUE(c.at("value").is_null()) << text;
+            EXPECT_TRUE(c.at("errno").is_null() || c.at("errno").get<int>() > 0) << text;
+            EXPECT_FALSE(c.at("reason").get<std::string>().empty()) << text;
+            EXPECT_FALSE(c.at("remedy").get<std::string>().empty()) << text;
+        }
+    }
+    std::set<std::string> expected{"page-faults",      "minor-faults",   "major-faults",
+                                   "context-switches", "cpu-migrations", "task-clock"};
+    for (const MetricName& metric : metrics) expected.emplace(metric.name);
+    EXPECT_EQ(names, expected);
+    EXPECT_EQ(counters.size(), names.size());
+    for (const std::string& way : by) {
+        EXPECT_TRUE((std::set<std::string>{"libpfm", "generic", "software", "none"}.count(way))) << way;
+    }
+    std::printf("%d of %zu events are counted here\n", counted, counters.size());
+}
+
+TEST(Counters, CountedOnesSawTheReferenceWork) {
+    const std::map<std::string, std::uint64_t> least = {
+        {"page-faults", 256}, {"context-switches", 1}, {"instructions", 100'000}, {"l1d_fills", 1}};
+    for (const CounterRecord& record : read_counters(Cpu{})) {
+        if (!record.value) continue;
+        const auto found = least.find(record.event);
+        if (found != least.end()) {
+            EXPECT_GE(*record.value, found->second) << record.event;
+        }
+    }
+}
+
+/// What the work must cause cannot have been counted 0 times.
+TEST(Counters, WhatMustHappenIsNeverZero) {
+    for (const CounterRecord& record : read_counters(Cpu{})) {
+        EXPECT_EQ(record.value.has_value(), record.refusal.reason.empty()) << record.event;
+        if (record.must_happen && record.value) {
+            EXPECT_GT(*record.value, 0u) << record.event;
+        }
+    }
 }
 
 }  // namespace

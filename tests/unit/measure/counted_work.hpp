@@ -9,7 +9,7 @@
 
 #include <cstddef>
 
-#include "edgewise/measure/counters/event_code.hpp"
+#include "edgewise/measure/counters/events.hpp"
 
 namespace edgewise::measure {
 

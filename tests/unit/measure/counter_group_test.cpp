@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "counted_work.hpp"
-#include "edgewise/measure/counters/counter_arithmetic.hpp"
 #include "edgewise/measure/counters/counter_group.hpp"
 
 namespace edgewise::measure {

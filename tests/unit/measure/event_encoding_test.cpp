@@ -10,9 +10,8 @@
 #include <set>
 #include <string>
 
-#include "edgewise/measure/counters/event_choice.hpp"
 #include "edgewise/measure/counters/event_table.hpp"
-#include "edgewise/measure/counters/libpfm.hpp"
+#include "edgewise/measure/counters/events.hpp"
 
 namespace edgewise::measure {
 namespace {
@@ -50,6 +49,23 @@ TEST(EventEncoding, LibpfmKnowsEveryRow) {
                lacking.empty() ? " no processor of the table" : lacking);
     // Ten x86 processors since 4.13 (2023); libpfm holds those of one architecture.
     EXPECT_GE(checked, pmus.contains("skx") ? 100u : 10u);
+}
+
+TEST(EventEncoding, LibpfmKnowsEveryGenericEvent) {
+    const auto code_of = [](std::string_view name) {
+        return encode_by_libpfm(fmt::format("perf::{}", name));
+    };
+    for (const MetricName& metric : metrics) {
+        for (const CpuMaker maker : {CpuMaker::intel, CpuMaker::amd, CpuMaker::arm, CpuMaker::other}) {
+            const GenericEvent* const event = find_generic(metric.metric, maker);
+            if (event == nullptr) continue;
+            const Expected<EventCode> code = code_of(event->name);
+            ASSERT_TRUE(code.value) << code.reason;
+            EXPECT_TRUE(code.value->type == PERF_TYPE_HARDWARE || code.value->type == PERF_TYPE_HW_CACHE);
+        }
+    }
+    EXPECT_EQ(encoding_text(*code_of("CACHE-MISSES").value), "PERF_TYPE_HARDWARE:0x3:u");
+    EXPECT_EQ(encoding_text(*code_of("LLC-LOAD-MISSES").value), "PERF_TYPE_HW_CACHE:0x10002:u");
 }
 
 TEST(EventEncoding, AWrongUnitMaskOrNameIsSeen) {

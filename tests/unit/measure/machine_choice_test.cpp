@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Machines chosen by name, by file, and the one at hand; what is said of bad ones.
+// Machines chosen by name, by file, and this one; messages for bad ones.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -8,6 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "../complaint.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 
 namespace edgewise::measure {
@@ -30,12 +31,7 @@ class MachineChoices : public testing::Test {
         return (folder_ / name).string();
     }
     static std::string complaint(const std::vector<std::string>& names) {
-        try {
-            static_cast<void>(choose_machines(names));
-        } catch (const std::exception& problem) {
-            return problem.what();
-        }
-        return {};
+        return complaint_of([&] { return choose_machines(names); });
     }
     /// A cache as sysfs tells it.
     void add_cache(int index, const std::string& type, int level, const std::string& size, int ways) const {
@@ -162,12 +158,9 @@ TEST(MachineOfSizes, HasTheLevelsAskedFor) {
 TEST(MachineOfSizes, RefusesWhatIsNone) {
     for (const char* wrong :
          {"l2=256X", "l3=8M,l2=256K", "l2=256K,l2=1M", "l2=100", "l2=1000001", "l2=8M,x"}) {
-        try {
-            static_cast<void>(machine_of_sizes(wrong));
-            FAIL() << wrong;
-        } catch (const std::invalid_argument& problem) {
-            EXPECT_THAT(problem.what(), HasSubstr("l2=256K,l3=8M")) << wrong;
-        }
+        EXPECT_THAT(complaint_of([&] { return machine_of_sizes(wrong); }), HasSubstr("l2=256K,l3=8M"))
+            << wrong;
+        EXPECT_THROW(static_cast<void>(machine_of_sizes(wrong)), std::invalid_argument);
     }
 }
 

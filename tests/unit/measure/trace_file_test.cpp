@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 
+#include "../complaint.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/cache/scene_caches.hpp"
 
@@ -34,12 +35,7 @@ std::vector<std::string> accesses(const std::string& text, const TraceReading& r
 }
 
 std::string complaint(const std::string& text, TraceForm form) {
-    try {
-        static_cast<void>(accesses(text, {form, false}));
-    } catch (const std::runtime_error& problem) {
-        return problem.what();
-    }
-    return {};
+    return complaint_of([&] { return accesses(text, {form, false}); });
 }
 
 TEST(TraceFile, ReadsBothFormsOfDin) {

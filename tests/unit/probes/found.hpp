@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/measure/figure.hpp"
+#include "edgewise/measure/expected.hpp"
 
 namespace edgewise {
 

@@ -10,9 +10,9 @@
 
 #include <csignal>
 #include <fstream>
-#include <stdexcept>
 
-#include "edgewise/store/reader.hpp"
+#include "../complaint.hpp"
+#include "edgewise/store/rows.hpp"
 #include "edgewise/store/schema.hpp"
 #include "store_fixture.hpp"
 
@@ -60,12 +60,7 @@ class Merging : public StoreTest {
     [[nodiscard]] std::string out() const { return (directory_ / "all.db").string(); }
 
     [[nodiscard]] std::string complaint(const std::vector<std::string>& stores, bool mixed = false) const {
-        try {
-            static_cast<void>(merge_stores(stores, out(), mixed));
-        } catch (const std::runtime_error& problem) {
-            return problem.what();
-        }
-        return "";
+        return complaint_of([&] { return merge_stores(stores, out(), mixed); });
     }
     [[nodiscard]] std::vector<std::string> hashes() const {
         std::vector<std::string> all;

@@ -11,7 +11,7 @@
 #include <map>
 
 #include "edgewise/store/merge.hpp"
-#include "edgewise/store/reader.hpp"
+#include "edgewise/store/rows.hpp"
 #include "edgewise/store/schema.hpp"
 #include "store_fixture.hpp"
 

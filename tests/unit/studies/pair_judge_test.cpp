@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "edgewise/bench/peers/peer_runner.hpp"
+#include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/peers/peer_bench_for.hpp"
 
 namespace edgewise::studies {

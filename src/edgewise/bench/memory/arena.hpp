@@ -2,8 +2,8 @@
 //
 // An arena for tables: one stretch of addresses that starts on a multiple of 2 MiB, filled from its start. So
 // a table lies at the same offset on every machine and in every run, tables follow each other without
-// headers, and what a cache model makes of an offset is the same everywhere. Memory is given back all at
-// once, when the arena goes.
+// headers, and a cache model gives the same result for an offset everywhere. Memory is given back all at
+// once, when the arena is destroyed.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ class TableMapping {
     /// resident is what was written.
     static constexpr std::size_t alignment = std::size_t{2} << 20;
 
-    /// Takes no memory yet, only addresses. Throws std::runtime_error when there are not even those, or when
+    /// Takes no memory yet, only addresses. Throws std::runtime_error if there are no free addresses, or if
     /// no folder takes a file that is not kept in memory itself.
     explicit TableMapping(Backing backing);
     ~TableMapping();
@@ -37,21 +37,22 @@ class TableMapping {
     [[nodiscard]] std::byte* base() const { return base_; }
     [[nodiscard]] static std::size_t bytes();
 
-    /// To be called before the first so many bytes are used. Where address space is short (ulimit -v, strict
-    /// overcommit) addresses come step by step. Throws std::runtime_error when none are left.
+    /// Makes the first `bytes` bytes usable; call it before they are used. Where address space is short
+    /// (ulimit -v, strict overcommit) addresses are taken step by step. Throws std::runtime_error if none are
+    /// left.
     void make_room(std::size_t bytes) {
         if (bytes > room_) grow(bytes);
     }
 
-    /// Whether the system throws out the pages that were not used for longest, as it does with other memory;
-    /// else it may take any.
+    /// Returns true if the system evicts the least recently used pages first, as it does with other memory;
+    /// else it may evict any.
     [[nodiscard]] bool keeps_recency() const { return keeps_recency_; }
 
-    /// Bytes, of so many from the start, whose pages are in memory; nothing when the system does not say.
+    /// Bytes of resident pages among the first `used` bytes; nothing if the system does not report them.
     [[nodiscard]] std::optional<std::size_t> resident(std::size_t used) const;
 
-    /// Writes the first bytes back to the file and drops their pages, in this process and in the system's
-    /// cache; false where that is not possible.
+    /// Writes the first `used` bytes back to the file and drops their pages, in this process and in the
+    /// system's cache; false if that is not possible.
     [[nodiscard]] bool evict(std::size_t used) const;
 
   private:

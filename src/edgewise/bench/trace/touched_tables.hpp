@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What a scene ever touched of its tables' memory, by component and by kind of feature: what it needs,
-// against what was modelled.
+// Which parts of its tables' memory a scene touched, by component and by kind of feature; and heat on the
+// body itself: how often it reads the data that a table stores of each vertex, edge and face.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +14,8 @@
 #include "edgewise/geometry/feature.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
 #include "edgewise/measure/cache/scene_caches.hpp"
+#include "edgewise/measure/cache/trace.hpp"
+#include "edgewise/table/ledger.hpp"
 
 namespace edgewise::bench {
 
@@ -21,8 +24,8 @@ namespace edgewise::bench {
                                                     const measure::TouchedBytes& touched);
 
 /// Features of a kind that one table's scene touched in any byte, by order in the layout. Arrays of one
-/// element a feature show it, side by side or several behind each other (x, y and z). Nothing when the table
-/// has no bytes for the kind alone, or packs several features into one element.
+/// element per feature show it, one or several of them (x, y and z). Nothing if the table has no bytes for
+/// the kind alone, or packs several features into one element.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map,
                                                                          const measure::TouchedBytes& touched,
                                                                          FeatureKind kind);
@@ -33,5 +36,35 @@ namespace edgewise::bench {
 /// The pieces that identify a table's features of a kind: element i of a piece belongs to feature i mod n.
 /// Empty where no piece does.
 [[nodiscard]] std::vector<const MappedPiece*> feature_pieces(const TableMap& map, FeatureKind kind);
+
+/// Counts the reads of each vertex, edge and face.
+class FeatureHeat final : public measure::TraceListener {
+  public:
+    /// Takes maps of tables of one body, at the addresses that the trace reports.
+    explicit FeatureHeat(std::span<const TableMap> maps);
+
+    void on_access(const measure::TracedAccess& access) override;
+    void on_query_end(bool /*counts*/) override { ++queries_; }
+
+    [[nodiscard]] std::uint64_t queries() const { return queries_; }
+    /// Reads of the features of a kind over all tables, in the order of the layout; nothing if the layout
+    /// stores no bytes for them alone, or not one by one.
+    [[nodiscard]] const std::optional<std::vector<std::uint32_t>>& reads(FeatureKind kind) const {
+        return reads_[static_cast<std::size_t>(kind)];
+    }
+
+  private:
+    /// A piece of a table, and the kinds of the features that it identifies.
+    struct Stretch {
+        std::uint64_t from = 0;
+        const MappedPiece* piece = nullptr;
+        std::array<bool, 3> tells = {};
+    };
+
+    std::vector<TableMap> maps_;
+    std::vector<Stretch> stretches_;  ///< by address
+    std::array<std::optional<std::vector<std::uint32_t>>, 3> reads_;
+    std::uint64_t queries_ = 0;
+};
 
 }  // namespace edgewise::bench

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "edgewise/store/reader.hpp"
+#include "edgewise/store/rows.hpp"
 
 namespace edgewise::cli {
 

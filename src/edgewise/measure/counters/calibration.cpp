@@ -5,14 +5,13 @@
 
 #include "edgewise/measure/cache/cache_model.hpp"
 #include "edgewise/measure/counters/count_pass.hpp"
-#include "edgewise/measure/counters/random_chase.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 
 namespace edgewise::measure {
 
 namespace {
 
-/// What counts a level's misses: by its place from the first, the last being where memory answers.
+/// The metric that counts the misses of a level. The last of the `levels` is the one that memory answers for.
 const char* event_of(std::size_t level, std::size_t levels) {
     if (level == 0) return "l1d_fills";
     return level + 1 == levels ? "llc_misses" : "l2_demand_misses";

@@ -2,11 +2,16 @@
 //
 // Counts the processor's events over a pass of queries. Events are counted four at a time, each group in
 // passes of its own: sharing counters would need scaling. So `pass` must do the same work each time, on the
-// calling thread. Each group is calibrated by empty batches (counter_arithmetic.hpp).
+// calling thread. Each group is calibrated by empty batches (counter_group.hpp).
 //
-// And what the operating system did to the thread during a pass: page faults, context switches, moves to
-// another processor. These are there wherever the processor has no counters. Here 0 is a value: it is what a
-// steady pass should show.
+// Also counts what the operating system did to the thread during a pass: page faults, context switches, moves
+// to another processor. These exist on processors without counters too. Here 0 is a value: a steady pass
+// shows it.
+//
+// Also the inventory of this machine's counters: the event of every metric and the kernel's own events are
+// opened and counted over a small piece of work with known effects. An event is unavailable, with the reason
+// and a remedy, if it cannot be opened, was not on a counter all the time, or stayed at 0 although the work
+// must cause it; it is never 0.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +19,11 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
-#include "edgewise/measure/counters/event_choice.hpp"
+#include "edgewise/measure/counters/events.hpp"
+#include "edgewise/measure/machine/machine.hpp"
 
 namespace edgewise::measure {
 
@@ -40,16 +47,28 @@ struct CountOptions {
     std::size_t empty_batches = 101;  ///< per group
 };
 
-/// Every metric of metric.hpp. Where no event can be opened, `pass` is not called at all; that is found out
-/// once per process. `cpu`: this machine's.
+/// Counts every metric of events.hpp. If no event can be opened, which is tried once per process, `pass` is
+/// never called. `cpu`: this machine's.
 [[nodiscard]] CountedPass count_pass(const std::function<void()>& pass, std::size_t queries, const Cpu& cpu);
 
 /// Counts any events, as count_pass does; events with a refusal keep it in the result.
 [[nodiscard]] CountedPass count_events(const std::function<void()>& pass, std::size_t queries,
                                        std::span<const ChosenEvent> events, const CountOptions& options = {});
 
-/// minor_faults, major_faults, context_switches and cpu_migrations of one pass.
+/// Counts minor_faults, major_faults, context_switches and cpu_migrations of one pass.
 [[nodiscard]] std::vector<PassRecord> count_software(const std::function<void()>& pass, std::size_t queries,
                                                      const Cpu& cpu);
+
+/// An event of this machine, with its count.
+struct CounterRecord : ChosenEvent {
+    std::optional<std::uint64_t> value;  ///< over the reference work; null: unavailable, see refusal
+};
+
+/// The work over which `value` was counted, in words.
+inline constexpr std::string_view reference_work =
+    "256 fresh pages touched, then 100000 dependent loads over them in scattered order, then one short sleep";
+
+/// Counts every metric and the kernel's own events on the calling thread; takes some milliseconds.
+[[nodiscard]] std::vector<CounterRecord> read_counters(const Cpu& cpu);
 
 }  // namespace edgewise::measure

@@ -4,10 +4,13 @@
 // AMD's L3 counters are left out: they belong to a whole core complex, not to a thread, so the last level is
 // seen through the core's own fills from memory. The generic events are defined in the kernel's tables in
 // arch/x86/events/intel/core.c, amd/core.c and drivers/perf/arm_pmuv3.c.
+//
+// Family and model numbers of processors: libpfm 4.13 (pfmlib_intel_*.c, pfmlib_amd64.c) and, for what is
+// newer, the kernel's arch/x86/include/asm/intel-family.h and arch/x86/kernel/cpu/amd.c. 4.13 itself does not
+// recognise some desktop models of Zen 3 and 4 (family 25, model 0x61).
 #include "edgewise/measure/counters/event_table.hpp"
 
 #include <fmt/core.h>
-#include <linux/perf_event.h>
 
 namespace edgewise::measure {
 
@@ -117,37 +120,26 @@ constexpr EventRow rows[] = {
      retired},
 };
 
-constexpr EventCode hardware(std::uint64_t config) { return {PERF_TYPE_HARDWARE, config}; }
-
-constexpr EventCode cached(std::uint64_t cache, std::uint64_t result,
-                           std::uint64_t operation = PERF_COUNT_HW_CACHE_OP_READ) {
-    return {PERF_TYPE_HW_CACHE, cache | operation << 8 | result << 16};
-}
-
-constexpr EventCode l1d_reads = cached(PERF_COUNT_HW_CACHE_L1D, PERF_COUNT_HW_CACHE_RESULT_ACCESS);
-constexpr EventCode l1d_writes =
-    cached(PERF_COUNT_HW_CACHE_L1D, PERF_COUNT_HW_CACHE_RESULT_ACCESS, PERF_COUNT_HW_CACHE_OP_WRITE);
-constexpr EventCode l1d_misses = cached(PERF_COUNT_HW_CACHE_L1D, PERF_COUNT_HW_CACHE_RESULT_MISS);
-constexpr EventCode llc_read_misses = cached(PERF_COUNT_HW_CACHE_LL, PERF_COUNT_HW_CACHE_RESULT_MISS);
-constexpr EventCode dtlb_misses = cached(PERF_COUNT_HW_CACHE_DTLB, PERF_COUNT_HW_CACHE_RESULT_MISS);
-
 constexpr GenericEvent generic_events[] = {
-    {instructions, CpuMaker::other, hardware(PERF_COUNT_HW_INSTRUCTIONS), "instructions (retired)"},
-    {cycles, CpuMaker::other, hardware(PERF_COUNT_HW_CPU_CYCLES), own_clock},
-    {branches, CpuMaker::other, hardware(PERF_COUNT_HW_BRANCH_INSTRUCTIONS), "branches"},
-    {branch_misses, CpuMaker::other, hardware(PERF_COUNT_HW_BRANCH_MISSES), guessed_wrong},
-    {loads, CpuMaker::intel, l1d_reads, "load instructions"},
-    {stores, CpuMaker::intel, l1d_writes, "store instructions"},
-    {l1d_fills, CpuMaker::intel, l1d_misses, "lines brought into L1D, for loads and stores (prefetches too)"},
-    {l1d_fills, CpuMaker::amd, l1d_misses, "requests of L1D to L2, for loads and stores (prefetches too)"},
-    {l1d_fills, CpuMaker::arm, l1d_misses, "lines brought into L1D, for loads and stores (prefetches too)"},
-    {l2_demand_misses, CpuMaker::amd, hardware(PERF_COUNT_HW_CACHE_MISSES),
+    {instructions, CpuMaker::other, "INSTRUCTIONS", "instructions (retired)"},
+    {cycles, CpuMaker::other, "CYCLES", own_clock},
+    {branches, CpuMaker::other, "BRANCHES", "branches"},
+    {branch_misses, CpuMaker::other, "BRANCH-MISSES", guessed_wrong},
+    {loads, CpuMaker::intel, "L1-DCACHE-LOADS", "load instructions"},
+    {stores, CpuMaker::intel, "L1-DCACHE-STORES", "store instructions"},
+    {l1d_fills, CpuMaker::intel, "L1-DCACHE-LOAD-MISSES",
+     "lines brought into L1D, for loads and stores (prefetches too)"},
+    {l1d_fills, CpuMaker::amd, "L1-DCACHE-LOAD-MISSES",
+     "requests of L1D to L2, for loads and stores (prefetches too)"},
+    {l1d_fills, CpuMaker::arm, "L1-DCACHE-LOAD-MISSES",
+     "lines brought into L1D, for loads and stores (prefetches too)"},
+    {l2_demand_misses, CpuMaker::amd, "CACHE-MISSES",
      "requests of both first-level caches that missed L2 (prefetches too, but not L2's own)"},
-    {llc_misses, CpuMaker::intel, hardware(PERF_COUNT_HW_CACHE_MISSES),
+    {llc_misses, CpuMaker::intel, "CACHE-MISSES",
      "requests of the core that missed the last level (prefetches too)"},
-    {llc_misses, CpuMaker::arm, llc_read_misses, "reads that missed the last level"},
-    {dtlb_walks, CpuMaker::intel, dtlb_misses, "misses of the data TLBs, for loads"},
-    {dtlb_walks, CpuMaker::amd, dtlb_misses, "misses of both data TLBs, for loads and stores"},
+    {llc_misses, CpuMaker::arm, "LLC-LOAD-MISSES", "reads that missed the last level"},
+    {dtlb_walks, CpuMaker::intel, "DTLB-LOAD-MISSES", "misses of the data TLBs, for loads"},
+    {dtlb_walks, CpuMaker::amd, "DTLB-LOAD-MISSES", "misses of both data TLBs, for loads and stores"},
 };
 
 }  // namespace
@@ -185,6 +177,49 @@ std::string processors_with(Metric metric) {
         names += fmt::format("{}{}", names.empty() ? "" : ", ", processor.name);
     }
     return names;
+}
+
+std::span<const Processor> processors() {
+    using namespace generation;
+    using enum CpuMaker;
+    static constexpr Processor known[] = {
+        // To Kaby, Coffee and Whiskey Lake (0x8e, 0x9e) and Comet Lake (0xa5).
+        {"skl", "Intel Skylake", skylake, intel, 6, {{0x4e}, {0x5e}, {0x8e}, {0x9e}, {0xa5, 0xa6}}},
+        {"skx", "Intel Skylake server", skylake, intel, 6, {{0x55}}, {0, 4}},
+        {"clx", "Intel Cascade Lake server", skylake, intel, 6, {{0x55}}, {5, 0xf}},
+        // To Tiger Lake (0x8c) and Rocket Lake (0xa7).
+        {"icl", "Intel Ice Lake", skylake, intel, 6, {{0x7d, 0x7e}, {0x8c, 0x8d}, {0x9d}, {0xa7}}},
+        {"icx", "Intel Ice Lake server", skylake, intel, 6, {{0x6a}, {0x6c}}},
+        {"spr", "Intel Sapphire Rapids", sapphire_rapids, intel, 6, {{0x8f}, {0xcf}}},  // and Emerald Rapids
+        {"amd64_fam17h_zen2", "AMD Zen 2", zen2, amd, 0x17, {{0x30, 0xff}}},
+        {"amd64_fam19h_zen3", "AMD Zen 3", zen3, amd, 0x19, {{0x00, 0x0f}, {0x20, 0x5f}}},
+        {"amd64_fam19h_zen4", "AMD Zen 4", zen4, amd, 0x19, {{0x10, 0x1f}, {0x60, 0xaf}}},
+        {"amd64_fam1ah_zen5", "AMD Zen 5", zen5, amd, 0x1a, {{0x00, 0x2f}, {0x40, 0x4f}, {0x60, 0x7f}}},
+        {"arm_n1", "Arm Neoverse N1", neoverse_n1, arm, 8, {{0xd0c}}},
+        {"arm_v2", "Arm Neoverse V2", neoverse_v2, arm, 8, {{0xd4f}}},
+        {"amd64_k7", "AMD K7", k7, amd, 6, {{0x00, 0xff}}},
+    };
+    return known;
+}
+
+const Processor* find_processor(const Cpu& cpu) {
+    const std::int64_t model = cpu.model.value.value_or(-1);
+    for (const Processor& processor : processors()) {
+        if (processor.maker != maker_of(cpu) || processor.family != cpu.family.value.value_or(-1)) continue;
+        if (!processor.steppings.holds(cpu.stepping.value.value_or(0))) continue;
+        for (const NumberRange& models : processor.models) {
+            if (models.holds(model)) return &processor;
+        }
+    }
+    return nullptr;
+}
+
+CpuMaker maker_of(const Cpu& cpu) {
+    const std::string vendor = cpu.vendor.value.value_or("");
+    if (vendor == "GenuineIntel") return CpuMaker::intel;
+    if (vendor == "AuthenticAMD" || vendor == "HygonGenuine") return CpuMaker::amd;
+    if (vendor.starts_with("0x")) return CpuMaker::arm;
+    return CpuMaker::other;
 }
 
 }  // namespace edgewise::measure

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// man 3 pfm_get_os_event_encoding. Only what encodes is taken from it; privilege levels and groups are set
+// man 3 pfm_get_os_event_encoding. Only codes are taken from libpfm; privilege levels and groups are set
 // where events are opened.
-#include "edgewise/measure/counters/libpfm.hpp"
+#include "edgewise/measure/counters/events.hpp"
 
 #include <fmt/core.h>
 #include <perfmon/pfmlib.h>
@@ -12,9 +12,8 @@
 
 namespace edgewise::measure {
 
-/// Starts the library at the first use; it is never ended, as that would free nothing the process keeps.
-/// libpfm also encodes for processors that it does not detect, since 4.13 detects no desktop Zen 3 and 4: the
-/// caller names the processor.
+/// Starts the library at the first use and never ends it. It encodes for processors that it does not detect,
+/// too, because 4.13 detects no desktop Zen 3 and 4: the caller names the processor.
 std::string why_no_libpfm() {
     static const int result = [] {
         setenv("LIBPFM_ENCODE_INACTIVE", "1", 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A build without libpfm4: events are found by the kernel's generic names.
-#include "edgewise/measure/counters/libpfm.hpp"
+// A build without libpfm4: no event of the processor has a code.
+#include "edgewise/measure/counters/events.hpp"
 
 namespace edgewise::measure {
 

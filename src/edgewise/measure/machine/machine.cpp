@@ -1,17 +1,85 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads /proc and /sys (Documentation/admin-guide of the Linux kernel) and asks two system calls.
+// Reads /proc and /sys (Documentation/admin-guide of the Linux kernel) and asks two system calls. Files there
+// have no size, so they are read to their end. /proc/cpuinfo has blocks of "key : value" lines, one block per
+// logical processor; on a hybrid processor the blocks differ, and the first one is described.
 #include "edgewise/measure/machine/machine.hpp"
 
 #include <fmt/core.h>
 #include <sys/personality.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 namespace edgewise::measure {
 
 namespace {
+
+using Keys = std::map<std::string, std::string, std::less<>>;
+
+std::string trimmed(std::string_view text) {
+    const auto begin = text.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) return {};
+    return std::string(text.substr(begin, text.find_last_not_of(" \t") - begin + 1));
+}
+
+/// One map per logical processor. Lines outside a "processor" block (Arm's board name) are left out.
+std::vector<Keys> parse_blocks(std::string_view cpuinfo) {
+    std::vector<Keys> blocks;
+    std::istringstream lines{std::string(cpuinfo)};
+    for (std::string line; std::getline(lines, line);) {
+        const auto colon = line.find(':');
+        if (colon == std::string::npos) continue;
+        const std::string key = trimmed(std::string_view(line).substr(0, colon));
+        if (key == "processor") blocks.emplace_back();
+        if (!blocks.empty()) blocks.back()[key] = trimmed(std::string_view(line).substr(colon + 1));
+    }
+    return blocks;
+}
+
+/// The value of the first key that is there: x86's name for it, then Arm's.
+Expected<std::string> find_text(const Keys& keys, std::string_view x86, std::string_view arm) {
+    for (const std::string_view key : {x86, arm}) {
+        const auto found = keys.find(key);
+        if (found != keys.end() && !found->second.empty()) return {found->second};
+    }
+    return Refusal{fmt::format("/proc/cpuinfo has no \"{}\"", x86)};
+}
+
+Expected<std::int64_t> find_number(const Keys& keys, std::string_view x86, std::string_view arm) {
+    const Expected<std::string> text = find_text(keys, x86, arm);
+    if (!text.value) return text.refusal();
+    const auto number = parse_number(*text.value);
+    if (!number) return Refusal{fmt::format("/proc/cpuinfo: {} is {}", x86, *text.value)};
+    return {number};
+}
+
+Expected<std::int64_t> count_cores(const std::vector<Keys>& blocks) {
+    std::set<std::pair<std::string, std::string>> cores;
+    for (const Keys& keys : blocks) {
+        const auto package = keys.find("physical id");
+        const auto core = keys.find("core id");
+        if (package == keys.end() || core == keys.end()) return Refusal{"/proc/cpuinfo has no \"core id\""};
+        cores.emplace(package->second, core->second);
+    }
+    if (cores.empty()) return Refusal{"/proc/cpuinfo names no processor"};
+    return {static_cast<std::int64_t>(cores.size())};
+}
+
+constexpr const char* known_extensions[] = {
+    "sse2",        "ssse3",      "sse4_1",   "sse4_2",  "avx",      "avx2",     "fma",
+    "f16c",        "bmi2",       "avx_vnni", "avx512f", "avx512dq", "avx512bw", "avx512vl",
+    "avx512_vnni", "avx512vbmi", "amx_tile", "asimd",   "asimdhp",  "sve",      "sve2"};
 
 Cpu read_cpu(const std::filesystem::path& root) {
     const Expected<std::string> text = read_text(root / "proc/cpuinfo");
@@ -82,6 +150,63 @@ Cache read_cache(const std::filesystem::path& index) {
 }
 
 }  // namespace
+
+Expected<std::string> read_text(const std::filesystem::path& file) {
+    errno = 0;
+    std::ifstream stream(file);
+    if (!stream) return Refusal{fmt::format("{}: {}", file.string(), std::strerror(errno))};
+    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    const auto end = text.find_last_not_of(" \t\r\n");
+    text.erase(end == std::string::npos ? 0 : end + 1);
+    if (text.empty()) return Refusal{fmt::format("{}: empty", file.string())};
+    return {std::move(text)};
+}
+
+Expected<std::int64_t> read_number(const std::filesystem::path& file) {
+    const Expected<std::string> text = read_text(file);
+    if (!text.value) return text.refusal();
+    const auto number = parse_number(*text.value);
+    if (!number) return Refusal{fmt::format("{}: not a number: {}", file.string(), *text.value)};
+    return {number};
+}
+
+std::optional<std::int64_t> parse_number(std::string text) {
+    if (text.empty()) return std::nullopt;
+    const auto unit = std::string_view("KMG").find(text.back());
+    const std::int64_t factor = unit < 3 ? std::int64_t{1024} << 10 * unit : 1;
+    if (factor > 1) text.pop_back();
+    const bool hexadecimal = text.starts_with("0x");
+    const char* const begin = text.data() + (hexadecimal ? 2 : 0);
+    const char* const end = text.data() + text.size();
+    std::int64_t value = 0;
+    const auto [rest, error] = std::from_chars(begin, end, value, hexadecimal ? 16 : 10);
+    if (error != std::errc{} || rest != end) return std::nullopt;
+    return value * factor;
+}
+
+Cpu parse_cpu(std::string_view cpuinfo) {
+    const std::vector<Keys> blocks = parse_blocks(cpuinfo);
+    const Keys keys = blocks.empty() ? Keys{} : blocks.front();
+    Cpu cpu;
+    cpu.vendor = find_text(keys, "vendor_id", "CPU implementer");
+    cpu.name = find_text(keys, "model name", "model name");
+    cpu.family = find_number(keys, "cpu family", "CPU architecture");
+    cpu.model = find_number(keys, "model", "CPU part");
+    cpu.stepping = find_number(keys, "stepping", "CPU revision");
+    cpu.cores = count_cores(blocks);
+    cpu.threads = static_cast<std::int64_t>(blocks.size());
+
+    std::istringstream words(find_text(keys, "flags", "Features").value.value_or(""));
+    std::set<std::string> flags;
+    for (std::string word; words >> word;) flags.insert(word);
+    for (const char* name : known_extensions) {
+        if (flags.contains(name)) cpu.vector_extensions.emplace_back(name);
+    }
+    const bool x86 = keys.find("flags") != keys.end();
+    cpu.hypervisor = x86 ? Expected<bool>{flags.count("hypervisor") != 0}
+                         : Expected<bool>::none("only x86 processors tell a guest that it is one");
+    return cpu;
+}
 
 Expected<std::vector<Cache>> read_caches(const std::filesystem::path& root) {
     const std::filesystem::path directory = root / "sys/devices/system/cpu/cpu0/cache";

@@ -1,17 +1,44 @@
 // SPDX-License-Identifier: MIT
 //
-// Facts about this machine: everything that may explain a time or a miss. Only what stays the same from
-// run to run: no load, no free memory, no present clock rate.
+// Facts about this machine: everything that may explain a time or a miss, from the small text files in which
+// Linux describes itself. Only what stays the same from run to run: no load, no free memory, no present clock
+// rate.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "edgewise/measure/machine/cpu.hpp"
+#include "edgewise/measure/expected.hpp"
 
 namespace edgewise::measure {
+
+/// The whole file without trailing white space.
+[[nodiscard]] Expected<std::string> read_text(const std::filesystem::path& file);
+
+/// The number in a file that holds one whole number, decimal or 0x-hexadecimal, with an optional K, M or G
+/// (1024 based).
+[[nodiscard]] Expected<std::int64_t> read_number(const std::filesystem::path& file);
+
+/// The number at the start of a text, as read_number reads it; null when there is none or when text follows.
+[[nodiscard]] std::optional<std::int64_t> parse_number(std::string text);
+
+/// The processor, from the text of /proc/cpuinfo. x86 and 64-bit Arm have different names there: vendor,
+/// family, model and stepping are Arm's implementer, architecture, part and revision.
+struct Cpu {
+    Expected<std::string> vendor;  ///< "GenuineIntel", "AuthenticAMD", or Arm's implementer: "0x41"
+    Expected<std::string> name;
+    Expected<std::int64_t> family, model, stepping;
+    Expected<std::int64_t> cores;                ///< physical ones
+    std::int64_t threads = 0;                    ///< logical processors the system runs
+    std::vector<std::string> vector_extensions;  ///< those that change what code can be generated or run
+    Expected<bool> hypervisor;                   ///< x86 only: the flag that shows a guest that it is one
+};
+
+[[nodiscard]] Cpu parse_cpu(std::string_view cpuinfo);
 
 /// A cache of the first processor, as the kernel reports it in sysfs (Documentation/ABI/testing/
 /// sysfs-devices-system-cpu). In a virtual machine the hypervisor chooses what is reported.
@@ -35,7 +62,7 @@ struct Machine {
     Expected<std::int64_t> perf_event_paranoid;
 };
 
-/// In the order of sysfs (level 1 first). `root` is "/" except in tests, here and below.
+/// Caches in the order of sysfs (level 1 first). `root` is "/" except in tests, here and below.
 [[nodiscard]] Expected<std::vector<Cache>> read_caches(const std::filesystem::path& root);
 
 [[nodiscard]] Machine read_machine(const std::filesystem::path& root = "/");

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/measure/counters/counters.hpp"
+#include "edgewise/measure/counters/count_pass.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 
 namespace edgewise::measure {

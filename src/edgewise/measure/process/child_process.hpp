@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A program run to its end, and what it said.
+// Runs a program to its end and returns its output.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace edgewise::measure {
 
 struct ProcessOutcome {
     int exit_code = 0;     ///< 128 and the signal when one ended it
-    std::string out, err;  ///< all that it wrote
+    std::string out, err;  ///< all its output
 };
 
-/// Found by PATH unless named with a slash. Unknown: it cannot be started.
+/// Runs a command; the program is found by PATH unless its name has a slash. Refused if it cannot be started.
 [[nodiscard]] Expected<ProcessOutcome> run_program(const std::vector<std::string>& command);
 
 }  // namespace edgewise::measure

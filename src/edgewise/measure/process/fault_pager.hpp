@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A memory that is too small, made by this process for itself: a stretch of shared memory whose pages are
-// taken away and given back by userfaultfd (Linux 5.13 on: minor faults of shared memory, reported to the
-// thread that caused them). SegmentedLru decides which pages are held and evicted; a page that is not held
-// comes after a stated wait, the cost of a disk. Contents never move: an evicted page is only unmapped, so
-// that no answer can change. No root, no disk, no control group.
+// A memory that is too small, which this process makes for itself: pages of a stretch of shared memory are
+// unmapped and mapped again by userfaultfd (Linux 5.13 or later: minor faults of shared memory, reported to
+// the thread that caused them). SegmentedLru decides which pages are held and evicted. A page that is not
+// held is mapped after a given wait, the cost of a disk. Contents never move: an evicted page is only
+// unmapped, so no answer can change. It needs no root, no disk and no control group.
 //
 // One pager at a time; only the thread that made it may use the memory meanwhile.
 #pragma once
@@ -25,18 +25,18 @@ struct FaultCounts {
 
 class FaultPager {
   public:
-    /// Pages of the stretch from `base`, a page's start in shared memory, none of them used yet.
-    /// Nothing, with the reason, where the kernel refuses or another pager lives.
+    /// Takes the pages of the stretch from `base`, a page's start in shared memory; none of them may have
+    /// been used. Refused if the kernel refuses or another pager exists.
     [[nodiscard]] static Expected<std::unique_ptr<FaultPager>> make(std::byte* base, std::size_t bytes,
                                                                     SegmentedLru memory);
-    /// All pages are there again.
+    /// Makes all pages available again.
     ~FaultPager();
     FaultPager(const FaultPager&) = delete;
     FaultPager& operator=(const FaultPager&) = delete;
 
     /// Sets the wait of each hard fault from now on.
     void set_wait_ns(double ns);
-    /// Since it was made, or taken last.
+    /// Counts since the pager was made, or since the last call.
     [[nodiscard]] FaultCounts take_counts();
 
   private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A memory control group of the kernel's, version 1 or 2: processes in it get so much memory and no more, so
-// that pages of files are evicted and read again. Made for one measurement and removed with it.
+// A memory control group of the kernel, version 1 or 2: it limits the memory of the processes in it, so that
+// pages of files are evicted and read again. Made for one measurement and removed after it.
 #pragma once
 
 #include <sys/types.h>
@@ -11,11 +11,11 @@
 #include <memory>
 #include <string>
 
-#include "edgewise/measure/machine/read_text.hpp"
+#include "edgewise/measure/machine/machine.hpp"
 
 namespace edgewise::measure {
 
-/// What the group holds, in bytes.
+/// Memory of the group, in bytes.
 struct MemoryInGroup {
     std::uint64_t file = 0;   ///< pages of files
     std::uint64_t other = 0;  ///< all else: stacks, heaps, page tables
@@ -27,14 +27,14 @@ struct MemoryInGroup {
 
 class MemoryLimit {
   public:
-    /// Nothing, with the reason, where this process may not make one. `root` is "/" except in tests.
+    /// Makes a group. Refused if this process may not make one. `root` is "/" except in tests.
     [[nodiscard]] static Expected<std::unique_ptr<MemoryLimit>> make(const std::filesystem::path& root = "/");
-    /// Its processes must have ended.
+    /// Removes the group; its processes must have ended.
     ~MemoryLimit();
     MemoryLimit(const MemoryLimit&) = delete;
     MemoryLimit& operator=(const MemoryLimit&) = delete;
 
-    /// Empty, or what the kernel refused. 0 bytes: no limit.
+    /// Sets the limit; 0 bytes: none. Returns what the kernel refused, or an empty text.
     [[nodiscard]] std::string set_bytes(std::uint64_t bytes) const;
     [[nodiscard]] std::string take_in(pid_t process) const;
     [[nodiscard]] Expected<MemoryInGroup> holds() const;

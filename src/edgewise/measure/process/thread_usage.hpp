@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the kernel did to the calling thread so far: man 2 getrusage, which needs no permission, where the
-// kernel's events of the same things do.
+// Page faults, context switches and time of the calling thread: man 2 getrusage, which needs no permission;
+// the kernel's events of the same name do.
 #pragma once
 
 #include <sys/resource.h>
@@ -21,7 +21,7 @@ struct ThreadUsage {
     }
 };
 
-/// Since the thread began.
+/// Counts since the thread began.
 [[nodiscard]] inline ThreadUsage thread_usage() {
     rusage usage{};
     getrusage(RUSAGE_THREAD, &usage);  // cannot fail with these arguments

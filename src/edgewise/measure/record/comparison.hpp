@@ -53,8 +53,8 @@ struct RecordComparison {
 
     [[nodiscard]] std::size_t count(Outcome outcome) const;
     [[nodiscard]] std::size_t compared() const;  ///< rows that both records have
-    /// No fault, something was compared, nothing is worse or changed, and nothing that must stay came or
-    /// went.
+    /// Returns true if there is no fault, something was compared, no row is worse or changed, and no row that
+    /// must stay is missing or new.
     [[nodiscard]] bool passed() const;
     [[nodiscard]] int exit_code() const { return passed() ? 0 : 1; }
 };

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "edgewise/measure/counters/random_chase.hpp"
+#include "edgewise/measure/counters/calibration.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 
 namespace edgewise::studies::advise {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "edgewise/bench/certificates.hpp"
-#include "edgewise/bench/peers/peer_runner.hpp"
+#include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/studies/parts/allowed_errors.hpp"

@@ -9,7 +9,7 @@
 
 #include "edgewise/input/count.hpp"
 #include "edgewise/scene/hard/families.hpp"
-#include "edgewise/store/merge_source.hpp"
+#include "edgewise/store/merge.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/studies/fields/fields_rows.hpp"
 #include "edgewise/studies/paging_rows.hpp"

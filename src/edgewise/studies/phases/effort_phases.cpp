@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "edgewise/measure/process/callgrind_lines.hpp"
+#include "edgewise/measure/process/callgrind.hpp"
 #include "edgewise/studies/callgrind_pass.hpp"
 #include "edgewise/studies/phases/phases.hpp"
 

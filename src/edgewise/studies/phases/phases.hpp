@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "edgewise/measure/process/callgrind_lines.hpp"
+#include "edgewise/measure/process/callgrind.hpp"
 
 namespace edgewise::studies {
 

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "edgewise/measure/process/callgrind.hpp"
-#include "edgewise/measure/process/callgrind_lines.hpp"
 #include "edgewise/measure/process/child_process.hpp"
 
 namespace edgewise::measure {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Every select names its columns: the functions that read a row know them by number.
-#include "edgewise/store/read_rows.hpp"
+// Every select names its columns: the functions that read a row know them by number. All reads of a build are
+// one transaction, so a sweep that writes meanwhile cannot mix two states.
+#include "edgewise/store/rows.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -17,7 +19,7 @@ namespace edgewise::store {
 
 namespace {
 
-/// In schema version 5 a row's run was the beginning of its scene's name.
+/// In schema version 5 the name of a row's scene began with its run.
 constexpr const char* run_by_old_name =
     "case when scene in ('stability', 'paging', 'thrash', 'thrash_realised') then scene "
     "when substr(scene, 1, 7) = 'effort ' then 'effort' when substr(scene, 1, 7) = 'fields ' then 'fields' "
@@ -25,7 +27,7 @@ constexpr const char* run_by_old_name =
 constexpr const char* scene_by_old_name =
     "case when substr(scene, 1, 7) in ('effort ', 'fields ') then substr(scene, 8) else scene end";
 
-/// The table as it would be today, for this connection alone: nothing is written.
+/// Shows the table `cell` with today's columns, for this connection alone: nothing is written.
 void show_runs_of_old_names(const sqlite::Database& database) {
     database.execute(
         fmt::format("pragma temp_store = memory; create temp view cell as select build, hash, {} "
@@ -38,7 +40,7 @@ void show_runs_of_old_names(const sqlite::Database& database) {
 
 std::string select_cells() { return fmt::format("select {} from cell where build = ? ", cell_columns); }
 
-/// Throws where the text is none of the names: another program wrote it.
+/// Throws std::runtime_error if the text is not one of the names: another program wrote it.
 template <class Enum, std::size_t count>
 Enum named(const std::string& text, const std::string_view (&names)[count], const char* what) {
     const auto found = std::ranges::find(names, text);
@@ -89,6 +91,29 @@ template <class Row>
 std::optional<Row> row_of(sqlite::Statement& bound, Row (*read)(const sqlite::Statement& row)) {
     if (!bound.step()) return std::nullopt;
     return read(bound);
+}
+
+std::string latest_build(const sqlite::Database& database) {
+    sqlite::Statement named(
+        database,
+        "select b.id from meta m join build b on b.id = m.value where m.key = 'build' and exists "
+        "(select 1 from cell c where c.build = b.id)");
+    if (named.step()) return named.text(0);
+    sqlite::Statement fullest(database,
+                              "select build from cell group by build order by count(*) desc, build limit 1");
+    if (fullest.step()) return fullest.text(0);
+    throw std::runtime_error(
+        fmt::format("the results store {} holds no cell: run a sweep first", database.path()));
+}
+
+/// Repairs a figure of a file that another program wrote: no value is infinite, and none is missing without a
+/// reason.
+void check(FigureRow& figure) {
+    if (figure.value && !std::isfinite(*figure.value)) {
+        figure.value.reset();
+        figure.reason = "the stored value is not finite";
+    }
+    if (!figure.value && figure.reason.empty()) figure.reason = "the probe gave no reason";
 }
 
 }  // namespace
@@ -156,6 +181,38 @@ std::vector<measure::Round> rounds_of(const sqlite::Database& database, const st
         database,
         fmt::format("select {} from round where build = ? and hash = ? order by number", round_columns));
     return rows_of(select.bind(build, hash), read_round);
+}
+
+measure::Figure StoredCell::figure(const std::string& probe, const std::string& name) const {
+    for (const FigureRow& stored : figures)
+        if (stored.probe == probe && stored.name == name) return stored;
+    const std::string why = verified() ? "no such figure is stored"
+                                       : fmt::format("the cell is {}: {}", to_string(status), reason);
+    return {name, std::nullopt, "", why};
+}
+
+StoredBuild read_build(const std::string& store, const std::string& id, const OnCell& on_cell) {
+    const sqlite::Database database = sqlite::Database::for_reading(store);
+    database.execute("begin");
+    check_schema(database);
+    StoredBuild read;
+    read.meta = meta_of(database);
+    const std::string wanted = id.empty() ? latest_build(database) : id;
+    const auto build = find_build(database, wanted);
+    if (!build) throw std::runtime_error(fmt::format("the results store {} has no build {}", store, wanted));
+    read.build = *build;
+    sqlite::Statement others(database, "select id from build where id <> ? order by id");
+    others.bind(wanted);
+    while (others.step()) read.other_builds.push_back(others.text(0));
+    std::vector<CellRow> rows = cells_of(database, wanted);
+    for (CellRow& row : rows) {
+        StoredCell& cell = read.cells.emplace_back(StoredCell{std::move(row)});
+        cell.figures = figures_of(database, wanted, cell.hash);
+        for (FigureRow& figure : cell.figures) check(figure);
+        cell.rounds = rounds_of(database, wanted, cell.hash);
+        if (on_cell) on_cell(read.cells.size(), rows.size());
+    }
+    return read;
 }
 
 }  // namespace edgewise::store

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+//
+// Events that a processor counts: metrics, by names that mean the same on every processor; the event that
+// answers a metric on this machine, as libpfm4 and the Linux kernel know it; and what the kernel's refusals
+// mean (man 2 perf_event_open). The events of each processor are in event_table.hpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edgewise/measure/expected.hpp"
+#include "edgewise/measure/machine/machine.hpp"
+
+namespace edgewise::measure {
+
+struct EventCode {
+    std::uint32_t type = 0;    ///< PERF_TYPE_*
+    std::uint64_t config = 0;  ///< of that type
+    bool kernel_too = false;   ///< else only what happens in user mode
+};
+
+/// Text of a code, as "PERF_TYPE_RAW:0x8d1:u"; u: user mode only.
+[[nodiscard]] std::string encoding_text(const EventCode& code);
+
+/// Why an event cannot be opened, and what helps. `error`: the errno. `hardware`: the event is the
+/// processor's, not the kernel's own.
+[[nodiscard]] Refusal explain_error(int error, bool hardware, const Cpu& cpu);
+
+enum class Metric {
+    instructions,
+    cycles,
+    branches,
+    branch_misses,
+    loads,
+    stores,
+    l1d_fills,
+    l1d_load_misses,
+    l2_demand_misses,
+    llc_misses,
+    dtlb_walks,
+    line_crossing_loads
+};
+
+struct MetricName {
+    Metric metric;
+    std::string_view name;
+    std::string_view level;  ///< of the caches, where it is about them: "core", "L1D", "L2", "LLC" ...
+    bool must_happen;  ///< in any work of many thousand loads over more memory than the first cache holds
+};
+
+/// In the order of reports. Four in a row are counted together, so ratios within such a row are of the same
+/// run.
+inline constexpr std::array<MetricName, 12> metrics{{
+    {Metric::instructions, "instructions", "core", true},
+    {Metric::cycles, "cycles", "core", true},
+    {Metric::branches, "branches", "core", true},
+    {Metric::branch_misses, "branch_misses", "core", false},
+    {Metric::loads, "loads", "core", true},
+    {Metric::stores, "stores", "core", true},
+    {Metric::l1d_fills, "l1d_fills", "L1D", true},
+    {Metric::l1d_load_misses, "l1d_load_misses", "L1D", true},
+    {Metric::l2_demand_misses, "l2_demand_misses", "L2", false},
+    {Metric::llc_misses, "llc_misses", "LLC", false},
+    {Metric::dtlb_walks, "dtlb_walks", "dTLB, page walks", false},
+    {Metric::line_crossing_loads, "line_crossing_loads", "L1D", false},
+}};
+
+/// Why libpfm cannot be used: it was left out of this build, or did not start. Empty if it can be used.
+[[nodiscard]] std::string why_no_libpfm();
+
+/// The code of an event with a name like "skx::MEM_LOAD_RETIRED:L1_MISS", in user mode only. The processor
+/// need not be this machine's.
+[[nodiscard]] Expected<EventCode> encode_by_libpfm(const std::string& name);
+
+/// An event for a metric: the processor's own, or a generic one of the kernel.
+struct ChosenEvent {
+    std::string event;                 ///< the metric's name, or what perf calls a software event
+    std::string by;                    ///< whose event it is: libpfm, generic, software; or none
+    std::string encoding = "none";     ///< what is asked of the kernel, e.g. "PERF_TYPE_RAW:0x8d1:u"
+    std::optional<std::string> level;  ///< what it counts: see MetricName, or "kernel"
+    std::string meaning;               ///< what it counts, in words
+    std::string unit = "1";            ///< "1" or "ns"; per query where a value is
+    EventCode code = {};
+    bool must_happen = false;  ///< see MetricName
+    int error = 0;             ///< errno of opening it; 0: none
+    Refusal refusal = {};      ///< empty: it can be opened
+};
+
+/// Events that may answer the metric, in the order in which they are tried: the processor's own, then a
+/// generic event of the kernel. None without libpfm. `refusal` and `error` are not set.
+[[nodiscard]] std::vector<ChosenEvent> event_candidates(const MetricName& metric, const Cpu& cpu);
+
+/// The first candidate that opens. If none does: the first candidate, with the reason.
+[[nodiscard]] ChosenEvent choose_event(const MetricName& metric, const Cpu& cpu);
+
+/// The event of every metric, chosen at the first call and kept. `cpu`: this machine's.
+[[nodiscard]] const std::vector<ChosenEvent>& chosen_events(const Cpu& cpu);
+
+/// An event of the kernel's own (PERF_COUNT_SW_*), with the reason if it cannot be opened.
+[[nodiscard]] ChosenEvent software_event(std::string_view name, std::uint64_t config,
+                                         std::string_view meaning, const Cpu& cpu);
+
+}  // namespace edgewise::measure
