@@ -15,7 +15,7 @@
 #include "edgewise/measure/cache/heat_map.hpp"
 #include "edgewise/measure/cache/scene_caches.hpp"
 #include "edgewise/measure/cache/trace.hpp"
-#include "edgewise/table/ledger.hpp"
+#include "edgewise/table/pieces.hpp"
 
 namespace edgewise::bench {
 
