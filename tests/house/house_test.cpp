@@ -8,13 +8,12 @@
 #include <set>
 
 #include "house.hpp"
-#include "house_paths.hpp"
 
 namespace edgewise::house {
 namespace {
 
 const Files& tree() {
-    static const Files files = read_tree(project_root);
+    static const Files files = read_tree(PROJECT_ROOT);
     return files;
 }
 

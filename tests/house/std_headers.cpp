@@ -10,7 +10,7 @@ namespace edgewise::house {
 
 namespace {
 
-/// What the exported headers use, by header.
+/// Standard names that exported headers use, by header.
 const std::vector<std::pair<std::string, std::string>> names_of_headers = {
     {"algorithm",
      "all_of any_of clamp copy count fill fill_n find find_if lower_bound max max_element min min_element minmax none_of pop_heap push_heap reverse sort stable_sort transform unique upper_bound"},
@@ -66,15 +66,6 @@ bool is_exported(const SourceFile& file) {
     return std::regex_match(file.path, exported);
 }
 
-std::set<std::string> included_by(const SourceFile& file) {
-    static const std::regex directive(R"(^#include <([^>]+)>.*)");
-    std::set<std::string> found;
-    for (const std::string& line : file.lines) {
-        if (std::smatch match; std::regex_match(line, match, directive)) found.insert(match[1]);
-    }
-    return found;
-}
-
 /// Standard names in the code of a line, `assert` among them.
 std::vector<std::string> names_in(const std::string& line) {
     static const std::regex text(R"("(\\.|[^"\\])*"|//.*)"), name(R"(\bstd::(\w+)|\b(assert)\()");
@@ -88,11 +79,15 @@ std::vector<std::string> names_in(const std::string& line) {
 }  // namespace
 
 Violations missing_std_headers(const Files& files) {
+    static const std::regex directive(R"(^#include <([^>]+)>.*)");
     static const std::map<std::string, std::string> header_of = header_of_name();
     Violations found;
     for (const SourceFile& file : files) {
         if (!is_exported(file)) continue;
-        std::set<std::string> there = included_by(file);
+        std::set<std::string> there;
+        std::smatch match;
+        for (const std::string& line : file.lines)
+            if (std::regex_match(line, match, directive)) there.insert(match[1]);
         for (std::size_t i = 0; i < file.lines.size(); ++i) {
             for (const std::string& name : names_in(file.lines[i])) {
                 const auto header = header_of.find(name);
